@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_GLUE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_GLUE_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Triangles renumbered for locality, and the way back to the caller's numbers.
+struct Glued_mesh
+{
+  Glued_triangles triangles;
+  std::vector<Index> site_of_vertex;   // #vertices
+  std::vector<Index> vertex_of_site;   // #sites
+  std::vector<Index> triangle_of_face; // #faces; corners keep the order that they had in the face
+  std::vector<Index> face_of_triangle; // #triangles
+};
+
+// Glues triangles whose twins are known (as a half-edge structure knows them): sites in Morton
+// order, triangles in the order of their first site, lengths from scaled coordinates.
+//
+// points  #vertices; corners  3 #faces, indices of points; twins  3 #faces, opposite side or none.
+// Throws Invalid_argument_error when a coordinate is not finite, or two of them are so far apart
+// that their distance overflows.  O(n); about 150 bytes per vertex.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Glued_mesh glue(std::vector<std::array<double, 3>> points, const std::vector<Index>& corners,
+                const std::vector<Index>& twins);
+
+// The same for a triangle soup, whose sides are glued where exactly two opposite ones join the same
+// two vertices; sides that no such pair claims stay on the border.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector<Index>& corners);
+
+// Triangles without area in double precision: a side of length zero, or sides of which the longest
+// is not shorter than the two others together.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::size_t number_of_degenerate_triangles(const Glued_triangles& triangles);
+
+// Components of the sites, joined by sides and arcs: a label for each site, and how many there are.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::pair<std::vector<Index>, std::size_t> components(const Glued_triangles& triangles);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_GLUE_H
