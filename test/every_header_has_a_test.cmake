@@ -1,0 +1,28 @@
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Fails when a public header, or a kernel (an internal header with a source of the same name), has
+# no test of the same name.
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
+set(include ${root}/include/CGAL/Geodesic_processing)
+set(missing "")
+
+file(GLOB headers ${include}/*.h)
+foreach(header IN LISTS headers)
+  cmake_path(GET header STEM name)
+  if(NOT EXISTS ${root}/test/${name}_test.cpp)
+    string(APPEND missing "  test/${name}_test.cpp\n")
+  endif()
+endforeach()
+
+file(GLOB headers ${include}/internal/*.h)
+foreach(header IN LISTS headers)
+  cmake_path(GET header STEM name)
+  if(EXISTS ${root}/src/${name}.cpp AND NOT EXISTS ${root}/test/internal/${name}_test.cpp)
+    string(APPEND missing "  test/internal/${name}_test.cpp\n")
+  endif()
+endforeach()
+
+if(missing)
+  message(FATAL_ERROR "headers without a test; these files are missing:\n${missing}")
+endif()
