@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi and path.  Whatever is
+# in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
+set -u
+
+program=$(realpath "$1") jobs=$2
+shift 2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+check()
+{
+  local file=$1 command=$2 out limit=10 status sentence
+  shift 2
+  out=$(mktemp -p "$folder")
+  [ "$command" != distance ] || set -- "$@" --values "$out.values"
+  # 10 s each up to 50,000 vertices and 60 s above: about 40 bytes a vertex and its two faces.
+  [ "$(stat -c %s "$file")" -lt 2000000 ] || limit=60
+  timeout -k 5 $limit "$program" "$command" "$file" "$@" --json --quiet >"$out" 2>"$out.err"
+  status=$?
+  case $status in
+    0) if grep -qiE '(^|[^a-z])-?nan([^a-z]|$)' "$out" "$out.values" 2>/dev/null; then
+         sentence="a NaN in the result"
+       fi ;;
+    2) [ "$(grep -c . "$out.err")" -eq 1 ] || sentence="not one sentence on standard error" ;;
+    124 | 137) sentence="no end after $limit s" ;;
+    *) sentence="exit code $status" ;;
+  esac
+  if [ -n "${sentence:-}" ]; then
+    echo "$command $file: $sentence"
+    head -n 15 "$out.err"
+    return 1
+  fi
+}
+
+check_all()
+{
+  local file=$1 failed=0
+  check "$file" info || failed=1
+  check "$file" distance --source 0 || failed=1
+  check "$file" voronoi --number 3 || failed=1
+  check "$file" path --from 0 --to 1 || failed=1
+  return $failed
+}
+
+export -f check check_all
+export program folder
+if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
+  echo "$# files, 4 commands each: no crash, no hang, no NaN"
+else
+  exit 1
+fi

@@ -1,0 +1,145 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds and runs every test.  Leaves everything in build/.
+#   --quick   without the sanitizer build
+#   --all     also all the models of the data folder through the program, and a minute of fuzzing
+#             for each input format
+# Environment: JOBS (default: all processors), GEODESIC_PROCESSING_DATA (default: ../shared/data).
+set -u -o pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+. cmake/install_packages.sh
+
+quick=0 all=0
+for argument in "$@"; do
+  case $argument in
+    --quick) quick=1 ;;
+    --all) all=1 ;;
+    *) sed -n '5,9s/^# \{0,1\}//p' "$0"; exit 1 ;;
+  esac
+done
+
+jobs=${JOBS:-$(nproc)}
+data=${GEODESIC_PROCESSING_DATA:-$PWD/../shared/data}
+release=build/release sanitizer=build/sanitizer
+summary=() failures=0 started=$SECONDS
+
+# step NAME COMMAND...: runs it, remembers how it ended and how long it took.
+step()
+{
+  local name=$1 begin=$SECONDS result=passed
+  shift
+  printf '\n==== %s\n' "$name"
+  if ! "$@"; then
+    result=FAILED
+    failures=$((failures + 1))
+  fi
+  summary+=("$(printf '%-34s %-7s %5d s' "$name" "$result" $((SECONDS - begin)))")
+  [ $result = passed ]
+}
+
+skip() { summary+=("$(printf '%-34s skipped  %s' "$1" "$2")"); }
+
+finish()
+{
+  printf '\n'
+  printf '%s\n' "${summary[@]}"
+  if [ $failures -eq 0 ]; then
+    printf '\nAll passed in %d s.\n' $((SECONDS - started))
+    exit 0
+  fi
+  printf '\n%d FAILED, after %d s.\n' $failures $((SECONDS - started))
+  exit 1
+}
+
+packages=(g++ cmake ninja-build ccache git
+  libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev
+  libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev libvtk9-dev xvfb xauth
+  doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
+[ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
+
+sources() { git ls-files --cached --others --exclude-standard '*.h' '*.cpp'; }
+check_format() { sources | xargs -r clang-format-14 --dry-run -Werror; }
+
+build_release()
+{
+  cmake -S . -B $release -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON \
+    -DGEODESIC_PROCESSING_DEMOS=ON -DGEODESIC_PROCESSING_DOCS=ON \
+    -DGEODESIC_PROCESSING_DATA="$data" >build/release.log || { cat build/release.log; return 1; }
+  tail -n 4 build/release.log
+  cmake --build $release -j "$jobs"
+}
+
+# Optimized a little, as otherwise the tests take longer than the build.  Assertions are on.
+build_sanitizer()
+{
+  CC=clang-14 CXX=clang++-14 cmake -S . -B $sanitizer -G Ninja -DCMAKE_BUILD_TYPE=None \
+    -DCMAKE_CXX_FLAGS="-O1 -gline-tables-only -fno-omit-frame-pointer \
+      -fsanitize=address,undefined -fno-sanitize-recover=undefined -D_GLIBCXX_ASSERTIONS" \
+    -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON \
+    -DGEODESIC_PROCESSING_PICTURES=OFF -DGEODESIC_PROCESSING_FUZZERS=ON \
+    -DGEODESIC_PROCESSING_DATA="$data" >build/sanitizer.log ||
+    { cat build/sanitizer.log; return 1; }
+  cmake --build $sanitizer -j "$jobs"
+}
+
+# A second project, which knows of this one only by find_package, builds the README's program.
+check_installed_package()
+{
+  rm -rf build/prefix build/consumer
+  cmake --install $release --prefix "$PWD/build/prefix" >/dev/null &&
+    cmake -S test/consumer -B build/consumer -G Ninja -DCMAKE_BUILD_TYPE=Release \
+      -DCMAKE_PREFIX_PATH="$PWD/build/prefix" >build/consumer.log &&
+    cmake --build build/consumer &&
+    ctest --test-dir build/consumer --output-on-failure
+}
+
+run_tests() { ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs"; }
+
+check_hostile_files() { bash test/hostile.sh $sanitizer/geodesic "$jobs" "$@"; }
+
+# A minute for each input format, from the corpus that is kept.
+fuzz()
+{
+  local target name
+  for target in $sanitizer/test/fuzz_*; do
+    [ -x "$target" ] || continue
+    name=$(basename "$target")
+    mkdir -p "build/corpus/$name"
+    "$target" -max_total_time=60 -timeout=10 -rss_limit_mb=4096 \
+      -artifact_prefix="build/corpus/$name-" "build/corpus/$name" "test/fuzz/corpus/${name#fuzz_}" \
+      2>"build/$name.log" || { tail -n 40 "build/$name.log"; return 1; }
+  done
+}
+
+export ASAN_OPTIONS=allocator_may_return_null=1:detect_stack_use_after_return=1
+export UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_SYMBOLIZER_PATH=/usr/bin/llvm-symbolizer-14
+
+mkdir -p build
+step "packages" install_packages "${packages[@]}" || finish
+step "format" check_format
+if step "build" build_release; then
+  step "headers compile alone" \
+    cmake --build $release -j "$jobs" --target all_verify_interface_header_sets
+  step "tests" run_tests $release
+  step "documentation" cmake --build $release --target documentation
+  step "installed package" check_installed_package
+fi
+if [ $quick = 0 ] && step "sanitizer build" build_sanitizer; then
+  step "tests, sanitized" run_tests $sanitizer
+  if [ -d "$data/hostile" ]; then
+    step "hostile files, sanitized" check_hostile_files "$data"/hostile/*
+  else
+    skip "hostile files, sanitized" "there is no $data"
+  fi
+  if [ $all = 1 ]; then
+    [ ! -d "$data" ] || step "all models, sanitized" check_hostile_files \
+      "$data"/meshes/* "$data"/patches/* "$data"/points/*
+    step "fuzzing" fuzz
+  fi
+fi
+finish
