@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A solver prepares once and answers many queries; what a bounded one costs depends on what it
+// reaches, not on the size of the mesh.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  Mesh mesh;
+  CGAL::make_grid(
+      200, 200, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
+
+  const double radius = 10.;
+  GP::Geodesic_distance_solver<Mesh> solver(mesh);
+  bool right = true;
+  for(int i : {40, 100, 160})
+  {
+    const Vertex centre(i * 201 + i);
+    solver.compute(centre, GP::parameters::maximum_distance(radius));
+
+    std::size_t reached = 0;
+    for(Vertex v : solver.reached())
+    {
+      ++reached;
+      right = right && solver.distance(v) <= radius;
+    }
+    std::cout << reached << " vertices within " << radius << " of vertex " << centre << '\n';
+
+    // The lattice points of a disk of radius 10.
+    right = right && reached == 317;
+    right = right && std::isinf(solver.distance(Vertex(0)));
+  }
+  return right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Straight ahead from a point that is given by coordinates, until the surface ends.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // A sheet, 4 wide and 3 deep, folded upwards at x = 2.
+  Mesh mesh;
+  const auto fold = [](int i, int j) { return i < 2 ? Point(i, j, 0) : Point(2, j, i - 2); };
+  CGAL::make_grid(4, 3, mesh, fold, true);
+
+  // A point above the sheet is moved to the nearest one on it.
+  const auto start = GP::locate_on_surface(mesh, Point(0.5, 0.5, 0.1));
+  const auto path = GP::straightest_geodesic(mesh, start, Kernel::Vector_3(2, 1, 0), 100.);
+  std::cout << "ended at " << path.points.back() << " after " << path.length << '\n';
+
+  // Unrolled, it runs from (0.5, 0.5) to the border x = 4 in the direction (2, 1).
+  const double expected = 3.5 * std::sqrt(5.) / 2.;
+  return std::abs(path.length - expected) < 1e-9 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
