@@ -13,40 +13,45 @@ missing_packages()
   done
 }
 
+# Root, or sudo without a password, or sudo with somebody there to type it.
+can_be_root()
+{
+  [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null &&
+    { sudo -n true 2>/dev/null || { [ -t 0 ] && sudo -v; }; }; }
+}
+
+as_root()
+{
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
 install_packages()
 {
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     echo "This script installs what is missing with apt-get, which this system does not have;" \
-         "install these Debian packages' counterparts yourself and call cmake: $*" >&2
+         "install what these Debian packages hold and call cmake: $*" >&2
     return 1
   fi
 
-  local missing
+  local missing log
   missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
-
-  local -a as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    if ! command -v sudo >/dev/null || ! { sudo -n true 2>/dev/null || { [ -t 0 ] && sudo -v; }; }
-    then
-      echo "Packages are missing and can be installed only by root or through sudo; ask your" \
-           "administrator for: apt-get install $missing" >&2
-      return 1
-    fi
-    as_root=(sudo)
+  if ! can_be_root; then
+    echo "Packages are missing, and only root or somebody with sudo can install them; ask your" \
+         "administrator for: apt-get install $missing" >&2
+    return 1
   fi
 
   echo "Installing $missing"
-  local log
   log=$(mktemp)
   # Package names hold no blanks: $missing is meant to be split.
-  if ! { "${as_root[@]}" apt-get update &&
-         "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  if ! { as_root apt-get update &&
+         as_root env DEBIAN_FRONTEND=noninteractive \
            apt-get install --yes --no-install-recommends $missing; } >"$log" 2>&1; then
-    tail -n 20 "$log" >&2
+    grep -E '^E:' "$log" >&2 || tail -n 20 "$log" >&2
     rm -f "$log"
-    echo "apt-get could not install $missing(its last words are above); this script is made for" \
-         "Debian 12." >&2
+    echo "apt-get could not install what is missing (its words are above);" \
+         "this script is made for Debian 12." >&2
     return 1
   fi
   rm -f "$log"

@@ -28,7 +28,7 @@ int main()
 
   // The second source starts 5 units late, as if the way to it had been that long.
   const Vertex corner(0);
-  const Vertex middle(15 * 21 + 10);
+  const Vertex middle(10 * 31 + 15);
   const std::vector<GP::Source<Mesh>> sources = {GP::Source<Mesh>(corner, 0., 0),
                                                  GP::Source<Mesh>(middle, 5., 1)};
 

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which vertex is farthest from the first one, walking on the surface?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || is_empty(mesh))
+  {
+    std::cerr << "usage: farthest_vertex MESH RESULT.ply\n";
+    return EXIT_FAILURE;
+  }
+
+  auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
+  GP::geodesic_distances(mesh, Vertex(0), distance);
+
+  const auto nearer = [&](Vertex a, Vertex b) { return distance[a] < distance[b]; };
+  const Vertex farthest = *std::max_element(mesh.vertices().begin(), mesh.vertices().end(), nearer);
+  const double flight =
+      std::sqrt(CGAL::squared_distance(mesh.point(Vertex(0)), mesh.point(farthest)));
+
+  std::cout << "Vertex " << farthest.idx() << " is farthest: " << distance[farthest] << " on foot, "
+            << flight << " as the crow flies.\n";
+  return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

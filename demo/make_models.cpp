@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What can be shown where no real models are to be had?
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+// A tube along a curve that winds around a torus, closed in both directions.
+Mesh tube(int length, int girth)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertex;
+  for(int i = 0; i < length; ++i)
+    for(int j = 0; j < girth; ++j)
+    {
+      const double t = 2. * CGAL_PI * i / length, a = 2. * CGAL_PI * j / girth;
+      const double r = 0.42 + 0.05 * std::sin(9. * t);
+      const double ring = 2. + std::cos(3. * t) + r * std::cos(a);
+      vertex.push_back(mesh.add_vertex(Point(ring * std::cos(2. * t), ring * std::sin(2. * t),
+                                             std::sin(3. * t) + r * std::sin(a))));
+    }
+  const auto at = [&](int i, int j) { return vertex[(i % length) * girth + j % girth]; };
+  for(int i = 0; i < length; ++i)
+    for(int j = 0; j < girth; ++j)
+    {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return mesh;
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string folder = argc > 1 ? argv[1] : ".";
+  Mesh hills;
+  const auto height = [](double x, double y)
+  { return 9. * std::sin(x / 9.) * std::cos(y / 13.) + 3. * std::sin((x + 2. * y) / 7.); };
+  CGAL::make_grid(
+      120, 120, hills, [&](int i, int j) { return Point(i, j, height(i, j)); }, true);
+
+  std::ofstream cloud(folder + "/scan.xyz");
+  const Mesh knot = tube(600, 40);
+  for(Mesh::Vertex_index v : knot.vertices())
+    cloud << knot.point(v) << '\n';
+  const bool written = CGAL::IO::write_polygon_mesh(folder + "/knot.off", knot) &&
+                       CGAL::IO::write_polygon_mesh(folder + "/hills.off", hills) && cloud;
+  return written ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,157 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds the program and the demo programs, runs them on real models and
+# leaves pictures and a page that shows them in demo/gallery/.
+# Environment: JOBS (default: all processors).
+set -u -o pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+. cmake/install_packages.sh
+
+jobs=${JOBS:-$(nproc)}
+build=build/demo
+gallery=demo/gallery
+models=$build/models
+log=$build/run.log
+failures=0
+started=$SECONDS
+
+packages=(g++ cmake ninja-build ccache
+  libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev
+  libcli11-dev nlohmann-json3-dev libvtk9-dev xvfb xauth)
+
+install_packages "${packages[@]}" || exit 1
+
+echo "Building"
+mkdir -p $build $gallery "$models"
+if ! { cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DGEODESIC_PROCESSING_DEMOS=ON &&
+       cmake --build $build -j "$jobs"; } >$log 2>&1; then
+  tail -n 30 $log >&2
+  echo "The build failed; all of its words are in $log." >&2
+  exit 1
+fi
+
+# Real models come in the documentation of Debian's libcgal-demo, which need not be installed.
+fetch_models()
+{
+  local folder
+  [ -d $models/data ] && return 0
+  folder=$(mktemp -d) || return 1
+  chmod 755 "$folder"
+  # A machine on which nothing had to be installed may never have heard of the package.
+  { (cd "$folder" && apt-get download libcgal-demo) ||
+    { can_be_root && as_root apt-get update && (cd "$folder" && apt-get download libcgal-demo); }
+  } >>$log 2>&1 &&
+    dpkg-deb --fsys-tarfile "$folder"/libcgal-demo_*.deb 2>>$log |
+      tar -xO ./usr/share/doc/libcgal-dev/data.tar.gz 2>>$log |
+      tar -xz -C $models data/meshes data/points_3 2>>$log
+  local status=$?
+  rm -rf "$folder"
+  [ $status -eq 0 ] || rm -rf $models/data
+  return $status
+}
+
+echo "Fetching models"
+if fetch_models; then
+  m=$models/data/meshes p=$models/data/points_3
+  animal=$m/armadillo.off beast=$m/ChineseDragon-10kv.off part=$m/fandisk_large.off
+  runner=$m/man.off holes=$m/mech-holes-shark.off mask=$m/mannequin-devil.off
+  bear=$m/bear.off small=$m/elephant.off scan=$p/kitten.xyz scan_with_normals=$p/oni.pwn
+else
+  echo "Debian's libcgal-demo cannot be had here: the tour runs on models of its own."
+  $build/demo/make_models $models || exit 1
+  animal=$models/knot.off beast=$animal part=$models/hills.off runner=$animal bear=$animal
+  holes=$models/hills.off mask=$models/hills.off small=$models/hills.off
+  scan=$models/scan.xyz scan_with_normals=$scan
+fi
+
+page=$gallery/index.html
+cat >$page <<'HTML'
+<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>Geodesic_processing: a tour</title>
+<style>
+body { font-family: sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222; }
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(24em, 1fr)); gap: 2em; }
+figure { margin: 0; } img { width: 100%; }
+code, pre { background: #f2f2f2; padding: 0.2em 0.4em; display: block; white-space: pre-wrap; }
+</style></head><body>
+<h1>Geodesic_processing: a tour</h1>
+<p>Distances and paths along surfaces. Under each picture is the command that made it.</p>
+<main>
+HTML
+
+escape() { sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g'; }
+
+# The command as a reader would type it: without our folders.
+shown() { printf '%s' "$*" | sed -e "s|[^ ]*/||g" | escape; }
+
+# picture NAME SENTENCE COMMAND ARGUMENTS...: the program's picture of its own result.
+picture()
+{
+  local name=$1 sentence=$2 begin=$SECONDS
+  shift 2
+  rm -f "$gallery/$name.png"
+  if "$build/geodesic" "$@" --quiet --picture "$gallery/$name.png" >>$log 2>"$build/errors" &&
+     [ -s "$gallery/$name.png" ]; then
+    printf '%-24s %3d s  %s\n' "$name" $((SECONDS - begin)) "$sentence"
+    printf '<figure><img src="%s.png" alt=""><figcaption><p>%s</p><code>geodesic %s</code></figcaption></figure>\n' \
+      "$name" "$(printf '%s' "$sentence" | escape)" "$(shown "$@")" >>$page
+  else
+    failures=$((failures + 1))
+    printf '%-24s FAILED: geodesic %s\n' "$name" "$*" >&2
+    cat "$build/errors" >&2
+  fi
+}
+
+# program NAME ARGUMENTS...: a demo program; its question is the first line of its source.
+program()
+{
+  local name=$1 question answer picture=''
+  shift
+  question=$(sed -n '4s|^// ||p' "demo/$name.cpp")
+  printf '\n%s\n' "$question"
+  if answer=$("$build/demo/$name" "$@" 2>&1); then
+    printf '%s\n' "$answer"
+    printf '<figure>%s<figcaption><p>%s</p><pre>%s</pre><code>%s</code></figcaption></figure>\n' \
+      "$picture" "$(printf '%s' "$question" | escape)" "$(printf '%s' "$answer" | escape)" \
+      "$(shown "$name" "$@")" >>$page
+  else
+    failures=$((failures + 1))
+    printf '%s FAILED: %s\n' "$name" "$answer" >&2
+  fi
+}
+
+echo "Drawing"
+picture distance "How far is every place from one vertex?" distance "$animal" --source 0
+picture heat "The same by the flow of heat." distance "$animal" --source 0 --method heat
+picture near "Only what is near is visited when there is a limit." \
+  distance "$runner" --source 100 --limit 0.3
+picture border "How deep in the surface, seen from its borders?" distance "$holes" --source-border
+picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
+  voronoi "$bear" --number 60
+picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40
+picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
+picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
+picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
+picture cloud-voronoi "Nearest seeds on points with normals." \
+  voronoi "$scan_with_normals" --number 30
+picture cloud-path "A shortest path on points." path "$scan" --from 0 --to 2000
+
+echo '</main><h2>The demo programs</h2><main>' >>$page
+program farthest_vertex "$animal" $build/farthest.ply
+program methods_compared "$small"
+program mesh_or_cloud "$animal" $build/cloud.ply
+program nearest_of_many "$bear" $build/lands.ply
+program many_paths "$animal"
+program neighbourhoods "$animal"
+echo '</main></body></html>' >>$page
+
+echo
+if [ $failures -ne 0 ]; then
+  echo "$failures of the pictures and programs failed, after $((SECONDS - started)) s; $log has" \
+       "what they said." >&2
+  exit 1
+fi
+echo "The gallery is in $PWD/$page, made in $((SECONDS - started)) s."
