@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARALLEL_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PARALLEL_H
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Calls body(block, begin, end) for the blocks of a partition of 0..size-1 that depends on
+// `block_size` alone: a body that writes only what belongs to its block gives the same result for
+// every number of threads.  Rethrows the first exception of the lowest thread that met one.
+template <typename Body>
+void for_each_block(std::size_t size, std::size_t block_size, unsigned threads, const Body& body)
+{
+  const std::size_t blocks = (size + block_size - 1) / block_size;
+  std::atomic<std::size_t> next{0};
+  const auto work = [&]
+  {
+    for(std::size_t block; (block = next++) < blocks;)
+      body(block, block * block_size, std::min(size, (block + 1) * block_size));
+  };
+  const std::size_t helpers = std::min<std::size_t>(threads, blocks);
+  if(helpers < 2)
+    return work();
+  std::vector<std::exception_ptr> errors(helpers);
+  const auto guarded = [&](std::size_t thread)
+  {
+    try
+    {
+      work();
+    }
+    catch(...)
+    {
+      errors[thread] = std::current_exception();
+      next = blocks;
+    }
+  };
+  std::vector<std::thread> pool;
+  for(std::size_t thread = 1; thread < helpers; ++thread)
+    pool.emplace_back(guarded, thread);
+  guarded(0);
+  for(std::thread& thread : pool)
+    thread.join();
+  for(const std::exception_ptr& error : errors)
+    if(error)
+      std::rethrow_exception(error);
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PARALLEL_H

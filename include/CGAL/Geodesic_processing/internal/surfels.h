@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+struct Surfel_options
+{
+  // Surfels are neighbours only where their normals differ by less than this, radians below pi, and
+  // where the chord between them leaves their mean tangent plane by at most the half.
+  double maximum_angle = 1.0471975511965976; // 60 degrees
+  // The radius of a surfel, where none is given, is the distance to its neighbour of this rank
+  // divided by sqrt(2).
+  unsigned rank = 8;
+  unsigned threads = 1; // changes nothing but the time
+};
+
+// A cloud as a domain, and the way back to the caller's numbers.
+struct Glued_surfels
+{
+  Glued_triangles triangles;
+  std::vector<double> radius;        // #sites, scaled
+  std::vector<Index> site_of_surfel; // #surfels
+  std::vector<Index> surfel_of_site; // #sites
+  // Over the first tree.size() sites; those behind are copies of one of them.
+  Kd_tree tree;
+};
+
+// Arcs and local triangles of a cloud of surfels.
+//
+// points   #surfels, finite; normals  #surfels, of any positive length;
+// radii    #surfels, not negative, in the caller's unit; or empty.
+//
+// Arcs: the extended sphere-of-influence graph of Ruggeri, Darom, Saupe and Kiryati 2006 (two
+// spheres that meet, normals that agree), of which each surfel looks at its 24 nearest surfels
+// only, and the sides of all triangles.  Symmetric; the arcs of a site in the order of their ends.
+//
+// Triangles: those that the Delaunay triangulation of its neighbours' projections to its tangent
+// plane has at a surfel.  One found from its three corners weighs 1, else 1/3 for each that found
+// it (Sharp and Crane 2020).  Triangles whose circumradius exceeds 1.5 times the smallest radius of
+// their corners are left out: gaps and borders stay open.
+//
+// Surfels at one point with agreeing normals are one site with arcs of length zero to its copies,
+// which have no triangles.  Sides and arcs are scaled by a power of two such that the longest of
+// them all lies in [1, 2).
+//
+// Throws Invalid_argument_error when sizes differ, a coordinate or a radius is not finite, a radius
+// is negative, a normal has no direction, or distances overflow.
+// O(n log n); about 700 bytes per surfel, and 300 more while it runs.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
+                           std::vector<std::array<double, 3>> normals,
+                           const std::vector<double>& radii = {},
+                           const Surfel_options& options = {});
+
+// A location on a cloud: two coordinates in the tangent plane of a site, in the domain's scale.
+struct Surfel_location
+{
+  Index site = none;
+  std::array<double, 2> offset = {0., 0.};
+};
+
+// Two unit vectors that make a right-handed frame with a unit normal; a function of it alone.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::array<std::array<double, 3>, 2> tangents(const std::array<double, 3>& normal);
+
+// The site nearest to a point in the caller's coordinates, and the point's projection to its
+// tangent plane, not farther from the site than its radius.  The cloud must not be empty.
+// Throws Invalid_argument_error when a coordinate is not finite.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point);
+
+// The same place in a triangle at the site, or the site itself where it has none.  Outside of the
+// site's triangles: the nearest place on one of them, measured in the tangent plane.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Location to_triangle(const Glued_triangles& triangles, const Surfel_location& location);
+
+// The same place in the tangent plane of the corner with the largest barycentric coordinate.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Surfel_location to_surfel(const Glued_triangles& triangles, const Location& location);
+
+// Scaled coordinates of a location.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::array<double, 3> position(const Glued_triangles& triangles, const Surfel_location& location);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_H

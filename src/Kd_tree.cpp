@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+
+#include <CGAL/Geodesic_processing/internal/parallel.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+constexpr std::size_t leaf_size = 12;
+
+double squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+  return x * x + y * y + z * z;
+}
+
+struct Entry
+{
+  std::array<double, 3> point;
+  Index place;
+};
+
+} // namespace
+
+Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned threads)
+    : m_size(points.size())
+{
+  order.resize(m_size);
+  if(m_size == 0)
+    return;
+  while(m_size > leaf_size << m_levels)
+    ++m_levels;
+  m_boxes.resize((std::size_t(2) << m_levels) - 1);
+
+  std::vector<Entry> entries(m_size);
+  for(std::size_t i = 0; i < m_size; ++i)
+    entries[i] = {points[i], static_cast<Index>(i)};
+
+  // The box of a node, and its points split at the middle of the box's longest axis.
+  const auto split = [&](unsigned level, std::size_t node)
+  {
+    const auto first = entries.begin() + begin(node, level);
+    const auto last = entries.begin() + begin(node + 1, level);
+    Box box = {first->point, first->point};
+    for(auto entry = first; entry != last; ++entry)
+      for(int k = 0; k < 3; ++k)
+      {
+        box.low[k] = std::min(box.low[k], entry->point[k]);
+        box.high[k] = std::max(box.high[k], entry->point[k]);
+      }
+    m_boxes[(std::size_t(1) << level) - 1 + node] = box;
+    int axis = 0;
+    for(int k = 1; k < 3; ++k)
+      if(box.high[k] - box.low[k] > box.high[axis] - box.low[axis])
+        axis = k;
+    const auto less = [axis](const Entry& a, const Entry& b)
+    {
+      return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis]
+             : a.point != b.point           ? a.point < b.point
+                                            : a.place < b.place;
+    };
+    if(level == m_levels)
+      std::sort(first, last, less);
+    else
+      std::nth_element(first, entries.begin() + begin(2 * node + 1, level + 1), last, less);
+  };
+  // The upper levels one after another, then their subtrees side by side.
+  const unsigned upper = std::min(m_levels, threads > 1 ? 4u : 0u);
+  for(unsigned level = 0; level < upper; ++level)
+    for_each_block(std::size_t(1) << level, 1, threads,
+                   [&](std::size_t node, std::size_t, std::size_t) { split(level, node); });
+  for_each_block(std::size_t(1) << upper, 1, threads,
+                 [&](std::size_t root, std::size_t, std::size_t)
+                 {
+                   // Depth first, while the points are at hand.
+                   std::vector<std::pair<unsigned, std::size_t>> stack{{upper, root}};
+                   while(!stack.empty())
+                   {
+                     const auto [level, node] = stack.back();
+                     stack.pop_back();
+                     split(level, node);
+                     if(level < m_levels)
+                     {
+                       stack.emplace_back(level + 1, 2 * node + 1);
+                       stack.emplace_back(level + 1, 2 * node);
+                     }
+                   }
+                 });
+
+  for(std::size_t i = 0; i < m_size; ++i)
+  {
+    points[i] = entries[i].point;
+    order[i] = entries[i].place;
+  }
+}
+
+// Calls visit(begin, end) for the leaves not farther than `bound`, which visit may lower, roughly
+// from near to far.
+template <typename Visit>
+void Kd_tree::visit_leaves(const Point& query, const double& bound, Visit&& visit) const
+{
+  if(m_size == 0)
+    return;
+  const auto distance = [&](std::size_t box)
+  {
+    const Box& b = m_boxes[box];
+    double sum = 0.;
+    for(int k = 0; k < 3; ++k)
+    {
+      const double d = std::max(std::max(b.low[k] - query[k], query[k] - b.high[k]), 0.);
+      sum += d * d;
+    }
+    return sum;
+  };
+  struct Pending
+  {
+    double distance;
+    std::size_t node;
+    unsigned level;
+  };
+  std::array<Pending, 34> stack; // one for each level of 2^32 points, and the sibling of the last
+  std::size_t top = 0;
+  stack[top++] = {distance(0), 0, 0};
+  while(top != 0)
+  {
+    Pending next = stack[--top];
+    if(next.distance > bound)
+      continue;
+    while(next.level < m_levels)
+    {
+      const std::size_t left = (std::size_t(2) << next.level) - 1 + 2 * next.node;
+      Pending a = {distance(left), 2 * next.node, next.level + 1};
+      Pending b = {distance(left + 1), 2 * next.node + 1, next.level + 1};
+      if(b.distance < a.distance)
+        std::swap(a, b);
+      if(b.distance <= bound)
+        stack[top++] = b;
+      next = a;
+    }
+    if(next.distance <= bound)
+      visit(begin(next.node, next.level), begin(next.node + 1, next.level));
+  }
+}
+
+void Kd_tree::nearest(const std::vector<Point>& points, const Point& query, std::size_t k,
+                      std::vector<Neighbor>& result, double bound) const
+{
+  result.clear();
+  if(k == 0)
+    return;
+  visit_leaves(
+      query, bound,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for(std::size_t i = begin; i < end; ++i)
+        {
+          const Neighbor found = {squared_distance(points[i], query), static_cast<Index>(i)};
+          if(found.squared_distance > bound || (result.size() == k && !(found < result.back())))
+            continue;
+          if(result.size() < k)
+            result.push_back(found);
+          std::size_t place = result.size() - 1;
+          for(; place > 0 && found < result[place - 1]; --place)
+            result[place] = result[place - 1];
+          result[place] = found;
+          if(result.size() == k)
+            bound = std::min(bound, result.back().squared_distance);
+        }
+      });
+}
+
+Index Kd_tree::nearest(const std::vector<Point>& points, const Point& query) const
+{
+  Neighbor best = {infinity, none};
+  visit_leaves(
+      query, best.squared_distance,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for(std::size_t i = begin; i < end; ++i)
+          best = std::min(best, {squared_distance(points[i], query), static_cast<Index>(i)});
+      });
+  return best.point;
+}
+
+void Kd_tree::within(const std::vector<Point>& points, const Point& query, double squared_radius,
+                     std::vector<Index>& result) const
+{
+  result.clear();
+  visit_leaves(query, squared_radius,
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for(std::size_t i = begin; i < end; ++i)
+                   if(squared_distance(points[i], query) <= squared_radius)
+                     result.push_back(static_cast<Index>(i));
+               });
+  std::sort(result.begin(), result.end());
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,724 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/surfels.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/locality.h>
+#include <CGAL/Geodesic_processing/internal/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+// How many of the nearest surfels each looks at: half of them on each side of a thin sheet still
+// make a star.  Random samples of a plane need 28 on average before their Voronoi cell is certain;
+// the cells that need more ask for up to `most_neighbors`.
+constexpr std::size_t neighbors = 24;
+constexpr std::size_t most_neighbors = 64;
+
+// Largest circumradius in radii.  Among random samples of a plane one triangle in a thousand is
+// larger (a Delaunay circumradius R has the tail (1 + pi R^2) exp(-pi R^2) at density 1, where the
+// default radius is 1.13).
+constexpr double largest_circumradius = 1.5;
+
+constexpr std::size_t block_size = 2048;
+
+Vector operator-(const Vector& a, const Vector& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double distance(const Vector& a, const Vector& b)
+{
+  const Vector d = a - b;
+  return std::sqrt(dot(d, d));
+}
+
+void normalize(std::vector<Vector>& normals)
+{
+  for(std::size_t i = 0; i < normals.size(); ++i)
+  {
+    Vector& n = normals[i];
+    const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
+    if(!(largest > 0.) || !std::isfinite(n[0] + n[1] + n[2]))
+      throw Invalid_argument_error("The normal of surfel " + std::to_string(i) +
+                                   " has no direction.");
+    const int exponent = std::ilogb(largest);
+    for(double& x : n)
+      x = std::ldexp(x, -exponent);
+    const double length = std::sqrt(dot(n, n));
+    for(double& x : n)
+      x /= length;
+  }
+}
+
+// Whether two surfels can be neighbours on a surface.  The chord of a circular arc makes equal
+// angles with both normals, so that the sum of the normals is perpendicular to it; between two
+// parallel sheets it is not.
+struct Agreement
+{
+  double cosine, twice_sine;
+
+  explicit Agreement(double maximum_angle)
+      : cosine(std::cos(maximum_angle)), twice_sine(2. * std::sin(maximum_angle / 2.))
+  {}
+
+  bool operator()(const Vector& p, const Vector& n, const Vector& q, const Vector& m) const
+  {
+    if(dot(n, m) <= cosine)
+      return false;
+    const Vector chord = q - p;
+    const double rise = dot(n, chord) + dot(m, chord);
+    return rise * rise <= twice_sine * twice_sine * dot(chord, chord);
+  }
+};
+
+// For each surfel the first one at the same point with an agreeing normal: itself for most.
+std::vector<Index> originals(const std::vector<Vector>& points, const std::vector<Vector>& normals,
+                             double cosine)
+{
+  // Points closer than 2^-51 of the extent are rounded together by this sum, so that no squared
+  // distance between originals underflows.
+  const auto key = [&](Index i) -> Vector {
+    return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};
+  };
+  std::size_t slots = 16;
+  while(slots < 2 * points.size())
+    slots *= 2;
+  std::vector<Index> table(slots, none), original(points.size());
+  for(Index i = 0; i < points.size(); ++i)
+  {
+    const Vector k = key(i);
+    std::uint64_t hash = 0;
+    for(const double x : k)
+      hash = (hash ^ static_cast<std::uint64_t>(std::ldexp(x, 50))) * 0x9e3779b97f4a7c15ull,
+      hash ^= hash >> 29;
+    std::size_t slot = hash & (slots - 1);
+    while(table[slot] != none &&
+          !(key(table[slot]) == k && dot(normals[table[slot]], normals[i]) > cosine))
+      slot = (slot + 1) & (slots - 1);
+    if(table[slot] == none)
+      table[slot] = i;
+    original[i] = table[slot];
+  }
+  return original;
+}
+
+// Rows of different lengths, filled block by block.
+class Rows
+{
+public:
+  explicit Rows(std::size_t size)
+      : first(size + 1, 0), m_parts((size + block_size - 1) / block_size)
+  {}
+
+  std::vector<Index>& part(std::size_t block) { return m_parts[block]; }
+  void end_row(std::size_t block, std::size_t row)
+  {
+    first[row + 1] = static_cast<Index>(m_parts[block].size());
+  }
+  void join()
+  {
+    std::size_t total = 0;
+    for(std::size_t block = 0; block < m_parts.size(); ++block)
+    {
+      const std::size_t end = std::min((block + 1) * block_size, first.size() - 1);
+      for(std::size_t row = block * block_size; row < end; ++row)
+        first[row + 1] += static_cast<Index>(total);
+      total += m_parts[block].size();
+    }
+    entries.reserve(total);
+    for(auto& part : m_parts)
+    {
+      entries.insert(entries.end(), part.begin(), part.end());
+      part = {};
+    }
+  }
+
+  const Index* begin(std::size_t row) const { return entries.data() + first[row]; }
+  const Index* end(std::size_t row) const { return entries.data() + first[row + 1]; }
+
+  std::vector<Index> first, entries;
+
+private:
+  std::vector<std::vector<Index>> m_parts;
+};
+
+// The Voronoi cell of the origin of the plane, cut from a square by one half-plane after another.
+class Cell
+{
+public:
+  explicit Cell(double half_side)
+  {
+    m_corners = {{half_side, -half_side, none},
+                 {half_side, half_side, none},
+                 {-half_side, half_side, none},
+                 {-half_side, -half_side, none}};
+    m_squared_radius = 2. * half_side * half_side;
+  }
+
+  // Of the corner farthest from the origin.
+  double squared_radius() const { return m_squared_radius; }
+
+  // Keeps what lies on this side of the line x q = offset; a new edge gets the label.
+  void cut(double qx, double qy, double offset, Index label)
+  {
+    const std::size_t n = m_corners.size();
+    std::size_t outside = 0, some = n;
+    m_excess.resize(n);
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      m_excess[i] = m_corners[i].x * qx + m_corners[i].y * qy - offset;
+      if(m_excess[i] > 0.)
+      {
+        ++outside;
+        some = i;
+      }
+    }
+    if(outside == 0 || outside == n)
+      return;
+    // The corners outside are consecutive: from `begin` up to before `end`.
+    std::size_t end = some, begin = some;
+    while(m_excess[end] > 0.)
+      end = end + 1 == n ? 0 : end + 1;
+    while(m_excess[begin == 0 ? n - 1 : begin - 1] > 0.)
+      begin = begin == 0 ? n - 1 : begin - 1;
+    const std::size_t before = begin == 0 ? n - 1 : begin - 1;
+    const std::size_t last = end == 0 ? n - 1 : end - 1;
+
+    m_next.clear();
+    for(std::size_t i = end;; i = i + 1 == n ? 0 : i + 1)
+    {
+      m_next.push_back(m_corners[i]);
+      if(i == before)
+        break;
+    }
+    m_next.push_back(crossing(before, begin, label));
+    m_next.push_back(crossing(end, last, m_corners[last].edge));
+    std::swap(m_corners, m_next);
+    m_squared_radius = 0.;
+    for(const Corner& c : m_corners)
+      m_squared_radius = std::max(m_squared_radius, c.x * c.x + c.y * c.y);
+  }
+
+  struct Corner
+  {
+    double x, y;
+    Index edge; // label of the edge to the next corner, counterclockwise
+  };
+  const std::vector<Corner>& corners() const { return m_corners; }
+
+private:
+  Corner crossing(std::size_t inside, std::size_t outside, Index edge) const
+  {
+    const Corner &a = m_corners[inside], &b = m_corners[outside];
+    const double t = m_excess[inside] / (m_excess[inside] - m_excess[outside]);
+    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), edge};
+  }
+
+  std::vector<Corner> m_corners, m_next;
+  std::vector<double> m_excess;
+  double m_squared_radius;
+};
+
+// A number in [0, 1) for each site, without pattern.
+double shuffled(Index site)
+{
+  std::uint64_t x = (site + 1ull) * 0x9e3779b97f4a7c15ull;
+  x = (x ^ x >> 31) * 0xbf58476d1ce4e5b9ull;
+  return static_cast<double>(x >> 11) * 0x1p-53;
+}
+
+// The sites that are no copies: all that the search for neighbours sees.
+struct Sites
+{
+  const std::vector<Vector>& point;
+  const std::vector<Vector>& normal;
+  const Kd_tree& tree;
+  Agreement agree;
+  unsigned threads;
+
+  std::size_t size() const { return tree.size(); }
+  bool agree_at(Index a, Index b) const { return agree(point[a], normal[a], point[b], normal[b]); }
+};
+
+// For each site those that agree with it, nearest first, among its nearest ones; `reach` receives
+// the distance up to which all sites have been seen.
+Rows find_neighbors(const Sites& sites, std::vector<double>& reach)
+{
+  Rows rows(sites.size());
+  reach.resize(sites.size());
+  for_each_block(
+      sites.size(), block_size, sites.threads,
+      [&](std::size_t block, std::size_t begin, std::size_t end)
+      {
+        std::vector<Kd_tree::Neighbor> found;
+        double bound = infinity;
+        for(Index i = static_cast<Index>(begin); i < end; ++i)
+        {
+          // As many lie around the site before, so that none of ours is farther than theirs and
+          // the step from it; enlarged by more than the rounding of this sum.
+          if(i > begin)
+            bound = (bound + distance(sites.point[i], sites.point[i - 1])) * (1. + 1e-12);
+          sites.tree.nearest(sites.point, sites.point[i], neighbors + 1, found, bound * bound);
+          const bool are_all = found.size() <= neighbors;
+          bound = are_all ? infinity : std::sqrt(found.back().squared_distance);
+          reach[i] = bound;
+          for(const Kd_tree::Neighbor& neighbor : found)
+            if(neighbor.point != i && sites.agree_at(i, neighbor.point))
+              rows.part(block).push_back(neighbor.point);
+          rows.end_row(block, i);
+        }
+      });
+  rows.join();
+  return rows;
+}
+
+// For each site the ends of its triangles, counterclockwise: a b and b c for triangles with the
+// sides ab and bc, `none` between two that make no triangle, and after the last one if it makes
+// none with the first.
+Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>& reach,
+                const std::vector<double>& radius)
+{
+  // Cocircular neighbours (lattices) get the same diagonal seen from each of them when the squared
+  // distances are those of a power diagram, with weights far below what matters and far above
+  // rounding.
+  const auto weight = [&](Index i) { return 1e-9 * radius[i] * radius[i] * shuffled(i); };
+  Rows rings(sites.size());
+  for_each_block(
+      sites.size(), block_size, sites.threads,
+      [&](std::size_t block, std::size_t begin, std::size_t end)
+      {
+        std::vector<Kd_tree::Neighbor> more;
+        std::vector<Index>& ring = rings.part(block);
+        for(Index i = static_cast<Index>(begin); i < end; rings.end_row(block, i++))
+        {
+          const double limit = largest_circumradius * radius[i];
+          if(!(limit > 0.))
+            continue;
+          const Vector center = sites.point[i];
+          const auto [u, v] = tangents(sites.normal[i]);
+          Cell cell(limit);
+          const auto cut = [&](Index j)
+          {
+            const Vector chord = sites.point[j] - center;
+            const double x = dot(chord, u), y = dot(chord, v), square = x * x + y * y;
+            // Seen too steeply for its place in the plane to mean anything.
+            if(16. * square < dot(chord, chord))
+              return;
+            // Enlarged: a line through a corner may cut it for the sake of the weights.
+            if(square <= 4.000001 * cell.squared_radius())
+              cell.cut(x, y, (square + weight(i) - weight(j)) / 2., j);
+          };
+          for(const Index* j = near.begin(i); j != near.end(i); ++j)
+            cut(*j);
+          const double needed = 4.000001 * std::min(cell.squared_radius(), limit * limit);
+          if(needed > reach[i] * reach[i])
+          {
+            sites.tree.nearest(sites.point, center, most_neighbors, more, needed);
+            for(std::size_t k = std::min(neighbors + 1, more.size()); k < more.size(); ++k)
+              if(sites.agree_at(i, more[k].point))
+                cut(more[k].point);
+          }
+
+          const auto& corners = cell.corners();
+          const std::size_t n = corners.size(), ring_begin = ring.size();
+          const auto makes_triangle = [&](std::size_t corner)
+          {
+            const Cell::Corner& c = corners[corner];
+            const Index a = corners[corner == 0 ? n - 1 : corner - 1].edge, b = c.edge;
+            if(a == none || b == none)
+              return false;
+            const double most = largest_circumradius * std::min({radius[i], radius[a], radius[b]});
+            return c.x * c.x + c.y * c.y <= most * most && sites.agree_at(a, b);
+          };
+          // Start behind a gap where there is one.
+          std::size_t start = 0;
+          while(start < n && makes_triangle(start))
+            ++start;
+          if(start == n)
+          {
+            for(const Cell::Corner& c : corners)
+              ring.push_back(c.edge);
+            continue;
+          }
+          for(std::size_t k = 1; k < n; ++k)
+          {
+            const std::size_t corner = (start + k) % n;
+            if(!makes_triangle(corner))
+              continue;
+            const Index a = corners[corner == 0 ? n - 1 : corner - 1].edge;
+            if(ring.size() == ring_begin || ring.back() != a)
+            {
+              if(ring.size() != ring_begin)
+                ring.push_back(none);
+              ring.push_back(a);
+            }
+            ring.push_back(corners[corner].edge);
+          }
+          if(ring.size() != ring_begin)
+            ring.push_back(none);
+        }
+      });
+  rings.join();
+  return rings;
+}
+
+// Whether the ring of a site has the triangle with the side from a to b.
+bool has_side(const Rows& rings, Index site, Index a, Index b)
+{
+  const Index *begin = rings.begin(site), *end = rings.end(site);
+  const Index* at = std::find(begin, end, a);
+  if(at == end)
+    return false;
+  // An end may come twice: at the last and the first triangle of two fans.
+  for(; at != end; at = std::find(at + 1, end, a))
+    if((at + 1 == end ? *begin : at[1]) == b)
+      return true;
+  return false;
+}
+
+// Each triangle once, at the first site that found it.
+void collect_triangles(const Rows& rings, unsigned threads, Glued_triangles& t)
+{
+  const std::size_t n = rings.first.size() - 1;
+  Rows corners(n);
+  std::vector<std::vector<float>> weights((n + block_size - 1) / block_size);
+  for_each_block(n, block_size, threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                     for(const Index* at = rings.begin(i); at != rings.end(i); ++at)
+                     {
+                       const Index a = *at, b = at + 1 == rings.end(i) ? *rings.begin(i) : at[1];
+                       if(a == none || b == none)
+                         continue;
+                       const bool by_a = has_side(rings, a, b, i), by_b = has_side(rings, b, i, a);
+                       if((by_a && a < i) || (by_b && b < i))
+                         continue;
+                       corners.part(block).insert(corners.part(block).end(), {i, a, b});
+                       weights[block].push_back(by_a && by_b ? 1.f : (1 + by_a + by_b) / 3.f);
+                     }
+                 });
+  corners.join();
+  t.corner = std::move(corners.entries);
+  t.weight.reserve(t.corner.size() / 3);
+  for(const auto& part : weights)
+    t.weight.insert(t.weight.end(), part.begin(), part.end());
+}
+
+// Arcs of the originals between spheres that meet and along the sides of triangles; copies hang at
+// their originals.
+void build_graph(const Sites& sites, const Rows& near, const std::vector<double>& radius,
+                 const std::vector<Index>& original, unsigned threads, Glued_triangles& t)
+{
+  const std::size_t n = t.point.size(), m = sites.size();
+  // Half of the arcs, some of them twice.
+  std::vector<Index> first(n + 1, 0), target;
+  const auto each = [&](const auto& visit)
+  {
+    for(Index i = 0; i < m; ++i)
+      for(const Index* j = near.begin(i); j != near.end(i); ++j)
+        if(distance(t.point[i], t.point[*j]) <= radius[i] + radius[*j])
+          visit(i, *j);
+    for(Index side = 0; side < t.corner.size(); ++side)
+      visit(t.corner[side], t.corner[next_side(side)]);
+    for(Index i = static_cast<Index>(m); i < n; ++i)
+      visit(i, original[i]);
+  };
+  each([&](Index a, Index b) { ++first[a + 1], ++first[b + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  target.resize(first.back());
+  {
+    std::vector<Index> end(first.begin(), first.end() - 1);
+    each([&](Index a, Index b) { target[end[a]++] = b, target[end[b]++] = a; });
+  }
+  Rows arcs(n);
+  for_each_block(n, block_size, threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   std::vector<Index>& part = arcs.part(block);
+                   for(std::size_t i = begin; i < end; ++i)
+                   {
+                     const auto row = target.begin() + first[i],
+                                row_end = target.begin() + first[i + 1];
+                     std::sort(row, row_end);
+                     part.insert(part.end(), row, std::unique(row, row_end));
+                     arcs.end_row(block, i);
+                   }
+                 });
+  arcs.join();
+  t.graph.first = std::move(arcs.first);
+  t.graph.target = std::move(arcs.entries);
+}
+
+// Lengths of arcs and sides, the longest of all brought to [1, 2) together with points and radii.
+void measure(Glued_triangles& t, std::vector<double>& radius, unsigned threads)
+{
+  const std::size_t n = t.point.size();
+  t.graph.length.resize(t.graph.target.size());
+  for_each_block(n, block_size, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t i = begin; i < end; ++i)
+                     for(Index arc = t.graph.first[i]; arc < t.graph.first[i + 1]; ++arc)
+                       t.graph.length[arc] = distance(t.point[i], t.point[t.graph.target[arc]]);
+                 });
+  double longest = 0.;
+  for(const double length : t.graph.length)
+    longest = std::max(longest, length);
+  // Sides are arcs.
+  const int exponent = longest > 0. ? std::ilogb(longest) : 0;
+  const double factor = std::ldexp(1., -exponent);
+  for(double& length : t.graph.length)
+    length *= factor;
+  for(double& r : radius)
+    r *= factor;
+  for(Vector& point : t.point)
+    for(double& x : point)
+      x *= factor;
+  t.scale = std::ldexp(t.scale, exponent);
+  t.length.resize(t.corner.size());
+  for(Index side = 0; side < t.corner.size(); ++side)
+    t.length[side] = distance(t.point[t.corner[side]], t.point[t.corner[next_side(side)]]);
+}
+
+void build_stars(Glued_triangles& t)
+{
+  t.first.assign(t.point.size() + 1, 0);
+  for(const Index site : t.corner)
+    ++t.first[site + 1];
+  std::partial_sum(t.first.begin(), t.first.end(), t.first.begin());
+  std::vector<Index> end(t.first.begin(), t.first.end() - 1);
+  t.star.resize(t.corner.size());
+  for(Index corner = 0; corner < t.corner.size(); ++corner)
+    t.star[end[t.corner[corner]]++] = corner;
+}
+
+} // namespace
+
+Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
+                           std::vector<std::array<double, 3>> normals,
+                           const std::vector<double>& radii, const Surfel_options& options)
+{
+  const std::size_t n = points.size();
+  if(normals.size() != n || (!radii.empty() && radii.size() != n))
+    throw Invalid_argument_error("There are " + std::to_string(n) + " points, " +
+                                 std::to_string(normals.size()) + " normals and " +
+                                 std::to_string(radii.size()) + " radii.");
+  if(n > none / 64)
+    throw Unsupported_surface_error("A cloud of more than 2^26 surfels is too large.");
+  if(!(options.maximum_angle > 0.) || options.maximum_angle > std::acos(-1.) || options.rank == 0)
+    throw Invalid_argument_error("The angle between neighbours must lie between 0 and pi, and the "
+                                 "rank of the neighbour that gives the radius above 0.");
+  Glued_surfels result;
+  Glued_triangles& t = result.triangles;
+  const Frame frame = unit_frame(points);
+  to_frame(points, frame);
+  t.origin = frame.origin;
+  t.scale = frame.scale;
+  normalize(normals);
+  const Agreement agree(options.maximum_angle);
+
+  // Sites: originals in the tree's order, then their copies.
+  std::vector<Index> copy_of(n);
+  {
+    const std::vector<Index> original = originals(points, normals, agree.cosine);
+    std::vector<Index> place, order;
+    for(Index i = 0; i < n; ++i)
+      if(original[i] == i)
+      {
+        place.push_back(i);
+        t.point.push_back(points[i]);
+      }
+    const std::size_t m = place.size();
+    result.tree = Kd_tree(t.point, order, options.threads);
+    result.surfel_of_site.resize(m);
+    result.site_of_surfel.resize(n);
+    for(Index s = 0; s < m; ++s)
+    {
+      result.surfel_of_site[s] = place[order[s]];
+      result.site_of_surfel[place[order[s]]] = s;
+    }
+    for(Index i = 0; i < n; ++i)
+      if(original[i] != i)
+      {
+        const Index s = static_cast<Index>(result.surfel_of_site.size());
+        result.site_of_surfel[i] = s;
+        result.surfel_of_site.push_back(i);
+        t.point.push_back(points[original[i]]);
+        copy_of[s] = result.site_of_surfel[original[i]];
+      }
+    points = {};
+  }
+  t.normal.resize(n);
+  for(Index s = 0; s < n; ++s)
+    t.normal[s] = normals[result.surfel_of_site[s]];
+  normals = {};
+
+  const Sites sites = {t.point, t.normal, result.tree, agree, options.threads};
+  const std::size_t m = sites.size();
+  std::vector<double> reach;
+  const Rows near = find_neighbors(sites, reach);
+
+  std::vector<double>& radius = result.radius;
+  radius.assign(n, 0.);
+  for(Index s = 0; s < n; ++s)
+    if(!radii.empty())
+    {
+      const double r = radii[result.surfel_of_site[s]];
+      if(!std::isfinite(r) || r < 0.)
+        throw Invalid_argument_error("The radius of surfel " +
+                                     std::to_string(result.surfel_of_site[s]) +
+                                     " is negative or not finite.");
+      // No larger than the cloud, where squares are safe.
+      radius[s] = std::min(std::ldexp(r, -std::ilogb(t.scale)), 8.);
+    }
+    else if(s >= m)
+      radius[s] = radius[copy_of[s]];
+    else if(near.begin(s) != near.end(s))
+    {
+      const std::size_t count = near.end(s) - near.begin(s);
+      const Index last = near.begin(s)[std::min<std::size_t>(options.rank, count) - 1];
+      radius[s] = distance(t.point[s], t.point[last]) / std::sqrt(2.);
+    }
+
+  {
+    const Rows rings = find_rings(sites, near, reach, radius);
+    reach = {};
+    collect_triangles(rings, options.threads, t);
+  }
+  build_graph(sites, near, radius, copy_of, options.threads, t);
+  measure(t, radius, options.threads);
+  build_stars(t);
+  return result;
+}
+
+std::array<std::array<double, 3>, 2> tangents(const std::array<double, 3>& normal)
+{
+  // Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin 2017, listing 3.
+  const double sign = std::copysign(1., normal[2]);
+  const double a = -1. / (sign + normal[2]), b = normal[0] * normal[1] * a;
+  return {{{1. + sign * normal[0] * normal[0] * a, sign * b, -sign * normal[0]},
+           {b, sign + normal[1] * normal[1] * a, -normal[1]}}};
+}
+
+Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point)
+{
+  const Glued_triangles& t = surfels.triangles;
+  Vector query;
+  for(int k = 0; k < 3; ++k)
+  {
+    if(!std::isfinite(point[k]))
+      throw Invalid_argument_error("The coordinates of the point to locate are not finite.");
+    // So far away that only the direction matters, and squares still do not overflow.
+    query[k] = std::clamp(std::ldexp(point[k], -std::ilogb(t.scale)) -
+                              std::ldexp(t.origin[k], -std::ilogb(t.scale)),
+                          -1e100, 1e100);
+  }
+  Surfel_location location;
+  location.site = surfels.tree.nearest(t.point, query);
+  const Vector offset = query - t.point[location.site];
+  const auto [u, v] = tangents(t.normal[location.site]);
+  const double x = dot(offset, u), y = dot(offset, v), length = std::hypot(x, y);
+  const double radius = surfels.radius[location.site];
+  const double shrink = length > radius ? radius / length : 1.;
+  location.offset = {shrink * x, shrink * y};
+  return location;
+}
+
+Location to_triangle(const Glued_triangles& t, const Surfel_location& location)
+{
+  Location result;
+  result.site = location.site;
+  if(location.offset[0] == 0. && location.offset[1] == 0.)
+    return result;
+  const auto [u, v] = tangents(t.normal[location.site]);
+  double best = infinity;
+  for(Index star = t.first[location.site]; star < t.first[location.site + 1]; ++star)
+  {
+    const Index corner = t.star[star], next = next_side(corner), previous = previous_side(corner);
+    const Vector a = t.point[t.corner[next]] - t.point[location.site];
+    const Vector b = t.point[t.corner[previous]] - t.point[location.site];
+    const double ax = dot(a, u), ay = dot(a, v), bx = dot(b, u), by = dot(b, v);
+    const double px = location.offset[0], py = location.offset[1];
+    const double area = ax * by - ay * bx;
+    if(!(area > 0.))
+      continue;
+    double wa = (px * by - py * bx) / area, wb = (ax * py - ay * px) / area;
+    if(wa < 0. || wb < 0. || wa + wb > 1.)
+    {
+      // The nearest place on the three sides.
+      const auto on_side = [&](double sx, double sy, double ex, double ey)
+      {
+        const double dx = ex - sx, dy = ey - sy, square = dx * dx + dy * dy;
+        return square > 0. ? std::clamp(((px - sx) * dx + (py - sy) * dy) / square, 0., 1.) : 0.;
+      };
+      const double along_a = on_side(0., 0., ax, ay), along_b = on_side(0., 0., bx, by);
+      const double along = on_side(ax, ay, bx, by);
+      const std::array<std::array<double, 2>, 3> choices = {
+          {{along_a, 0.}, {0., along_b}, {1. - along, along}}};
+      double nearest = infinity;
+      for(const auto& [ca, cb] : choices)
+      {
+        const double d = std::hypot(ca * ax + cb * bx - px, ca * ay + cb * by - py);
+        if(d < nearest)
+        {
+          nearest = d;
+          wa = ca;
+          wb = cb;
+        }
+      }
+    }
+    const double miss = std::hypot(wa * ax + wb * bx - px, wa * ay + wb * by - py);
+    if(miss < best)
+    {
+      best = miss;
+      result.triangle = corner / 3;
+      result.site = none;
+      result.barycentric[corner % 3] = std::max(0., 1. - wa - wb);
+      result.barycentric[next % 3] = wa;
+      result.barycentric[previous % 3] = wb;
+    }
+  }
+  return result;
+}
+
+Surfel_location to_surfel(const Glued_triangles& t, const Location& location)
+{
+  if(location.triangle == none)
+    return {location.site, {0., 0.}};
+  const auto& b = location.barycentric;
+  const Index largest = static_cast<Index>(std::max_element(b.begin(), b.end()) - b.begin());
+  Surfel_location result;
+  result.site = t.corner[3 * location.triangle + largest];
+  const auto [u, v] = tangents(t.normal[result.site]);
+  for(Index k = 0; k < 3; ++k)
+  {
+    const Vector side = t.point[t.corner[3 * location.triangle + k]] - t.point[result.site];
+    result.offset[0] += b[k] * dot(side, u);
+    result.offset[1] += b[k] * dot(side, v);
+  }
+  return result;
+}
+
+std::array<double, 3> position(const Glued_triangles& t, const Surfel_location& location)
+{
+  const auto [u, v] = tangents(t.normal[location.site]);
+  std::array<double, 3> result = t.point[location.site];
+  for(int k = 0; k < 3; ++k)
+    result[k] += location.offset[0] * u[k] + location.offset[1] * v[k];
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
