@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_DISPLAY_H
+#define GEODESIC_PROGRAM_DISPLAY_H
+
+#include <sys/types.h>
+
+namespace program {
+
+// Something to draw on.  Starts Xvfb, a server without a screen, and ends it with its own life;
+// where there is none, takes the display that the environment names.
+// Throws Usage_error with a sentence that says what is missing.
+class Display
+{
+public:
+  Display();
+  ~Display();
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+private:
+  ::pid_t m_server = -1;
+};
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_DISPLAY_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_SURFACE_FILE_H
+#define GEODESIC_PROGRAM_SURFACE_FILE_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace program {
+
+using Point = std::array<double, 3>;
+
+// What a file of any format holds, as plain arrays.
+struct Surface_file
+{
+  std::vector<Point> points;
+  std::vector<std::uint32_t> corners;      // of all polygons, one after another; < #points
+  std::vector<std::size_t> first = {0};    // #polygons + 1: where each polygon begins in `corners`
+  std::vector<Point> normals;              // empty or #points
+  std::vector<std::array<double, 2>> uv;   // empty or #points
+  std::vector<std::vector<Point>> polylines; // written, never read
+  std::map<std::string, std::vector<double>> properties; // each #points
+
+  std::size_t number_of_polygons() const { return first.size() - 1; }
+};
+
+// Reads a file of the kind that its ending names: .ply, .off, .obj, .stl, .xyz, .pwn or .vtp.
+// Indices in the result are in range and all coordinates are finite; nothing else is repaired.
+// Memory stays in proportion to the size of the file, whatever its header says.
+// Throws Input_error with a sentence that names the file and the reason.
+Surface_file read_surface_file(const std::string& filename);
+
+// Each parses the bytes of one format; `name` stands for the file in sentences.
+Surface_file read_ply(std::string_view bytes, const std::string& name);
+Surface_file read_off(std::string_view bytes, const std::string& name);
+Surface_file read_obj(std::string_view bytes, const std::string& name);
+Surface_file read_stl(std::string_view bytes, const std::string& name);
+Surface_file read_xyz(std::string_view bytes, const std::string& name);
+Surface_file read_pwn(std::string_view bytes, const std::string& name);
+Surface_file read_vtp(std::string_view bytes, const std::string& name);
+
+// Throws Usage_error when no writer belongs to the ending of a file name.
+void check_can_write(const std::string& filename);
+
+// Writes the file completely or not at all: first beside it, then renamed.
+// PLY (binary) and VTP carry normals, properties and polylines; OBJ carries texture coordinates,
+// normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
+// Throws Output_error when it cannot be written.
+void write_surface_file(const std::string& filename, const Surface_file& surface,
+                        const std::string& colour_of = "");
+
+std::string to_ply(const Surface_file& surface);
+std::string to_off(const Surface_file& surface, const std::string& colour_of);
+std::string to_obj(const Surface_file& surface);
+std::string to_vtp(const Surface_file& surface);
+
+// The ending of a file name in lower case, without its dot.
+std::string ending(const std::string& filename);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_SURFACE_FILE_H

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_BASE64_H
+#define GEODESIC_PROGRAM_BASE64_H
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace program {
+
+std::string to_base64(std::string_view bytes);
+
+// Nothing where the text is not base64.  Blanks are skipped; padding may stand within, as between
+// the header and the data of VTK's arrays.
+std::optional<std::string> from_base64(std::string_view text);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_BASE64_H

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_COLOURS_H
+#define GEODESIC_PROGRAM_COLOURS_H
+
+#include <array>
+#include <vector>
+
+namespace program {
+
+using Colour = std::array<double, 3>; // red, green, blue in [0, 1]
+
+// Where nothing is known: unreached, unlabelled.
+inline constexpr Colour grey = {0.72, 0.72, 0.72};
+
+// From dark violet (0) over green to yellow (1): five points of the map viridis.
+Colour viridis(double t);
+
+// Colours that differ from one another for any number of labels; grey for negative ones.
+Colour colour_of_label(long long label);
+
+// viridis over the range of the finite values, grey for the others.
+std::vector<Colour> colours_of(const std::vector<double>& values);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_COLOURS_H

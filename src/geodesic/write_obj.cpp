@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "write.h"
+
+namespace program {
+
+std::string to_obj(const Surface_file& surface)
+{
+  const bool normals = !surface.normals.empty(), uv = !surface.uv.empty();
+  std::string text;
+  const auto line = [&text](const char* keyword, const auto& numbers) {
+    text += keyword;
+    append_numbers(text, numbers);
+    text += '\n';
+  };
+  for(const Point& point : surface.points)
+    line("v", point);
+  for(const std::vector<Point>& polyline : surface.polylines)
+    for(const Point& point : polyline)
+      line("v", point);
+  for(const std::array<double, 2>& place : surface.uv)
+    line("vt", place);
+  for(const Point& normal : surface.normals)
+    line("vn", normal);
+  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
+  {
+    text += 'f';
+    for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
+    {
+      const std::string index = std::to_string(surface.corners[c] + 1);
+      text += ' ' + index;
+      if(uv || normals)
+        text += '/' + (uv ? index : std::string());
+      if(normals)
+        text += '/' + index;
+    }
+    text += '\n';
+  }
+  std::size_t next = surface.points.size() + 1;
+  for(const std::vector<Point>& polyline : surface.polylines)
+  {
+    if(polyline.empty())
+      continue;
+    text += 'l';
+    for(std::size_t i = 0; i < polyline.size(); ++i)
+      text += ' ' + std::to_string(next++);
+    text += '\n';
+  }
+  return text;
+}
+
+} // namespace program

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "write.h"
+
+namespace program {
+
+std::string to_ply(const Surface_file& surface)
+{
+  std::size_t polyline_points = 0, edges = 0;
+  for(const std::vector<Point>& polyline : surface.polylines)
+  {
+    polyline_points += polyline.size();
+    edges += polyline.empty() ? 0 : polyline.size() - 1;
+  }
+  // Only faces of 255 or fewer corners, which all readers take; the program writes triangles.
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                      std::to_string(surface.points.size() + polyline_points) +
+                      "\nproperty double x\nproperty double y\nproperty double z\n";
+  if(!surface.normals.empty())
+    bytes += "property double nx\nproperty double ny\nproperty double nz\n";
+  for(const auto& property : surface.properties)
+    bytes += "property double " + one_word(property.first) + "\n";
+  if(surface.number_of_polygons() > 0)
+    bytes += "element face " + std::to_string(surface.number_of_polygons()) +
+             "\nproperty list uchar int vertex_indices\n";
+  if(edges > 0)
+    bytes += "element edge " + std::to_string(edges) +
+             "\nproperty int vertex1\nproperty int vertex2\n";
+  bytes += "end_header\n";
+
+  for(std::size_t i = 0; i < surface.points.size(); ++i)
+  {
+    for(const double x : surface.points[i])
+      append_little_endian(bytes, x);
+    if(!surface.normals.empty())
+      for(const double x : surface.normals[i])
+        append_little_endian(bytes, x);
+    for(const auto& property : surface.properties)
+      append_little_endian(bytes, property.second[i]);
+  }
+  for(const std::vector<Point>& polyline : surface.polylines)
+    for(const Point& point : polyline)
+    {
+      for(const double x : point)
+        append_little_endian(bytes, x);
+      const std::size_t others = (surface.normals.empty() ? 0 : 3) + surface.properties.size();
+      for(std::size_t k = 0; k < others; ++k)
+        append_little_endian(bytes, 0.);
+    }
+  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
+  {
+    append_little_endian(bytes, static_cast<std::uint8_t>(surface.first[f + 1] - surface.first[f]));
+    for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
+      append_little_endian(bytes, surface.corners[c]);
+  }
+  std::size_t begin = surface.points.size();
+  for(const std::vector<Point>& polyline : surface.polylines)
+  {
+    for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+    {
+      append_little_endian(bytes, static_cast<std::uint32_t>(begin + i));
+      append_little_endian(bytes, static_cast<std::uint32_t>(begin + i + 1));
+    }
+    begin += polyline.size();
+  }
+  return bytes;
+}
+
+} // namespace program
