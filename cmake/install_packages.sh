@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
