@@ -1,0 +1,319 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TRIANGULATIONS_H
+#define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TRIANGULATIONS_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/glue.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+// Small surfaces as points and triangles, counterclockwise seen from outside (from above).
+
+namespace CGAL::Geodesic_processing::test {
+
+using internal::Glued_mesh;
+using internal::Glued_triangles;
+using internal::Index;
+using internal::Location;
+using internal::none;
+
+constexpr double pi = 3.14159265358979323846;
+
+using Point = std::array<double, 3>;
+
+struct Triangulation
+{
+  std::vector<Point> points;
+  std::vector<Index> corners; // 3 #triangles
+};
+
+inline Glued_mesh glued(const Triangulation& surface)
+{
+  return internal::glue(surface.points, surface.corners,
+                        internal::twins_of_soup(surface.points.size(), surface.corners));
+}
+
+inline Triangulation one_triangle()
+{
+  return {{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {0, 1, 2}};
+}
+
+inline Triangulation tetrahedron()
+{
+  return {{{1., 1., 1.}, {1., -1., -1.}, {-1., 1., -1.}, {-1., -1., 1.}},
+          {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}};
+}
+
+// Columns times rows squares, each cut into two triangles by one of its diagonals (both ways at
+// random when jitter > 0); corner (i,j) is point i + (columns+1) j, put at place(i/columns, j/rows)
+// after inner points moved by up to jitter times the square's size.
+inline Triangulation grid(std::size_t columns, std::size_t rows,
+                          const std::function<Point(double, double)>& place, double jitter = 0.,
+                          unsigned seed = 1)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> offset(-jitter, jitter);
+  Triangulation result;
+  for(std::size_t j = 0; j <= rows; ++j)
+    for(std::size_t i = 0; i <= columns; ++i)
+    {
+      const bool inner = i > 0 && i < columns && j > 0 && j < rows;
+      const double dx = offset(random), dy = offset(random);
+      result.points.push_back(
+          place((i + (inner ? dx : 0.)) / columns, (j + (inner ? dy : 0.)) / rows));
+    }
+  for(std::size_t j = 0; j < rows; ++j)
+    for(std::size_t i = 0; i < columns; ++i)
+    {
+      const Index a = Index(i + (columns + 1) * j), b = a + 1, d = Index(a + columns + 1),
+                  c = d + 1;
+      if(jitter > 0. && random() % 2 == 0)
+        result.corners.insert(result.corners.end(), {a, b, d, b, c, d});
+      else
+        result.corners.insert(result.corners.end(), {a, b, c, a, c, d});
+    }
+  return result;
+}
+
+// The unit square in the plane.  Up to jitter 0.3 no triangle turns over.
+inline Triangulation square(std::size_t n, double jitter = 0., unsigned seed = 1)
+{
+  return grid(
+      n, n,
+      [](double u, double v) {
+        return Point{u, v, 0.};
+      },
+      jitter, seed);
+}
+
+// Rings around an axis, each of n points; ring j at radius(j / rings) and height(j / rings).  Ring
+// j starts j * twist steps farther on.  Open at both ends.
+inline Triangulation rings(std::size_t n, std::size_t number_of_rings,
+                           const std::function<double(double)>& radius,
+                           const std::function<double(double)>& height, double twist = 0.5)
+{
+  Triangulation result;
+  for(std::size_t j = 0; j <= number_of_rings; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double s = double(j) / number_of_rings, angle = 2. * pi * (i + j * twist) / n;
+      result.points.push_back(
+          {radius(s) * std::cos(angle), radius(s) * std::sin(angle), height(s)});
+    }
+  for(std::size_t j = 0; j < number_of_rings; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const Index a = Index(j * n + i), b = Index(j * n + (i + 1) % n), c = Index(a + n),
+                  d = Index(b + n);
+      result.corners.insert(result.corners.end(), {a, b, c, b, d, c});
+    }
+  return result;
+}
+
+// A flat ring; intrinsically, everything in it goes around the hole.
+inline Triangulation annulus(std::size_t n, std::size_t number_of_rings, double inner, double outer)
+{
+  Triangulation result = rings(
+      n, number_of_rings, [=](double s) { return outer + s * (inner - outer); },
+      [](double) { return 0.; });
+  return result;
+}
+
+inline Triangulation cylinder(std::size_t n, std::size_t number_of_rings, double radius,
+                              double height)
+{
+  return rings(
+      n, number_of_rings, [=](double) { return radius; }, [=](double s) { return s * height; });
+}
+
+// A fan of n congruent triangles around point 0, with the angle `total` around it and legs of
+// length 1, then rings of the same shape outwards: flat but at its centre.  total < 2 pi gives a
+// cone; above, a saddle, folded up and down by turns (n is even then).
+// Point 0 is the centre; point 1 + n j + i lies in direction i at distance j + 1.
+inline Triangulation cone(std::size_t n, std::size_t number_of_rings, double total)
+{
+  // Directions with equal angles total / n between neighbours: colatitude alternates by `fold`.
+  const double step = total / n, turn = 2. * pi / n;
+  double colatitude = 0., fold = 0.;
+  if(total <= 2. * pi) // sin(step/2) = sin(colatitude) sin(turn/2)
+    colatitude = std::asin(std::min(1., std::sin(step / 2.) / std::sin(turn / 2.)));
+  else // cos(step) = cos^2(fold) cos(turn) - sin^2(fold)
+  {
+    colatitude = pi / 2.;
+    fold = std::acos(std::sqrt((1. + std::cos(step)) / (1. + std::cos(turn))));
+  }
+  Triangulation result;
+  result.points.push_back({0., 0., 0.});
+  for(std::size_t j = 0; j < number_of_rings; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double c = colatitude + (i % 2 == 0 ? fold : -fold), a = turn * i, r = j + 1.;
+      result.points.push_back(
+          {r * std::sin(c) * std::cos(a), r * std::sin(c) * std::sin(a), r * std::cos(c)});
+    }
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const Index a = Index(1 + i), b = Index(1 + (i + 1) % n);
+    result.corners.insert(result.corners.end(), {0, a, b});
+    for(std::size_t j = 0; j + 1 < number_of_rings; ++j)
+    {
+      const Index low = Index(n * j), high = Index(n * (j + 1));
+      result.corners.insert(result.corners.end(),
+                            {low + a, high + a, high + b, low + a, high + b, low + b});
+    }
+  }
+  return result;
+}
+
+// The unit sphere: an icosahedron, each triangle cut into four `level` times.
+inline Triangulation icosphere(unsigned level)
+{
+  const double g = (1. + std::sqrt(5.)) / 2.;
+  Triangulation result{{{-1, g, 0},
+                        {1, g, 0},
+                        {-1, -g, 0},
+                        {1, -g, 0},
+                        {0, -1, g},
+                        {0, 1, g},
+                        {0, -1, -g},
+                        {0, 1, -g},
+                        {g, 0, -1},
+                        {g, 0, 1},
+                        {-g, 0, -1},
+                        {-g, 0, 1}},
+                       {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                        4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                        6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1}};
+  const auto normalize = [](Point& p)
+  {
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    for(double& x : p)
+      x /= length;
+  };
+  for(Point& p : result.points)
+    normalize(p);
+  for(unsigned i = 0; i < level; ++i)
+  {
+    std::map<std::pair<Index, Index>, Index> middle;
+    const auto between = [&](Index a, Index b)
+    {
+      const auto [place, is_new] =
+          middle.try_emplace(std::minmax(a, b), Index(result.points.size()));
+      if(is_new)
+      {
+        Point p;
+        for(int k = 0; k < 3; ++k)
+          p[k] = result.points[a][k] + result.points[b][k];
+        normalize(p);
+        result.points.push_back(p);
+      }
+      return place->second;
+    };
+    std::vector<Index> corners;
+    for(std::size_t c = 0; c < result.corners.size(); c += 3)
+    {
+      const Index p = result.corners[c], q = result.corners[c + 1], r = result.corners[c + 2];
+      const Index a = between(p, q), b = between(q, r), d = between(r, p);
+      corners.insert(corners.end(), {p, a, d, a, q, b, d, b, r, a, b, d});
+    }
+    result.corners = std::move(corners);
+  }
+  return result;
+}
+
+// Moves each point by up to `amount` in each coordinate.
+inline Triangulation shaken(Triangulation surface, double amount, unsigned seed = 1)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> offset(-amount, amount);
+  for(Point& p : surface.points)
+    for(double& x : p)
+      x += offset(random);
+  return surface;
+}
+
+// Two surfaces that do not touch.
+inline Triangulation apart(Triangulation a, const Triangulation& b)
+{
+  const Index first = Index(a.points.size());
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for(const Index corner : b.corners)
+    a.corners.push_back(first + corner);
+  return a;
+}
+
+// Reads OFF with triangles alone; empty when the file is not there.
+inline Triangulation read_off(const std::string& file)
+{
+  Triangulation result;
+  std::ifstream in(file);
+  std::string header;
+  std::size_t points = 0, faces = 0, edges = 0;
+  if(!(in >> header >> points >> faces >> edges))
+    return result;
+  result.points.resize(points);
+  for(Point& p : result.points)
+    in >> p[0] >> p[1] >> p[2];
+  for(std::size_t f = 0; f < faces; ++f)
+  {
+    Index n, a, b, c;
+    in >> n >> a >> b >> c;
+    if(!in || n != 3 || a >= points || b >= points || c >= points)
+      return {};
+    result.corners.insert(result.corners.end(), {a, b, c});
+  }
+  return result;
+}
+
+// A random location in a random triangle.
+inline Location random_location(const Glued_triangles& triangles, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> unit(0., 1.);
+  double a = unit(random), b = unit(random);
+  if(a + b > 1.)
+  {
+    a = 1. - a;
+    b = 1. - b;
+  }
+  Location result;
+  result.triangle = Index(random() % triangles.number_of_triangles());
+  result.barycentric = {1. - a - b, a, b};
+  return result;
+}
+
+// Where a location lies in space, in the caller's scale.
+inline Point point_at(const Glued_triangles& triangles, const Location& location)
+{
+  Point result = {0., 0., 0.};
+  for(int k = 0; k < 3; ++k)
+  {
+    if(location.triangle == none)
+      result[k] = triangles.point[location.site][k];
+    else
+      for(int i = 0; i < 3; ++i)
+        result[k] += location.barycentric[i] *
+                     triangles.point[triangles.corner[3 * location.triangle + i]][k];
+    result[k] = triangles.origin[k] + triangles.scale * result[k];
+  }
+  return result;
+}
+
+inline double distance(const Point& p, const Point& q)
+{
+  return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
+                   (p[2] - q[2]) * (p[2] - q[2]));
+}
+
+} // namespace CGAL::Geodesic_processing::test
+
+#endif // CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TRIANGULATIONS_H
