@@ -24,10 +24,9 @@ using Vector = std::array<double, 3>;
 constexpr std::size_t neighbors = 24;
 constexpr std::size_t most_neighbors = 64;
 
-// Largest circumradius in radii.  Among random samples of a plane one triangle in a thousand is
-// larger (a Delaunay circumradius R has the tail (1 + pi R^2) exp(-pi R^2) at density 1, where the
-// default radius is 1.13).
-constexpr double largest_circumradius = 1.5;
+// Largest circumradius in radii.  With 1.5 one triangle in a hundred is missing from random samples
+// of a plane, with 2 some are, with 2.5 none but along the border; larger ones bridge gaps.
+constexpr double largest_circumradius = 2.5;
 
 constexpr std::size_t block_size = 2048;
 
@@ -62,24 +61,36 @@ void normalize(std::vector<Vector>& normals)
   }
 }
 
-// Whether two surfels can be neighbours on a surface.  The chord of a circular arc makes equal
-// angles with both normals, so that the sum of the normals is perpendicular to it; between two
-// parallel sheets it is not.
-struct Agreement
+// How two surfels can be neighbours on a surface.  The chord of a circular arc makes equal angles
+// with both normals, so that the sum of the normals is perpendicular to it; between two parallel
+// sheets it is not, and across noise or a sharp edge it need not be.
+enum class Agreement
 {
-  double cosine, twice_sine;
+  no,
+  steep,
+  gentle
+};
 
-  explicit Agreement(double maximum_angle)
-      : cosine(std::cos(maximum_angle)), twice_sine(2. * std::sin(maximum_angle / 2.))
-  {}
+struct Agree
+{
+  double cosine;
 
-  bool operator()(const Vector& p, const Vector& n, const Vector& q, const Vector& m) const
+  // Largest products of the sum of the normals with the direction of the chord.  The first holds
+  // parallel sheets at a distance of one mean spacing apart: chords to the other sheet would have to
+  // be 4 spacings long.  Chords across sharp edges rise more, by as much as the normals differ.
+  static constexpr double gentle = 0.5, steep = 1., gain = 0.7;
+
+  Agreement operator()(const Vector& p, const Vector& n, const Vector& q, const Vector& m) const
   {
-    if(dot(n, m) <= cosine)
-      return false;
+    const double product = dot(n, m);
+    if(product <= cosine)
+      return Agreement::no;
     const Vector chord = q - p;
-    const double rise = dot(n, chord) + dot(m, chord);
-    return rise * rise <= twice_sine * twice_sine * dot(chord, chord);
+    const double rise = dot(n, chord) + dot(m, chord), square = dot(chord, chord);
+    if(rise * rise <= gentle * gentle * square)
+      return Agreement::gentle;
+    const double most = std::min(steep, gentle + gain * std::sqrt(std::max(0., 2. - 2. * product)));
+    return rise * rise <= most * most * square ? Agreement::steep : Agreement::no;
   }
 };
 
@@ -245,11 +256,14 @@ struct Sites
   const std::vector<Vector>& point;
   const std::vector<Vector>& normal;
   const Kd_tree& tree;
-  Agreement agree;
+  Agree agree;
   unsigned threads;
 
   std::size_t size() const { return tree.size(); }
-  bool agree_at(Index a, Index b) const { return agree(point[a], normal[a], point[b], normal[b]); }
+  Agreement agreement(Index a, Index b) const
+  {
+    return agree(point[a], normal[a], point[b], normal[b]);
+  }
 };
 
 // For each site those that agree with it, nearest first, among its nearest ones; `reach` receives
@@ -275,7 +289,7 @@ Rows find_neighbors(const Sites& sites, std::vector<double>& reach)
           bound = are_all ? infinity : std::sqrt(found.back().squared_distance);
           reach[i] = bound;
           for(const Kd_tree::Neighbor& neighbor : found)
-            if(neighbor.point != i && sites.agree_at(i, neighbor.point))
+            if(neighbor.point != i && sites.agreement(i, neighbor.point) != Agreement::no)
               rows.part(block).push_back(neighbor.point);
           rows.end_row(block, i);
         }
@@ -300,6 +314,7 @@ Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>&
       [&](std::size_t block, std::size_t begin, std::size_t end)
       {
         std::vector<Kd_tree::Neighbor> more;
+        std::vector<Index> steep;
         std::vector<Index>& ring = rings.part(block);
         for(Index i = static_cast<Index>(begin); i < end; rings.end_row(block, i++))
         {
@@ -308,40 +323,70 @@ Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>&
             continue;
           const Vector center = sites.point[i];
           const auto [u, v] = tangents(sites.normal[i]);
-          Cell cell(limit);
-          const auto cut = [&](Index j)
+          const auto project = [&, &u = u, &v = v](Index j) -> std::array<double, 2>
           {
             const Vector chord = sites.point[j] - center;
-            const double x = dot(chord, u), y = dot(chord, v), square = x * x + y * y;
-            // Seen too steeply for its place in the plane to mean anything.
-            if(16. * square < dot(chord, chord))
-              return;
-            // Enlarged: a line through a corner may cut it for the sake of the weights.
-            if(square <= 4.000001 * cell.squared_radius())
-              cell.cut(x, y, (square + weight(i) - weight(j)) / 2., j);
+            return {dot(chord, u), dot(chord, v)};
           };
-          for(const Index* j = near.begin(i); j != near.end(i); ++j)
-            cut(*j);
+          Cell cell(limit);
+          const auto& corners = cell.corners();
+          const auto makes_triangle = [&](std::size_t corner)
+          {
+            const Cell::Corner& c = corners[corner];
+            const Index a = corners[corner == 0 ? corners.size() - 1 : corner - 1].edge, b = c.edge;
+            if(a == none || b == none)
+              return false;
+            const double most = largest_circumradius * std::min({radius[i], radius[a], radius[b]});
+            return c.x * c.x + c.y * c.y <= most * most && sites.agreement(a, b) != Agreement::no;
+          };
+          // Whether a triangle of the gentle neighbours lies in this direction.
+          const auto is_covered = [&](const std::array<double, 2>& q)
+          {
+            for(std::size_t k = 0; k < corners.size(); ++k)
+              if(makes_triangle(k))
+              {
+                const auto a = project(corners[k == 0 ? corners.size() - 1 : k - 1].edge);
+                const auto b = project(corners[k].edge);
+                if(a[0] * q[1] >= a[1] * q[0] && q[0] * b[1] >= q[1] * b[0])
+                  return true;
+              }
+            return false;
+          };
+          const auto cut = [&](Index j, bool where_open)
+          {
+            const auto q = project(j);
+            const double square = q[0] * q[0] + q[1] * q[1];
+            // Enlarged: a line through a corner may cut it for the sake of the weights.
+            if(square <= 4.000001 * cell.squared_radius() && !(where_open && is_covered(q)))
+              cell.cut(q[0], q[1], (square + weight(i) - weight(j)) / 2., j);
+          };
+          steep.clear();
+          const auto consider = [&](Index j)
+          {
+            const Agreement agreement = sites.agreement(i, j);
+            if(agreement == Agreement::gentle)
+              cut(j, false);
+            else if(agreement == Agreement::steep)
+              steep.push_back(j);
+          };
+          std::for_each(near.begin(i), near.end(i), consider);
           const double needed = 4.000001 * std::min(cell.squared_radius(), limit * limit);
           if(needed > reach[i] * reach[i])
           {
             sites.tree.nearest(sites.point, center, most_neighbors, more, needed);
             for(std::size_t k = std::min(neighbors + 1, more.size()); k < more.size(); ++k)
-              if(sites.agree_at(i, more[k].point))
-                cut(more[k].point);
+              consider(more[k].point);
+          }
+          for(const Index j : steep)
+          {
+            // Seen too steeply, a place in the plane means nothing.
+            const auto q = project(j);
+            const Vector chord = sites.point[j] - center;
+            if(16. * (q[0] * q[0] + q[1] * q[1]) > dot(chord, chord))
+              cut(j, true);
           }
 
-          const auto& corners = cell.corners();
           const std::size_t n = corners.size(), ring_begin = ring.size();
-          const auto makes_triangle = [&](std::size_t corner)
-          {
-            const Cell::Corner& c = corners[corner];
-            const Index a = corners[corner == 0 ? n - 1 : corner - 1].edge, b = c.edge;
-            if(a == none || b == none)
-              return false;
-            const double most = largest_circumradius * std::min({radius[i], radius[a], radius[b]});
-            return c.x * c.x + c.y * c.y <= most * most && sites.agree_at(a, b);
-          };
           // Start behind a gap where there is one.
           std::size_t start = 0;
           while(start < n && makes_triangle(start))
@@ -429,7 +474,8 @@ void build_graph(const Sites& sites, const Rows& near, const std::vector<double>
   {
     for(Index i = 0; i < m; ++i)
       for(const Index* j = near.begin(i); j != near.end(i); ++j)
-        if(distance(t.point[i], t.point[*j]) <= radius[i] + radius[*j])
+        if(distance(t.point[i], t.point[*j]) <= radius[i] + radius[*j] &&
+           sites.agreement(i, *j) == Agreement::gentle)
           visit(i, *j);
     for(Index side = 0; side < t.corner.size(); ++side)
       visit(t.corner[side], t.corner[next_side(side)]);
@@ -528,7 +574,7 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
   t.origin = frame.origin;
   t.scale = frame.scale;
   normalize(normals);
-  const Agreement agree(options.maximum_angle);
+  const Agree agree = {std::cos(options.maximum_angle)};
 
   // Sites: originals in the tree's order, then their copies.
   std::vector<Index> copy_of(n);

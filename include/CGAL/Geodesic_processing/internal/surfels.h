@@ -13,9 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Surfel_options
 {
-  // Surfels are neighbours only where their normals differ by less than this, radians below pi, and
-  // where the chord between them leaves their mean tangent plane by at most the half.
-  double maximum_angle = 1.0471975511965976; // 60 degrees
+  // Surfels are neighbours only where their normals differ by less than this, radians below pi.
+  double maximum_angle = 1.3089969389957472; // 75 degrees
   // The radius of a surfel, where none is given, is the distance to its neighbour of this rank
   // divided by sqrt(2).
   unsigned rank = 8;
@@ -38,13 +37,17 @@ struct Glued_surfels
 // points   #surfels, finite; normals  #surfels, of any positive length;
 // radii    #surfels, not negative, in the caller's unit; or empty.
 //
+// Neighbours: surfels whose normals agree, and whose chord hardly leaves their tangent planes: so
+// that parallel sheets stay apart although their normals agree.  Where a sharp edge leaves a gap in
+// the star of a surfel, steeper chords are taken as well.
+//
 // Arcs: the extended sphere-of-influence graph of Ruggeri, Darom, Saupe and Kiryati 2006 (two
-// spheres that meet, normals that agree), of which each surfel looks at its 24 nearest surfels
-// only, and the sides of all triangles.  Symmetric; the arcs of a site in the order of their ends.
+// neighbours whose spheres meet), of which each surfel looks at its 24 nearest surfels only, and
+// the sides of all triangles.  Symmetric; the arcs of a site in the order of their ends.
 //
 // Triangles: those that the Delaunay triangulation of its neighbours' projections to its tangent
 // plane has at a surfel.  One found from its three corners weighs 1, else 1/3 for each that found
-// it (Sharp and Crane 2020).  Triangles whose circumradius exceeds 1.5 times the smallest radius of
+// it (Sharp and Crane 2020).  Triangles whose circumradius exceeds 2.5 times the smallest radius of
 // their corners are left out: gaps and borders stay open.
 //
 // Surfels at one point with agreeing normals are one site with arcs of length zero to its copies,
