@@ -79,7 +79,8 @@ std::function<bool(double)> Job::progress(const std::string& what)
   if(m_quiet || ::isatty(STDERR_FILENO) == 0)
     return {};
   const auto began = std::chrono::steady_clock::now();
-  return [what, began, shown = -1](double done) mutable {
+  return [what, began, shown = -1](double done) mutable
+  {
     const int percent = static_cast<int>(100. * std::clamp(done, 0., 1.));
     // Work that ends within a second needs no bar.
     if(percent != shown && std::chrono::steady_clock::now() - began > std::chrono::seconds(1))

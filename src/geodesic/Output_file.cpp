@@ -154,4 +154,11 @@ void append_number(std::string& text, double value)
   }
 }
 
+std::string number_text(double value)
+{
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
 } // namespace program

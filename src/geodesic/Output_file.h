@@ -24,6 +24,7 @@ void check_folder(const std::string& filename);
 
 // The shortest text that reads back as the same number; inf and nan in these letters.
 void append_number(std::string& text, double value);
+std::string number_text(double value);
 
 } // namespace program
 

@@ -86,7 +86,8 @@ void check_can_write(const std::string& filename)
 {
   const std::string kind = ending(filename);
   if(kind != "ply" && kind != "off" && kind != "obj" && kind != "vtp")
-    throw Usage_error("-o " + filename + ": the name of a result ends with .ply, .off, .obj or .vtp.");
+    throw Usage_error("-o " + filename +
+                      ": the name of a result ends with .ply, .off, .obj or .vtp.");
 }
 
 void write_surface_file(const std::string& filename, const Surface_file& surface,

@@ -19,11 +19,11 @@ using Point = std::array<double, 3>;
 struct Surface_file
 {
   std::vector<Point> points;
-  std::vector<std::uint32_t> corners;      // of all polygons, one after another; < #points
-  std::vector<std::size_t> first = {0};    // #polygons + 1: where each polygon begins in `corners`
-  std::vector<Point> normals;              // empty or #points
-  std::vector<std::array<double, 2>> uv;   // empty or #points
-  std::vector<std::vector<Point>> polylines; // written, never read
+  std::vector<std::uint32_t> corners;    // of all polygons, one after another; < #points
+  std::vector<std::size_t> first = {0};  // #polygons + 1: where each polygon begins in `corners`
+  std::vector<Point> normals;            // empty or #points
+  std::vector<std::array<double, 2>> uv; // empty or #points
+  std::vector<std::vector<Point>> polylines;             // written, never read
   std::map<std::string, std::vector<double>> properties; // each #points
 
   std::size_t number_of_polygons() const { return first.size() - 1; }

@@ -152,9 +152,8 @@ Gluing orient(Surface_file& surface)
   const std::vector<bool> flip = choose_flips(corners, gluing);
 
   // Exchanging the last two corners exchanges the first and the last side.
-  const auto renamed = [&flip](std::uint32_t s) {
-    return s == no_side || !flip[s / 3] ? s : 3 * (s / 3) + (2 - s % 3);
-  };
+  const auto renamed = [&flip](std::uint32_t s)
+  { return s == no_side || !flip[s / 3] ? s : 3 * (s / 3) + (2 - s % 3); };
   std::vector<std::uint32_t> twins(corners.size());
   for(std::uint32_t s = 0; s < corners.size(); ++s)
     twins[renamed(s)] = renamed(gluing.twins[s]);

@@ -19,7 +19,8 @@ Kind kind_of(std::string_view keyword, const Scanner& scanner)
 {
   Kind kind;
   std::string_view rest = keyword;
-  const auto take = [&rest](std::string_view prefix) {
+  const auto take = [&rest](std::string_view prefix)
+  {
     if(rest.substr(0, prefix.size()) != prefix)
       return false;
     rest.remove_prefix(prefix.size());
@@ -66,8 +67,8 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
   for(std::size_t i = 0; i < surface.points.size(); ++i)
   {
     if(!scanner.next_line())
-      fail(name, "it ends after " + std::to_string(i) + " of " + std::to_string(vertices) +
-                     " vertices");
+      fail(name,
+           "it ends after " + std::to_string(i) + " of " + std::to_string(vertices) + " vertices");
     for(double& x : surface.points[i])
       x = scanner.coordinate(scanner.word());
     if(kind.homogeneous)
@@ -85,8 +86,7 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
   for(long long i = 0; i < faces; ++i)
   {
     if(!scanner.next_line())
-      fail(name,
-           "it ends after " + std::to_string(i) + " of " + std::to_string(faces) + " faces");
+      fail(name, "it ends after " + std::to_string(i) + " of " + std::to_string(faces) + " faces");
     const long long degree = scanner.integer(scanner.word());
     if(degree < 0)
       scanner.fail("a face has a negative number of vertices");

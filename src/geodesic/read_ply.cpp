@@ -48,11 +48,11 @@ struct Header
 std::optional<Type> type_of(std::string_view word)
 {
   static const std::map<std::string_view, Type> types = {
-      {"char", {'i', 1}},    {"int8", {'i', 1}},   {"uchar", {'u', 1}},   {"uint8", {'u', 1}},
-      {"short", {'i', 2}},   {"int16", {'i', 2}},  {"ushort", {'u', 2}},  {"uint16", {'u', 2}},
-      {"int", {'i', 4}},     {"int32", {'i', 4}},  {"uint", {'u', 4}},    {"uint32", {'u', 4}},
-      {"int64", {'i', 8}},   {"uint64", {'u', 8}}, {"float", {'f', 4}},   {"float32", {'f', 4}},
-      {"double", {'f', 8}},  {"float64", {'f', 8}}};
+      {"char", {'i', 1}},   {"int8", {'i', 1}},   {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
+      {"short", {'i', 2}},  {"int16", {'i', 2}},  {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
+      {"int", {'i', 4}},    {"int32", {'i', 4}},  {"uint", {'u', 4}},   {"uint32", {'u', 4}},
+      {"int64", {'i', 8}},  {"uint64", {'u', 8}}, {"float", {'f', 4}},  {"float32", {'f', 4}},
+      {"double", {'f', 8}}, {"float64", {'f', 8}}};
   const auto found = types.find(word);
   return found == types.end() ? std::nullopt : std::optional<Type>(found->second);
 }
@@ -198,7 +198,8 @@ public:
   void list(const Property& property, std::vector<double>& values)
   {
     const double count = value(*property.count);
-    const double least = m_encoding == Encoding::ascii ? 1. : static_cast<double>(property.type.size);
+    const double least =
+        m_encoding == Encoding::ascii ? 1. : static_cast<double>(property.type.size);
     if(!(count >= 0. && std::floor(count) == count))
       fail(m_name, "the length of a list is not a natural number");
     if(count * least > static_cast<double>(m_bytes.size()))

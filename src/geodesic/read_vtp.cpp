@@ -114,8 +114,10 @@ std::vector<double> numbers_of(std::string_view bytes, std::string_view type,
                                const Storage& storage, const std::string& name)
 {
   const bool real = type.substr(0, 5) == "Float", natural = type.substr(0, 4) == "UInt";
-  const std::string_view width = type.substr(real ? 5 : natural ? 4 : type.substr(0, 3) == "Int" ? 3
-                                                                                             : 0);
+  const std::string_view width = type.substr(real                         ? 5
+                                             : natural                    ? 4
+                                             : type.substr(0, 3) == "Int" ? 3
+                                                                          : 0);
   const std::size_t size = width == "8"    ? 1
                            : width == "16" ? 2
                            : width == "32" ? 4
@@ -296,9 +298,8 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name)
       section = tag->closed ? "" : std::string(tag->name);
     else if(tag->name == "/" + section)
       section.clear();
-    else if(tag->name == "DataArray" &&
-            (section == "Points" || section == "Polys" || section == "Strips" ||
-             section == "PointData"))
+    else if(tag->name == "DataArray" && (section == "Points" || section == "Polys" ||
+                                         section == "Strips" || section == "PointData"))
     {
       const Tag array = *tag;
       std::string_view text;

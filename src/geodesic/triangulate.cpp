@@ -87,9 +87,8 @@ std::vector<Triangle> cut_ears(const std::vector<Plane_point>& p)
   while(left.size() > 3)
   {
     const std::size_t n = left.size();
-    const auto area = [&](std::size_t i) {
-      return cross(p[left[(i + n - 1) % n]], p[left[i]], p[left[(i + 1) % n]]);
-    };
+    const auto area = [&](std::size_t i)
+    { return cross(p[left[(i + n - 1) % n]], p[left[i]], p[left[(i + 1) % n]]); };
     std::vector<std::size_t> reflex;
     for(std::size_t i = 0; i < n; ++i)
       if(area(i) <= 0.)
@@ -105,9 +104,8 @@ std::vector<Triangle> cut_ears(const std::vector<Plane_point>& p)
       if(area(i) > area(most_convex))
         most_convex = i;
       const Plane_point &a = p[left[(i + n - 1) % n]], &b = p[left[i]], &c = p[left[(i + 1) % n]];
-      if(area(i) <= 0. || std::any_of(reflex.begin(), reflex.end(), [&](std::size_t r) {
-           return contains(a, b, c, p[r]);
-         }))
+      if(area(i) <= 0. || std::any_of(reflex.begin(), reflex.end(),
+                                      [&](std::size_t r) { return contains(a, b, c, p[r]); }))
         continue;
       const double cut = squared_distance(a, c);
       if(cut < shortest)
@@ -156,7 +154,8 @@ bool drop_copies(Surface_file& surface)
     std::array<std::uint32_t, 3> turned = triangle;
     std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
     if(seen.insert(turned).second)
-      std::copy_n(triangle.begin(), 3, surface.corners.begin() + static_cast<std::ptrdiff_t>(3 * kept++));
+      std::copy_n(triangle.begin(), 3,
+                  surface.corners.begin() + static_cast<std::ptrdiff_t>(3 * kept++));
   }
   const bool changed = kept != surface.number_of_polygons();
   surface.corners.resize(3 * kept);

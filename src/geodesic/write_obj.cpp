@@ -8,7 +8,8 @@ std::string to_obj(const Surface_file& surface)
 {
   const bool normals = !surface.normals.empty(), uv = !surface.uv.empty();
   std::string text;
-  const auto line = [&text](const char* keyword, const auto& numbers) {
+  const auto line = [&text](const char* keyword, const auto& numbers)
+  {
     text += keyword;
     append_numbers(text, numbers);
     text += '\n';

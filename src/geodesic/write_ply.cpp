@@ -24,8 +24,8 @@ std::string to_ply(const Surface_file& surface)
     bytes += "element face " + std::to_string(surface.number_of_polygons()) +
              "\nproperty list uchar int vertex_indices\n";
   if(edges > 0)
-    bytes += "element edge " + std::to_string(edges) +
-             "\nproperty int vertex1\nproperty int vertex2\n";
+    bytes +=
+        "element edge " + std::to_string(edges) + "\nproperty int vertex1\nproperty int vertex2\n";
   bytes += "end_header\n";
 
   for(std::size_t i = 0; i < surface.points.size(); ++i)

@@ -1,0 +1,644 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Picture.h"
+
+#ifndef GEODESIC_PROCESSING_HAS_VTK
+
+#  include "errors.h"
+
+namespace program {
+
+void draw(const std::string& filename, const Picture&)
+{
+  throw Usage_error("--picture " + filename + ": this program was built without VTK.");
+}
+
+} // namespace program
+
+#else
+
+#  include "Output_file.h"
+#  include "View.h"
+#  include "colours.h"
+
+#  include <CGAL/Orthogonal_k_neighbor_search.h>
+#  include <CGAL/Search_traits_3.h>
+#  include <CGAL/Simple_cartesian.h>
+
+#  include <vtkActor.h>
+#  include <vtkCamera.h>
+#  include <vtkCellArray.h>
+#  include <vtkCellData.h>
+#  include <vtkContourFilter.h>
+#  include <vtkFloatArray.h>
+#  include <vtkLightKit.h>
+#  include <vtkLookupTable.h>
+#  include <vtkNew.h>
+#  include <vtkPNGWriter.h>
+#  include <vtkPointData.h>
+#  include <vtkPoints.h>
+#  include <vtkPolyData.h>
+#  include <vtkPolyDataMapper.h>
+#  include <vtkPolyDataNormals.h>
+#  include <vtkProperty.h>
+#  include <vtkRenderWindow.h>
+#  include <vtkRenderer.h>
+#  include <vtkScalarBarActor.h>
+#  include <vtkSphereSource.h>
+#  include <vtkStripper.h>
+#  include <vtkTextProperty.h>
+#  include <vtkTubeFilter.h>
+#  include <vtkUnsignedCharArray.h>
+#  include <vtkWindowToImageFilter.h>
+
+#  include <algorithm>
+#  include <cmath>
+#  include <map>
+#  include <random>
+
+namespace program {
+
+namespace {
+
+constexpr int width = 1600, height = 1200;
+constexpr Colour plain = {0.80, 0.82, 0.85}, dark = {0.08, 0.08, 0.12}, red = {0.86, 0.11, 0.12};
+// Radii, in units of half the longest side of the bounding box.
+constexpr double thin = 0.0022, thick = 0.011, ball = 0.024;
+
+Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point operator*(double t, const Point& a) { return {t * a[0], t * a[1], t * a[2]}; }
+
+double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
+
+Point cross(const Point& a, const Point& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Graphics cards count in single precision: everything is drawn in a box from -1 to 1.
+class Frame
+{
+public:
+  explicit Frame(const std::vector<Point>& points)
+  {
+    Point low = points[0], high = points[0];
+    for(const Point& p : points)
+      for(std::size_t c = 0; c < 3; ++c)
+      {
+        low[c] = std::min(low[c], p[c]);
+        high[c] = std::max(high[c], p[c]);
+      }
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      m_center[c] = low[c] / 2. + high[c] / 2.;
+      m_size = std::max(m_size, high[c] / 2. - low[c] / 2.);
+    }
+  }
+
+  Point operator()(const Point& p) const
+  {
+    Point q = {0., 0., 0.};
+    if(m_size > 0.)
+      for(std::size_t c = 0; c < 3; ++c)
+        q[c] = (p[c] / 2. - m_center[c] / 2.) / m_size * 2.;
+    return q;
+  }
+
+  std::vector<Point> operator()(const std::vector<Point>& points) const
+  {
+    std::vector<Point> result(points.size());
+    std::transform(points.begin(), points.end(), result.begin(), *this);
+    return result;
+  }
+
+  // Lengths in the frame's unit.
+  std::vector<double> lengths(std::vector<double> values) const
+  {
+    for(double& x : values)
+      x = m_size > 0. ? x / m_size : 0.;
+    return values;
+  }
+
+private:
+  Point m_center = {0., 0., 0.};
+  double m_size = 0.;
+};
+
+// Points and triangles that VTK is given, with one value or one colour for each point.
+struct Skin
+{
+  std::vector<Point> points;
+  std::vector<Point> normals; // empty: VTK finds them, with creases
+  std::vector<std::uint32_t> corners;
+  std::vector<Colour> colours; // #points or #triangles
+};
+
+vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Point>& points)
+{
+  const auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result->SetPoint(static_cast<vtkIdType>(i), points[i].data());
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> triangles_of(const std::vector<Point>& points,
+                                          const std::vector<std::uint32_t>& corners)
+{
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(to_vtk(points));
+  vtkNew<vtkCellArray> cells;
+  for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    const vtkIdType triangle[] = {corners[i], corners[i + 1], corners[i + 2]};
+    cells->InsertNextCell(3, triangle);
+  }
+  result->SetPolys(cells);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> lines_of(const std::vector<std::vector<Point>>& polylines)
+{
+  std::vector<Point> points;
+  vtkNew<vtkCellArray> cells;
+  for(const std::vector<Point>& polyline : polylines)
+  {
+    // The tube filter stumbles over points that coincide.
+    std::vector<vtkIdType> ids;
+    for(const Point& p : polyline)
+      if(ids.empty() || length(p - points.back()) > 1e-6)
+      {
+        ids.push_back(static_cast<vtkIdType>(points.size()));
+        points.push_back(p);
+      }
+    if(ids.size() > 1)
+      cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(to_vtk(points));
+  result->SetLines(cells);
+  return result;
+}
+
+void paint(vtkActor* actor, const Colour& colour)
+{
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+void add_tubes(vtkRenderer* renderer, vtkPolyData* lines, double radius, const Colour& colour)
+{
+  if(lines->GetNumberOfLines() == 0)
+    return;
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputData(lines);
+  tubes->SetRadius(radius);
+  tubes->SetNumberOfSides(10);
+  tubes->CappingOn();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(tubes->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  paint(actor, colour);
+  actor->GetProperty()->SetAmbient(0.25);
+  renderer->AddActor(actor);
+}
+
+void add_ball(vtkRenderer* renderer, const Point& center, double radius, const Colour& colour)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(24);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  paint(actor, colour);
+  actor->GetProperty()->SetAmbient(0.2);
+  actor->GetProperty()->SetSpecular(0.3);
+  actor->GetProperty()->SetSpecularPower(30.);
+  renderer->AddActor(actor);
+}
+
+void add_skin(vtkRenderer* renderer, const Skin& skin)
+{
+  const vtkSmartPointer<vtkPolyData> data = triangles_of(skin.points, skin.corners);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(skin.colours.size()));
+  for(std::size_t i = 0; i < skin.colours.size(); ++i)
+    for(int c = 0; c < 3; ++c)
+      colours->SetComponent(static_cast<vtkIdType>(i), c,
+                            std::round(255. * skin.colours[i][static_cast<std::size_t>(c)]));
+  if(skin.colours.size() == skin.points.size())
+    data->GetPointData()->SetScalars(colours);
+  else
+    data->GetCellData()->SetScalars(colours);
+
+  vtkNew<vtkPolyDataMapper> mapper;
+  if(skin.normals.empty())
+  {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(data);
+    normals->SetFeatureAngle(40.);
+    normals->ConsistencyOff();
+    mapper->SetInputConnection(normals->GetOutputPort());
+    mapper->Update();
+  }
+  else
+  {
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(static_cast<vtkIdType>(skin.normals.size()));
+    for(std::size_t i = 0; i < skin.normals.size(); ++i)
+      normals->SetTuple(static_cast<vtkIdType>(i), skin.normals[i].data());
+    data->GetPointData()->SetNormals(normals);
+    mapper->SetInputData(data);
+  }
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.12);
+  actor->GetProperty()->SetDiffuse(0.9);
+  actor->GetProperty()->SetSpecular(0.08);
+  actor->GetProperty()->SetSpecularPower(25.);
+  renderer->AddActor(actor);
+}
+
+struct Range
+{
+  double low = INFINITY, high = -INFINITY;
+  bool empty() const { return !(low < high); }
+};
+
+Range range_of(const std::vector<double>& values)
+{
+  Range range;
+  for(const double x : values)
+    if(std::isfinite(x))
+    {
+      range.low = std::min(range.low, x);
+      range.high = std::max(range.high, x);
+    }
+  return range;
+}
+
+// Between 10 and 25 lines, at multiples of 1, 2 or 5 times a power of ten.
+double line_step(const Range& range)
+{
+  const double wanted = (range.high - range.low) / 20.;
+  const double power = std::pow(10., std::floor(std::log10(wanted)));
+  for(const double factor : {1., 2., 5., 10.})
+    if(factor * power >= wanted)
+      return factor * power;
+  return wanted;
+}
+
+// Lines of equal value on the triangles whose corners all have one.
+void add_isolines(vtkRenderer* renderer, const std::vector<Point>& points,
+                  const std::vector<std::uint32_t>& corners, const std::vector<double>& values,
+                  const Range& range)
+{
+  std::vector<std::uint32_t> finite;
+  for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    if(std::isfinite(values[corners[i]]) && std::isfinite(values[corners[i + 1]]) &&
+       std::isfinite(values[corners[i + 2]]))
+      finite.insert(finite.end(), {corners[i], corners[i + 1], corners[i + 2]});
+  const vtkSmartPointer<vtkPolyData> data = triangles_of(points, finite);
+  // In single precision and from 0 to 1: values may be as large or small as a double can be.
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  const double size = range.high - range.low;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    scalars->SetValue(static_cast<vtkIdType>(i),
+                      std::isfinite(values[i]) ? static_cast<float>((values[i] - range.low) / size)
+                                               : 0.f);
+  data->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkContourFilter> contours;
+  contours->SetInputData(data);
+  const double step = line_step(range);
+  int count = 0;
+  for(double value = step * (std::floor(range.low / step) + 1.); value < range.high && count < 100;
+      value += step)
+    contours->SetValue(count++, (value - range.low) / size);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(contours->GetOutputPort());
+  stripper->Update();
+  add_tubes(renderer, stripper->GetOutput(), thin, dark);
+}
+
+void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title)
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  for(int i = 0; i < 256; ++i)
+  {
+    const Colour colour = viridis(i / 255.);
+    table->SetTableValue(i, colour[0], colour[1], colour[2]);
+  }
+  table->SetRange(range.low, range.high);
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(table);
+  bar->SetTitle(title.c_str());
+  bar->SetNumberOfLabels(5);
+  bar->SetLabelFormat("%-#.3g");
+  bar->SetMaximumWidthInPixels(110);
+  bar->SetPosition(0.885, 0.18);
+  bar->SetWidth(0.1);
+  bar->SetHeight(0.64);
+  bar->UnconstrainedFontSizeOn();
+  bar->SetVerticalTitleSeparation(12);
+  for(vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
+  {
+    text->SetColor(dark[0], dark[1], dark[2]);
+    text->SetFontFamilyToArial();
+    text->BoldOff();
+    text->ItalicOff();
+    text->ShadowOff();
+    text->SetFontSize(26);
+  }
+  renderer->AddViewProp(bar);
+}
+
+// Cuts the triangles where several labels meet, so that each piece has one: along the line where
+// the distances from both sides agree, as far as the corners tell.
+void cut_regions(const std::vector<Point>& points, const std::vector<std::uint32_t>& corners,
+                 const std::vector<long long>& labels, const std::vector<double>& values,
+                 Skin& skin, std::vector<std::vector<Point>>& borders)
+{
+  skin.points = points;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> cuts;
+  const auto cut = [&](std::uint32_t a, std::uint32_t b)
+  {
+    const auto [low, high] = std::minmax(a, b);
+    const auto [place, is_new] = cuts.try_emplace({low, high}, 0);
+    if(is_new)
+    {
+      place->second = static_cast<std::uint32_t>(skin.points.size());
+      const Point &p = points[low], &q = points[high];
+      double t = 0.5;
+      if(!values.empty() && std::isfinite(values[low]) && std::isfinite(values[high]))
+      {
+        const double size = length(p - q);
+        if(size > 0.)
+          t = std::clamp(0.5 + (values[high] - values[low]) / (2. * size), 0.05, 0.95);
+      }
+      skin.points.push_back(p + t * (q - p));
+    }
+    return place->second;
+  };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, long long label)
+  {
+    skin.corners.insert(skin.corners.end(), {a, b, c});
+    skin.colours.push_back(colour_of_label(label));
+  };
+  for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    std::uint32_t c[3] = {corners[i], corners[i + 1], corners[i + 2]};
+    const auto label = [&](std::size_t k) { return labels[c[k % 3]]; };
+    if(label(0) == label(1) && label(1) == label(2))
+    {
+      add(c[0], c[1], c[2], label(0));
+      continue;
+    }
+    if(label(0) != label(1) && label(1) != label(2) && label(2) != label(0))
+    {
+      const std::uint32_t p[3] = {cut(c[0], c[1]), cut(c[1], c[2]), cut(c[2], c[0])};
+      const auto middle = static_cast<std::uint32_t>(skin.points.size());
+      skin.points.push_back((1. / 3.) *
+                            (skin.points[p[0]] + skin.points[p[1]] + skin.points[p[2]]));
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        add(c[k], p[k], middle, label(k));
+        add(c[k], middle, p[(k + 2) % 3], label(k));
+        borders.push_back({skin.points[p[k]], skin.points[middle]});
+      }
+      continue;
+    }
+    // One corner differs from the two others: turn it to the front.
+    while(label(1) != label(2))
+      std::rotate(c, c + 1, c + 3);
+    const std::uint32_t p = cut(c[0], c[1]), q = cut(c[2], c[0]);
+    add(c[0], p, q, label(0));
+    add(p, c[1], c[2], label(1));
+    add(p, c[2], q, label(1));
+    borders.push_back({skin.points[p], skin.points[q]});
+  }
+}
+
+// A disk for each point, across its normal, wide enough to meet its neighbours'.
+Skin splats(const std::vector<Point>& points, const std::vector<Point>& normals,
+            const std::vector<Colour>& colours)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
+  std::vector<Kernel::Point_3> distinct;
+  for(const Point& p : points)
+    distinct.emplace_back(p[0], p[1], p[2]);
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  Search::Tree tree(distinct.begin(), distinct.end());
+
+  std::vector<double> radius(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Search search(tree, {points[i][0], points[i][1], points[i][2]}, 7);
+    double farthest = 0.;
+    for(const auto& neighbour : search)
+      farthest = std::max(farthest, neighbour.second);
+    radius[i] = 0.75 * std::sqrt(farthest);
+  }
+  // Lone points must neither vanish nor cover the others.
+  std::vector<double> sorted = radius;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double median = std::max(sorted[sorted.size() / 2], 1e-3);
+
+  constexpr std::uint32_t sides = 10;
+  Skin skin;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Point& n = normals[i];
+    const Point helper = std::abs(n[0]) < 0.6 ? Point{1., 0., 0.} : Point{0., 1., 0.};
+    Point u = cross(n, helper);
+    u = (1. / length(u)) * u;
+    const Point v = cross(n, u);
+    const double r = std::clamp(radius[i], 0.4 * median, 1.8 * median);
+    const auto first = static_cast<std::uint32_t>(skin.points.size());
+    for(std::uint32_t k = 0; k < sides; ++k)
+    {
+      const double angle = 2. * 3.14159265358979 * k / sides;
+      skin.points.push_back(points[i] + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v);
+      skin.normals.push_back(n);
+      skin.colours.push_back(colours[i]);
+      if(k >= 2)
+        skin.corners.insert(skin.corners.end(), {first, first + k - 1, first + k});
+    }
+  }
+  return skin;
+}
+
+// Colours of points of a cloud, darker near the lines of equal value, which no triangles carry.
+std::vector<Colour> striped(const std::vector<double>& values, const Range& range)
+{
+  std::vector<Colour> colours = colours_of(values);
+  const double step = line_step(range);
+  for(std::size_t i = 0; i < values.size(); ++i)
+    if(std::isfinite(values[i]))
+    {
+      const double place = values[i] / step;
+      if(std::abs(place - std::round(place)) < 0.1)
+        for(double& part : colours[i])
+          part *= 0.45;
+    }
+  return colours;
+}
+
+// Points spread over the surface, always the same ones.
+std::vector<Point> sample(const std::vector<Point>& points,
+                          const std::vector<std::uint32_t>& corners)
+{
+  constexpr std::size_t count = 60000;
+  if(corners.empty())
+    return points;
+  std::vector<double> area(corners.size() / 3);
+  double sum = 0.;
+  for(std::size_t f = 0; f < area.size(); ++f)
+  {
+    const Point& a = points[corners[3 * f]];
+    sum += length(cross(points[corners[3 * f + 1]] - a, points[corners[3 * f + 2]] - a));
+    area[f] = sum;
+  }
+  std::vector<Point> samples;
+  std::mt19937 generator(1);
+  const auto random = [&generator] { return static_cast<double>(generator()) / 4294967296.; };
+  for(std::size_t i = 0; i < count && sum > 0.; ++i)
+  {
+    const auto place = std::upper_bound(area.begin(), area.end(), random() * sum);
+    const std::size_t f =
+        std::min<std::size_t>(static_cast<std::size_t>(place - area.begin()), area.size() - 1);
+    double s = random(), t = random();
+    if(s + t > 1.)
+    {
+      s = 1. - s;
+      t = 1. - t;
+    }
+    const Point& a = points[corners[3 * f]];
+    samples.push_back(a + s * (points[corners[3 * f + 1]] - a) +
+                      t * (points[corners[3 * f + 2]] - a));
+  }
+  // Corners too: the outermost ones decide how near the camera may come.
+  const std::size_t stride = corners.size() / 100000 + 1;
+  for(std::size_t i = 0; i < corners.size(); i += stride)
+    samples.push_back(points[corners[i]]);
+  return samples;
+}
+
+void place_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
+                  const std::vector<Point>& places, bool has_bar)
+{
+  // The bar takes a strip at the right.
+  const double free_share = has_bar ? 0.86 : 1.;
+  const View view = choose_view(samples, places, free_share * width / height);
+  const Point position = view.center + view.distance * view.back;
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(view.center.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(view.up.data());
+  camera->SetViewAngle(view_angle);
+  camera->SetWindowCenter(has_bar ? 1. - free_share : 0., 0.);
+  renderer->ResetCameraClippingRange();
+}
+
+void save(vtkRenderWindow* window, const std::string& filename)
+{
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  write_file(filename, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                        static_cast<std::size_t>(bytes->GetNumberOfValues())});
+}
+
+} // namespace
+
+void draw(const std::string& filename, const Picture& picture)
+{
+  // Its warnings go to standard error, which belongs to our sentences.
+  vtkObject::GlobalWarningDisplayOff();
+  const Surface_file& surface = *picture.surface;
+  const bool is_mesh = surface.number_of_polygons() > 0;
+  const Frame frame(surface.points);
+  const std::vector<Point> points = frame(surface.points), markers = frame(picture.markers);
+  std::vector<std::vector<Point>> polylines;
+  for(const std::vector<Point>& polyline : picture.polylines)
+    polylines.push_back(frame(polyline));
+  const Range range = picture.labels.empty() ? range_of(picture.values) : Range();
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1., 1., 1.);
+  std::vector<Colour> colours(points.size(), plain);
+  if(!picture.labels.empty())
+    std::transform(picture.labels.begin(), picture.labels.end(), colours.begin(), colour_of_label);
+  else if(!picture.values.empty())
+    colours = colours_of(picture.values);
+
+  if(is_mesh && !picture.labels.empty())
+  {
+    Skin skin;
+    std::vector<std::vector<Point>> borders;
+    cut_regions(points, surface.corners, picture.labels, frame.lengths(picture.values), skin,
+                borders);
+    add_skin(renderer, skin);
+    add_tubes(renderer, lines_of(borders), thin, dark);
+  }
+  else if(is_mesh)
+  {
+    Skin skin;
+    skin.points = points;
+    skin.corners = surface.corners;
+    skin.colours = colours;
+    add_skin(renderer, skin);
+    if(!range.empty())
+      add_isolines(renderer, points, surface.corners, picture.values, range);
+  }
+  else
+    add_skin(renderer, splats(points, surface.normals,
+                              range.empty() ? colours : striped(picture.values, range)));
+  add_tubes(renderer, lines_of(polylines), thick, red);
+  const bool has_regions = !picture.labels.empty();
+  for(const Point& marker : markers)
+    add_ball(renderer, marker, has_regions ? 0.6 * ball : ball, has_regions ? dark : red);
+  if(!range.empty())
+    add_bar(renderer, range, picture.title);
+
+  std::vector<Point> places = has_regions ? std::vector<Point>() : markers;
+  for(const std::vector<Point>& polyline : polylines)
+    for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
+      places.push_back(polyline[i]);
+  place_camera(renderer, sample(points, surface.corners), places, !range.empty());
+
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.85);
+  lights->SetKeyToFillRatio(2.2);
+  lights->SetKeyToHeadRatio(3.);
+  lights->AddLightsToRenderer(renderer);
+
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetMultiSamples(8);
+  window->SetSize(width, height);
+  window->AddRenderer(renderer);
+  window->Render();
+  save(window, filename);
+}
+
+} // namespace program
+
+#endif

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_PICTURE_H
+#define GEODESIC_PROGRAM_PICTURE_H
+
+#include "Surface_file.h"
+
+#include <string>
+#include <vector>
+
+namespace program {
+
+// What a picture shows; empty arrays are not shown.
+struct Picture
+{
+  const Surface_file* surface = nullptr; // triangles, or points with unit normals
+  std::vector<double> values = {};       // #points: colours and lines of equal value
+  std::string title = {};                // of the values
+  std::vector<long long> labels = {};    // #points: coloured regions, grey where negative; then
+                                         //   values place the borders between them
+  std::vector<std::vector<Point>> polylines = {};
+  std::vector<Point> markers = {}; // sources, seeds, ends of paths
+};
+
+// Draws a PNG file off screen.  A Display must exist.  Throws Output_error.
+void draw(const std::string& filename, const Picture& picture);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_PICTURE_H

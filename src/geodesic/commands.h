@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_COMMANDS_H
+#define GEODESIC_PROGRAM_COMMANDS_H
+
+#include <CLI/App.hpp>
+
+namespace program {
+
+// Each adds a command with its options to the program, and runs it when the command line asks for
+// it.  What goes wrong is thrown as one of the errors of errors.h or of the library.
+void add_info(CLI::App& program);
+void add_distance(CLI::App& program);
+void add_path(CLI::App& program);
+void add_voronoi(CLI::App& program);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_COMMANDS_H

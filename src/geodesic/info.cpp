@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Job.h"
+#include "Output_file.h"
+#include "Picture.h"
+#include "commands.h"
+
+#include <CGAL/Geodesic_processing/internal/glue.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace program {
+
+namespace {
+
+using CGAL::Geodesic_processing::internal::Glued_triangles;
+
+struct Shape
+{
+  double area = 0.;                        // in the file's unit squared
+  double min_angle = 180., max_angle = 0.; // degrees, of triangles with an area
+};
+
+Point difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+
+double dot(const Point& u, const Point& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+double cross_length(const Point& u, const Point& v)
+{
+  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0]);
+}
+
+Shape shape_of(const Glued_triangles& triangles)
+{
+  constexpr double degrees = 57.295779513082323;
+  Shape shape;
+  for(std::size_t f = 0; f < triangles.number_of_triangles(); ++f)
+  {
+    Point side[3]; // from corner k to corner k + 1
+    for(std::size_t k = 0; k < 3; ++k)
+      side[k] = difference(triangles.point[triangles.corner[3 * f + (k + 1) % 3]],
+                           triangles.point[triangles.corner[3 * f + k]]);
+    const double twice_area = cross_length(side[0], side[1]);
+    if(twice_area == 0.)
+      continue;
+    shape.area += twice_area / 2.;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const double angle = degrees * std::atan2(twice_area, -dot(side[k], side[(k + 2) % 3]));
+      shape.min_angle = std::min(shape.min_angle, angle);
+      shape.max_angle = std::max(shape.max_angle, angle);
+    }
+  }
+  shape.area *= triangles.scale * triangles.scale;
+  return shape;
+}
+
+void describe_mesh(Job& job)
+{
+  const Surface& surface = job.surface();
+  const Gluing& gluing = surface.gluing;
+  const auto glued = CGAL::Geodesic_processing::internal::glue(surface.file.points,
+                                                               surface.file.corners, gluing.twins);
+  job.stage("query");
+  const Shape shape = shape_of(glued.triangles);
+  const std::size_t faces = surface.file.number_of_polygons();
+  const std::size_t degenerate =
+      CGAL::Geodesic_processing::internal::number_of_degenerate_triangles(glued.triangles);
+  auto& result = job.result();
+  result["components"] = gluing.components;
+  result["boundary_loops"] = gluing.boundary_loops;
+  result["genus"] = gluing.genus(faces);
+  result["manifold"] = gluing.is_manifold();
+  result["area"] = json_number(shape.area);
+  const bool has_angles = shape.max_angle > 0.;
+  result["min_angle"] = has_angles ? json_number(shape.min_angle) : nullptr;
+  result["max_angle"] = has_angles ? json_number(shape.max_angle) : nullptr;
+  result["degenerate_faces"] = degenerate;
+
+  job.say("components      " + std::to_string(gluing.components));
+  job.say("boundary loops  " + std::to_string(gluing.boundary_loops));
+  job.say("genus           " + std::to_string(gluing.genus(faces)));
+  job.say(std::string("manifold        ") + (gluing.is_manifold() ? "yes" : "no"));
+  if(has_angles)
+    job.say("angles          " + readable(shape.min_angle) + " to " + readable(shape.max_angle) +
+            " degrees");
+  job.say("area            " + readable(shape.area));
+  job.say("degenerate      " + std::to_string(degenerate) + " faces");
+}
+
+void describe_box(Job& job)
+{
+  Point low = job.surface().file.points[0], high = low;
+  for(const Point& p : job.surface().file.points)
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], p[c]);
+      high[c] = std::max(high[c], p[c]);
+    }
+  job.result()["bounding_box"] = {low, high};
+  job.say("bounding box    " + readable(low[0]) + " " + readable(low[1]) + " " + readable(low[2]) +
+          " to " + readable(high[0]) + " " + readable(high[1]) + " " + readable(high[2]));
+}
+
+void run_info(Job& job)
+{
+  const Surface& surface = job.read();
+  job.say(std::string("kind            ") + (surface.is_mesh() ? "mesh" : "cloud"));
+  job.say("vertices        " + std::to_string(surface.file.points.size()));
+  job.stage("prepare");
+  if(surface.is_mesh())
+  {
+    job.say("faces           " + std::to_string(surface.file.number_of_polygons()));
+    describe_mesh(job);
+  }
+  job.stage("query");
+  describe_box(job);
+
+  job.stage("write");
+  if(!job.output().empty())
+    write_surface_file(job.output(), surface.file);
+  if(!job.values().empty())
+  {
+    std::string text;
+    for(const Point& p : surface.file.points)
+      text += number_text(p[0]) + ' ' + number_text(p[1]) + ' ' + number_text(p[2]) + '\n';
+    job.write_values(text);
+  }
+  if(!job.picture().empty())
+    draw(job.picture(), Picture{&surface.file});
+  job.finish();
+}
+
+} // namespace
+
+void add_info(CLI::App& program)
+{
+  CLI::App* const command = program.add_subcommand("info", "sizes, shape and defects; -o converts");
+  const auto job = std::make_shared<Job>(*command);
+  command->callback([job] { run_info(*job); });
+}
+
+} // namespace program
