@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_FRONT_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_FRONT_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/Queue.h>
+#include <CGAL/Geodesic_processing/internal/obtuse_splits.h>
+#include <CGAL/Geodesic_processing/internal/planar.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// How a front passes a triangle.
+enum class Front_kind
+{
+  arcs,      // along arcs only (Dijkstra): never below the distance, inconsistent under refinement
+  planar,    // as a straight line (Kimmel and Sethian 1998): first order, admits speeds
+  euclidean, // as a circle about an unfolded source, whose direction each site knows
+};
+
+// What a query asks for, beside its sources.
+struct Front_limits
+{
+  double maximum_distance = infinity;            // sites farther away are not reached
+  std::vector<Location> targets;                 // the front may stop when all of them are final
+  const std::vector<double>* slowness = nullptr; // #triangles: 1 / speed, infinite at an obstacle
+  std::function<bool(double)> callback;          // told the fraction done; false cancels
+};
+
+// A front that spreads from sources over a domain, and what it leaves behind at each site.
+// A query costs in proportion to the sites that it visits: nothing of size #sites is cleared.
+// Copies share the triangles and may run at the same time.
+class CGAL_GEODESIC_PROCESSING_EXPORT Front
+{
+public:
+  Front(std::shared_ptr<const Glued_triangles> triangles, Front_kind kind);
+
+  // Lets the front start from the sources.  False when the callback cancelled it: then only sites
+  // that were final are reached.  The distances do not depend on the order of the sources.
+  bool run(const std::vector<Source>& sources, const Front_limits& limits = {});
+
+  // All of the last run, in the domain's scale.
+  double distance(Index site) const { return m_sites[site].distance; }
+  double distance(const Location& location) const;
+  // The position among the sources of the nearest one; none where no source reaches.
+  Index source(Index site) const { return m_sources[site]; }
+  // A neighbouring site nearer to the source, next to which the shortest path arrives; none at
+  // sources and where no source reaches.
+  Index predecessor(Index site) const;
+  // The sites reached, each once; nearly in the order of their distances.
+  const std::vector<Index>& reached() const { return m_reached; }
+
+private:
+  // The unit vector `direction` points from the site back to its source: on a mesh in the plane of
+  // the triangle of `corner`, side `corner` on the first axis; on a cloud in the tangent frame.
+  struct Site
+  {
+    double distance = infinity;
+    Planar direction = {1., 0.};
+    Index corner = none; // of the site, in the triangle that the front came through; on a cloud
+                         //   the predecessor
+    Index state = 0;     // see the flags in front.cpp
+  };
+  struct Arrival;
+  // A site seen in the plane of a corner that lies at the origin.
+  struct Seen
+  {
+    Index site;
+    Planar position;
+  };
+
+  void start(const std::vector<Source>& sources);
+  void start_at_site(Index site, double distance, Index source);
+  void start_in_triangle(Index triangle, const Location& begin, const Location& end, double offset,
+                         Index source);
+  bool offer(Index site, const Arrival& arrival, Index source);
+
+  void offer_along_side(Index corner, bool arriving, Index flags);
+  void offer_along_sides(Index site, Index flags);
+  void offer_along_arcs(Index site);
+  void spread_along_arcs(Index site);
+
+  std::array<Seen, 2> neighbours(Index corner) const;
+  Seen seen_behind(Index split) const;
+  void spread_planar(Index site);
+  void cross_planar(Index corner, const Seen& right, const Seen& left);
+
+  void spread_euclidean(Index site);
+  void spread_blindly(Index site);
+  void cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle);
+
+  void spread_on_cloud(Index site);
+  void cross_on_cloud(Index from, const Spatial& source, Index along, Index target);
+
+  Planar in_corner(const Planar& vector, const std::array<Planar, 3>& corners, Index corner) const;
+  Planar tangent(Index site, const Spatial& direction) const;
+  bool source_at(Index corner, bool mirrored, Planar& source) const;
+
+  std::shared_ptr<const Glued_triangles> m_triangles;
+  std::shared_ptr<const Obtuse_splits> m_splits; // for planar fronts on meshes
+  Front_kind m_kind;
+
+  std::vector<Site> m_sites;
+  std::vector<Index> m_sources;
+  std::vector<Index> m_reached;
+  Queue m_queue;
+
+  // Of the running query
+  const std::vector<double>* m_slowness = nullptr;
+  std::vector<std::pair<Index, Source>> m_started_in; // triangle, its part of a source
+  double m_lowest_offset = 0.;
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_FRONT_H

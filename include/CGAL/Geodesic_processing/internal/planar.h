@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PLANAR_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PLANAR_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Points and vectors in the plane of an unfolded triangle.
+using Planar = std::array<double, 2>;
+
+inline Planar operator+(const Planar& p, const Planar& q) { return {p[0] + q[0], p[1] + q[1]}; }
+inline Planar operator-(const Planar& p, const Planar& q) { return {p[0] - q[0], p[1] - q[1]}; }
+inline Planar operator*(double factor, const Planar& p) { return {factor * p[0], factor * p[1]}; }
+inline double dot(const Planar& p, const Planar& q) { return p[0] * q[0] + p[1] * q[1]; }
+inline double cross(const Planar& p, const Planar& q) { return p[0] * q[1] - p[1] * q[0]; }
+inline double norm(const Planar& p) { return std::sqrt(dot(p, p)); }
+
+// Products of vectors as complex numbers: turned(p, q) turns p by the angle of the unit vector q,
+// turned_back(p, q) by the opposite angle.
+inline Planar turned(const Planar& p, const Planar& q)
+{
+  return {p[0] * q[0] - p[1] * q[1], p[0] * q[1] + p[1] * q[0]};
+}
+inline Planar turned_back(const Planar& p, const Planar& q)
+{
+  return {p[0] * q[0] + p[1] * q[1], p[1] * q[0] - p[0] * q[1]};
+}
+
+// The unit vector at a corner's interior angle, seen from the side that leaves it.  A triangle
+// without area gets 0 or pi.
+inline Planar corner_angle(const Glued_triangles& triangles, Index corner)
+{
+  const double a = triangles.length[corner], b = triangles.length[previous_side(corner)],
+               opposite = triangles.length[next_side(corner)];
+  const double product = 2. * a * b;
+  if(product <= 0.)
+    return {1., 0.};
+  // 1 - cosine, from differences: well conditioned also at needles.
+  const double versine = std::clamp((opposite - (a - b)) * (opposite + (a - b)) / product, 0., 2.);
+  return {1. - versine, std::sqrt(versine * (2. - versine))};
+}
+
+// Where the third corner lies when side `side` runs from the origin along the first axis.
+inline Planar apex(const Glued_triangles& triangles, Index side)
+{
+  return triangles.length[previous_side(side)] * corner_angle(triangles, side);
+}
+
+// A triangle laid out with corner 0 at the origin and side 0 along the first axis.
+inline std::array<Planar, 3> layout(const Glued_triangles& triangles, Index triangle)
+{
+  return {Planar{0., 0.}, Planar{triangles.length[3 * triangle], 0.},
+          apex(triangles, 3 * triangle)};
+}
+
+inline Planar position(const std::array<Planar, 3>& corners, const Location& location)
+{
+  return location.barycentric[0] * corners[0] + location.barycentric[1] * corners[1] +
+         location.barycentric[2] * corners[2];
+}
+
+// The point of the segment from p to q that is nearest to x, and whether it lies between its ends.
+inline Planar foot(const Planar& x, const Planar& p, const Planar& q, bool& inside)
+{
+  const Planar segment = q - p;
+  const double square = dot(segment, segment);
+  const double share = square > 0. ? dot(x - p, segment) / square : 0.;
+  inside = share > 0. && share < 1.;
+  return p + std::clamp(share, 0., 1.) * segment;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PLANAR_H
