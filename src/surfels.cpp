@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/locality.h>
 #include <CGAL/Geodesic_processing/internal/parallel.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
-
-using Vector = std::array<double, 3>;
 
 // How many of the nearest surfels each looks at: half of them on each side of a thin sheet still
 // make a star.  Random samples of a plane need 28 on average before their Voronoi cell is certain;
@@ -30,24 +29,23 @@ constexpr double largest_circumradius = 2.5;
 
 constexpr std::size_t block_size = 2048;
 
-Vector operator-(const Vector& a, const Vector& b)
+double distance(const Spatial& a, const Spatial& b) { return norm(a - b); }
+
+void check_sizes(std::size_t points, std::size_t normals, std::size_t radii)
 {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  if(normals != points || (radii != 0 && radii != points))
+    throw Invalid_argument_error("There are " + std::to_string(points) + " points, " +
+                                 std::to_string(normals) + " normals and " + std::to_string(radii) +
+                                 " radii.");
+  if(points > none / 64)
+    throw Unsupported_surface_error("A cloud of more than 2^26 surfels is too large.");
 }
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-double distance(const Vector& a, const Vector& b)
-{
-  const Vector d = a - b;
-  return std::sqrt(dot(d, d));
-}
-
-void normalize(std::vector<Vector>& normals)
+void normalize(std::vector<Spatial>& normals)
 {
   for(std::size_t i = 0; i < normals.size(); ++i)
   {
-    Vector& n = normals[i];
+    Spatial& n = normals[i];
     const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
     if(!(largest > 0.) || !std::isfinite(n[0] + n[1] + n[2]))
       throw Invalid_argument_error("The normal of surfel " + std::to_string(i) +
@@ -80,12 +78,12 @@ struct Agree
   // be 4 spacings long.  Chords across sharp edges rise more, by as much as the normals differ.
   static constexpr double gentle = 0.5, steep = 1., gain = 0.7;
 
-  Agreement operator()(const Vector& p, const Vector& n, const Vector& q, const Vector& m) const
+  Agreement operator()(const Spatial& p, const Spatial& n, const Spatial& q, const Spatial& m) const
   {
     const double product = dot(n, m);
     if(product <= cosine)
       return Agreement::no;
-    const Vector chord = q - p;
+    const Spatial chord = q - p;
     const double rise = dot(n, chord) + dot(m, chord), square = dot(chord, chord);
     if(rise * rise <= gentle * gentle * square)
       return Agreement::gentle;
@@ -95,12 +93,12 @@ struct Agree
 };
 
 // For each surfel the first one at the same point with an agreeing normal: itself for most.
-std::vector<Index> originals(const std::vector<Vector>& points, const std::vector<Vector>& normals,
-                             double cosine)
+std::vector<Index> originals(const std::vector<Spatial>& points,
+                             const std::vector<Spatial>& normals, double cosine)
 {
   // Points closer than 2^-51 of the extent are rounded together by this sum, so that no squared
   // distance between originals underflows.
-  const auto key = [&](Index i) -> Vector {
+  const auto key = [&](Index i) -> Spatial {
     return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};
   };
   std::size_t slots = 16;
@@ -109,7 +107,7 @@ std::vector<Index> originals(const std::vector<Vector>& points, const std::vecto
   std::vector<Index> table(slots, none), original(points.size());
   for(Index i = 0; i < points.size(); ++i)
   {
-    const Vector k = key(i);
+    const Spatial k = key(i);
     std::uint64_t hash = 0;
     for(const double x : k)
       hash = (hash ^ static_cast<std::uint64_t>(std::ldexp(x, 50))) * 0x9e3779b97f4a7c15ull,
@@ -253,8 +251,8 @@ double shuffled(Index site)
 // The sites that are no copies: all that the search for neighbours sees.
 struct Sites
 {
-  const std::vector<Vector>& point;
-  const std::vector<Vector>& normal;
+  const std::vector<Spatial>& point;
+  const std::vector<Spatial>& normal;
   const Kd_tree& tree;
   Agree agree;
   unsigned threads;
@@ -321,11 +319,11 @@ Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>&
           const double limit = largest_circumradius * radius[i];
           if(!(limit > 0.))
             continue;
-          const Vector center = sites.point[i];
-          const auto [u, v] = tangents(sites.normal[i]);
+          const Spatial center = sites.point[i];
+          const auto [u, v] = tangent_frame(sites.normal[i]);
           const auto project = [&, &u = u, &v = v](Index j) -> std::array<double, 2>
           {
-            const Vector chord = sites.point[j] - center;
+            const Spatial chord = sites.point[j] - center;
             return {dot(chord, u), dot(chord, v)};
           };
           Cell cell(limit);
@@ -381,7 +379,7 @@ Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>&
           {
             // Seen too steeply, a place in the plane means nothing.
             const auto q = project(j);
-            const Vector chord = sites.point[j] - center;
+            const Spatial chord = sites.point[j] - center;
             if(16. * (q[0] * q[0] + q[1] * q[1]) > dot(chord, chord))
               cut(j, true);
           }
@@ -463,19 +461,30 @@ void collect_triangles(const Rows& rings, unsigned threads, Glued_triangles& t)
 }
 
 // Arcs of the originals between spheres that meet and along the sides of triangles; copies hang at
-// their originals.
-void build_graph(const Sites& sites, const Rows& near, const std::vector<double>& radius,
-                 const std::vector<Index>& original, unsigned threads, Glued_triangles& t)
+// their originals.  Leaves `none` in `near` where two spheres do not meet.
+void build_graph(const Sites& sites, Rows& near, const std::vector<double>& radius,
+                 const std::vector<Index>& original, Glued_triangles& t)
 {
   const std::size_t n = t.point.size(), m = sites.size();
+  for_each_block(m, block_size, sites.threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                     for(Index k = near.first[i]; k < near.first[i + 1]; ++k)
+                     {
+                       Index& j = near.entries[k];
+                       if(distance(t.point[i], t.point[j]) > radius[i] + radius[j] ||
+                          sites.agreement(i, j) != Agreement::gentle)
+                         j = none;
+                     }
+                 });
   // Half of the arcs, some of them twice.
   std::vector<Index> first(n + 1, 0), target;
   const auto each = [&](const auto& visit)
   {
     for(Index i = 0; i < m; ++i)
       for(const Index* j = near.begin(i); j != near.end(i); ++j)
-        if(distance(t.point[i], t.point[*j]) <= radius[i] + radius[*j] &&
-           sites.agreement(i, *j) == Agreement::gentle)
+        if(*j != none)
           visit(i, *j);
     for(Index side = 0; side < t.corner.size(); ++side)
       visit(t.corner[side], t.corner[next_side(side)]);
@@ -490,7 +499,7 @@ void build_graph(const Sites& sites, const Rows& near, const std::vector<double>
     each([&](Index a, Index b) { target[end[a]++] = b, target[end[b]++] = a; });
   }
   Rows arcs(n);
-  for_each_block(n, block_size, threads,
+  for_each_block(n, block_size, sites.threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    std::vector<Index>& part = arcs.part(block);
@@ -530,7 +539,7 @@ void measure(Glued_triangles& t, std::vector<double>& radius, unsigned threads)
     length *= factor;
   for(double& r : radius)
     r *= factor;
-  for(Vector& point : t.point)
+  for(Spatial& point : t.point)
     for(double& x : point)
       x *= factor;
   t.scale = std::ldexp(t.scale, exponent);
@@ -558,12 +567,7 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
                            const std::vector<double>& radii, const Surfel_options& options)
 {
   const std::size_t n = points.size();
-  if(normals.size() != n || (!radii.empty() && radii.size() != n))
-    throw Invalid_argument_error("There are " + std::to_string(n) + " points, " +
-                                 std::to_string(normals.size()) + " normals and " +
-                                 std::to_string(radii.size()) + " radii.");
-  if(n > none / 64)
-    throw Unsupported_surface_error("A cloud of more than 2^26 surfels is too large.");
+  check_sizes(n, normals.size(), radii.size());
   if(!(options.maximum_angle > 0.) || options.maximum_angle > std::acos(-1.) || options.rank == 0)
     throw Invalid_argument_error("The angle between neighbours must lie between 0 and pi, and the "
                                  "rank of the neighbour that gives the radius above 0.");
@@ -615,7 +619,7 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
   const Sites sites = {t.point, t.normal, result.tree, agree, options.threads};
   const std::size_t m = sites.size();
   std::vector<double> reach;
-  const Rows near = find_neighbors(sites, reach);
+  Rows near = find_neighbors(sites, reach);
 
   std::vector<double>& radius = result.radius;
   radius.assign(n, 0.);
@@ -644,25 +648,74 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
     reach = {};
     collect_triangles(rings, options.threads, t);
   }
-  build_graph(sites, near, radius, copy_of, options.threads, t);
+  build_graph(sites, near, radius, copy_of, t);
   measure(t, radius, options.threads);
   build_stars(t);
   return result;
 }
 
-std::array<std::array<double, 3>, 2> tangents(const std::array<double, 3>& normal)
+std::vector<std::array<double, 3>> smooth_surfels(std::vector<std::array<double, 3>> points,
+                                                  std::vector<std::array<double, 3>> normals,
+                                                  unsigned passes, unsigned threads)
 {
-  // Duff, Burgess, Christensen, Hery, Kensler, Liani and Villemin 2017, listing 3.
-  const double sign = std::copysign(1., normal[2]);
-  const double a = -1. / (sign + normal[2]), b = normal[0] * normal[1] * a;
-  return {{{1. + sign * normal[0] * normal[0] * a, sign * b, -sign * normal[0]},
-           {b, sign + normal[1] * normal[1] * a, -normal[1]}}};
+  check_sizes(points.size(), normals.size(), 0);
+  normalize(normals);
+  const std::size_t n = points.size();
+  const Frame frame = unit_frame(points);
+  std::vector<Spatial> start = points;
+  to_frame(start, frame);
+  std::vector<Index> order;
+  const Kd_tree tree(start, order, threads);
+  std::vector<Spatial> normal(n);
+  for(std::size_t i = 0; i < n; ++i)
+    normal[i] = normals[order[i]];
+  normals = {};
+
+  // How far each lies above its start, and what the neighbours say; the neighbours stay the same.
+  std::vector<double> height(n, 0.), next(n, 0.);
+  for(unsigned pass = 0; pass < passes; ++pass)
+  {
+    for_each_block(n, block_size, threads,
+                   [&](std::size_t, std::size_t begin, std::size_t end)
+                   {
+                     std::vector<Kd_tree::Neighbor> found;
+                     for(std::size_t i = begin; i < end; ++i)
+                     {
+                       tree.nearest(start, start[i], neighbors + 1, found);
+                       const double farthest = found.back().squared_distance;
+                       double sum = 0., weights = 0.;
+                       for(const Kd_tree::Neighbor& neighbor : found)
+                       {
+                         const Index j = neighbor.point;
+                         const double product = dot(normal[i], normal[j]);
+                         // 60 degrees: the other side of a thin sheet does not count.
+                         if(product < 0.5)
+                           continue;
+                         const double weight =
+                             farthest > 0. ? std::exp(-2. * neighbor.squared_distance / farthest)
+                                           : 1.;
+                         const Spatial chord = start[j] - start[i];
+                         const double rise = dot(normal[i], chord) + dot(normal[j], chord) +
+                                             (1. + product) * (height[j] - height[i]);
+                         sum += weight * rise / 2.;
+                         weights += weight;
+                       }
+                       next[i] = height[i] + sum / weights;
+                     }
+                   });
+    std::swap(height, next);
+  }
+  const int exponent = std::ilogb(frame.scale);
+  for(std::size_t i = 0; i < n; ++i)
+    for(int k = 0; k < 3; ++k)
+      points[order[i]][k] += std::ldexp(height[i] * normal[i][k], exponent);
+  return points;
 }
 
 Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point)
 {
   const Glued_triangles& t = surfels.triangles;
-  Vector query;
+  Spatial query;
   for(int k = 0; k < 3; ++k)
   {
     if(!std::isfinite(point[k]))
@@ -674,8 +727,8 @@ Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>
   }
   Surfel_location location;
   location.site = surfels.tree.nearest(t.point, query);
-  const Vector offset = query - t.point[location.site];
-  const auto [u, v] = tangents(t.normal[location.site]);
+  const Spatial offset = query - t.point[location.site];
+  const auto [u, v] = tangent_frame(t.normal[location.site]);
   const double x = dot(offset, u), y = dot(offset, v), length = std::hypot(x, y);
   const double radius = surfels.radius[location.site];
   const double shrink = length > radius ? radius / length : 1.;
@@ -689,13 +742,13 @@ Location to_triangle(const Glued_triangles& t, const Surfel_location& location)
   result.site = location.site;
   if(location.offset[0] == 0. && location.offset[1] == 0.)
     return result;
-  const auto [u, v] = tangents(t.normal[location.site]);
+  const auto [u, v] = tangent_frame(t.normal[location.site]);
   double best = infinity;
   for(Index star = t.first[location.site]; star < t.first[location.site + 1]; ++star)
   {
     const Index corner = t.star[star], next = next_side(corner), previous = previous_side(corner);
-    const Vector a = t.point[t.corner[next]] - t.point[location.site];
-    const Vector b = t.point[t.corner[previous]] - t.point[location.site];
+    const Spatial a = t.point[t.corner[next]] - t.point[location.site];
+    const Spatial b = t.point[t.corner[previous]] - t.point[location.site];
     const double ax = dot(a, u), ay = dot(a, v), bx = dot(b, u), by = dot(b, v);
     const double px = location.offset[0], py = location.offset[1];
     const double area = ax * by - ay * bx;
@@ -748,10 +801,10 @@ Surfel_location to_surfel(const Glued_triangles& t, const Location& location)
   const Index largest = static_cast<Index>(std::max_element(b.begin(), b.end()) - b.begin());
   Surfel_location result;
   result.site = t.corner[3 * location.triangle + largest];
-  const auto [u, v] = tangents(t.normal[result.site]);
+  const auto [u, v] = tangent_frame(t.normal[result.site]);
   for(Index k = 0; k < 3; ++k)
   {
-    const Vector side = t.point[t.corner[3 * location.triangle + k]] - t.point[result.site];
+    const Spatial side = t.point[t.corner[3 * location.triangle + k]] - t.point[result.site];
     result.offset[0] += b[k] * dot(side, u);
     result.offset[1] += b[k] * dot(side, v);
   }
@@ -760,7 +813,7 @@ Surfel_location to_surfel(const Glued_triangles& t, const Location& location)
 
 std::array<double, 3> position(const Glued_triangles& t, const Surfel_location& location)
 {
-  const auto [u, v] = tangents(t.normal[location.site]);
+  const auto [u, v] = tangent_frame(t.normal[location.site]);
   std::array<double, 3> result = t.point[location.site];
   for(int k = 0; k < 3; ++k)
     result[k] += location.offset[0] * u[k] + location.offset[1] * v[k];
