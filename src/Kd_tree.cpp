@@ -99,6 +99,16 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
   }
 }
 
+void Kd_tree::scale(double factor)
+{
+  for(Box& box : m_boxes)
+    for(int k = 0; k < 3; ++k)
+    {
+      box.low[k] *= factor;
+      box.high[k] *= factor;
+    }
+}
+
 // Calls visit(begin, end) for the leaves not farther than `bound`, which visit may lower, roughly
 // from near to far.
 template <typename Visit>

@@ -37,8 +37,8 @@ void check_sizes(std::size_t points, std::size_t normals, std::size_t radii)
     throw Invalid_argument_error("There are " + std::to_string(points) + " points, " +
                                  std::to_string(normals) + " normals and " + std::to_string(radii) +
                                  " radii.");
-  if(points > none / 64)
-    throw Unsupported_surface_error("A cloud of more than 2^26 surfels is too large.");
+  if(points > none / 128)
+    throw Unsupported_surface_error("A cloud of more than 2^25 surfels is too large.");
 }
 
 void normalize(std::vector<Spatial>& normals)
@@ -47,7 +47,7 @@ void normalize(std::vector<Spatial>& normals)
   {
     Spatial& n = normals[i];
     const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
-    if(!(largest > 0.) || !std::isfinite(n[0] + n[1] + n[2]))
+    if(!(largest > 0.) || !std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2]))
       throw Invalid_argument_error("The normal of surfel " + std::to_string(i) +
                                    " has no direction.");
     const int exponent = std::ilogb(largest);
@@ -110,8 +110,10 @@ std::vector<Index> originals(const std::vector<Spatial>& points,
     const Spatial k = key(i);
     std::uint64_t hash = 0;
     for(const double x : k)
-      hash = (hash ^ static_cast<std::uint64_t>(std::ldexp(x, 50))) * 0x9e3779b97f4a7c15ull,
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(x * 0x1p50)) * 0x9e3779b97f4a7c15ull;
       hash ^= hash >> 29;
+    }
     std::size_t slot = hash & (slots - 1);
     while(table[slot] != none &&
           !(key(table[slot]) == k && dot(normals[table[slot]], normals[i]) > cosine))
@@ -305,7 +307,13 @@ Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>&
   // Cocircular neighbours (lattices) get the same diagonal seen from each of them when the squared
   // distances are those of a power diagram, with weights far below what matters and far above
   // rounding.
-  const auto weight = [&](Index i) { return 1e-9 * radius[i] * radius[i] * shuffled(i); };
+  std::vector<double> weight(sites.size(), 0.);
+  for(Index i = 0; i < sites.size(); ++i)
+    if(near.begin(i) != near.end(i))
+    {
+      const double nearest = distance(sites.point[i], sites.point[*near.begin(i)]);
+      weight[i] = 1e-9 * shuffled(i) * nearest * nearest;
+    }
   Rows rings(sites.size());
   for_each_block(
       sites.size(), block_size, sites.threads,
@@ -356,7 +364,7 @@ Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>&
             const double square = q[0] * q[0] + q[1] * q[1];
             // Enlarged: a line through a corner may cut it for the sake of the weights.
             if(square <= 4.000001 * cell.squared_radius() && !(where_open && is_covered(q)))
-              cell.cut(q[0], q[1], (square + weight(i) - weight(j)) / 2., j);
+              cell.cut(q[0], q[1], (square + weight[i] - weight[j]) / 2., j);
           };
           steep.clear();
           const auto consider = [&](Index j)
@@ -517,9 +525,10 @@ void build_graph(const Sites& sites, Rows& near, const std::vector<double>& radi
   t.graph.target = std::move(arcs.entries);
 }
 
-// Lengths of arcs and sides, the longest of all brought to [1, 2) together with points and radii.
-void measure(Glued_triangles& t, std::vector<double>& radius, unsigned threads)
+// Lengths of arcs and sides, the longest of all brought to [1, 2) together with all other lengths.
+void measure(Glued_surfels& surfels, unsigned threads)
 {
+  Glued_triangles& t = surfels.triangles;
   const std::size_t n = t.point.size();
   t.graph.length.resize(t.graph.target.size());
   for_each_block(n, block_size, threads,
@@ -537,8 +546,9 @@ void measure(Glued_triangles& t, std::vector<double>& radius, unsigned threads)
   const double factor = std::ldexp(1., -exponent);
   for(double& length : t.graph.length)
     length *= factor;
-  for(double& r : radius)
-    r *= factor;
+  for(double& radius : surfels.radius)
+    radius *= factor;
+  surfels.tree.scale(factor);
   for(Spatial& point : t.point)
     for(double& x : point)
       x *= factor;
@@ -649,7 +659,7 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
     collect_triangles(rings, options.threads, t);
   }
   build_graph(sites, near, radius, copy_of, t);
-  measure(t, radius, options.threads);
+  measure(result, options.threads);
   build_stars(t);
   return result;
 }
@@ -730,8 +740,8 @@ Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>
   const Spatial offset = query - t.point[location.site];
   const auto [u, v] = tangent_frame(t.normal[location.site]);
   const double x = dot(offset, u), y = dot(offset, v), length = std::hypot(x, y);
-  const double radius = surfels.radius[location.site];
-  const double shrink = length > radius ? radius / length : 1.;
+  const double most = largest_circumradius * surfels.radius[location.site];
+  const double shrink = length > most ? most / length : 1.;
   location.offset = {shrink * x, shrink * y};
   return location;
 }

@@ -42,6 +42,10 @@ public:
 
   std::size_t size() const { return m_size; }
 
+  // Follows points whose coordinates the caller multiplies by a power of two.
+  CGAL_GEODESIC_PROCESSING_EXPORT
+  void scale(double factor);
+
   // The at most k points nearest to the query, nearest first, ties by place.  `bound` is a squared
   // distance beyond which points do not matter.
   CGAL_GEODESIC_PROCESSING_EXPORT

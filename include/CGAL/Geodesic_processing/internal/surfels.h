@@ -55,7 +55,8 @@ struct Glued_surfels
 // them all lies in [1, 2).
 //
 // Throws Invalid_argument_error when sizes differ, a coordinate or a radius is not finite, a radius
-// is negative, a normal has no direction, or distances overflow.
+// is negative, a normal has no direction, or distances overflow; Unsupported_surface_error above
+// 2^25 surfels.
 // O(n log n); about 700 bytes per surfel, and 300 more while it runs.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
@@ -82,7 +83,8 @@ struct Surfel_location
 };
 
 // The site nearest to a point in the caller's coordinates, and the point's projection to its
-// tangent plane, not farther from the site than its radius.  The cloud must not be empty.
+// tangent plane, at most 2.5 radii from the site: as far as its triangles' circumcentres may be.
+// The cloud must not be empty.
 // Throws Invalid_argument_error when a coordinate is not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point);
