@@ -29,7 +29,7 @@ public:
   // Says what cannot be done before anything is computed, and reads the input.
   // The kinds of -o that hold the command's result are checked against its file name.
   const Surface& read(const std::vector<std::string>& kinds = {"ply", "off", "obj", "vtp"});
-  Surface& surface() { return m_surface; }
+  const Surface& surface() const { return m_surface; }
 
   // The seconds from now on count for this stage: read, prepare, query or write.
   void stage(const std::string& name);

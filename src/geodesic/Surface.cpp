@@ -8,11 +8,16 @@ namespace program {
 
 Surface read_surface(const std::string& filename)
 {
+  return repair(read_surface_file(filename), filename);
+}
+
+Surface repair(Surface_file file, const std::string& filename)
+{
+  check(file, filename);
   Surface surface;
   surface.name = filename;
-  surface.file = read_surface_file(filename);
-  const bool has_faces = surface.is_mesh();
-  if(!has_faces)
+  surface.file = std::move(file);
+  if(!surface.is_mesh())
   {
     surface.repaired = complete_normals(surface.file);
     return surface;

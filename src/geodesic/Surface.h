@@ -30,6 +30,9 @@ struct Surface
 
 Surface read_surface(const std::string& filename);
 
+// The policy alone: checks coordinates and indices, then repairs.  Throws Input_error.
+Surface repair(Surface_file file, const std::string& name);
+
 // Vertex i of the result is vertex i of the file.  Vertices where several fans meet stay one
 // vertex, so that a front passes from fan to fan.
 Mesh make_mesh(const Surface& surface);

@@ -36,23 +36,6 @@ std::string read_bytes(const std::string& filename)
   return bytes;
 }
 
-// What every reader promises, checked in one place.
-void check(const Surface_file& surface, const std::string& name)
-{
-  if(surface.points.empty())
-    fail(name, "it has no points");
-  if(surface.points.size() >= (std::size_t{1} << 31))
-    fail(name, "it has more than 2^31 points");
-  for(std::size_t i = 0; i < surface.points.size(); ++i)
-    for(const double x : surface.points[i])
-      if(!std::isfinite(x))
-        fail(name, "a coordinate of point " + std::to_string(i) + " is not finite");
-  for(const std::uint32_t corner : surface.corners)
-    if(corner >= surface.points.size())
-      fail(name, "a face names vertex " + std::to_string(corner) + ", but there are only " +
-                     std::to_string(surface.points.size()));
-}
-
 } // namespace
 
 std::string ending(const std::string& filename)
@@ -77,9 +60,23 @@ Surface_file read_surface_file(const std::string& filename)
     fail(filename, "its name does not end with .ply, .off, .obj, .stl, .xyz, .pwn or .vtp");
   if(bytes.empty())
     fail(filename, "it is empty");
-  Surface_file surface = reader->second(bytes, filename);
-  check(surface, filename);
-  return surface;
+  return reader->second(bytes, filename);
+}
+
+void check(const Surface_file& surface, const std::string& name)
+{
+  if(surface.points.empty())
+    fail(name, "it has no points");
+  if(surface.points.size() >= (std::size_t{1} << 31))
+    fail(name, "it has more than 2^31 points");
+  for(std::size_t i = 0; i < surface.points.size(); ++i)
+    for(const double x : surface.points[i])
+      if(!std::isfinite(x))
+        fail(name, "a coordinate of point " + std::to_string(i) + " is not finite");
+  for(const std::uint32_t corner : surface.corners)
+    if(corner >= surface.points.size())
+      fail(name, "a face names vertex " + std::to_string(corner) + ", but there are only " +
+                     std::to_string(surface.points.size()));
 }
 
 void check_can_write(const std::string& filename)

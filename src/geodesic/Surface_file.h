@@ -30,10 +30,14 @@ struct Surface_file
 };
 
 // Reads a file of the kind that its ending names: .ply, .off, .obj, .stl, .xyz, .pwn or .vtp.
-// Indices in the result are in range and all coordinates are finite; nothing else is repaired.
+// Nothing is repaired, nor checked beyond what reading needs: see check().
 // Memory stays in proportion to the size of the file, whatever its header says.
 // Throws Input_error with a sentence that names the file and the reason.
 Surface_file read_surface_file(const std::string& filename);
+
+// Throws Input_error where there are no points, a coordinate is not finite, or a face names a point
+// that is not there.
+void check(const Surface_file& surface, const std::string& name);
 
 // Each parses the bytes of one format; `name` stands for the file in sentences.
 Surface_file read_ply(std::string_view bytes, const std::string& name);

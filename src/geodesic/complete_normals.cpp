@@ -3,6 +3,9 @@
 #include "repair.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
 #include <CGAL/mst_orient_normals.h>
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
@@ -111,6 +114,35 @@ std::vector<Point> estimate(const std::vector<Point>& points, bool oriented)
   return normals;
 }
 
+// Turns each normal to the side of the nearest one given: the sum of those at its place, or at the
+// nearest place that has some.
+void turn_like_given(const std::vector<Point>& given, const std::vector<std::size_t>& number,
+                     const std::vector<Point>& places, std::vector<Point>& normals)
+{
+  std::vector<Point> sum(places.size(), Point{0., 0., 0.});
+  for(std::size_t i = 0; i < given.size(); ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+      sum[number[i]][c] += given[i][c];
+
+  using Numbered = std::tuple<Kernel::Point_3, std::size_t>;
+  using Traits = CGAL::Search_traits_adapter<Numbered, CGAL::Nth_of_tuple_property_map<0, Numbered>,
+                                             CGAL::Search_traits_3<Kernel>>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+  Search::Tree tree;
+  for(std::size_t d = 0; d < places.size(); ++d)
+    if(!is_zero(sum[d]))
+      tree.insert({{places[d][0], places[d][1], places[d][2]}, d});
+  if(tree.empty())
+    return;
+  for(std::size_t d = 0; d < places.size(); ++d)
+  {
+    const Search search(tree, {places[d][0], places[d][1], places[d][2]}, 1);
+    if(dot(normals[d], sum[std::get<1>(search.begin()->first)]) < 0.)
+      for(double& x : normals[d])
+        x = -x;
+  }
+}
+
 } // namespace
 
 bool complete_normals(Surface_file& cloud)
@@ -133,20 +165,7 @@ bool complete_normals(Surface_file& cloud)
       cloud.normals[i] = normals[number[i]];
   else
   {
-    // The sum of the normals given at a place, or where there are none at the place before it in
-    // the order of coordinates: near enough to choose a side.
-    std::vector<Point> sum(distinct.size(), Point{0., 0., 0.});
-    for(std::size_t i = 0; i < n; ++i)
-      for(std::size_t c = 0; c < 3; ++c)
-        sum[number[i]][c] += cloud.normals[i][c];
-    Point last = {0., 0., 0.};
-    for(std::size_t d = 0; d < distinct.size(); ++d)
-    {
-      last = is_zero(sum[d]) ? last : sum[d];
-      if(dot(normals[d], last) < 0.)
-        for(double& x : normals[d])
-          x = -x;
-    }
+    turn_like_given(cloud.normals, number, distinct, normals);
     for(std::size_t i = 0; i < n; ++i)
       if(is_zero(cloud.normals[i]))
         cloud.normals[i] = normals[number[i]];

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace program {
 
@@ -219,8 +220,6 @@ private:
 void read_vertices(Body& body, const Element& element, const std::string& name,
                    Surface_file& surface)
 {
-  if(!surface.points.empty())
-    fail(name, "it has two elements 'vertex'");
   surface.points.resize(element.count);
 
   // Where each property goes: three coordinates, three parts of the normal, or a column of its own.
@@ -306,12 +305,15 @@ Surface_file read_ply(std::string_view bytes, const std::string& name)
   const Header header = read_header(bytes, name);
   Body body(bytes.substr(header.size), header.encoding, name);
   Surface_file surface;
+  bool has_vertices = false;
   for(const Element& element : header.elements)
   {
     // Items without properties take no bytes, so that their number could not be checked.
     if(element.properties.empty())
       continue;
     body.expect(element);
+    if(element.name == "vertex" && std::exchange(has_vertices, true))
+      fail(name, "it has two elements 'vertex'");
     if(element.name == "vertex")
       read_vertices(body, element, name, surface);
     else

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Picture.h"
+#include "Scanner.h"
+#include "commands.h"
+#include "queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace program {
+
+namespace {
+
+struct Distance_options
+{
+  std::string source;    // "V,V,..."
+  std::string source_at; // "x,y,z"
+  bool source_border = false;
+  std::string method = "euclidean";
+  double limit = std::numeric_limits<double>::infinity();
+  std::string speed;
+};
+
+struct Result
+{
+  std::vector<double> values; // #vertices
+  std::vector<Point> sources; // where they are, for the picture; none for borders
+};
+
+// The library's part: distances of all vertices.
+template <typename Method, typename Surface_type>
+Result distances(const Surface_type& surface, const Distance_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Domain = std::decay_t<decltype(domain)>;
+  Result result;
+  std::vector<GP::Source<Surface_type>> sources;
+  if(!options.source.empty())
+    for(const std::size_t vertex : parse_integers(options.source, "--source"))
+    {
+      sources.emplace_back(site<Surface_type>(vertex));
+      result.sources.push_back(job.surface().file.points[vertex]);
+    }
+  if(!options.source_at.empty())
+  {
+    const typename Domain::Location location = locate(domain, options.source_at, "--source-at");
+    const auto p = domain.point(domain.inner(location));
+    sources.emplace_back(location);
+    result.sources.push_back({p.x(), p.y(), p.z()});
+  }
+  if constexpr(is_mesh<Surface_type>)
+    if(options.source_border)
+      GP::border_sources(surface, std::back_inserter(sources));
+  if(sources.empty())
+    fail(job.input(), "it has no border");
+
+  GP::Geodesic_distance_solver<Surface_type, Method> solver(domain);
+  job.stage("query");
+  const auto limits =
+      GP::parameters::maximum_distance(options.limit).callback(job.progress("distance"));
+  if(options.speed.empty())
+    solver.compute(sources, limits);
+  else
+  {
+    const Property_map<typename Domain::Site> speeds{&property(job.surface(), options.speed)};
+    solver.compute(sources, limits.speed_map(speeds));
+  }
+  result.values.resize(job.surface().file.points.size());
+  for(std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = solver.distance(site<Surface_type>(i));
+  return result;
+}
+
+void check(const Distance_options& options)
+{
+  if(options.source.empty() && options.source_at.empty() && !options.source_border)
+    throw Usage_error("distance: give --source, --source-at or --source-border.");
+  if(!options.source.empty())
+    parse_integers(options.source, "--source");
+  if(!options.source_at.empty())
+    parse_point(options.source_at, "--source-at");
+  check_method(options.method);
+  if(!(options.limit >= 0.))
+    throw Usage_error("--limit: a distance is not negative.");
+  if(options.speed == "curvature-attractive" || options.speed == "curvature-repulsive")
+    throw Usage_error("--speed " + options.speed +
+                      ": speeds from curvature are not available yet.");
+  if(!options.speed.empty() && options.method != "fast-marching" && options.method != "euclidean")
+    throw Usage_error("--speed: only the methods fast-marching and euclidean take speeds.");
+}
+
+void run_distance(Job& job, const Distance_options& options)
+{
+  check(options);
+  const Surface& surface = job.read();
+  if(!options.source.empty())
+    for(const std::size_t vertex : parse_integers(options.source, "--source"))
+      check_vertex(surface, vertex);
+  if(!options.speed.empty())
+    property(surface, options.speed);
+  if(options.source_border && !surface.is_mesh())
+    fail(surface.name, "a cloud has no border");
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud)
+             {
+               with_method(options.method, [&](auto method)
+                           { result = distances<decltype(method)>(mesh_or_cloud, options, job); });
+             });
+  double farthest = 0.;
+  std::size_t unreached = 0;
+  for(const double x : result.values)
+    if(std::isfinite(x))
+      farthest = std::max(farthest, x);
+    else
+      ++unreached;
+  job.result()["max"] = json_number(farthest);
+  job.result()["unreached"] = unreached;
+  job.say("largest distance  " + readable(farthest));
+  if(unreached > 0)
+    job.say("unreached         " + std::to_string(unreached) + " of " +
+            std::to_string(result.values.size()));
+
+  job.stage("write");
+  if(!job.values().empty())
+  {
+    std::string text;
+    for(const double x : result.values)
+      text += number_text(x) + '\n';
+    job.write_values(text);
+  }
+  if(!job.picture().empty())
+    draw(job.picture(), {&surface.file, result.values, "distance", {}, {}, result.sources});
+  if(!job.output().empty())
+    write_result(job, "distance", result.values, farthest);
+  job.finish();
+}
+
+} // namespace
+
+void add_distance(CLI::App& program)
+{
+  CLI::App* const command =
+      program.add_subcommand("distance", "distances along the surface from the nearest source");
+  const auto job = std::make_shared<Job>(*command);
+  const auto options = std::make_shared<Distance_options>();
+  command->add_option("--source", options->source, "vertices by their place in the file")
+      ->type_name("V[,V...]");
+  command->add_option("--source-at", options->source_at, "the place nearest to a point")
+      ->type_name("x,y,z");
+  command->add_flag("--source-border", options->source_border, "all borders of a mesh");
+  command->add_option("--method", options->method, "dijkstra, fast-marching, euclidean or heat")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--limit", options->limit, "go no farther")->type_name("D");
+  command->add_option("--speed", options->speed, "a property of the vertices: the front's speed")
+      ->type_name("PROPERTY");
+  command->callback([job, options] { run_distance(*job, *options); });
+}
+
+} // namespace program

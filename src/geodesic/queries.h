@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_QUERIES_H
+#define GEODESIC_PROGRAM_QUERIES_H
+
+#include "Job.h"
+
+#include <CGAL/Geodesic_processing.h>
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+// What the commands that measure along the surface share: from words on the command line to the
+// library's types.
+namespace program {
+
+namespace GP = CGAL::Geodesic_processing;
+
+// Calls f with the mesh or the cloud that a surface is.
+template <typename Function>
+void on_surface(const Surface& surface, Function f)
+{
+  if(surface.is_mesh())
+    f(make_mesh(surface));
+  else
+    f(make_cloud(surface));
+}
+
+template <typename Surface_type>
+inline constexpr bool is_mesh = std::is_same_v<Surface_type, Mesh>;
+
+// The vertex or surfel with a number.
+template <typename Surface_type>
+typename GP::Source<Surface_type>::Site site(std::size_t number)
+{
+  if constexpr(is_mesh<Surface_type>)
+    return Mesh::Vertex_index(static_cast<Mesh::size_type>(number));
+  else
+    return Cloud::Index(number);
+}
+
+// The method of a word; throws Usage_error with a sentence for other words.
+void check_method(const std::string& word);
+
+// Calls f with the tag of a method that passed the check.
+template <typename Function>
+void with_method(const std::string& word, Function f)
+{
+  if(word == "dijkstra")
+    f(GP::Dijkstra());
+  else if(word == "fast-marching")
+    f(GP::Fast_marching());
+  else if(word == "heat")
+    f(GP::Heat());
+  else
+    f(GP::Euclidean_front());
+}
+
+// The place on the surface nearest to a point "x,y,z".
+template <typename Domain>
+typename Domain::Location locate(const Domain& domain, const std::string& text,
+                                 const std::string& option)
+{
+  const Point p = parse_point(text, option);
+  return GP::Surface_locator<typename Domain::Surface>(domain)(Kernel::Point_3(p[0], p[1], p[2]));
+}
+
+// A property of the file, read like a map of the library.
+template <typename Key>
+struct Property_map
+{
+  using key_type = Key;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<double>* values;
+  friend double get(const Property_map& map, const Key& key)
+  {
+    return (*map.values)[static_cast<std::size_t>(key)];
+  }
+};
+
+// Throws Input_error, with the names that there are, when the file has no such property.
+const std::vector<double>& property(const Surface& surface, const std::string& name);
+
+// Writes the input with one value for each vertex, as the kind of file allows: a property; in OBJ a
+// texture coordinate u = value / size; in OFF a colour.
+void write_result(const Job& job, const std::string& name, const std::vector<double>& values,
+                  double size);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_QUERIES_H

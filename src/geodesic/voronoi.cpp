@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Picture.h"
+#include "Scanner.h"
+#include "commands.h"
+#include "queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace program {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Voronoi_options
+{
+  std::size_t number = 0;
+  std::string seeds; // "V,V,..."
+};
+
+struct Result
+{
+  std::vector<std::size_t> seeds;
+  std::vector<long long> labels; // #vertices: the place of the nearest seed, -1 where none reaches
+  std::vector<double> values;    // #vertices: its distance
+};
+
+// Vertices of the surface that lie in a triangle, or surfels.
+std::vector<bool> candidates(const Surface& surface)
+{
+  std::vector<bool> result(surface.file.points.size(), !surface.is_mesh());
+  for(const std::uint32_t corner : surface.file.corners)
+    result[corner] = true;
+  return result;
+}
+
+// Each seed is as far as can be from those before it; where some part is not reached, in that.
+// Fewer than asked for when no vertex is left at a distance.
+template <typename Solver, typename Surface_type>
+std::vector<std::size_t> farthest_vertices(Solver& solver, std::size_t number,
+                                           const std::vector<bool>& candidate, unsigned seed,
+                                           const std::function<bool(double)>& progress)
+{
+  std::vector<double> cover(candidate.size());
+  for(std::size_t i = 0; i < cover.size(); ++i)
+    cover[i] = candidate[i] ? infinity : 0.;
+  // The first one at random, so that another seed gives another choice.
+  std::mt19937 random(seed);
+  std::size_t next = random() % cover.size();
+  while(!candidate[next])
+    next = (next + 1) % cover.size();
+
+  std::vector<std::size_t> seeds;
+  for(double radius = infinity; seeds.size() < number && radius > 0.; radius = cover[next])
+  {
+    seeds.push_back(next);
+    // Beyond the radius every vertex has a nearer seed.
+    solver.compute(site<Surface_type>(next), GP::parameters::maximum_distance(radius));
+    for(const auto& reached : solver.reached())
+    {
+      double& distance = cover[static_cast<std::size_t>(reached)];
+      distance = std::min(distance, solver.distance(reached));
+    }
+    cover[next] = 0.;
+    next = static_cast<std::size_t>(std::max_element(cover.begin(), cover.end()) - cover.begin());
+    if(progress)
+      progress(static_cast<double>(seeds.size()) / static_cast<double>(number));
+  }
+  return seeds;
+}
+
+// The library's part: seeds, and the nearest one of each vertex.
+template <typename Surface_type>
+Result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  GP::Geodesic_distance_solver<Surface_type> solver(domain);
+  job.stage("query");
+  Result result;
+  if(!options.seeds.empty())
+    result.seeds = parse_integers(options.seeds, "--seeds");
+  else
+    result.seeds = farthest_vertices<decltype(solver), Surface_type>(
+        solver, options.number, candidates(job.surface()), job.seed(), job.progress("seeds"));
+
+  std::vector<GP::Source<Surface_type>> sources;
+  for(const std::size_t seed : result.seeds)
+    sources.emplace_back(site<Surface_type>(seed));
+  solver.compute(sources);
+  const std::size_t n = job.surface().file.points.size();
+  result.labels.resize(n);
+  result.values.resize(n);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    result.values[i] = solver.distance(site<Surface_type>(i));
+    result.labels[i] = std::isfinite(result.values[i])
+                           ? static_cast<long long>(solver.source_label(site<Surface_type>(i)))
+                           : -1;
+  }
+  return result;
+}
+
+void run_voronoi(Job& job, const Voronoi_options& options)
+{
+  if((options.number == 0) == options.seeds.empty())
+    throw Usage_error("voronoi: give either --number, at least 1, or --seeds.");
+  if(!options.seeds.empty())
+    parse_integers(options.seeds, "--seeds");
+  const Surface& surface = job.read();
+  if(!options.seeds.empty())
+    for(const std::size_t vertex : parse_integers(options.seeds, "--seeds"))
+      check_vertex(surface, vertex);
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud) { result = find_cells(mesh_or_cloud, options, job); });
+  const auto unreached = std::count(result.labels.begin(), result.labels.end(), -1);
+  job.result()["seeds"] = result.seeds;
+  job.result()["unreached"] = unreached;
+  job.say("seeds           " + std::to_string(result.seeds.size()));
+  if(unreached > 0)
+    job.say("unreached       " + std::to_string(unreached) + " of " +
+            std::to_string(result.labels.size()));
+
+  job.stage("write");
+  if(!job.values().empty())
+  {
+    std::string text;
+    for(const long long label : result.labels)
+      text += std::to_string(label) + '\n';
+    job.write_values(text);
+  }
+  if(!job.picture().empty())
+  {
+    Picture picture{&surface.file, result.values, "", result.labels, {}, {}};
+    for(const std::size_t seed : result.seeds)
+      picture.markers.push_back(surface.file.points[seed]);
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+  {
+    std::vector<double> labels(result.labels.begin(), result.labels.end());
+    write_result(job, "label", labels, static_cast<double>(result.seeds.size()));
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_voronoi(CLI::App& program)
+{
+  CLI::App* const command =
+      program.add_subcommand("voronoi", "labels: which of the seeds is nearest");
+  const auto job = std::make_shared<Job>(*command);
+  const auto options = std::make_shared<Voronoi_options>();
+  command->add_option("--number", options->number, "of seeds, spread by farthest vertices")
+      ->type_name("N");
+  command->add_option("--seeds", options->seeds, "vertices by their place in the file")
+      ->type_name("V[,V...]");
+  command->callback([job, options] { run_voronoi(*job, *options); });
+}
+
+} // namespace program

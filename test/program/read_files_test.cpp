@@ -1,0 +1,345 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface.h"
+#include "errors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using program::Surface_file;
+using Reader = Surface_file (*)(std::string_view, const std::string&);
+
+// What the reader says about bad bytes; empty when it takes them.
+std::string complaint(Reader read, const std::string& bytes)
+{
+  try
+  {
+    program::check(read(bytes, "name"), "name");
+    return {};
+  }
+  catch(const program::Input_error& error)
+  {
+    return error.what();
+  }
+}
+
+void expect_complaint(Reader read, const std::string& bytes, const std::string& part)
+{
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, part, complaint(read, bytes));
+}
+
+const std::string tetrahedron_off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+const std::string ply_header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                               "property float y\nproperty float z\n";
+
+void expect_tetrahedron(const Surface_file& surface)
+{
+  EXPECT_EQ(surface.points,
+            (std::vector<program::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}));
+  EXPECT_EQ(surface.first, (std::vector<std::size_t>{0, 3, 6, 9, 12}));
+}
+
+TEST(Read_off, a_tetrahedron) { expect_tetrahedron(program::read_off(tetrahedron_off, "")); }
+
+TEST(Read_off, carriage_returns_comments_and_blank_lines)
+{
+  std::string bytes = "# first\n\n" + tetrahedron_off + "# last";
+  for(std::size_t i = 0; (i = bytes.find('\n', i)) != std::string::npos; i += 2)
+    bytes.replace(i, 1, "\r\n");
+  expect_tetrahedron(program::read_off(bytes, ""));
+}
+
+TEST(Read_off, normals_and_homogeneous_coordinates)
+{
+  const Surface_file surface = program::read_off("CN4OFF 1 0 0\n2 4 6 2  0 0 3  255 0 0 255\n", "");
+  EXPECT_EQ(surface.points[0], (program::Point{1, 2, 3}));
+  EXPECT_EQ(surface.normals[0], (program::Point{0, 0, 3}));
+}
+
+TEST(Read_off, says_what_is_wrong)
+{
+  const Reader read = program::read_off;
+  expect_complaint(read, "OFF BINARY\n1 0 0\n", "binary");
+  expect_complaint(read, "GIF89a\n", "not an OFF file");
+  expect_complaint(read, "nOFF\n4\n1 0 0\n", "three dimensions");
+  expect_complaint(read, "OFF\n1000000000000 0 0\n0 0 0\n", "more than the file");
+  expect_complaint(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3, but there are 3");
+  expect_complaint(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1");
+  expect_complaint(read, "OFF\n1 0 0\n0 nan 0\n", "line 3: the coordinate 'nan'");
+  expect_complaint(read, "OFF\n1 0 0\n0 1e999 0\n", "not finite");
+  expect_complaint(read, "OFF\n0 0 0\n", "no points");
+  expect_complaint(read, tetrahedron_off.substr(0, tetrahedron_off.size() - 8),
+                   "it ends after 3 of 4 faces");
+}
+
+TEST(Read_ply, text_with_properties_lists_and_other_elements)
+{
+  const Surface_file surface = program::read_ply(
+      ply_header + "property double speed\nproperty list uchar int extra\n"
+                   "element material 2\nproperty int a\nproperty list int int b\n"
+                   "element face 1\nproperty int c\nproperty list uchar int vertex_index\n"
+                   "end_header\n0 0 0 1.5 0\n1 0 0 2.5 2 8 9\n0 1 0 inf 1 7\n"
+                   "5 1 1\n6 0\n4 3 2 0 1\n",
+      "");
+  EXPECT_EQ(surface.points[1], (program::Point{1, 0, 0}));
+  EXPECT_EQ(surface.properties.at("speed"), (std::vector<double>{1.5, 2.5, INFINITY}));
+  EXPECT_EQ(surface.properties.size(), 1u);
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{2, 0, 1}));
+}
+
+TEST(Read_ply, all_types_in_both_byte_orders)
+{
+  const std::string header = "element vertex 1\nproperty double x\nproperty float y\n"
+                             "property char z\nproperty uchar a\nproperty short b\n"
+                             "property ushort c\nproperty int d\nproperty uint e\nend_header\n";
+  // 1.0 as a double, -2.0 as a float, -3, 200, -300, 60000, -70000, 3000000000
+  const std::vector<std::string> values = {std::string("\x3f\xf0\0\0\0\0\0\0", 8),
+                                           std::string("\xc0\0\0\0", 4),
+                                           "\xfd",
+                                           "\xc8",
+                                           "\xfe\xd4",
+                                           "\xea\x60",
+                                           "\xff\xfe\xee\x90",
+                                           std::string("\xb2\xd0\x5e\0", 4)};
+  std::string big, little;
+  for(const std::string& value : values)
+  {
+    big += value;
+    little += std::string(value.rbegin(), value.rend());
+  }
+  for(const Surface_file& surface :
+      {program::read_ply("ply\nformat binary_big_endian 1.0\n" + header + big, ""),
+       program::read_ply("ply\nformat binary_little_endian 1.0\n" + header + little, "")})
+  {
+    EXPECT_EQ(surface.points[0], (program::Point{1, -2, -3}));
+    EXPECT_EQ(surface.properties.at("a")[0], 200);
+    EXPECT_EQ(surface.properties.at("b")[0], -300);
+    EXPECT_EQ(surface.properties.at("c")[0], 60000);
+    EXPECT_EQ(surface.properties.at("d")[0], -70000);
+    EXPECT_EQ(surface.properties.at("e")[0], 3000000000.);
+  }
+}
+
+TEST(Read_ply, triangle_strips)
+{
+  const Surface_file surface =
+      program::read_ply(ply_header + "element tristrips 1\nproperty list int int vertex_indices\n"
+                                     "end_header\n0 0 0\n1 0 0\n0 1 0\n8 0 1 2 0 -1 2 1 0\n",
+                        "");
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 2, 1, 0}));
+}
+
+TEST(Read_ply, says_what_is_wrong)
+{
+  const Reader read = program::read_ply;
+  const std::string binary = "ply\nformat binary_little_endian 1.0\n";
+  expect_complaint(read, "plyer\n", "not a PLY file");
+  expect_complaint(read, ply_header, "header has no end");
+  expect_complaint(read, "ply\nend_header\n", "no format");
+  expect_complaint(read, "ply\nformat ascii 1.0\nend_header\n", "no points");
+  expect_complaint(read, ply_header + "end_header\n0 0 0\n", "more than the file");
+  expect_complaint(read, ply_header + "end_header\n0.000 0 0 1 1 1 22 nan\n", "it ends too early");
+  expect_complaint(read, ply_header + "end_header\n0 0 0 1 1 1 2 nan 2\n", "not finite");
+  expect_complaint(read, ply_header + "end_header\n0 0 0 1 1 1 2 two 2\n", "'two' is not a number");
+  expect_complaint(read,
+                   binary + "element vertex 99999999999\nproperty float x\n"
+                            "property float y\nproperty float z\nend_header\n",
+                   "more than the file");
+  expect_complaint(read,
+                   binary + "element face 1\nproperty list int int vertex_indices\n"
+                            "end_header\n\xff\xff\xff\x7f",
+                   "longer than the file");
+  expect_complaint(read,
+                   binary + "element vertex 1\nproperty float x\nproperty list float "
+                            "int y\nend_header\n",
+                   "counts of a list");
+  expect_complaint(read,
+                   ply_header + "element face 1\nproperty list uchar int vertex_indices\n"
+                                "end_header\n0 0 0 1 0 0 0 1 0 3 0 1 9\n",
+                   "vertex 9, but there are only 3");
+}
+
+TEST(Read_obj, slashes_negative_indices_and_polygons)
+{
+  const Surface_file surface = program::read_obj("# c\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 1 1 "
+                                                 "0\nv 0 1 0\nf 1/1/1 2//1 3/1 4\nf -4 -3 \\\n-2\n",
+                                                 "");
+  EXPECT_EQ(surface.points.size(), 4u);
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 3, 0, 1, 2}));
+  EXPECT_EQ(surface.first, (std::vector<std::size_t>{0, 4, 7}));
+}
+
+TEST(Read_obj, says_what_is_wrong)
+{
+  expect_complaint(program::read_obj, "v 0 0 0\nf 1 2 3\n", "there are only 1");
+  expect_complaint(program::read_obj, "v 0 0 0\nf 0 0 0\n", "line 2");
+  expect_complaint(program::read_obj, "v 0 0 0\nf -2 1 1\n", "line 2");
+  expect_complaint(program::read_obj, "v 0 0\n", "a number is missing");
+  expect_complaint(program::read_obj, "garbage", "no points");
+}
+
+TEST(Read_stl, text_is_welded)
+{
+  const Surface_file surface = program::read_stl(
+      "solid two\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\n"
+      "endfacet\nfacet normal 0 0 1\nouter loop\nvertex -0 1 -0\nvertex 1 0 0\nvertex 1 1 0\n"
+      "endloop\nendfacet\nendsolid two\n",
+      "");
+  EXPECT_EQ(surface.points.size(), 4u);
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3}));
+}
+
+TEST(Read_stl, binary_files_that_begin_with_solid)
+{
+  std::string bytes = "solid" + std::string(75, ' ') + std::string("\1\0\0\0", 4);
+  const std::string zero(4, '\0'), one("\0\0\x80\x3f", 4);
+  for(const std::string& number :
+      {zero, zero, one, zero, zero, zero, one, zero, zero, zero, one, zero})
+    bytes += number;
+  bytes += std::string(2, '\0');
+  const Surface_file surface = program::read_stl(bytes, "");
+  EXPECT_EQ(surface.points, (std::vector<program::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_NE(complaint(program::read_stl, "Solid" + bytes.substr(5) + "x"), "");
+  EXPECT_NE(complaint(program::read_stl, "not one"), "");
+}
+
+TEST(Read_xyz, columns_and_separators)
+{
+  const Surface_file surface = program::read_xyz("# c\n0,0, 0\t0 0 2 9\n// c\n1;0;0 0 0 2 9\n", "");
+  EXPECT_EQ(surface.points, (std::vector<program::Point>{{0, 0, 0}, {1, 0, 0}}));
+  EXPECT_EQ(surface.normals, (std::vector<program::Point>{{0, 0, 2}, {0, 0, 2}}));
+}
+
+TEST(Read_xyz, says_what_is_wrong)
+{
+  expect_complaint(program::read_xyz, "0 0 0\n1 0 0 1\n",
+                   "line 2: it has 4 numbers, the lines before 3");
+  expect_complaint(program::read_xyz, "0 0\n", "three coordinates");
+  expect_complaint(program::read_xyz, "3\n0 0 0\n", "another number of points");
+  expect_complaint(program::read_xyz, "0 0 x\n", "'x' is not a number");
+}
+
+TEST(Read_pwn, normals_beside_and_behind_the_points)
+{
+  const Surface_file beside = program::read_pwn("0 0 0 0 0 1\n1 0 0 0 1 0\n", "");
+  const Surface_file behind = program::read_pwn("2\n0 0 0\n1 0 0\n0 0 1\n0 1 0\n", "");
+  EXPECT_EQ(beside.points, behind.points);
+  EXPECT_EQ(beside.normals, behind.normals);
+  EXPECT_EQ(behind.normals, (std::vector<program::Point>{{0, 0, 1}, {0, 1, 0}}));
+}
+
+TEST(Read_vtp, text_and_strips)
+{
+  const Surface_file surface = program::read_vtp(
+      "<?xml version=\"1.0\"?><!-- > --><VTKFile type='PolyData'><PolyData><Piece><PointData>"
+      "<DataArray Name=\"d\" format=\"ascii\">1 2 3 4</DataArray></PointData>"
+      "<Points><DataArray NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 1 1 0"
+      "</DataArray></Points><Strips><DataArray Name=\"connectivity\" format=\"ascii\">0 1 2 3"
+      "</DataArray><DataArray Name=\"offsets\" format=\"ascii\">4</DataArray></Strips></Piece>"
+      "</PolyData></VTKFile>",
+      "");
+  EXPECT_EQ(surface.properties.at("d"), (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3}));
+}
+
+TEST(Read_vtp, says_what_is_wrong)
+{
+  const Reader read = program::read_vtp;
+  expect_complaint(read, "<VTKFile type=\"UnstructuredGrid\">", "not a VTP file");
+  expect_complaint(read, "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\">",
+                   "compressed");
+  expect_complaint(read, "<VTKFile type=\"PolyData\"><Piece/><Piece/>", "pieces");
+  expect_complaint(read,
+                   "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
+                   "format=\"binary\">AQAAAA==?</DataArray>",
+                   "not base64");
+  expect_complaint(read,
+                   "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
+                   "format=\"binary\">/////w==</DataArray>",
+                   "ends too early");
+}
+
+TEST(Read_surface_file, names_the_file_and_the_reason)
+{
+  const auto sentence = [](const std::string& name)
+  {
+    try
+    {
+      program::read_surface_file(name);
+    }
+    catch(const program::Input_error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string folder = testing::TempDir();
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "nowhere.ply: there is no such",
+                      sentence(folder + "nowhere.ply"));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "not a regular file", sentence(folder));
+  std::ofstream(folder + "read_surface_file.doc") << "x";
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "does not end with",
+                      sentence(folder + "read_surface_file.doc"));
+  std::ofstream(folder + "read_surface_file.off").close();
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "it is empty",
+                      sentence(folder + "read_surface_file.off"));
+}
+
+// Whatever is cut off or changed in a good file, the reader says so or reads something valid.
+TEST(Read_files, cut_and_changed_files_never_break_a_promise)
+{
+  const std::map<std::string, Reader> readers = {
+      {"ply", program::read_ply}, {"off", program::read_off}, {"obj", program::read_obj},
+      {"stl", program::read_stl}, {"xyz", program::read_xyz}, {"pwn", program::read_pwn},
+      {"vtp", program::read_vtp}};
+  const std::filesystem::path corpus = GEODESIC_PROCESSING_SOURCE "/test/fuzz/corpus";
+  std::size_t files = 0, good = 0, bad = 0;
+  for(const auto& entry : std::filesystem::recursive_directory_iterator(corpus))
+  {
+    if(!entry.is_regular_file())
+      continue;
+    ++files;
+    const Reader read = readers.at(entry.path().parent_path().filename().string());
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const auto attempt = [&](const std::string& changed)
+    {
+      try
+      {
+        const program::Surface surface = program::repair(read(changed, "name"), "name");
+        EXPECT_FALSE(surface.file.points.empty());
+        EXPECT_EQ(surface.file.corners.size(), 3 * surface.file.number_of_polygons());
+        if(surface.is_mesh())
+          program::make_mesh(surface);
+        ++good;
+      }
+      catch(const program::Input_error&)
+      {
+        ++bad;
+      }
+    };
+    attempt(bytes);
+    const std::size_t stride = bytes.size() / 100 + 1;
+    for(std::size_t i = 0; i < bytes.size(); i += stride)
+    {
+      attempt(bytes.substr(0, i));
+      std::string changed = bytes;
+      changed[i] = static_cast<char>(changed[i] ^ 0x41);
+      attempt(changed);
+    }
+  }
+  EXPECT_GE(files, 25u);
+  EXPECT_GE(good, files); // each as it is, at least
+  EXPECT_GT(bad, files);
+}
+
+} // namespace

@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface.h"
+#include "errors.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace {
+
+using program::Gluing;
+using program::Point;
+using program::Surface;
+using program::Surface_file;
+
+Surface_file soup(std::vector<Point> points, const std::vector<std::vector<std::uint32_t>>& faces)
+{
+  Surface_file surface;
+  surface.points = std::move(points);
+  for(const auto& face : faces)
+  {
+    surface.corners.insert(surface.corners.end(), face.begin(), face.end());
+    surface.first.push_back(surface.corners.size());
+  }
+  return surface;
+}
+
+double area(const Surface_file& surface)
+{
+  double sum = 0.;
+  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
+  {
+    const Point &a = surface.points[surface.corners[3 * f]],
+                &b = surface.points[surface.corners[3 * f + 1]],
+                &c = surface.points[surface.corners[3 * f + 2]];
+    const Point u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]},
+                v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    sum += std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                      u[0] * v[1] - u[1] * v[0]) /
+           2.;
+  }
+  return sum;
+}
+
+const std::vector<Point> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+TEST(Triangulate, concave_polygons_keep_their_area)
+{
+  // A star of ten corners, in planes across all three axes; in the units of a crystal and of a
+  // galaxy.
+  for(const double scale : {1., 1e-160, 1e160})
+    for(std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::vector<Point> points;
+      std::vector<std::uint32_t> face;
+      double expected = 0.;
+      for(std::uint32_t i = 0; i < 10; ++i)
+      {
+        const double r = i % 2 == 0 ? 1. : 0.3, angle = 0.62831853071795865 * i;
+        Point p = {0., 0., 0.};
+        p[axis] = 0.25 * scale;
+        p[(axis + 1) % 3] = scale * r * std::cos(angle);
+        p[(axis + 2) % 3] = scale * r * std::sin(angle);
+        points.push_back(p);
+        face.push_back(i);
+        expected += 0.3 * std::sin(0.62831853071795865) / 2.;
+      }
+      Surface_file surface = soup(points, {face});
+      EXPECT_TRUE(program::triangulate(surface, ""));
+      EXPECT_EQ(surface.number_of_polygons(), 8u);
+      for(Point& p : surface.points)
+        for(double& x : p)
+          x /= scale;
+      EXPECT_NEAR(area(surface), expected, 1e-14); // rounding of ten products of size one
+    }
+}
+
+TEST(Triangulate, every_polygon_has_two_triangles_fewer_than_corners)
+{
+  // Polygons that cross themselves, that are flat or in one point, too.
+  std::mt19937 random(7);
+  for(int round = 0; round < 200; ++round)
+  {
+    const std::uint32_t n = 4 + random() % 12;
+    std::vector<Point> points(n);
+    std::vector<std::uint32_t> face(n);
+    for(std::uint32_t i = 0; i < n; ++i)
+    {
+      face[i] = i;
+      for(std::size_t c = 0; c < 3; ++c)
+        points[i][c] = random() % (round % 5 + 1);
+    }
+    Surface_file surface = soup(points, {face});
+    program::triangulate(surface, "");
+    EXPECT_EQ(surface.number_of_polygons(), n - 2);
+  }
+}
+
+TEST(Triangulate, repeated_corners_and_copies_go)
+{
+  Surface_file surface = soup(
+      tetrahedron, {{0, 1, 1}, {0, 1}, {2}, {}, {0, 1, 2}, {1, 2, 0}, {2, 1, 0}, {3, 3, 1, 2}});
+  EXPECT_TRUE(program::triangulate(surface, ""));
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 3, 1, 2}));
+}
+
+TEST(Triangulate, triangles_stay_as_they_are)
+{
+  Surface_file surface = soup(tetrahedron, {{2, 0, 1}, {0, 1, 3}});
+  EXPECT_FALSE(program::triangulate(surface, ""));
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{2, 0, 1, 0, 1, 3}));
+}
+
+TEST(Triangulate, endless_polygons_are_refused)
+{
+  std::vector<Point> points(10001, Point{0., 0., 0.});
+  std::vector<std::uint32_t> face(10001);
+  for(std::uint32_t i = 0; i < 10001; ++i)
+    face[i] = i;
+  Surface_file surface = soup(points, {face});
+  EXPECT_THROW(program::triangulate(surface, "name"), program::Input_error);
+}
+
+TEST(Orient, turns_the_fewer_triangles_round)
+{
+  Surface_file surface = soup(tetrahedron, {{0, 2, 1}, {0, 3, 1}, {1, 2, 3}, {2, 0, 3}});
+  const Gluing gluing = program::orient(surface);
+  EXPECT_EQ(gluing.flipped, 1u);
+  EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}));
+  EXPECT_TRUE(gluing.is_manifold());
+  EXPECT_EQ(gluing.genus(4), 0);
+  EXPECT_EQ(gluing.boundary_loops, 0u);
+  EXPECT_EQ(std::count(gluing.twins.begin(), gluing.twins.end(), program::no_side), 0);
+}
+
+TEST(Orient, leaves_a_crowded_edge_open)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  Surface_file surface = soup(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  const Gluing gluing = program::orient(surface);
+  EXPECT_EQ(gluing.cut, 1u);
+  EXPECT_EQ(gluing.components, 3u);
+  EXPECT_EQ(gluing.pinched, 2u);
+  EXPECT_FALSE(gluing.is_manifold());
+}
+
+TEST(Orient, cuts_a_one_sided_band_across)
+{
+  std::vector<Point> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  const std::uint32_t n = 12;
+  for(std::uint32_t i = 0; i < n; ++i)
+    for(const double s : {-0.2, 0.2})
+    {
+      const double angle = 0.52359877559829887 * i;
+      const double r = 1. + s * std::cos(angle / 2.);
+      points.push_back({r * std::cos(angle), r * std::sin(angle), s * std::sin(angle / 2.)});
+    }
+  for(std::uint32_t i = 0; i < n; ++i)
+  {
+    // The ends meet upside down.
+    const std::uint32_t a = 2 * i, b = a + 1, c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0;
+    faces.push_back({a, c, b});
+    faces.push_back({b, c, d});
+  }
+  Surface_file surface = soup(points, faces);
+  const Gluing gluing = program::orient(surface);
+  EXPECT_EQ(gluing.cut, 1u); // the shortest cut across the band is one edge
+  EXPECT_EQ(gluing.components, 1u);
+  EXPECT_EQ(gluing.boundary_loops, 1u);
+  EXPECT_EQ(gluing.genus(faces.size()), 0);
+}
+
+TEST(Make_mesh, pinched_vertices_stay_one_vertex)
+{
+  // Two triangles that touch in a corner, and a third at the other end.
+  const Surface surface = program::repair(
+      soup({{0, 0, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {0, 2, 0}, {1, 3, 0}},
+           {{0, 2, 1}, {0, 4, 3}, {0, 5, 6}}),
+      "");
+  EXPECT_EQ(surface.gluing.pinched, 1u);
+  EXPECT_EQ(surface.gluing.boundary_loops, 3u);
+  const program::Mesh mesh = program::make_mesh(surface);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_EQ(mesh.number_of_vertices(), 7u);
+  EXPECT_EQ(mesh.degree(program::Mesh::Vertex_index(0)), 6u);
+}
+
+TEST(Make_mesh, is_valid_whatever_random_triangles_meet)
+{
+  std::mt19937 random(3);
+  for(int round = 0; round < 100; ++round)
+  {
+    std::vector<Point> points(8);
+    for(Point& p : points)
+      for(double& x : p)
+        x = random() / 4294967296.;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for(int f = 0; f < 1 + round / 4; ++f)
+      faces.push_back({static_cast<std::uint32_t>(random() % 8),
+                       static_cast<std::uint32_t>(random() % 8),
+                       static_cast<std::uint32_t>(random() % 8)});
+    Surface surface;
+    try
+    {
+      surface = program::repair(soup(points, faces), "");
+    }
+    catch(const program::Input_error&)
+    {
+      continue; // no face with three corners
+    }
+    const program::Mesh mesh = program::make_mesh(surface);
+    for(const auto h : mesh.halfedges())
+    {
+      EXPECT_EQ(mesh.prev(mesh.next(h)), h);
+      EXPECT_EQ(mesh.target(h), mesh.source(mesh.next(h)));
+    }
+    for(const auto f : mesh.faces())
+      EXPECT_EQ(mesh.degree(f), 3u);
+    EXPECT_EQ(mesh.number_of_vertices(), 8u);
+    EXPECT_EQ(mesh.number_of_faces(), surface.file.number_of_polygons());
+    EXPECT_GE(surface.gluing.genus(mesh.number_of_faces()), 0);
+  }
+}
+
+// Points of a sphere around a place, in a spiral.
+std::vector<Point> sphere(std::size_t n, double radius, double offset)
+{
+  std::vector<Point> points;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double z = 1. - (2. * static_cast<double>(i) + 1.) / static_cast<double>(n),
+                 r = std::sqrt(1. - z * z), angle = 2.399963229728653 * static_cast<double>(i);
+    points.push_back({offset + radius * r * std::cos(angle), offset + radius * r * std::sin(angle),
+                      offset + radius * z});
+  }
+  return points;
+}
+
+TEST(Complete_normals, of_a_sphere_point_outwards_at_any_scale)
+{
+  for(const double scale : {1., 1e-160, 1e160})
+  {
+    Surface_file cloud;
+    cloud.points = sphere(500, scale, 0.);
+    EXPECT_FALSE(program::complete_normals(cloud)); // nothing given was replaced
+    for(std::size_t i = 0; i < cloud.points.size(); ++i)
+    {
+      const Point &p = cloud.points[i], &n = cloud.normals[i];
+      // 500 points are 0.16 apart: planes through 16 of them lean by less than a tenth
+      EXPECT_GT((p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) / scale, 0.99);
+    }
+  }
+}
+
+TEST(Complete_normals, lengths_become_one_and_zeros_follow_their_neighbours)
+{
+  Surface_file cloud;
+  cloud.points = sphere(500, 1., 0.);
+  cloud.normals = cloud.points;
+  for(std::size_t i = 0; i < 500; ++i)
+    for(double& x : cloud.normals[i])
+      x *= i % 10 == 0 ? 0. : i % 3 == 0 ? 1e-200 : -1e200;
+  for(std::size_t i = 0; i < 500; ++i)
+    if(i % 3 == 0)
+      for(double& x : cloud.normals[i])
+        x = -x;
+  EXPECT_TRUE(program::complete_normals(cloud));
+  std::size_t inwards = 0;
+  for(std::size_t i = 0; i < 500; ++i)
+  {
+    const Point &p = cloud.points[i], &n = cloud.normals[i];
+    EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1., 1e-15);
+    inwards += p[0] * n[0] + p[1] * n[1] + p[2] * n[2] < -0.99 ? 1 : 0;
+  }
+  EXPECT_EQ(inwards, 500u);
+}
+
+TEST(Complete_normals, unit_vectors_for_points_that_span_nothing)
+{
+  const std::vector<std::vector<Point>> clouds = {
+      {{1, 2, 3}},
+      {{1, 2, 3}, {1, 2, 3}},
+      {{0, 0, 0}, {1, 1, 1}},
+      std::vector<Point>(500, Point{1e8, 0, 0}),
+      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1e300, 0, 0}}};
+  for(const std::vector<Point>& points : clouds)
+  {
+    Surface_file cloud;
+    cloud.points = points;
+    program::complete_normals(cloud);
+    ASSERT_EQ(cloud.normals.size(), points.size());
+    for(const Point& n : cloud.normals)
+      EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1., 1e-15);
+  }
+}
+
+} // namespace

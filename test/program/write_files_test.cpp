@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Surface.h"
+#include "colours.h"
+#include "errors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using program::Surface_file;
+
+Surface_file strip_of_triangles()
+{
+  Surface_file surface;
+  surface.points = {{0, 0, 0.1}, {1. / 3., 0, 1e-300}, {0, 1e300, -0.}, {1, 1, 1}};
+  surface.corners = {0, 1, 2, 2, 1, 3};
+  surface.first = {0, 3, 6};
+  surface.normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
+  surface.properties["distance"] = {0., 0.1, INFINITY, 2.};
+  return surface;
+}
+
+// A fresh folder that is gone at the end.
+struct Folder
+{
+  fs::path path =
+      fs::path(testing::TempDir()) /
+      ("write_files_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
+       testing::UnitTest::GetInstance()->current_test_info()->name());
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  std::string operator/(const std::string& name) const { return (path / name).string(); }
+  std::size_t files() const
+  {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), {}));
+  }
+};
+
+TEST(Write_files, ply_and_vtp_give_everything_back_to_the_last_bit)
+{
+  const Folder folder;
+  const Surface_file surface = strip_of_triangles();
+  for(const char* const name : {"a.ply", "a.vtp"})
+  {
+    program::write_surface_file(folder / name, surface);
+    const Surface_file again = program::read_surface_file(folder / name);
+    EXPECT_EQ(again.points, surface.points) << name;
+    EXPECT_EQ(again.corners, surface.corners) << name;
+    EXPECT_EQ(again.first, surface.first) << name;
+    EXPECT_EQ(again.normals, surface.normals) << name;
+    EXPECT_EQ(again.properties, surface.properties) << name;
+  }
+}
+
+TEST(Write_files, off_and_obj_give_the_shape_back_to_the_last_bit)
+{
+  const Folder folder;
+  const Surface_file surface = strip_of_triangles();
+  for(const char* const name : {"a.off", "a.obj"})
+  {
+    program::write_surface_file(folder / name, surface, "distance");
+    const Surface_file again = program::read_surface_file(folder / name);
+    EXPECT_EQ(again.points, surface.points) << name;
+    EXPECT_EQ(again.corners, surface.corners) << name;
+  }
+  EXPECT_EQ(program::read_surface_file(folder / "a.off").normals, surface.normals);
+}
+
+TEST(Write_files, points_without_faces_stay_points)
+{
+  const Folder folder;
+  Surface_file surface = strip_of_triangles();
+  surface.corners.clear();
+  surface.first = {0};
+  for(const char* const name : {"a.ply", "a.off", "a.obj", "a.vtp"})
+  {
+    program::write_surface_file(folder / name, surface);
+    const Surface_file again = program::read_surface_file(folder / name);
+    EXPECT_EQ(again.points, surface.points) << name;
+    EXPECT_EQ(again.number_of_polygons(), 0u) << name;
+  }
+}
+
+TEST(Write_files, polylines_follow_the_points)
+{
+  Surface_file surface;
+  surface.polylines = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}};
+  const std::string obj = program::to_obj(surface);
+  EXPECT_EQ(obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
+  EXPECT_EQ(program::read_vtp(program::to_vtp(surface), "").points, surface.polylines[0]);
+  EXPECT_EQ(program::read_ply(program::to_ply(surface), "").points, surface.polylines[0]);
+}
+
+TEST(Write_files, all_or_nothing)
+{
+  const Folder folder;
+  const std::string name = folder / "a.ply";
+  std::ofstream(name) << "old";
+  program::write_file(name, "new");
+  std::ifstream file(name);
+  std::string content;
+  file >> content;
+  EXPECT_EQ(content, "new");
+  EXPECT_EQ(folder.files(), 1u);
+
+  EXPECT_THROW(program::write_file(folder / "none/a.ply", "x"), program::Output_error);
+  EXPECT_THROW(program::write_file(folder.path.string(), "x"), program::Output_error);
+  if(fs::exists("/dev/full"))
+  {
+    EXPECT_THROW(program::write_file("/dev/full", "x"), program::Output_error);
+    EXPECT_TRUE(fs::is_character_file("/dev/full")); // not replaced
+  }
+  EXPECT_EQ(folder.files(), 1u);
+}
+
+TEST(Write_files, links_stay_links)
+{
+  const Folder folder;
+  std::ofstream(folder / "a.ply") << "old";
+  fs::create_symlink("a.ply", folder / "link.ply");
+  program::write_file(folder / "link.ply", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.ply"));
+  EXPECT_EQ(fs::file_size(folder / "a.ply"), 3u);
+  EXPECT_EQ(folder.files(), 2u);
+}
+
+TEST(Write_files, other_kinds_are_refused)
+{
+  EXPECT_THROW(program::check_can_write("a.stl"), program::Usage_error);
+  EXPECT_NO_THROW(program::check_can_write("A.PLY"));
+}
+
+TEST(Colours, cover_the_range_and_leave_the_unreached_grey)
+{
+  const std::vector<program::Colour> colours = program::colours_of({0., 0.5, 1., INFINITY, NAN});
+  EXPECT_EQ(colours[0], program::viridis(0.));
+  EXPECT_EQ(colours[1], program::viridis(0.5));
+  EXPECT_EQ(colours[2], program::viridis(1.));
+  EXPECT_EQ(colours[3], program::grey);
+  EXPECT_EQ(colours[4], program::grey);
+}
+
+TEST(Colours, labels_differ)
+{
+  // Sixty seeds is what the tour draws; two shades of 255 apart is what a screen can show.
+  for(long long i = 0; i < 60; ++i)
+    for(long long j = 0; j < i; ++j)
+    {
+      const program::Colour a = program::colour_of_label(i), b = program::colour_of_label(j);
+      EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 2. / 255.) << i << ' ' << j;
+    }
+  EXPECT_EQ(program::colour_of_label(-1), program::grey);
+}
+
+} // namespace
