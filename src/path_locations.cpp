@@ -3,7 +3,10 @@
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
+
+#include <cmath>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -37,6 +40,47 @@ Location cleaned(const Glued_triangles& t, const Location& location)
   for(double& b : result.barycentric)
     b /= sum;
   return result;
+}
+
+Location checked(const Glued_triangles& t, const Location& location)
+{
+  double sum = 0.;
+  for(const double b : location.barycentric)
+  {
+    if(!(b >= -1e-6))
+      throw Invalid_argument_error("A location lies outside of its face.");
+    sum += b;
+  }
+  if(!(std::abs(sum - 1.) <= 1e-6))
+    throw Invalid_argument_error("The barycentric coordinates of a location do not sum to one.");
+  return cleaned(t, location);
+}
+
+namespace {
+
+Spatial scaled_point(const Glued_triangles& t, const Location& location)
+{
+  if(location.triangle == none)
+    return t.point[location.site];
+  const Index* corner = &t.corner[3 * std::size_t(location.triangle)];
+  return location.barycentric[0] * t.point[corner[0]] +
+         location.barycentric[1] * t.point[corner[1]] +
+         location.barycentric[2] * t.point[corner[2]];
+}
+
+} // namespace
+
+std::array<double, 3> coordinates(const Glued_triangles& t, const Location& location)
+{
+  return t.origin + t.scale * scaled_point(t, location);
+}
+
+double polyline_length(const Glued_triangles& t, const std::vector<Location>& path)
+{
+  double length = 0.;
+  for(std::size_t i = 1; i < path.size(); ++i)
+    length += norm(scaled_point(t, path[i]) - scaled_point(t, path[i - 1]));
+  return length;
 }
 
 Index corner_of(const Location& location)

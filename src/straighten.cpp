@@ -92,7 +92,7 @@ private:
   void link(Index a, Index b);
   double put(Strip strip, Index first, Index last);
   void merge_repeated(Index first, Index last);
-  bool go_around(Strip& strip, Index knot) const;
+  bool go_around(Strip& strip, Index first, Index last) const;
   void trim(Strip& strip, const Location& begin, const Location& end) const;
   void unfold(const Strip& strip, const Location& begin, const Location& end);
   void find_bends(const Strip& strip);
@@ -175,14 +175,17 @@ void Straightener::unfold(const Strip& strip, const Location& begin, const Locat
   // The vector across, left to right, and its direction are carried along: differences of
   // positions far from the origin would lose the digits of small triangles.
   Planar across = right - left, direction = {1., 0.};
+  Planar forward = u.first_side; // from the corner opposite to a side
   for(std::size_t i = 0;; ++i)
   {
     u.left[i] = left;
     u.right[i] = right;
     const Index entered = t.twin[strip.sides[i]];
-    const double length = norm(across);
+    const double length = norm(across), ahead = norm(forward);
     if(length > 0.)
       direction = (1. / length) * across;
+    else if(ahead > 0.) // a side of length zero is seen as the limit of short ones
+      direction = (-1. / ahead) * turned_left(forward);
     const double base = t.length[entered];
     const Planar local =
         third_corner(base, t.length[previous_side(entered)], t.length[next_side(entered)]);
@@ -198,11 +201,13 @@ void Straightener::unfold(const Strip& strip, const Location& begin, const Locat
     }
     if(strip.sides[i + 1] == next_side(entered))
     {
+      forward = across;
       left = left + from_left;
       across = -1. * from_right;
     }
     else
     {
+      forward = -1. * across;
       right = left + from_left;
       across = from_left;
     }
@@ -387,26 +392,43 @@ void Straightener::angles(Index index, double& left, double& right) const
   left = in == out && turn <= 0. ? -turn : sweep(false);
 }
 
-// Leads a strip that arrived at a knot around its site where the angle is below pi.
+// Leads a strip that goes from before the first to the last of some knots around their sites, on the
+// side where the angle is below pi, and on to where the last knot's part ends.  Knots at one point
+// in space are seen as one: the angles between them are those of a straight line.
 // False when both angles are large enough.
-bool Straightener::go_around(Strip& strip, Index index) const
+bool Straightener::go_around(Strip& strip, Index first, Index last) const
 {
-  double left, right;
-  angles(index, left, right);
+  double left = 0., right = 0.;
+  for(Index index = first;; index = m_knots[index].next)
+  {
+    double one_left, one_right;
+    angles(index, one_left, one_right);
+    left += one_left;
+    right += one_right;
+    if(index == last)
+      break;
+    left -= pi;
+    right -= pi;
+  }
   if(!(std::min(left, right) < pi - angle_tolerance))
     return false;
-  const Knot& knot = m_knots[index];
   const bool counterclockwise = right <= left;
-  const double turn = knot.angle_out - knot.angle_in;
-  Index corner = knot.corner_in;
-  if(corner == knot.corner_out && (counterclockwise ? turn >= 0. : turn <= 0.))
-    return true;
-  do
+  for(Index index = first;; index = m_knots[index].next)
   {
-    strip.cross(t, counterclockwise ? previous_side(corner) : corner);
-    corner = counterclockwise ? turn_left(t, corner) : turn_right(t, corner);
-  } while(corner != knot.corner_out);
-  return true;
+    const Knot& knot = m_knots[index];
+    const double turn = knot.angle_out - knot.angle_in;
+    Index corner = knot.corner_in;
+    if(corner != knot.corner_out || (counterclockwise ? turn < 0. : turn > 0.))
+      do
+      {
+        strip.cross(t, counterclockwise ? previous_side(corner) : corner);
+        corner = counterclockwise ? turn_left(t, corner) : turn_right(t, corner);
+      } while(corner != knot.corner_out);
+    for(const Index side : knot.strip.sides)
+      strip.cross(t, side);
+    if(index == last)
+      return true;
+  }
 }
 
 // Puts the shortest path in a strip between two knots; returns its length.
@@ -551,10 +573,8 @@ void Straightener::pull_all_taut()
     Strip strip = m_knots[first].strip;
     replaced.clear();
     Index last = m_knots[first].next;
-    while(last != m_end && go_around(strip, last))
+    while(last != m_end && go_around(strip, last, last))
     {
-      for(const Index side : m_knots[last].strip.sides)
-        strip.cross(t, side);
       replaced.push_back(last);
       last = m_knots[last].next;
     }
@@ -595,18 +615,28 @@ void Straightener::pull_locally_taut()
     if(!m_knots[index].waits)
       continue; // merged or replaced meanwhile
     m_knots[index].waits = false;
-    const Index first = m_knots[index].previous, last = m_knots[index].next;
+    Index first = m_knots[index].previous, last = m_knots[index].next;
+    while(first != m_begin && m_knots[first].length == 0.)
+      first = m_knots[first].previous;
+    while(last != m_end && m_knots[m_knots[last].previous].length == 0.)
+      last = m_knots[last].next;
+    const Index first_around = m_knots[first].next, last_around = m_knots[last].previous;
     Strip strip = m_knots[first].strip;
-    if(!go_around(strip, index))
+    if(!go_around(strip, first_around, last_around))
       continue;
-    for(const Index side : m_knots[index].strip.sides)
-      strip.cross(t, side);
 
     const Knot first_before = m_knots[first], last_before = m_knots[last];
-    const double length = m_knots[first].length + m_knots[index].length;
+    double length = m_knots[first].length;
+    for(Index knot = first_around; knot != last; knot = m_knots[knot].next)
+      length += m_knots[knot].length;
     if(put(std::move(strip), first, last) < length)
     {
-      drop(index);
+      for(Index knot = first_around;; knot = m_knots[knot].next)
+      {
+        drop(knot);
+        if(knot == last_around)
+          break;
+      }
       for(Index knot = first;; knot = m_knots[knot].next)
       {
         enqueue(knot);

@@ -722,7 +722,7 @@ std::vector<std::array<double, 3>> smooth_surfels(std::vector<std::array<double,
   return points;
 }
 
-Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point)
+Tangent_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point)
 {
   const Glued_triangles& t = surfels.triangles;
   Spatial query;
@@ -735,7 +735,7 @@ Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>
                               std::ldexp(t.origin[k], -std::ilogb(t.scale)),
                           -1e100, 1e100);
   }
-  Surfel_location location;
+  Tangent_location location;
   location.site = surfels.tree.nearest(t.point, query);
   const Spatial offset = query - t.point[location.site];
   const auto [u, v] = tangent_frame(t.normal[location.site]);
@@ -746,7 +746,7 @@ Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>
   return location;
 }
 
-Location to_triangle(const Glued_triangles& t, const Surfel_location& location)
+Location to_triangle(const Glued_triangles& t, const Tangent_location& location)
 {
   Location result;
   result.site = location.site;
@@ -803,13 +803,13 @@ Location to_triangle(const Glued_triangles& t, const Surfel_location& location)
   return result;
 }
 
-Surfel_location to_surfel(const Glued_triangles& t, const Location& location)
+Tangent_location to_surfel(const Glued_triangles& t, const Location& location)
 {
   if(location.triangle == none)
     return {location.site, {0., 0.}};
   const auto& b = location.barycentric;
   const Index largest = static_cast<Index>(std::max_element(b.begin(), b.end()) - b.begin());
-  Surfel_location result;
+  Tangent_location result;
   result.site = t.corner[3 * location.triangle + largest];
   const auto [u, v] = tangent_frame(t.normal[result.site]);
   for(Index k = 0; k < 3; ++k)
@@ -821,7 +821,7 @@ Surfel_location to_surfel(const Glued_triangles& t, const Location& location)
   return result;
 }
 
-std::array<double, 3> position(const Glued_triangles& t, const Surfel_location& location)
+std::array<double, 3> position(const Glued_triangles& t, const Tangent_location& location)
 {
   const auto [u, v] = tangent_frame(t.normal[location.site]);
   std::array<double, 3> result = t.point[location.site];

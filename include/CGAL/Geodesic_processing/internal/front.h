@@ -27,10 +27,11 @@ enum class Front_kind
 // What a query asks for, beside its sources.
 struct Front_limits
 {
-  double maximum_distance = infinity;            // sites farther away are not reached
-  std::vector<Location> targets;                 // the front may stop when all of them are final
-  const std::vector<double>* slowness = nullptr; // #triangles: 1 / speed, infinite at an obstacle
-  std::function<bool(double)> callback;          // told the fraction done; false cancels
+  double maximum_distance = infinity; // sites farther away are not reached
+  std::vector<Location> targets;      // the front may stop when all of them are final
+  // #triangles: 1 / speed, infinite at an obstacle; null where it is 1
+  std::shared_ptr<const std::vector<double>> slowness;
+  std::function<bool(double)> callback; // told the fraction done; false cancels
 };
 
 // A front that spreads from sources over a domain, and what it leaves behind at each site.
@@ -112,7 +113,7 @@ private:
   Queue m_queue;
 
   // Of the running query
-  const std::vector<double>* m_slowness = nullptr;
+  std::shared_ptr<const std::vector<double>> m_slowness;
   std::vector<std::pair<Index, Source>> m_started_in; // triangle, its part of a source
   double m_lowest_offset = 0.;
 };

@@ -17,6 +17,16 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 Location cleaned(const Glued_triangles& triangles, const Location& location);
 
+// The same for a location of a user's.
+// Throws Invalid_argument_error when coordinates are not finite, clearly negative, or do not sum to
+// one; what rounding can do, 1e-6, is mended.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Location checked(const Glued_triangles& triangles, const Location& location);
+
+// Where a location lies, in the caller's coordinates.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::array<double, 3> coordinates(const Glued_triangles& triangles, const Location& location);
+
 // The site as a clean location.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Location at_site(const Glued_triangles& triangles, Index site);
@@ -41,6 +51,10 @@ Index common_triangle(const Glued_triangles& triangles, const Location& p, const
 // Whether two clean locations are the same point of the surface.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_same_point(const Glued_triangles& triangles, const Location& p, const Location& q);
+
+// The length of the polyline through locations, in space.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double polyline_length(const Glued_triangles& triangles, const std::vector<Location>& path);
 
 // The length of a path whose consecutive locations lie in a common triangle.
 // Throws Invalid_argument_error when two do not.

@@ -76,7 +76,7 @@ std::vector<std::array<double, 3>> smooth_surfels(std::vector<std::array<double,
 
 // A location on a cloud: a place in the tangent plane of a site, in the frame of tangent_frame()
 // and the domain's scale.
-struct Surfel_location
+struct Tangent_location
 {
   Index site = none;
   std::array<double, 2> offset = {0., 0.};
@@ -87,20 +87,20 @@ struct Surfel_location
 // The cloud must not be empty.
 // Throws Invalid_argument_error when a coordinate is not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Surfel_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point);
+Tangent_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point);
 
 // The same place in a triangle at the site, or the site itself where it has none.  Outside of the
 // site's triangles: the nearest place on one of them, measured in the tangent plane.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Location to_triangle(const Glued_triangles& triangles, const Surfel_location& location);
+Location to_triangle(const Glued_triangles& triangles, const Tangent_location& location);
 
 // The same place in the tangent plane of the corner with the largest barycentric coordinate.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Surfel_location to_surfel(const Glued_triangles& triangles, const Location& location);
+Tangent_location to_surfel(const Glued_triangles& triangles, const Location& location);
 
 // Scaled coordinates of a location.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::array<double, 3> position(const Glued_triangles& triangles, const Surfel_location& location);
+std::array<double, 3> position(const Glued_triangles& triangles, const Tangent_location& location);
 
 } // namespace CGAL::Geodesic_processing::internal
 

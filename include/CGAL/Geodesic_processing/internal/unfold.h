@@ -61,13 +61,15 @@ inline double distance_in_triangle(const Glued_triangles& t, Index triangle,
   return norm((p[1] - q[1]) * corners[1] + (p[2] - q[2]) * corners[2]);
 }
 
-// The angle at a corner, in [0, pi].
+// The angle at a corner, in [0, pi].  A side of length zero is seen as the limit of short ones with
+// equal legs: pi/2 at both of its ends.
 inline double interior_angle(const Glued_triangles& t, Index corner)
 {
   const double right = t.length[corner], left = t.length[previous_side(corner)];
   const double opposite = t.length[next_side(corner)];
-  return std::atan2(2. * twice_area(right, left, opposite),
-                    right * right + (left - opposite) * (left + opposite));
+  const double sine = 2. * twice_area(right, left, opposite);
+  const double cosine = right * right + (left - opposite) * (left + opposite);
+  return sine == 0. && cosine == 0. ? 1.57079632679489661923 : std::atan2(sine, cosine);
 }
 
 // The corner after this one around its site, or none behind a border.

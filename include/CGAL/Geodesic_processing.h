@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_H
+#define CGAL_GEODESIC_PROCESSING_H
+
+#include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/Mesh_domain.h>
+#include <CGAL/Geodesic_processing/Source.h>
+#include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/Surfel_domain.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
+#include <CGAL/Geodesic_processing/geodesic_path.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/straightest_geodesic.h>
+#include <CGAL/Geodesic_processing/tags.h>
+
+#endif // CGAL_GEODESIC_PROCESSING_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_LOCATION_H
+#define CGAL_GEODESIC_PROCESSING_LOCATION_H
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+
+template <typename Point, typename Vector>
+class Point_set_3;
+
+namespace Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingDomain
+/// a place on a surfel cloud: a surfel and two offsets in its tangent plane, in the cloud's unit.
+template <typename Surfel>
+struct Surfel_location
+{
+  Surfel surfel{};
+  std::array<double, 2> offset = {0., 0.};
+};
+
+namespace internal {
+
+// A range of surfels has a beginning; a FaceGraph has none.  The one place where they are told apart
+// (boost::graph_traits of a Point_set_3 does not compile).
+template <typename Surface, typename = void>
+struct Is_cloud : std::false_type
+{};
+template <typename Surface>
+struct Is_cloud<Surface, std::void_t<decltype(std::declval<const Surface&>().begin())>>
+    : std::true_type
+{};
+
+// What a surface calls its sites, locations and points.
+template <typename Surface, bool is_cloud = Is_cloud<Surface>::value>
+struct Surface_traits
+{
+  using Site = typename boost::graph_traits<Surface>::vertex_descriptor;
+  using Location = Polygon_mesh_processing::Face_location<Surface, double>;
+  using Point_3 = typename boost::property_traits<
+      typename boost::property_map<Surface, vertex_point_t>::type>::value_type;
+  using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3;
+};
+
+template <typename Surface>
+struct Surface_traits<Surface, true>
+{
+  using Site = std::size_t;
+  using Location = Surfel_location<Site>;
+  using Point_3 = Simple_cartesian<double>::Point_3;
+  using Vector_3 = Simple_cartesian<double>::Vector_3;
+};
+
+template <typename Point, typename Vector>
+struct Surface_traits<Point_set_3<Point, Vector>, true>
+{
+  using Site = typename Point_set_3<Point, Vector>::Index;
+  using Location = Surfel_location<Site>;
+  using Point_3 = Point;
+  using Vector_3 = Vector;
+};
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDomain
+/// a place anywhere on a surface: `Polygon_mesh_processing::Face_location` on a mesh,
+/// `Surfel_location` on a cloud.
+template <typename Surface>
+using Location = typename internal::Surface_traits<Surface>::Location;
+
+} // namespace Geodesic_processing
+} // namespace CGAL
+
+#endif // CGAL_GEODESIC_PROCESSING_LOCATION_H

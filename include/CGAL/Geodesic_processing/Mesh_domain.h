@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_MESH_DOMAIN_H
+#define CGAL_GEODESIC_PROCESSING_MESH_DOMAIN_H
+
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/glue.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/slowness.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+// Where a member function hides the mesh's own.
+template <typename Halfedge, typename TriangleMesh>
+auto face_of(Halfedge h, const TriangleMesh& mesh)
+{
+  return face(h, mesh);
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDomain
+///
+/// a triangle mesh as all algorithms of this package see it: triangles, how they are glued, how long
+/// their sides are.  Made by `make_domain()`; a copy costs nothing, and shares.
+///
+/// It knows the mesh's descriptors, but not the mesh: that may be destroyed, not be changed.
+/// Takes about 175 bytes per vertex.
+///
+/// \cgalModels `TriangulatedGeodesicDomain`
+template <typename TriangleMesh>
+class Mesh_domain
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+  using Face = typename Graph::face_descriptor;
+
+public:
+  using Surface = TriangleMesh;
+  using Traits = internal::Surface_traits<Surface>;
+  using Site = typename Traits::Site;         ///< a vertex descriptor
+  using Location = typename Traits::Location; ///< `Polygon_mesh_processing::Face_location`
+  using Point_3 = typename Traits::Point_3;
+  using Vector_3 = typename Traits::Vector_3;
+
+  /// reads the mesh once: O(n).
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map} \cgalParamNEnd
+  ///   \cgalParamNBegin{vertex_index_map} \cgalParamNEnd
+  ///   \cgalParamNBegin{face_index_map} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Unsupported_surface_error when a face is not a triangle, or when there are more than
+  ///         2<SUP>31</SUP> half-edges
+  /// \throws Invalid_argument_error when a coordinate is not finite
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
+
+  /// the number of vertices.
+  std::size_t number_of_sites() const { return m_data->vertices.size(); }
+
+  /// writes a value for each vertex: `values` maps the domain's own numbers, below
+  /// `number_of_sites()`, to them.
+  template <typename Values, typename PropertyMap>
+  void write(const Values& values, PropertyMap map) const
+  {
+    using Value = typename boost::property_traits<PropertyMap>::value_type;
+    for(internal::Index i = 0; i < number_of_sites(); ++i)
+      put(map, m_data->vertices[i], static_cast<Value>(values(i)));
+  }
+
+  /// \name Between the mesh and the kernels
+  /// @{
+  const std::shared_ptr<const internal::Glued_triangles>& triangles() const { return m_triangles; }
+  internal::Index index(Site vertex) const { return get(m_data->index_of_vertex, vertex); }
+  Site site(internal::Index index) const { return m_data->vertices[index]; }
+  internal::Location inner(const Location& location) const;
+  internal::Location inner_site(Site vertex) const { return {internal::none, index(vertex), {}}; }
+  Location outer(const internal::Location& location) const;
+  Point_3 point(const internal::Location& location) const;
+  internal::Index triangle(Face face) const { return get(m_data->triangle_of_face, face); }
+  Face face(internal::Index triangle) const { return m_data->faces[triangle]; }
+  template <typename SpeedMap>
+  std::vector<double> slowness(SpeedMap speed) const;
+  /// @}
+
+private:
+  template <typename Descriptor, typename Property>
+  using Map = typename boost::property_map<TriangleMesh, Property>::const_type;
+  struct Data
+  {
+    Map<Site, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
+    Map<Face, dynamic_face_property_t<internal::Index>> triangle_of_face;
+    std::vector<Site> vertices; // #sites
+    std::vector<Face> faces;    // #triangles
+  };
+  std::shared_ptr<const internal::Glued_triangles> m_triangles;
+  std::shared_ptr<const Data> m_data;
+};
+
+template <typename TriangleMesh>
+template <typename NamedParameters>
+Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  using internal::Index;
+  const auto points = internal::parameter(np, CGAL::internal_np::vertex_point,
+                                          get_const_property_map(vertex_point, mesh));
+
+  auto data = std::make_shared<Data>();
+  data->index_of_vertex = get(dynamic_vertex_property_t<Index>(), mesh);
+  data->triangle_of_face = get(dynamic_face_property_t<Index>(), mesh);
+
+  std::vector<std::array<double, 3>> coordinates;
+  std::vector<Site> read_vertices;
+  coordinates.reserve(num_vertices(mesh));
+  read_vertices.reserve(num_vertices(mesh));
+  for(const Site vertex : vertices(mesh))
+  {
+    const auto& point = get(points, vertex);
+    put(data->index_of_vertex, vertex, static_cast<Index>(read_vertices.size()));
+    read_vertices.push_back(vertex);
+    coordinates.push_back(
+        {CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2])});
+  }
+
+  std::vector<Face> read_faces;
+  std::vector<Index> corners, twins;
+  read_faces.reserve(num_faces(mesh));
+  for(const Face face : faces(mesh))
+  {
+    put(data->triangle_of_face, face, static_cast<Index>(read_faces.size()));
+    read_faces.push_back(face);
+  }
+  if(read_faces.size() > (std::size_t(1) << 31) / 3)
+    throw Unsupported_surface_error("The mesh has more than 2^31 half-edges.");
+  corners.reserve(3 * read_faces.size());
+  twins.reserve(3 * read_faces.size());
+  for(const Face read_face : read_faces)
+  {
+    auto h = halfedge(read_face, mesh);
+    for(int k = 0; k < 3; ++k, h = next(h, mesh))
+    {
+      corners.push_back(get(data->index_of_vertex, source(h, mesh)));
+      const auto twin = opposite(h, mesh);
+      if(is_border(twin, mesh))
+      {
+        twins.push_back(internal::none);
+        continue;
+      }
+      const Face other = internal::face_of(twin, mesh);
+      auto side = halfedge(other, mesh);
+      Index place = 3 * get(data->triangle_of_face, other);
+      for(int step = 0; side != twin && step < 2; ++step, ++place)
+        side = next(side, mesh);
+      twins.push_back(place);
+    }
+    if(h != halfedge(read_face, mesh))
+      throw Unsupported_surface_error("A face of the mesh is not a triangle.");
+  }
+
+  internal::Glued_mesh glued = internal::glue(std::move(coordinates), corners, twins);
+  corners = {};
+  twins = {};
+  data->vertices.reserve(read_vertices.size());
+  for(const Index vertex : glued.vertex_of_site)
+  {
+    put(data->index_of_vertex, read_vertices[vertex], static_cast<Index>(data->vertices.size()));
+    data->vertices.push_back(read_vertices[vertex]);
+  }
+  data->faces.reserve(read_faces.size());
+  for(const Index face : glued.face_of_triangle)
+  {
+    put(data->triangle_of_face, read_faces[face], static_cast<Index>(data->faces.size()));
+    data->faces.push_back(read_faces[face]);
+  }
+  m_triangles = std::make_shared<const internal::Glued_triangles>(std::move(glued.triangles));
+  m_data = std::move(data);
+}
+
+template <typename TriangleMesh>
+internal::Location Mesh_domain<TriangleMesh>::inner(const Location& location) const
+{
+  if(location.first == Graph::null_face())
+    throw Invalid_argument_error("A location has no face.");
+  return internal::checked(*m_triangles,
+                           {triangle(location.first), internal::none, location.second});
+}
+
+template <typename TriangleMesh>
+typename Mesh_domain<TriangleMesh>::Location
+Mesh_domain<TriangleMesh>::outer(const internal::Location& location) const
+{
+  const internal::Location in_triangle = location.triangle == internal::none
+                                             ? internal::at_site(*m_triangles, location.site)
+                                             : location;
+  if(in_triangle.triangle == internal::none)
+    return {Graph::null_face(), {0., 0., 0.}};
+  return {face(in_triangle.triangle), in_triangle.barycentric};
+}
+
+template <typename TriangleMesh>
+typename Mesh_domain<TriangleMesh>::Point_3
+Mesh_domain<TriangleMesh>::point(const internal::Location& location) const
+{
+  const auto p = internal::coordinates(*m_triangles, location);
+  return Point_3(p[0], p[1], p[2]);
+}
+
+template <typename TriangleMesh>
+template <typename SpeedMap>
+std::vector<double> Mesh_domain<TriangleMesh>::slowness(SpeedMap speed) const
+{
+  std::vector<double> values;
+  if constexpr(std::is_convertible_v<Face, typename boost::property_traits<SpeedMap>::key_type>)
+  {
+    values.reserve(m_data->faces.size());
+    for(const Face face : m_data->faces)
+      values.push_back(get(speed, face));
+    return internal::slowness_of(std::move(values));
+  }
+  else
+  {
+    values.reserve(m_data->vertices.size());
+    for(const Site vertex : m_data->vertices)
+      values.push_back(get(speed, vertex));
+    return internal::mean_of_corners(*m_triangles, internal::slowness_of(std::move(values)));
+  }
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_MESH_DOMAIN_H

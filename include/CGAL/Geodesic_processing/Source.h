@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_SOURCE_H
+#define CGAL_GEODESIC_PROCESSING_SOURCE_H
+
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingSources
+///
+/// where distance begins: a site (vertex or surfel), a location, or a polyline on the surface, with
+/// an offset, the distance there, and a label.
+///
+/// Consecutive locations of a polyline lie in a common face; it is closed when the first one comes
+/// again at the end.
+template <typename Surface>
+class Source
+{
+public:
+  using Site = typename internal::Surface_traits<Surface>::Site;
+  using Location = typename internal::Surface_traits<Surface>::Location;
+  using Polyline = std::vector<Location>;
+
+  /// `offset` is in the surface's unit and may be negative.  Without a label a source is known by
+  /// its position in the range of sources.
+  Source(Site site, double offset = 0., std::optional<std::size_t> label = std::nullopt)
+      : m_place(site), m_offset(offset), m_label(label)
+  {}
+  Source(Location location, double offset = 0., std::optional<std::size_t> label = std::nullopt)
+      : m_place(Polyline{std::move(location)}), m_offset(offset), m_label(label)
+  {}
+  Source(Polyline polyline, double offset = 0., std::optional<std::size_t> label = std::nullopt)
+      : m_place(std::move(polyline)), m_offset(offset), m_label(label)
+  {}
+
+  const std::variant<Site, Polyline>& place() const { return m_place; }
+  double offset() const { return m_offset; }
+  std::size_t label(std::size_t position) const { return m_label.value_or(position); }
+
+private:
+  std::variant<Site, Polyline> m_place;
+  double m_offset;
+  std::optional<std::size_t> m_label;
+};
+
+/// \ingroup PkgGeodesicProcessingSources
+///
+/// writes one closed polyline for each border loop of a triangle mesh, as `Source`s.  O(n).
+template <typename TriangleMesh, typename OutputIterator>
+OutputIterator border_sources(const TriangleMesh& mesh, OutputIterator out)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> loops;
+  Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(loops));
+  // The vertex that a half-edge ends at, in the face behind the half-edge.
+  const auto location_at_end = [&](auto h)
+  {
+    const auto inner = opposite(h, mesh); // begins at that vertex
+    typename Source<TriangleMesh>::Location location;
+    location.first = face(inner, mesh);
+    auto k = halfedge(location.first, mesh);
+    for(double& coordinate : location.second)
+    {
+      coordinate = k == inner ? 1. : 0.;
+      k = next(k, mesh);
+    }
+    return location;
+  };
+  for(const auto loop : loops)
+  {
+    typename Source<TriangleMesh>::Polyline polyline;
+    for(auto h = loop; polyline.empty() || h != loop; h = next(h, mesh))
+      polyline.push_back(location_at_end(h));
+    polyline.push_back(polyline.front());
+    *out++ = Source<TriangleMesh>(std::move(polyline));
+  }
+  return out;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_SOURCE_H

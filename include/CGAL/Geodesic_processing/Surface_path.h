@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_SURFACE_PATH_H
+#define CGAL_GEODESIC_PROCESSING_SURFACE_PATH_H
+
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/path_to_sources.h>
+
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingPaths
+///
+/// a polyline on a surface.  Consecutive locations lie in a common face of a mesh; no point comes
+/// twice in a row.
+template <typename Surface>
+struct Surface_path
+{
+  using Location = typename internal::Surface_traits<Surface>::Location;
+  using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
+
+  std::vector<Location> locations; ///< where it runs; empty when there is no path
+  std::vector<Point_3> points;     ///< the same in space
+  double length = 0.;              ///< of the polyline through the points
+  double front_distance = 0.;      ///< the distance that the method found, +infinity without a path
+
+  bool empty() const { return locations.empty(); }
+};
+
+namespace internal {
+
+template <typename Domain>
+Surface_path<typename Domain::Surface> surface_path(const Domain& domain,
+                                                    const std::vector<internal::Location>& path,
+                                                    double front_distance)
+{
+  Surface_path<typename Domain::Surface> result;
+  result.front_distance = front_distance;
+  const Glued_triangles& t = *domain.triangles();
+  for(const internal::Location& location : path)
+  {
+    result.locations.push_back(domain.outer(location));
+    result.points.push_back(domain.point(location));
+  }
+  result.length = t.scale * polyline_length(t, path);
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_SURFACE_PATH_H

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_SURFEL_DOMAIN_H
+#define CGAL_GEODESIC_PROCESSING_SURFEL_DOMAIN_H
+
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/slowness.h>
+#include <CGAL/Geodesic_processing/internal/surfels.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingDomain
+///
+/// a surfel cloud as all algorithms of this package see it: a proximity graph, and local triangles
+/// with weights.  Made by `make_domain()`; a copy costs nothing, and shares.
+///
+/// It knows the cloud's indices, but not the cloud.  Takes about 700 bytes per surfel.
+///
+/// \cgalModels `TriangulatedGeodesicDomain`
+template <typename SurfelRange>
+class Surfel_domain
+{
+public:
+  using Surface = SurfelRange;
+  using Traits = internal::Surface_traits<Surface>;
+  using Site = typename Traits::Site;         ///< the index of a `Point_set_3`, else `std::size_t`
+  using Location = typename Traits::Location; ///< a `Surfel_location`
+  using Point_3 = typename Traits::Point_3;
+  using Vector_3 = typename Traits::Vector_3;
+
+  /// reads the cloud once: O(n log n).
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{point_map} \cgalParamDescription{of the elements of the range}
+  ///     \cgalParamDefault{that of a `Point_set_3`, else the identity} \cgalParamNEnd
+  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{of any positive length}
+  ///     \cgalParamDefault{that of a `Point_set_3`} \cgalParamNEnd
+  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{how far surfels reach}
+  ///     \cgalParamDefault{the distance to the 8th neighbour over the square root of two}
+  ///     \cgalParamNEnd
+  ///   \cgalParamNBegin{threads} \cgalParamDefault{1} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Unsupported_surface_error when there are no normals
+  /// \throws Invalid_argument_error when a coordinate or a radius is not finite, a radius is
+  ///         negative, or a normal has no direction
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Surfel_domain(const SurfelRange& surfels, const NamedParameters& np = NamedParameters());
+
+  /// the number of surfels.
+  std::size_t number_of_sites() const { return m_data->sites.size(); }
+
+  /// writes a value for each surfel: `values` maps the domain's own numbers, below
+  /// `number_of_sites()`, to them.
+  template <typename Values, typename PropertyMap>
+  void write(const Values& values, PropertyMap map) const
+  {
+    using Value = typename boost::property_traits<PropertyMap>::value_type;
+    for(std::size_t i = 0; i < number_of_sites(); ++i)
+      put(map, m_data->sites[i], static_cast<Value>(values(m_data->surfels.site_of_surfel[i])));
+  }
+
+  /// \name Between the cloud and the kernels
+  /// @{
+  std::shared_ptr<const internal::Glued_triangles> triangles() const
+  {
+    return {m_data, &m_data->surfels.triangles};
+  }
+  const internal::Glued_surfels& surfels() const { return m_data->surfels; }
+  internal::Index index(Site surfel) const;
+  Site site(internal::Index index) const
+  {
+    return m_data->sites[m_data->surfels.surfel_of_site[index]];
+  }
+  internal::Location inner(const Location& location) const;
+  internal::Location inner_site(Site surfel) const { return {internal::none, index(surfel), {}}; }
+  Location outer(const internal::Location& location) const;
+  Point_3 point(const internal::Location& location) const;
+  template <typename SpeedMap>
+  std::vector<double> slowness(SpeedMap speed) const;
+  /// @}
+
+private:
+  struct Data
+  {
+    internal::Glued_surfels surfels;
+    std::vector<Site> sites;                     // #surfels, in the order of the range
+    std::vector<internal::Index> place_of_index; // of Point_set_3: the place of an index in it
+  };
+  std::shared_ptr<const Data> m_data;
+};
+
+template <typename SurfelRange>
+template <typename NamedParameters>
+Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedParameters& np)
+{
+  using internal::Index;
+  constexpr bool is_point_set = !std::is_same_v<Site, std::size_t>;
+  auto data = std::make_shared<Data>();
+  std::vector<std::array<double, 3>> points, normals;
+  std::vector<double> radii;
+  const auto coordinates = [](const auto& p) -> std::array<double, 3> {
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  };
+  const auto read = [&](const auto& point_map, const auto& normal_map)
+  {
+    constexpr bool has_radii = internal::has_parameter<NamedParameters, internal_np::radius_map_t>;
+    [[maybe_unused]] const auto radius_map = internal::parameter(np, internal_np::radius_map, 0);
+    for(const auto& element : range)
+    {
+      points.push_back(coordinates(get(point_map, element)));
+      normals.push_back(coordinates(get(normal_map, element)));
+      if constexpr(has_radii)
+        radii.push_back(get(radius_map, element));
+      if constexpr(is_point_set)
+      {
+        const std::size_t index = element;
+        if(index >= data->place_of_index.size())
+          data->place_of_index.resize(index + 1, internal::none);
+        data->place_of_index[index] = static_cast<Index>(data->sites.size());
+        data->sites.push_back(element);
+      }
+      else
+        data->sites.push_back(data->sites.size());
+    }
+  };
+  constexpr bool has_normals =
+      internal::has_parameter<NamedParameters, CGAL::internal_np::normal_t>;
+  if constexpr(is_point_set)
+  {
+    if constexpr(!has_normals)
+      if(!range.has_normal_map())
+        throw Unsupported_surface_error("The point set has no normals: estimate them first, for "
+                                        "instance by CGAL::jet_estimate_normals().");
+    const auto point_map = internal::parameter(np, CGAL::internal_np::point_map, range.point_map());
+    if constexpr(has_normals)
+      read(point_map,
+           CGAL::parameters::get_parameter(internal::plain(np), CGAL::internal_np::normal_map));
+    else
+      read(point_map, range.normal_map());
+  }
+  else
+  {
+    static_assert(has_normals,
+                  "A range of surfels needs a normal_map; the points of a mesh need the "
+                  "mesh, not its range of points.");
+    using Element = std::decay_t<decltype(*range.begin())>;
+    read(internal::parameter(np, CGAL::internal_np::point_map,
+                             CGAL::Identity_property_map<Element>()),
+         CGAL::parameters::get_parameter(internal::plain(np), CGAL::internal_np::normal_map));
+  }
+  internal::Surfel_options options;
+  options.threads = internal::parameter(np, internal_np::threads, 1u);
+  data->surfels = internal::glue_surfels(std::move(points), std::move(normals), radii, options);
+  m_data = std::move(data);
+}
+
+template <typename SurfelRange>
+internal::Index Surfel_domain<SurfelRange>::index(Site surfel) const
+{
+  const std::size_t place = surfel;
+  if constexpr(std::is_same_v<Site, std::size_t>)
+    return m_data->surfels.site_of_surfel[place];
+  else
+    return m_data->surfels.site_of_surfel[m_data->place_of_index[place]];
+}
+
+template <typename SurfelRange>
+internal::Location Surfel_domain<SurfelRange>::inner(const Location& location) const
+{
+  const internal::Glued_triangles& t = m_data->surfels.triangles;
+  const auto [u, v] = location.offset;
+  if(!(std::abs(u) < internal::infinity) || !(std::abs(v) < internal::infinity))
+    throw Invalid_argument_error("The offset of a location is not finite.");
+  return internal::to_triangle(t, {index(location.surfel), {u / t.scale, v / t.scale}});
+}
+
+template <typename SurfelRange>
+typename Surfel_domain<SurfelRange>::Location
+Surfel_domain<SurfelRange>::outer(const internal::Location& location) const
+{
+  const internal::Glued_triangles& t = m_data->surfels.triangles;
+  const internal::Surfel_location place = internal::to_surfel(t, location);
+  return {site(place.site), {place.offset[0] * t.scale, place.offset[1] * t.scale}};
+}
+
+template <typename SurfelRange>
+typename Surfel_domain<SurfelRange>::Point_3
+Surfel_domain<SurfelRange>::point(const internal::Location& location) const
+{
+  const auto p = internal::coordinates(m_data->surfels.triangles, location);
+  return Point_3(p[0], p[1], p[2]);
+}
+
+template <typename SurfelRange>
+template <typename SpeedMap>
+std::vector<double> Surfel_domain<SurfelRange>::slowness(SpeedMap speed) const
+{
+  std::vector<double> values(number_of_sites());
+  for(std::size_t i = 0; i < values.size(); ++i)
+    values[m_data->surfels.site_of_surfel[i]] = get(speed, m_data->sites[i]);
+  return internal::mean_of_corners(m_data->surfels.triangles,
+                                   internal::slowness_of(std::move(values)));
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_SURFEL_DOMAIN_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_LOCATE_ON_SURFACE_H
+#define CGAL_GEODESIC_PROCESSING_LOCATE_ON_SURFACE_H
+
+#include <CGAL/Geodesic_processing/internal/Triangle_tree.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+
+#include <CGAL/number_utils.h>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingDomain
+///
+/// finds for points in space the nearest locations on one surface: by a tree of triangles on a mesh, of
+/// surfels on a cloud.  Copies share the tree.
+template <typename Surface>
+class Surface_locator
+{
+public:
+  using Domain = internal::Domain_of<Surface>;
+  using Location = typename Domain::Location;
+
+  /// O(n log n) on a mesh; on a cloud the domain has the tree.
+  explicit Surface_locator(const Domain& domain) : m_domain(domain), m_tree(tree(domain)) {}
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Surface_locator(const Surface& surface, const NamedParameters& np = NamedParameters())
+      : Surface_locator(Domain(surface, np))
+  {}
+
+  /// returns the location nearest to a point.  O(log n) on most inputs.
+  /// \throws Invalid_argument_error when a coordinate is not finite or the surface is empty
+  template <typename Point>
+  Location operator()(const Point& point) const
+  {
+    const std::array<double, 3> p = {CGAL::to_double(point.x()), CGAL::to_double(point.y()),
+                                     CGAL::to_double(point.z())};
+    if constexpr(internal::Is_cloud<Surface>::value)
+    {
+      const internal::Surfel_location place = internal::locate(m_domain.surfels(), p);
+      const double scale = m_domain.triangles()->scale;
+      return {m_domain.site(place.site), {scale * place.offset[0], scale * place.offset[1]}};
+    }
+    else
+      return m_domain.outer(m_tree.nearest(p));
+  }
+
+private:
+  struct Empty
+  {};
+  using Tree =
+      std::conditional_t<internal::Is_cloud<Surface>::value, Empty, internal::Triangle_tree>;
+  static Tree tree([[maybe_unused]] const Domain& domain)
+  {
+    if constexpr(internal::Is_cloud<Surface>::value)
+      return Empty();
+    else
+      return internal::Triangle_tree(domain.triangles());
+  }
+
+  Domain m_domain;
+  Tree m_tree;
+};
+
+/// \ingroup PkgGeodesicProcessingDomain
+///
+/// returns the location on a surface that is nearest to a point in space; for many points use a
+/// `Surface_locator`.
+///
+/// \param surface as for `geodesic_distances()`
+/// \param point a `Point_3` of any kernel
+/// \throws Invalid_argument_error when a coordinate is not finite or the surface is empty
+template <typename Surface, typename Point, typename NamedParameters = internal::Default_parameters>
+auto locate_on_surface(const Surface& surface, const Point& point,
+                       const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  return Surface_locator<typename decltype(domain)::Surface>(domain)(point);
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_LOCATE_ON_SURFACE_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_MAKE_DOMAIN_H
+#define CGAL_GEODESIC_PROCESSING_MAKE_DOMAIN_H
+
+#include <CGAL/Geodesic_processing/Mesh_domain.h>
+#include <CGAL/Geodesic_processing/Surfel_domain.h>
+
+#include <type_traits>
+
+namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+template <typename Surface>
+using Domain_of =
+    std::conditional_t<Is_cloud<Surface>::value, Surfel_domain<Surface>, Mesh_domain<Surface>>;
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDomain
+///
+/// prepares a surface for any number of calls: every function of this package takes the domain in
+/// place of the surface that it was made of.
+///
+/// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, or of `SurfelRange`
+/// \param np what `Mesh_domain` and `Surfel_domain` take
+/// \returns a `Mesh_domain` or a `Surfel_domain`
+template <typename Surface, typename NamedParameters = internal::Default_parameters>
+auto make_domain(const Surface& surface, const NamedParameters& np = NamedParameters())
+{
+  return internal::Domain_of<Surface>(surface, np);
+}
+
+/// \ingroup PkgGeodesicProcessingDomain
+/// returns the domain itself.
+template <typename TriangleMesh, typename NamedParameters = internal::Default_parameters>
+Mesh_domain<TriangleMesh> make_domain(const Mesh_domain<TriangleMesh>& domain,
+                                      const NamedParameters& = NamedParameters())
+{
+  return domain;
+}
+
+/// \ingroup PkgGeodesicProcessingDomain
+/// returns the domain itself.
+template <typename SurfelRange, typename NamedParameters = internal::Default_parameters>
+Surfel_domain<SurfelRange> make_domain(const Surfel_domain<SurfelRange>& domain,
+                                       const NamedParameters& = NamedParameters())
+{
+  return domain;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_MAKE_DOMAIN_H

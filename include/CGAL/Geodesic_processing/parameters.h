@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_PARAMETERS_H
+#define CGAL_GEODESIC_PROCESSING_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Geodesic_processing {
+
+namespace internal_np {
+
+enum maximum_distance_t
+{
+  maximum_distance
+};
+enum targets_t
+{
+  targets
+};
+enum speed_map_t
+{
+  speed_map
+};
+enum source_label_map_t
+{
+  source_label_map
+};
+enum predecessor_map_t
+{
+  predecessor_map
+};
+enum radius_map_t
+{
+  radius_map
+};
+enum threads_t
+{
+  threads
+};
+
+} // namespace internal_np
+
+/// The named parameters of this package, chained with the ones of \cgal in any order.
+namespace parameters {
+
+using namespace CGAL::parameters;
+
+/// a chain of named parameters: one of \cgal to every function that reads it, with our names as
+/// further links.
+template <typename NamedParameters>
+struct Chain : NamedParameters
+{
+  using NamedParameters::NamedParameters;
+  explicit Chain(const NamedParameters& np) : NamedParameters(np) {}
+
+  const NamedParameters& plain() const { return *this; }
+
+// A link X with the tag of a namespace.
+#define CGAL_GEODESIC_PROCESSING_LINK(SPACE, TAG, X)                                               \
+  template <typename T>                                                                            \
+  auto X(const T& value) const                                                                     \
+  {                                                                                                \
+    using Link = CGAL::Named_function_parameters<T, SPACE::TAG, NamedParameters>;                  \
+    return Chain<Link>(Link(value, *this));                                                        \
+  }
+
+#define CGAL_GEODESIC_PROCESSING_LINKS(LINK)                                                       \
+  LINK(Geodesic_processing::internal_np, maximum_distance_t, maximum_distance)                     \
+  LINK(Geodesic_processing::internal_np, targets_t, targets)                                       \
+  LINK(Geodesic_processing::internal_np, speed_map_t, speed_map)                                   \
+  LINK(Geodesic_processing::internal_np, source_label_map_t, source_label_map)                     \
+  LINK(Geodesic_processing::internal_np, predecessor_map_t, predecessor_map)                       \
+  LINK(Geodesic_processing::internal_np, radius_map_t, radius_map)                                 \
+  LINK(Geodesic_processing::internal_np, threads_t, threads)                                       \
+  LINK(CGAL::internal_np, callback_t, callback)                                                    \
+  LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \
+  LINK(CGAL::internal_np, vertex_point_t, vertex_point_map)                                        \
+  LINK(CGAL::internal_np, vertex_index_t, vertex_index_map)                                        \
+  LINK(CGAL::internal_np, face_index_t, face_index_map)                                            \
+  LINK(CGAL::internal_np, point_t, point_map)                                                      \
+  LINK(CGAL::internal_np, normal_t, normal_map)                                                    \
+  LINK(CGAL::internal_np, geom_traits_t, geom_traits)
+
+  CGAL_GEODESIC_PROCESSING_LINKS(CGAL_GEODESIC_PROCESSING_LINK)
+#undef CGAL_GEODESIC_PROCESSING_LINK
+};
+
+// The first link of a chain.
+#define CGAL_GEODESIC_PROCESSING_LINK(SPACE, TAG, X)                                               \
+  template <typename T>                                                                            \
+  auto X(const T& value)                                                                           \
+  {                                                                                                \
+    using Link = CGAL::Named_function_parameters<T, SPACE::TAG>;                                   \
+    return Chain<Link>(Link(value));                                                               \
+  }
+CGAL_GEODESIC_PROCESSING_LINKS(CGAL_GEODESIC_PROCESSING_LINK)
+#undef CGAL_GEODESIC_PROCESSING_LINK
+#undef CGAL_GEODESIC_PROCESSING_LINKS
+
+} // namespace parameters
+
+namespace internal {
+
+using Default_parameters = CGAL::parameters::Default_named_parameters;
+
+// A chain as CGAL knows it: its functions deduce their own class, not one derived from it.
+template <typename NamedParameters>
+const NamedParameters& plain(const NamedParameters& np)
+{
+  return np;
+}
+template <typename NamedParameters>
+const NamedParameters& plain(const parameters::Chain<NamedParameters>& np)
+{
+  return np.plain();
+}
+
+// The same parameters, ready for our own links.
+template <typename NamedParameters>
+auto chain(const NamedParameters& np)
+{
+  using Plain = std::decay_t<decltype(plain(np))>;
+  return parameters::Chain<Plain>(plain(np));
+}
+
+template <typename NamedParameters, typename Tag, typename Default>
+auto parameter(const NamedParameters& np, Tag tag, Default otherwise)
+{
+  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(plain(np), tag),
+                                            std::move(otherwise));
+}
+
+template <typename NamedParameters, typename Tag>
+inline constexpr bool has_parameter =
+    !std::is_same_v<std::decay_t<decltype(CGAL::parameters::get_parameter(
+                        plain(std::declval<const NamedParameters&>()), std::declval<Tag>()))>,
+                    CGAL::internal_np::Param_not_found>;
+
+} // namespace internal
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_PARAMETERS_H
