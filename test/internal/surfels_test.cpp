@@ -584,7 +584,7 @@ TEST(Surfels, places_are_located_on_the_tangent_plane_of_the_nearest_surfel)
   const Glued_triangles& t = surfels.triangles;
   for(Index i = 0; i < 3000; i += 37)
   {
-    const Surfel_location location = locate(surfels, 1.5 * cloud.points[i]);
+    const Tangent_location location = locate(surfels, 1.5 * cloud.points[i]);
     EXPECT_EQ(surfels.surfel_of_site[location.site], i);
     EXPECT_NEAR(std::hypot(location.offset[0], location.offset[1]), 0., 1e-13 * 1.5 / t.scale);
   }
@@ -593,7 +593,7 @@ TEST(Surfels, places_are_located_on_the_tangent_plane_of_the_nearest_surfel)
   for(int i = 0; i < 200; ++i)
   {
     const Spatial query = unit({coordinate(random), coordinate(random), coordinate(random)});
-    const Surfel_location location = locate(surfels, query);
+    const Tangent_location location = locate(surfels, query);
     const Spatial found = t.origin + t.scale * position(t, location);
     // A tangent plane leaves the sphere by half the squared offset; the spacing is 0.065, and no
     // place is farther than its 0.75 fold from a surfel.
@@ -636,7 +636,7 @@ TEST(Surfels, places_beside_the_border_move_to_the_nearest_triangle)
 TEST(Surfels, places_at_a_surfel_without_triangles_are_that_surfel)
 {
   const Glued_surfels surfels = glue_surfels({{1., 2., 3.}}, {{0., 0., 1.}});
-  const Surfel_location location = locate(surfels, {1e200, -1e300, 0.});
+  const Tangent_location location = locate(surfels, {1e200, -1e300, 0.});
   EXPECT_EQ(location.site, 0u);
   const Location same = to_triangle(surfels.triangles, location);
   EXPECT_EQ(same.triangle, none);
