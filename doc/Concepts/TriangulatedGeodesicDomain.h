@@ -5,18 +5,24 @@
 \ingroup PkgGeodesicProcessingConcepts
 \cgalConcept
 
-The concept `TriangulatedGeodesicDomain` describes a domain whose triangles form a surface: each side
-has at most one twin, and the triangles around each site can be walked around.
+The concept `TriangulatedGeodesicDomain` describes a domain that has triangles between its sites, of
+which the lengths of the sides are known. Fronts and finite elements need no more.
 
-Algorithms that unfold strips of triangles (straightest geodesics, shortest paths that are exact)
-need it. A surfel cloud is no model, as its triangles overlap; passing one does not compile.
+On a mesh each side has at most one twin, and the triangles form a surface. On a cloud they overlap,
+and each has a weight. What unfolds strips of triangles, such as
+`CGAL::Geodesic_processing::straightest_geodesic()`, needs a surface, and does not compile with a
+cloud.
 
 \cgalRefines{`GeodesicDomain`}
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Geodesic_processing::Mesh_domain<TriangleMesh>`}
+\cgalHasModels{`CGAL::Geodesic_processing::Surfel_domain<SurfelRange>`}
 \cgalHasModelsEnd
 */
 class TriangulatedGeodesicDomain
 {
+public:
+  /// returns the triangles, their gluing and the lengths of their sides: what algorithms work on.
+  std::shared_ptr<const Triangles> triangles() const;
 };
