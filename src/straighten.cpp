@@ -235,10 +235,13 @@ void Straightener::find_bends(const Strip& strip)
     const double tolerance = 2e-14 * norm(point);
     while(near.size() > near_apex + 1)
     {
+      // Points at one place tell no direction: the point before all of them does.
       const Planar& last = near.back().point;
-      const Planar& before = near[near.size() - 2].point;
-      const Planar chord = point - before;
-      if(sign * cross(last - before, chord) <= tolerance * norm(chord))
+      std::size_t before = near.size() - 2;
+      while(before > near_apex && norm(last - near[before].point) <= tolerance)
+        --before;
+      const Planar leg = last - near[before].point, chord = point - near[before].point;
+      if(norm(leg) > tolerance && sign * cross(leg, chord) <= tolerance * norm(chord))
         break;
       near.pop_back();
     }

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_PATH_CHECKS_H
+#define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_PATH_CHECKS_H
+
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/straighten.h>
+
+#include "triangulations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+// Certificates: what has to hold of any path, however it was found.
+
+namespace CGAL::Geodesic_processing::test {
+
+// Joins the two ends by points on the surface, consecutive ones different and in one triangle.
+inline void expect_path_on_surface(const Glued_triangles& t, const std::vector<Location>& path,
+                                   const Location& from, const Location& to)
+{
+  using namespace internal;
+  ASSERT_FALSE(path.empty());
+  for(const Location& location : path)
+  {
+    double sum = 0.;
+    for(const double b : location.barycentric)
+    {
+      EXPECT_GE(b, 0.);
+      sum += b;
+    }
+    EXPECT_NEAR(sum, 1., 1e-15 * 4); // a few roundings
+  }
+  EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
+  EXPECT_TRUE(is_same_point(t, path.back(), cleaned(t, to)));
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    EXPECT_FALSE(is_same_point(t, path[i], path[i + 1])) << "location " << i;
+    EXPECT_NE(common_triangle(t, path[i], path[i + 1]), none) << "location " << i;
+  }
+}
+
+// At every site that it touches there is an angle of at least pi on both sides.
+inline void expect_locally_shortest(const internal::Straight_path& path, double tolerance)
+{
+  for(const internal::Touched_site& touched : path.touched)
+    EXPECT_GE(std::min(touched.left, touched.right), pi - tolerance)
+        << "at location " << touched.place << " of " << path.locations.size();
+}
+
+} // namespace CGAL::Geodesic_processing::test
+
+#endif // CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_PATH_CHECKS_H
