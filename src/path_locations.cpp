@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include <cmath>
+
 namespace CGAL::Geodesic_processing::internal {
 
 Location at_site(const Glued_triangles& t, Index site)
@@ -37,8 +39,10 @@ Location cleaned(const Glued_triangles& t, const Location& location)
       b = 0.;
     sum += b;
   }
-  for(double& b : result.barycentric)
-    b /= sum;
+  // Not for the sake of a rounding: what is clean stays as it is.
+  if(std::abs(sum - 1.) > 4e-16)
+    for(double& b : result.barycentric)
+      b /= sum;
   return result;
 }
 

@@ -25,7 +25,8 @@ Planar unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 class Walk
 {
 public:
-  Walk(const Glued_triangles& t, Location from, double angle, double length) : t(t), m_left(length)
+  Walk(const Glued_triangles& t, Location from, double angle, double length)
+      : t(t), m_left(length), m_rounding(1e-13 * length)
   {
     m_path.locations.push_back(from);
     m_triangle = from.triangle;
@@ -118,7 +119,7 @@ private:
       share = 0.5;
       reach = norm(corner(out) + 0.5 * vector(out) - m_point);
     }
-    if(m_left <= reach)
+    if(m_left <= reach + m_rounding)
     {
       stop_inside(out, reach, share);
       return;
@@ -141,7 +142,7 @@ private:
   {
     const auto from = *seen_from(t, m_triangle, m_path.locations.back());
     const auto to = on_side(out, share);
-    const double part = reach > 0. ? m_left / reach : 1.;
+    const double part = reach > m_left ? m_left / reach : 1.;
     std::array<double, 3> b;
     for(int k = 0; k < 3; ++k)
       b[k] = from[k] + part * (to[k] - from[k]);
@@ -273,7 +274,8 @@ private:
 
   const Glued_triangles& t;
   Straightest_path m_path;
-  double m_left; // of the length
+  double m_left;           // of the length
+  const double m_rounding; // a path that reaches the border with so little left has its length
 
   Index m_triangle;
   std::array<Planar, 3> m_corners;
