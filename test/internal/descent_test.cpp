@@ -46,6 +46,7 @@ double value_at(const Surface& surface, const std::function<double(Index)>& dist
 
 TEST(Descent, follows_a_distance_to_its_source)
 {
+  std::size_t steps = 0, climbs = 0;
   const Surface surface(square(20, 0.3));
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
@@ -59,15 +60,19 @@ TEST(Descent, follows_a_distance_to_its_source)
     const auto path = descent(from, distances);
     EXPECT_EQ(path.source, 0u);
     expect_path_on_surface(surface.t(), path.locations, from, to);
-    // The field has pits beside sources inside triangles, from which the path has to climb.
-    for(std::size_t k = 0; i % 2 == 0 && k + 2 < path.locations.size(); ++k)
-      EXPECT_LT(value_at(surface, distances, path.locations[k + 1]),
-                value_at(surface, distances, path.locations[k]));
+    for(std::size_t k = 0; k + 2 < path.locations.size(); ++k)
+    {
+      ++steps;
+      climbs += !(value_at(surface, distances, path.locations[k + 1]) <
+                  value_at(surface, distances, path.locations[k]));
+    }
     const double straight = distance(point_at(surface.t(), from), center) / surface.t().scale;
     const auto taut = straighten(surface.t(), path.locations);
     EXPECT_NEAR(taut.length, straight, rounding);
     EXPECT_LE(taut.length, path_length(surface.t(), path.locations) + rounding);
   }
+  // Interpolated over triangles that are not Delaunay, even exact distances have a few pits.
+  EXPECT_LE(100 * climbs, steps);
 }
 
 TEST(Descent, ends_at_the_source_that_explains_the_value)
