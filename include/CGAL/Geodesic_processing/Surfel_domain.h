@@ -189,7 +189,7 @@ typename Surfel_domain<SurfelRange>::Location
 Surfel_domain<SurfelRange>::outer(const internal::Location& location) const
 {
   const internal::Glued_triangles& t = m_data->surfels.triangles;
-  const internal::Surfel_location place = internal::to_surfel(t, location);
+  const internal::Tangent_location place = internal::to_surfel(t, location);
   return {site(place.site), {place.offset[0] * t.scale, place.offset[1] * t.scale}};
 }
 

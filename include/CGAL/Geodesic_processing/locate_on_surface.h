@@ -37,7 +37,7 @@ public:
                                      CGAL::to_double(point.z())};
     if constexpr(internal::Is_cloud<Surface>::value)
     {
-      const internal::Surfel_location place = internal::locate(m_domain.surfels(), p);
+      const internal::Tangent_location place = internal::locate(m_domain.surfels(), p);
       const double scale = m_domain.triangles()->scale;
       return {m_domain.site(place.site), {scale * place.offset[0], scale * place.offset[1]}};
     }
