@@ -57,7 +57,7 @@ struct Glued_surfels
 // Throws Invalid_argument_error when sizes differ, a coordinate or a radius is not finite, a radius
 // is negative, a normal has no direction, or distances overflow; Unsupported_surface_error above
 // 2^25 surfels.
-// O(n log n); about 700 bytes per surfel, and 300 more while it runs.
+// O(n log n); keeps about 400 bytes per surfel and needs as many more while it runs.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
                            std::vector<std::array<double, 3>> normals,
