@@ -30,6 +30,16 @@ constexpr Index most_visits = 64; // label correction settles after two or three
 // gains are below what the circle through two distances can tell from rounding.
 constexpr double worth_a_visit = 1e-9;
 
+// On a cloud what lies within 30 degrees of a front's straight continuation is not in its shadow.
+constexpr double least_lit_cosine = 0.866;
+
+inline void prefetch([[maybe_unused]] const void* address)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#endif
+}
+
 // The circular front that passes a site x at the origin and is seen at y, behind the side that runs
 // from x along the first axis for `length`.
 struct Circle
@@ -55,6 +65,18 @@ bool pass(const Circle& circle, double length, const Planar& y, double& gain, Pl
   return true;
 }
 
+// Sets the source's direction of a circle of known curvature that gains `difference` along a side of
+// this length; false when there is none.
+bool source_by_distances(double length, double difference, Circle& circle)
+{
+  const double cosine = -difference / length + 0.5 * circle.curvature * (length - difference) *
+                                                   (length + difference) / length;
+  if(!(std::abs(cosine) <= 1.))
+    return false;
+  circle.source = {cosine, -std::sqrt((1. - cosine) * (1. + cosine))};
+  return true;
+}
+
 // The curvature at x of the circle that has the source's direction at x and gains `difference`
 // along a side of this length.  With d = difference, l = length, c = cosine of the angle between
 // side and source, |l e - r u| = r + d gives 1 / r = 2 (d + l c) / (l^2 - d^2).
@@ -73,7 +95,7 @@ struct Front::Arrival
   Planar direction;
   Index corner;
   Index flags;
-  double wait = 0.;
+  double wait; // how much later than its distance it leaves the queue
 };
 
 Front::Front(std::shared_ptr<const Glued_triangles> triangles, Front_kind kind)
@@ -95,6 +117,8 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   m_reached.clear();
   m_queue.clear();
   m_slowness = limits.slowness;
+  if(m_slowness && m_kind == Front_kind::euclidean && !t.is_cloud() && !m_splits)
+    m_splits = std::make_shared<const Obtuse_splits>(obtuse_splits(t));
   start(sources);
 
   // A target is final once the front is past it by the longest side around it: no triangle can
@@ -133,6 +157,9 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
       break;
     }
     m_queue.pop();
+    // What comes next is mostly known already; its star is on its way while this one spreads.
+    if(!m_queue.empty())
+      prefetch(t.star.data() + t.first[m_queue.front().site]);
     Site& site = m_sites[entry.site];
     site.state = (site.state | final_flag) + one_visit;
     switch(m_kind)
@@ -172,6 +199,7 @@ void Front::start(const std::vector<Source>& sources)
 {
   const Glued_triangles& t = *m_triangles;
   m_started_in.clear();
+  m_is_single = sources.size() == 1;
   m_lowest_offset = infinity;
   for(const Source& source : sources)
     m_lowest_offset = std::min(m_lowest_offset, source.offset);
@@ -193,7 +221,7 @@ void Front::start(const std::vector<Source>& sources)
 
 void Front::start_at_site(Index site, double distance, Index source)
 {
-  offer(site, {distance, {1., 0.}, none, origin_flag}, source);
+  offer(site, {distance, {1., 0.}, none, origin_flag, 0.}, source);
 }
 
 // Gives the corners of a triangle their distances to the part of a source that lies in it.
@@ -220,7 +248,7 @@ void Front::start_in_triangle(Index triangle, const Location& begin, const Locat
     {
       offer(site,
             {offset + slowness * length, in_corner((1. / length) * way, corners, corner),
-             t.is_cloud() ? none : corner, inside ? flat_flag : 0},
+             t.is_cloud() || !has_directions() ? none : corner, inside ? flat_flag : 0, 0.},
             source);
     }
   }
@@ -251,7 +279,7 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   const bool is_final = site.state & final_flag;
   if(is_final)
   {
-    if(m_kind == Front_kind::planar || site.state >= most_visits * one_visit ||
+    if(!has_directions() || site.state >= most_visits * one_visit ||
        arrival.distance >= site.distance - worth_a_visit * (site.distance - m_lowest_offset))
       return false;
   }
@@ -281,18 +309,23 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
 void Front::offer_along_side(Index corner, bool arriving, Index flags)
 {
   const Glued_triangles& t = *m_triangles;
-  const Site& from = m_sites[t.corner[corner]];
+  const Index site = t.corner[corner];
   const Index side = arriving ? previous_side(corner) : corner;
   const Index far = arriving ? side : next_side(corner);
-  const double slowness = m_slowness ? (*m_slowness)[corner / 3] : 1.;
-  if(!(slowness < infinity))
+  const double gain = t.length[side], distance = m_sites[site].distance + gain;
+  if(!(distance <= m_sites[t.corner[far]].distance))
     return;
-  const double gain = slowness * t.length[side], distance = from.distance + gain;
-  if(distance <= m_sites[t.corner[far]].distance)
-    offer(t.corner[far],
-          {distance, arriving ? Planar{1., 0.} : corner_angle(t, far), far, flags,
-           flags & blind_flag ? gain : 0.},
-          m_sources[t.corner[corner]]);
+  // At the far end the side leaves its corner: this one, that of the twin, or, at a border, it
+  // arrives there.
+  Arrival arrival = {distance, {1., 0.}, far, flags, flags & blind_flag ? gain : 0.};
+  if(!arriving)
+  {
+    if(t.twin[corner] != none)
+      arrival.corner = t.twin[corner];
+    else
+      arrival.direction = corner_angle(t, far);
+  }
+  offer(t.corner[far], arrival, m_sources[site]);
 }
 
 void Front::offer_along_sides(Index site, Index flags)
@@ -305,111 +338,118 @@ void Front::offer_along_sides(Index site, Index flags)
   }
 }
 
-// On a cloud a site's corner field holds its predecessor.
-void Front::offer_along_arcs(Index site)
+void Front::spread_along_arcs(Index index)
 {
   const Glued_triangles& t = *m_triangles;
-  const Site& from = m_sites[site];
-  for(Index i = t.graph.first[site]; i < t.graph.first[site + 1]; ++i)
+  const double distance = m_sites[index].distance;
+  const Index source = m_sources[index];
+  const auto reach = [&](Index target, double gain)
   {
-    const Index target = t.graph.target[i];
-    const double distance = from.distance + t.graph.length[i];
-    if(distance < m_sites[target].distance)
-      offer(target, {distance, {1., 0.}, site, 0}, m_sources[site]);
-  }
-}
-
-void Front::spread_along_arcs(Index site)
-{
-  if(m_triangles->is_cloud() && !m_slowness)
-    offer_along_arcs(site);
+    if(distance + gain < m_sites[target].distance)
+      offer(target, {distance + gain, {1., 0.}, index, 0, 0.}, source);
+  };
+  // A speed belongs to triangles: arcs that are no sides of one have none.
+  if(t.is_cloud() && !m_slowness)
+    for(Index i = t.graph.first[index]; i < t.graph.first[index + 1]; ++i)
+      reach(t.graph.target[i], t.graph.length[i]);
   else
-    offer_along_sides(site, 0);
+    for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
+    {
+      const Index corner = t.star[i], previous = previous_side(corner);
+      const double slowness = m_slowness ? (*m_slowness)[corner / 3] : 1.;
+      if(!(slowness < infinity))
+        continue;
+      reach(t.corner[next_side(corner)], slowness * t.length[corner]);
+      reach(t.corner[previous], slowness * t.length[previous]);
+    }
 }
 
-// The two neighbours in the triangle of a corner: along its side, and counterclockwise from there.
-std::array<Front::Seen, 2> Front::neighbours(Index corner) const
-{
-  const Glued_triangles& t = *m_triangles;
-  return {Seen{t.corner[next_side(corner)], {t.length[corner], 0.}},
-          Seen{t.corner[previous_side(corner)], apex(t, corner)}};
-}
-
-Front::Seen Front::seen_behind(Index split) const
-{
-  return {m_splits->splits[split].site, m_splits->splits[split].position};
-}
-
-// Kimmel and Sethian 1998: the front crosses a triangle as a straight line.
-void Front::spread_planar(Index site)
+// Kimmel and Sethian 1998: the front crosses a triangle as a straight line, from two sites that are
+// final to a third that is not; obtuse corners look through their splits.
+void Front::spread_planar(Index index)
 {
   const Glued_triangles& t = *m_triangles;
   if(t.is_cloud() && !m_slowness)
-    offer_along_arcs(site);
-  else
-    offer_along_sides(site, 0);
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    spread_along_arcs(index);
+  const auto is_final = [&](Index site) { return (m_sites[site].state & final_flag) != 0; };
+  const double distance = m_sites[index].distance;
+  const Index source = m_sources[index];
+  for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
   {
-    const Index corner = t.star[i], left = previous_side(corner), right = next_side(corner);
-    // The site is the second neighbour seen from the next corner, the first seen from the one before.
-    for(const Index target : {right, left})
+    const Index corner = t.star[i], next = next_side(corner), previous = previous_side(corner);
+    const Index ends[2] = {t.corner[next], t.corner[previous]};
+    const bool are_final[2] = {is_final(ends[0]), is_final(ends[1])};
+    if(are_final[0] && are_final[1])
+      continue;
+    const double slowness = m_slowness ? (*m_slowness)[corner / 3] : 1.;
+    if(!(slowness < infinity))
+      continue;
+    const Index target_corners[2] = {next, previous};
+    const double lengths[2] = {t.length[corner], t.length[previous]};
+    for(const int k : {0, 1})
     {
-      const Index split = m_splits ? m_splits->split_of_corner[target] : none;
-      const std::array<Seen, 2> ends = neighbours(target);
-      if(split == none)
-        cross_planar(target, ends[0], ends[1]);
-      else if(target == right)
-        cross_planar(target, seen_behind(split), ends[1]);
-      else
-        cross_planar(target, ends[0], seen_behind(split));
+      if(are_final[k])
+        continue;
+      const double along = distance + slowness * lengths[k];
+      if(along < m_sites[ends[k]].distance)
+        offer(ends[k], {along, {1., 0.}, index, 0, 0.}, source);
+      const Index split = m_splits ? m_splits->split_of_corner[target_corners[k]] : none;
+      if(split != none)
+        cross_split(split, index);
+      else if(are_final[1 - k])
+        cross_planar(target_corners[k], index, ends[1 - k], lengths[1 - k], lengths[k],
+                     t.length[next]);
     }
   }
   if(m_splits)
-    for(Index i = m_splits->first[site]; i < m_splits->first[site + 1]; ++i)
-    {
-      const Obtuse_splits::Split& split = m_splits->splits[m_splits->behind[i]];
-      const std::array<Seen, 2> ends = neighbours(split.corner);
-      cross_planar(split.corner, ends[0], Seen{site, split.position});
-      cross_planar(split.corner, Seen{site, split.position}, ends[1]);
-    }
+    for(Index i = m_splits->first[index]; i < m_splits->first[index + 1]; ++i)
+      cross_split(m_splits->behind[i], index);
 }
 
-// In the plane of the corner, at the origin, a straight front that comes from the unit direction s
-// has U(p) = U - slowness <p, s>: two known values give s up to U, |s| = 1 gives U.
-void Front::cross_planar(Index corner, const Seen& right, const Seen& left)
+// The virtual triangles of a split that have the site at one end of their base.
+void Front::cross_split(Index index, Index site)
 {
   const Glued_triangles& t = *m_triangles;
-  const Site& a = m_sites[right.site];
-  const Site& b = m_sites[left.site];
-  const Index target = t.corner[corner];
-  const Site& to = m_sites[target];
-  if(!(a.state & final_flag) || !(b.state & final_flag) || (to.state & final_flag) ||
-     m_sources[right.site] != m_sources[left.site])
+  const Obtuse_splits::Split& split = m_splits->splits[index];
+  const Index corner = split.corner, previous = previous_side(corner);
+  if(m_sites[t.corner[corner]].state & final_flag)
+    return;
+  const Index sites[2] = {t.corner[next_side(corner)], t.corner[previous]};
+  const double lengths[2] = {t.length[corner], t.length[previous]};
+  const bool is_behind = site == split.site;
+  for(const int k : {0, 1})
+  {
+    if(!is_behind && site != sites[k])
+      continue;
+    const Index other = is_behind ? sites[k] : split.site;
+    if(m_sites[other].state & final_flag)
+      cross_planar(corner, site, other, split.base[k], is_behind ? split.length : lengths[k],
+                   is_behind ? lengths[k] : split.length);
+  }
+}
+
+// Offers the site at a corner what a straight front gives it that passes x and z: `base` from x to
+// z, `to_x` and `to_z` from there to the site.
+void Front::cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z)
+{
+  if(!is_same_front(x, z))
     return;
   const double slowness = m_slowness ? (*m_slowness)[corner / 3] : 1.;
-  const double area = cross(right.position, left.position);
-  if(!(slowness < infinity) || area <= 0.)
+  const double start = m_sites[x].distance, width = slowness * base;
+  // The rise along the base is the cosine between it and the front's way.
+  const double rise = (m_sites[z].distance - start) / width;
+  if(!(std::abs(rise) < 1.) || !(width < infinity))
     return;
-  // Solutions of <right, v> = 1, <left, v> = 1 and of the same with the distances.
-  const auto solve = [&](double to_right, double to_left)
-  {
-    return Planar{(to_right * left.position[1] - to_left * right.position[1]) / area,
-                  (to_left * right.position[0] - to_right * left.position[0]) / area};
-  };
-  const double base = a.distance; // distances relative to it keep their digits
-  const Planar ones = solve(1., 1.), rest = solve(0., b.distance - base);
-  // |x ones - rest| = slowness for x = U - base
-  const double square = dot(ones, ones), half = dot(ones, rest);
-  const double root = half * half - square * (dot(rest, rest) - slowness * slowness);
-  if(!(root >= 0.) || !(square > 0.))
+  const double across = std::sqrt((1. - rise) * (1. + rise));
+  const double u = 0.5 * (base + (to_x - to_z) * ((to_x + to_z) / base));
+  const double v = std::sqrt(std::max(0., (to_x - u) * (to_x + u)));
+  const double crossing = u * across - v * rise; // times `across`
+  if(crossing < 0. || crossing > base * across)
     return;
-  const double gain = (half + std::sqrt(root)) / square;
-  const Planar source = (1. / slowness) * (gain * ones - rest);
-  if(cross(right.position, source) < 0. || cross(source, left.position) < 0.)
-    return;
-  const double distance = base + gain;
-  if(distance < to.distance)
-    offer(target, {distance, source, corner, 0}, m_sources[right.site]);
+  const Index target = m_triangles->corner[corner];
+  const double distance = start + slowness * (rise * u + across * v);
+  if(distance < m_sites[target].distance)
+    offer(target, {distance, {1., 0.}, 2. * crossing < base * across ? x : z, 0, 0.}, m_sources[x]);
 }
 
 // A site hands on its front through the triangles that see it come: from the triangle that it came
@@ -498,7 +538,7 @@ void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, con
   const Index flags = (x.state | z.state) & flat_flag;
   double curvature = flags ? 0. : 1. / (x.distance - m_lowest_offset);
   // Fronts of two sources are never mixed.
-  if(m_sources[from] == m_sources[along])
+  if(is_same_front(from, along))
     curvature = std::max(curvature, fitted_curvature(base, z.distance - x.distance, angle[0]));
   double gain;
   Planar back;
@@ -520,7 +560,7 @@ void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, con
   }
   else
     direction = turned_back(back, {-opening[0], -opening[1]});
-  offer(target, {distance, direction, mirrored ? next : previous, flags}, m_sources[from]);
+  offer(target, {distance, direction, mirrored ? next : previous, flags, 0.}, m_sources[from]);
 }
 
 // Without a direction: the circle, or the straight line, that its distance and that of a neighbour
@@ -537,15 +577,11 @@ void Front::spread_blindly(Index index)
       const Index corner = t.star[i];
       const Index side = mirrored ? previous_side(corner) : corner;
       const Index along = t.corner[mirrored ? side : next_side(corner)];
-      const double length = t.length[side], gain = m_sites[along].distance - from.distance;
-      if(!(std::abs(gain) < length) || m_sources[along] != m_sources[index])
-        continue;
-      double cosine = -gain / length;
-      if(!(from.state & flat_flag))
-        cosine += 0.5 * (length - gain) * (length + gain) / (length * radius);
-      if(std::abs(cosine) <= 1.)
+      Circle circle{{1., 0.}, from.state & flat_flag ? 0. : 1. / radius};
+      if(m_sources[along] == m_sources[index] &&
+         source_by_distances(t.length[side], m_sites[along].distance - from.distance, circle))
         cross_circle(corner, mirrored, corner_angle(t, corner),
-                     {cosine, std::sqrt((1. - cosine) * (1. + cosine))});
+                     {circle.source[0], -circle.source[1]});
     }
 }
 
@@ -554,26 +590,43 @@ void Front::spread_on_cloud(Index index)
 {
   const Glued_triangles& t = *m_triangles;
   const Site from = m_sites[index];
-  offer_along_arcs(index);
-  if(from.state & origin_flag)
-    return;
   const auto [axis_1, axis_2] = tangent_frame(t.normal[index]);
   const Spatial source = from.direction[0] * axis_1 + from.direction[1] * axis_2;
+  const bool is_origin = from.state & origin_flag, is_blind = from.state & blind_flag;
+  for(Index i = t.graph.first[index]; i < t.graph.first[index + 1]; ++i)
+  {
+    const Index target = t.graph.target[i];
+    const double length = t.graph.length[i], distance = from.distance + length;
+    if(!(distance <= m_sites[target].distance))
+      continue;
+    const Spatial back = t.point[index] - t.point[target];
+    // Without a star in order, shadow is what lies far off the straight continuation.
+    const bool is_lit =
+        !is_origin && (is_blind || dot(back, source) > least_lit_cosine * norm(back));
+    const Index flags = is_lit ? blind_flag | (from.state & flat_flag) : 0;
+    offer(target, {distance, tangent(target, back), index, flags, is_lit ? length : 0.},
+          m_sources[index]);
+  }
+  if(is_origin)
+    return;
   for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
   {
     const Index corner = t.star[i];
     const Index ends[2] = {t.corner[next_side(corner)], t.corner[previous_side(corner)]};
     for(const int k : {0, 1})
-      cross_on_cloud(index, source, ends[k], ends[1 - k]);
+      cross_on_cloud(index, is_blind ? nullptr : &source, ends[k], ends[1 - k]);
   }
 }
 
-void Front::cross_on_cloud(Index from, const Spatial& source, Index along, Index target)
+// As cross_circle(), with coordinates in the plane of the triangle; without a source's direction as
+// spread_blindly().
+void Front::cross_on_cloud(Index from, const Spatial* source, Index along, Index target)
 {
   const Glued_triangles& t = *m_triangles;
   const Site& x = m_sites[from];
   const Site& z = m_sites[along];
-  if(!(z.distance < infinity))
+  const bool is_guess = (z.state & (blind_flag | final_flag)) == blind_flag;
+  if(!(z.distance < infinity) || is_guess)
     return;
   const Spatial side = t.point[along] - t.point[from], way = t.point[target] - t.point[from];
   const double base = norm(side);
@@ -586,24 +639,34 @@ void Front::cross_on_cloud(Index from, const Spatial& source, Index along, Index
   if(y_1 == 0.)
     return;
   const Spatial axis_2 = (1. / y_1) * across;
-  const Planar projected = {dot(source, axis_1), dot(source, axis_2)};
-  const double size = norm(projected);
-  if(size == 0. || projected[1] > 0.)
-    return;
-  const Planar direction = (1. / size) * projected;
+
+  const bool is_same = is_same_front(from, along);
+  const double difference = z.distance - x.distance;
   const Index flags = (x.state | z.state) & flat_flag;
-  double curvature = flags ? 0. : 1. / (x.distance - m_lowest_offset);
-  if(m_sources[from] == m_sources[along])
-    curvature = std::max(curvature, fitted_curvature(base, z.distance - x.distance, direction[0]));
+  Circle circle;
+  circle.curvature = flags ? 0. : 1. / (x.distance - m_lowest_offset);
+  if(source)
+  {
+    const Planar projected = {dot(*source, axis_1), dot(*source, axis_2)};
+    const double size = norm(projected);
+    if(size == 0. || projected[1] > 0.)
+      return;
+    circle.source = (1. / size) * projected;
+    if(is_same)
+      circle.curvature =
+          std::max(circle.curvature, fitted_curvature(base, difference, circle.source[0]));
+  }
+  else if(!is_same || !source_by_distances(base, difference, circle))
+    return;
   double gain;
   Planar back;
-  if(!pass({direction, curvature}, base, {y_0, y_1}, gain, back))
+  if(!pass(circle, base, {y_0, y_1}, gain, back))
     return;
   const double distance = x.distance + gain;
   if(distance < m_sites[target].distance)
     offer(target,
           {distance, tangent(target, back[0] * axis_1 + back[1] * axis_2),
-           std::abs(y_0) < std::abs(base - y_0) ? from : along, flags},
+           std::abs(y_0) < std::abs(base - y_0) ? from : along, flags, 0.},
           m_sources[from]);
 }
 
@@ -622,7 +685,7 @@ Index Front::predecessor(Index index) const
   const Site& site = m_sites[index];
   if(!(site.distance < infinity) || (site.state & origin_flag) || site.corner == none)
     return none;
-  if(t.is_cloud())
+  if(!has_directions() || t.is_cloud())
     return site.corner;
   const Index next = t.corner[next_side(site.corner)],
               previous = t.corner[previous_side(site.corner)];
@@ -681,12 +744,8 @@ double Front::distance(const Location& location) const
       if(is_planar || (x.state & (origin_flag | blind_flag)) ||
          !source_at(from, mirrored, circle.source))
       {
-        const double cosine = -difference / (slowness * base) + 0.5 * circle.curvature *
-                                                                    (base - difference) *
-                                                                    (base + difference) / base;
-        if(!(std::abs(cosine) <= 1.))
+        if(!source_by_distances(base, difference / slowness, circle))
           continue;
-        circle.source = {cosine, -std::sqrt((1. - cosine) * (1. + cosine))};
       }
       else
         circle.curvature =

@@ -30,7 +30,7 @@ Obtuse_splits::Split split_of(const Glued_triangles& t, Index corner, int steps)
     const Planar w = end + turned(apex(t, side), along);
     const bool acute_to_a = dot(a, w) > 0., acute_to_b = dot(b, w) > 0.;
     if(acute_to_a && acute_to_b && cross(a, w) > 0. && cross(w, b) > 0.)
-      return {corner, t.corner[previous_side(side)], w};
+      return {corner, t.corner[previous_side(side)], norm(w), {norm(a - w), norm(b - w)}};
     if(acute_to_a)
     {
       // Too close to a: the cone passes between w and end.
@@ -44,7 +44,7 @@ Obtuse_splits::Split split_of(const Glued_triangles& t, Index corner, int steps)
       side = next_side(side);
     }
   }
-  return {corner, none, {0., 0.}};
+  return {corner, none, 0., {0., 0.}};
 }
 
 } // namespace

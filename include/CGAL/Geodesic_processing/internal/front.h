@@ -64,17 +64,15 @@ private:
   {
     double distance = infinity;
     Planar direction = {1., 0.};
-    Index corner = none; // of the site, in the triangle that the front came through; on a cloud
-                         //   the predecessor
+    Index corner = none; // of the site, in the triangle that the front came through; without
+                         //   directions, and on a cloud, the predecessor
     Index state = 0;     // see the flags in front.cpp
   };
   struct Arrival;
-  // A site seen in the plane of a corner that lies at the origin.
-  struct Seen
-  {
-    Index site;
-    Planar position;
-  };
+
+  // Whether sites of the running query know the direction of their sources.
+  bool has_directions() const { return m_kind == Front_kind::euclidean && !m_slowness; }
+  bool is_same_front(Index x, Index z) const { return m_is_single || m_sources[x] == m_sources[z]; }
 
   void start(const std::vector<Source>& sources);
   void start_at_site(Index site, double distance, Index source);
@@ -84,20 +82,18 @@ private:
 
   void offer_along_side(Index corner, bool arriving, Index flags);
   void offer_along_sides(Index site, Index flags);
-  void offer_along_arcs(Index site);
   void spread_along_arcs(Index site);
 
-  std::array<Seen, 2> neighbours(Index corner) const;
-  Seen seen_behind(Index split) const;
   void spread_planar(Index site);
-  void cross_planar(Index corner, const Seen& right, const Seen& left);
+  void cross_split(Index split, Index site);
+  void cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z);
 
   void spread_euclidean(Index site);
   void spread_blindly(Index site);
   void cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle);
 
   void spread_on_cloud(Index site);
-  void cross_on_cloud(Index from, const Spatial& source, Index along, Index target);
+  void cross_on_cloud(Index from, const Spatial* source, Index along, Index target);
 
   Planar in_corner(const Planar& vector, const std::array<Planar, 3>& corners, Index corner) const;
   Planar tangent(Index site, const Spatial& direction) const;
@@ -116,6 +112,7 @@ private:
   std::shared_ptr<const std::vector<double>> m_slowness;
   std::vector<std::pair<Index, Source>> m_started_in; // triangle, its part of a source
   double m_lowest_offset = 0.;
+  bool m_is_single = false; // one source only
 };
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -16,9 +16,11 @@ struct Obtuse_splits
 {
   struct Split
   {
-    Index corner;                   // the obtuse one
-    Index site;                     // what splits it
-    std::array<double, 2> position; // of that site; the corner at the origin, its side on axis 0
+    Index corner;               // the obtuse one
+    Index site;                 // what splits it
+    double length;              // from the corner to that site
+    std::array<double, 2> base; // from that site to the corner's two neighbours, the one that the
+                                //   corner's side runs to first
   };
   std::vector<Split> splits;
   std::vector<Index> split_of_corner; // 3 #triangles: none at acute corners and where no site
