@@ -266,34 +266,46 @@ struct Sites
   }
 };
 
+// Calls visit(block, i, found) for each point of the tree with itself and its nearest ones.
+template <typename Visit>
+void visit_nearest(const std::vector<Spatial>& point, const Kd_tree& tree, unsigned threads,
+                   const Visit& visit)
+{
+  for_each_block(tree.size(), block_size, threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   std::vector<Kd_tree::Neighbor> found;
+                   double bound = infinity;
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                   {
+                     // As many lie around the point before, so that none of ours is farther than
+                     // theirs and the step from it; enlarged by more than the rounding of this sum.
+                     if(i > begin)
+                       bound = (bound + distance(point[i], point[i - 1])) * (1. + 1e-12);
+                     tree.nearest(point, point[i], neighbors + 1, found, bound * bound);
+                     bound = found.size() <= neighbors ? infinity
+                                                       : std::sqrt(found.back().squared_distance);
+                     visit(block, i, found);
+                   }
+                 });
+}
+
 // For each site those that agree with it, nearest first, among its nearest ones; `reach` receives
 // the distance up to which all sites have been seen.
 Rows find_neighbors(const Sites& sites, std::vector<double>& reach)
 {
   Rows rows(sites.size());
-  reach.resize(sites.size());
-  for_each_block(
-      sites.size(), block_size, sites.threads,
-      [&](std::size_t block, std::size_t begin, std::size_t end)
-      {
-        std::vector<Kd_tree::Neighbor> found;
-        double bound = infinity;
-        for(Index i = static_cast<Index>(begin); i < end; ++i)
-        {
-          // As many lie around the site before, so that none of ours is farther than theirs and
-          // the step from it; enlarged by more than the rounding of this sum.
-          if(i > begin)
-            bound = (bound + distance(sites.point[i], sites.point[i - 1])) * (1. + 1e-12);
-          sites.tree.nearest(sites.point, sites.point[i], neighbors + 1, found, bound * bound);
-          const bool are_all = found.size() <= neighbors;
-          bound = are_all ? infinity : std::sqrt(found.back().squared_distance);
-          reach[i] = bound;
-          for(const Kd_tree::Neighbor& neighbor : found)
-            if(neighbor.point != i && sites.agreement(i, neighbor.point) != Agreement::no)
-              rows.part(block).push_back(neighbor.point);
-          rows.end_row(block, i);
-        }
-      });
+  reach.assign(sites.size(), infinity);
+  visit_nearest(sites.point, sites.tree, sites.threads,
+                [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
+                {
+                  if(found.size() > neighbors)
+                    reach[i] = std::sqrt(found.back().squared_distance);
+                  for(const Kd_tree::Neighbor& neighbor : found)
+                    if(neighbor.point != i && sites.agreement(i, neighbor.point) != Agreement::no)
+                      rows.part(block).push_back(neighbor.point);
+                  rows.end_row(block, i);
+                });
   rows.join();
   return rows;
 }
@@ -681,36 +693,46 @@ std::vector<std::array<double, 3>> smooth_surfels(std::vector<std::array<double,
     normal[i] = normals[order[i]];
   normals = {};
 
-  // How far each lies above its start, and what the neighbours say; the neighbours stay the same.
+  // Neighbours, and the squared distance within which they lie.
+  Rows near(n);
+  std::vector<double> farthest(n);
+  visit_nearest(start, tree, threads,
+                [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
+                {
+                  farthest[i] = found.back().squared_distance;
+                  // 60 degrees: the other side of a thin sheet does not count.
+                  for(const Kd_tree::Neighbor& neighbor : found)
+                    if(dot(normal[i], normal[neighbor.point]) > 0.5)
+                      near.part(block).push_back(neighbor.point);
+                  near.end_row(block, i);
+                });
+  near.join();
+
+  // How far each point has risen from its start along its normal.
   std::vector<double> height(n, 0.), next(n, 0.);
   for(unsigned pass = 0; pass < passes; ++pass)
   {
     for_each_block(n, block_size, threads,
                    [&](std::size_t, std::size_t begin, std::size_t end)
                    {
-                     std::vector<Kd_tree::Neighbor> found;
                      for(std::size_t i = begin; i < end; ++i)
                      {
-                       tree.nearest(start, start[i], neighbors + 1, found);
-                       const double farthest = found.back().squared_distance;
                        double sum = 0., weights = 0.;
-                       for(const Kd_tree::Neighbor& neighbor : found)
+                       for(const Index* at = near.begin(i); at != near.end(i); ++at)
                        {
-                         const Index j = neighbor.point;
-                         const double product = dot(normal[i], normal[j]);
-                         // 60 degrees: the other side of a thin sheet does not count.
-                         if(product < 0.5)
-                           continue;
-                         const double weight =
-                             farthest > 0. ? std::exp(-2. * neighbor.squared_distance / farthest)
-                                           : 1.;
+                         const Index j = *at;
                          const Spatial chord = start[j] - start[i];
-                         const double rise = dot(normal[i], chord) + dot(normal[j], chord) +
-                                             (1. + product) * (height[j] - height[i]);
+                         const double weight = farthest[i] > 0.
+                                                   ? std::exp(-2. * dot(chord, chord) / farthest[i])
+                                                   : 1.;
+                         const double rise =
+                             dot(normal[i], chord) + dot(normal[j], chord) +
+                             (1. + dot(normal[i], normal[j])) * (height[j] - height[i]);
                          sum += weight * rise / 2.;
                          weights += weight;
                        }
-                       next[i] = height[i] + sum / weights;
+                       // Among many coincident points it need not have found itself.
+                       next[i] = weights > 0. ? height[i] + sum / weights : height[i];
                      }
                    });
     std::swap(height, next);

@@ -556,6 +556,16 @@ TEST(Surfels, smoothing_leaves_exact_spheres_and_planes_where_they_are)
   }
 }
 
+TEST(Surfels, smoothing_leaves_coincident_surfels_where_they_are)
+{
+  const std::vector<Spatial> points(100, {1., 2., 3.});
+  std::vector<Spatial> normals;
+  for(int i = 0; i < 100; ++i)
+    normals.push_back({i % 2 == 0 ? 1. : -1., 0., i % 3 - 1.});
+  EXPECT_EQ(smooth_surfels(points, normals, 3), points);
+  EXPECT_TRUE(smooth_surfels({}, {}, 3).empty());
+}
+
 TEST(Surfels, smoothing_takes_noise_away)
 {
   Cloud cloud = random_sphere(4000);
