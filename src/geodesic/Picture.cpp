@@ -112,14 +112,6 @@ public:
     return result;
   }
 
-  // Lengths in the frame's unit.
-  std::vector<double> lengths(std::vector<double> values) const
-  {
-    for(double& x : values)
-      x = m_size > 0. ? x / m_size : 0.;
-    return values;
-  }
-
 private:
   Point m_center = {0., 0., 0.};
   double m_size = 0.;
@@ -285,12 +277,12 @@ Range range_of(const std::vector<double>& values)
   return range;
 }
 
-// Between 10 and 25 lines, at multiples of 1, 2 or 5 times a power of ten.
+// Between 12 and 25 lines, at multiples of 1, 2, 2.5 or 5 times a power of ten.
 double line_step(const Range& range)
 {
-  const double wanted = (range.high - range.low) / 20.;
+  const double wanted = (range.high - range.low) / 25.;
   const double power = std::pow(10., std::floor(std::log10(wanted)));
-  for(const double factor : {1., 2., 5., 10.})
+  for(const double factor : {1., 2., 2.5, 5., 10.})
     if(factor * power >= wanted)
       return factor * power;
   return wanted;
@@ -362,71 +354,134 @@ void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title
   renderer->AddViewProp(bar);
 }
 
-// Cuts the triangles where several labels meet, so that each piece has one: along the line where
-// the distances from both sides agree, as far as the corners tell.
-void cut_regions(const std::vector<Point>& points, const std::vector<std::uint32_t>& corners,
-                 const std::vector<long long>& labels, const std::vector<double>& values,
-                 Skin& skin, std::vector<std::vector<Point>>& borders)
+// Cuts the triangles where several labels meet, so that each piece has one.
+class Regions
 {
-  skin.points = points;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> cuts;
-  const auto cut = [&](std::uint32_t a, std::uint32_t b)
+public:
+  Regions(const std::vector<Point>& points, const std::vector<std::uint32_t>& corners,
+          const std::vector<long long>& labels)
+      : m_count(points.size())
   {
-    const auto [low, high] = std::minmax(a, b);
-    const auto [place, is_new] = cuts.try_emplace({low, high}, 0);
-    if(is_new)
-    {
-      place->second = static_cast<std::uint32_t>(skin.points.size());
-      const Point &p = points[low], &q = points[high];
-      double t = 0.5;
-      if(!values.empty() && std::isfinite(values[low]) && std::isfinite(values[high]))
-      {
-        const double size = length(p - q);
-        if(size > 0.)
-          t = std::clamp(0.5 + (values[high] - values[low]) / (2. * size), 0.05, 0.95);
-      }
-      skin.points.push_back(p + t * (q - p));
-    }
-    return place->second;
-  };
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, long long label)
+    m_skin.points = points;
+    for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+      cut({corners[i], corners[i + 1], corners[i + 2]}, labels);
+    smooth();
+  }
+
+  const Skin& skin() const { return m_skin; }
+
+  std::vector<std::vector<Point>> borders() const
   {
-    skin.corners.insert(skin.corners.end(), {a, b, c});
-    skin.colours.push_back(colour_of_label(label));
-  };
-  for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    std::vector<std::vector<Point>> result;
+    for(const auto& [p, q] : m_borders)
+      result.push_back({m_skin.points[p], m_skin.points[q]});
+    return result;
+  }
+
+private:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  void cut(Triangle c, const std::vector<long long>& labels)
   {
-    std::uint32_t c[3] = {corners[i], corners[i + 1], corners[i + 2]};
-    const auto label = [&](std::size_t k) { return labels[c[k % 3]]; };
+    const auto label = [&](std::size_t k) { return labels[c[k]]; };
     if(label(0) == label(1) && label(1) == label(2))
-    {
-      add(c[0], c[1], c[2], label(0));
-      continue;
-    }
+      return add({c[0], c[1], c[2]}, label(0));
     if(label(0) != label(1) && label(1) != label(2) && label(2) != label(0))
     {
-      const std::uint32_t p[3] = {cut(c[0], c[1]), cut(c[1], c[2]), cut(c[2], c[0])};
-      const auto middle = static_cast<std::uint32_t>(skin.points.size());
-      skin.points.push_back((1. / 3.) *
-                            (skin.points[p[0]] + skin.points[p[1]] + skin.points[p[2]]));
+      const Triangle p = {cut_of(c[0], c[1]), cut_of(c[1], c[2]), cut_of(c[2], c[0])};
+      const auto middle = static_cast<std::uint32_t>(m_skin.points.size());
+      m_skin.points.push_back({0., 0., 0.});
+      m_sides.push_back({c[0], c[0]});
       for(std::size_t k = 0; k < 3; ++k)
       {
-        add(c[k], p[k], middle, label(k));
-        add(c[k], middle, p[(k + 2) % 3], label(k));
-        borders.push_back({skin.points[p[k]], skin.points[middle]});
+        add({c[k], p[k], middle}, label(k));
+        add({c[k], middle, p[(k + 2) % 3]}, label(k));
+        m_borders.emplace_back(p[k], middle);
       }
-      continue;
+      m_middles.push_back(middle);
+      move_middle(middle, p);
+      m_around.push_back(p);
+      return;
     }
     // One corner differs from the two others: turn it to the front.
     while(label(1) != label(2))
-      std::rotate(c, c + 1, c + 3);
-    const std::uint32_t p = cut(c[0], c[1]), q = cut(c[2], c[0]);
-    add(c[0], p, q, label(0));
-    add(p, c[1], c[2], label(1));
-    add(p, c[2], q, label(1));
-    borders.push_back({skin.points[p], skin.points[q]});
+      std::rotate(c.begin(), c.begin() + 1, c.end());
+    const std::uint32_t p = cut_of(c[0], c[1]), q = cut_of(c[2], c[0]);
+    add({c[0], p, q}, label(0));
+    add({p, c[1], c[2]}, label(1));
+    add({p, c[2], q}, label(1));
+    m_borders.emplace_back(p, q);
   }
-}
+
+  void add(const Triangle& corners, long long label)
+  {
+    m_skin.corners.insert(m_skin.corners.end(), corners.begin(), corners.end());
+    m_skin.colours.push_back(colour_of_label(label));
+  }
+
+  // The point that cuts a side, first in its middle.
+  std::uint32_t cut_of(std::uint32_t a, std::uint32_t b)
+  {
+    const auto [low, high] = std::minmax(a, b);
+    const auto [place, is_new] =
+        m_cuts.try_emplace({low, high}, static_cast<std::uint32_t>(m_skin.points.size()));
+    if(is_new)
+    {
+      const Point middle = 0.5 * (m_skin.points[low] + m_skin.points[high]);
+      m_skin.points.push_back(middle);
+      m_sides.push_back({low, high});
+    }
+    return place->second;
+  }
+
+  void move_middle(std::uint32_t middle, const Triangle& p)
+  {
+    m_skin.points[middle] =
+        (1. / 3.) * (m_skin.points[p[0]] + m_skin.points[p[1]] + m_skin.points[p[2]]);
+  }
+
+  // Borders that go from middle to middle of sides are ragged.  Each cut slides along its side
+  // towards the middle of its neighbours on the border.
+  void smooth()
+  {
+    const std::size_t cuts = m_sides.size();
+    std::vector<Point> sum(cuts);
+    std::vector<double> number(cuts);
+    for(int round = 0; round < 30; ++round)
+    {
+      std::fill(sum.begin(), sum.end(), Point{0., 0., 0.});
+      std::fill(number.begin(), number.end(), 0.);
+      for(const auto& [p, q] : m_borders)
+      {
+        sum[p - m_count] = sum[p - m_count] + m_skin.points[q];
+        sum[q - m_count] = sum[q - m_count] + m_skin.points[p];
+        number[p - m_count] += 1.;
+        number[q - m_count] += 1.;
+      }
+      for(std::size_t i = 0; i < cuts; ++i)
+      {
+        const Point &a = m_skin.points[m_sides[i][0]], &b = m_skin.points[m_sides[i][1]];
+        const Point side = b - a, wish = (1. / std::max(number[i], 1.)) * sum[i] - a;
+        const double squared = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
+        // Ends of borders stay, and middles move with their cuts.
+        if(number[i] < 2. || squared == 0.)
+          continue;
+        const double t = (wish[0] * side[0] + wish[1] * side[1] + wish[2] * side[2]) / squared;
+        m_skin.points[m_count + i] = a + std::clamp(t, 0.03, 0.97) * side;
+      }
+      for(std::size_t i = 0; i < m_middles.size(); ++i)
+        move_middle(m_middles[i], m_around[i]);
+    }
+  }
+
+  std::size_t m_count; // of the points given; cuts and middles follow
+  Skin m_skin;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_cuts;
+  std::vector<std::array<std::uint32_t, 2>> m_sides; // #cuts and middles: what a cut lies on
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_borders;
+  std::vector<std::uint32_t> m_middles;
+  std::vector<Triangle> m_around; // #middles: the cuts around each
+};
 
 // A disk for each point, across its normal, wide enough to meet its neighbours'.
 Skin splats(const std::vector<Point>& points, const std::vector<Point>& normals,
@@ -478,22 +533,6 @@ Skin splats(const std::vector<Point>& points, const std::vector<Point>& normals,
     }
   }
   return skin;
-}
-
-// Colours of points of a cloud, darker near the lines of equal value, which no triangles carry.
-std::vector<Colour> striped(const std::vector<double>& values, const Range& range)
-{
-  std::vector<Colour> colours = colours_of(values);
-  const double step = line_step(range);
-  for(std::size_t i = 0; i < values.size(); ++i)
-    if(std::isfinite(values[i]))
-    {
-      const double place = values[i] / step;
-      if(std::abs(place - std::round(place)) < 0.1)
-        for(double& part : colours[i])
-          part *= 0.45;
-    }
-  return colours;
 }
 
 // Points spread over the surface, always the same ones.
@@ -579,7 +618,10 @@ void draw(const std::string& filename, const Picture& picture)
   std::vector<std::vector<Point>> polylines;
   for(const std::vector<Point>& polyline : picture.polylines)
     polylines.push_back(frame(polyline));
-  const Range range = picture.labels.empty() ? range_of(picture.values) : Range();
+  Range range = picture.labels.empty() ? range_of(picture.values) : Range();
+  // Distances begin at zero, also where no vertex is a source.
+  if(range.low > 0. && range.low < 0.2 * range.high)
+    range.low = 0.;
 
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1., 1., 1.);
@@ -587,30 +629,25 @@ void draw(const std::string& filename, const Picture& picture)
   if(!picture.labels.empty())
     std::transform(picture.labels.begin(), picture.labels.end(), colours.begin(), colour_of_label);
   else if(!picture.values.empty())
-    colours = colours_of(picture.values);
+    colours = colours_of(picture.values, range.low, range.high);
 
-  if(is_mesh && !picture.labels.empty())
+  const std::vector<std::uint32_t>& triangles = is_mesh ? surface.corners : picture.triangles;
+  if(!is_mesh)
+    add_skin(renderer, splats(points, surface.normals, colours));
+  if(!picture.labels.empty())
   {
-    Skin skin;
-    std::vector<std::vector<Point>> borders;
-    cut_regions(points, surface.corners, picture.labels, frame.lengths(picture.values), skin,
-                borders);
-    add_skin(renderer, skin);
-    add_tubes(renderer, lines_of(borders), thin, dark);
-  }
-  else if(is_mesh)
-  {
-    Skin skin;
-    skin.points = points;
-    skin.corners = surface.corners;
-    skin.colours = colours;
-    add_skin(renderer, skin);
-    if(!range.empty())
-      add_isolines(renderer, points, surface.corners, picture.values, range);
+    const Regions regions(points, triangles, picture.labels);
+    if(is_mesh)
+      add_skin(renderer, regions.skin());
+    add_tubes(renderer, lines_of(regions.borders()), thin, dark);
   }
   else
-    add_skin(renderer, splats(points, surface.normals,
-                              range.empty() ? colours : striped(picture.values, range)));
+  {
+    if(is_mesh)
+      add_skin(renderer, {points, {}, triangles, colours});
+    if(!range.empty())
+      add_isolines(renderer, points, triangles, picture.values, range);
+  }
   add_tubes(renderer, lines_of(polylines), thick, red);
   const bool has_regions = !picture.labels.empty();
   for(const Point& marker : markers)

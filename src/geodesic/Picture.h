@@ -16,10 +16,10 @@ struct Picture
   const Surface_file* surface = nullptr; // triangles, or points with unit normals
   std::vector<double> values = {};       // #points: colours and lines of equal value
   std::string title = {};                // of the values
-  std::vector<long long> labels = {};    // #points: coloured regions, grey where negative; then
-                                         //   values place the borders between them
+  std::vector<long long> labels = {};    // #points: coloured regions, grey where negative
   std::vector<std::vector<Point>> polylines = {};
-  std::vector<Point> markers = {}; // sources, seeds, ends of paths
+  std::vector<Point> markers = {};           // sources, seeds, ends of paths
+  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners of those that carry its lines
 };
 
 // Draws a PNG file off screen.  A Display must exist.  Throws Output_error.

@@ -40,6 +40,15 @@ Colour colour_of_label(long long label)
   return colour;
 }
 
+std::vector<Colour> colours_of(const std::vector<double>& values, double low, double high)
+{
+  std::vector<Colour> colours(values.size(), grey);
+  for(std::size_t i = 0; i < values.size(); ++i)
+    if(std::isfinite(values[i]))
+      colours[i] = viridis(high > low ? (values[i] - low) / (high - low) : 0.);
+  return colours;
+}
+
 std::vector<Colour> colours_of(const std::vector<double>& values)
 {
   double low = INFINITY, high = -INFINITY;
@@ -49,11 +58,7 @@ std::vector<Colour> colours_of(const std::vector<double>& values)
       low = std::min(low, x);
       high = std::max(high, x);
     }
-  std::vector<Colour> colours(values.size(), grey);
-  for(std::size_t i = 0; i < values.size(); ++i)
-    if(std::isfinite(values[i]))
-      colours[i] = viridis(high > low ? (values[i] - low) / (high - low) : 0.);
-  return colours;
+  return colours_of(values, low, high);
 }
 
 } // namespace program

@@ -19,7 +19,8 @@ Colour viridis(double t);
 // Colours that differ from one another for any number of labels; grey for negative ones.
 Colour colour_of_label(long long label);
 
-// viridis over the range of the finite values, grey for the others.
+// viridis over a range, or over that of the finite values; grey for those that are not finite.
+std::vector<Colour> colours_of(const std::vector<double>& values, double low, double high);
 std::vector<Colour> colours_of(const std::vector<double>& values);
 
 } // namespace program

@@ -27,7 +27,9 @@ struct Distance_options
 struct Result
 {
   std::vector<double> values; // #vertices
-  std::vector<Point> sources; // where they are, for the picture; none for borders
+  // For the picture:
+  std::vector<Point> sources;           // where they are; none for borders
+  std::vector<std::uint32_t> triangles; // of a cloud
 };
 
 // The library's part: distances of all vertices.
@@ -68,6 +70,7 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
     const Property_map<typename Domain::Site> speeds{&property(job.surface(), options.speed)};
     solver.compute(sources, limits.speed_map(speeds));
   }
+  result.triangles = cloud_triangles(domain);
   result.values.resize(job.surface().file.points.size());
   for(std::size_t i = 0; i < result.values.size(); ++i)
     result.values[i] = solver.distance(site<Surface_type>(i));
@@ -135,7 +138,8 @@ void run_distance(Job& job, const Distance_options& options)
     job.write_values(text);
   }
   if(!job.picture().empty())
-    draw(job.picture(), {&surface.file, result.values, "distance", {}, {}, result.sources});
+    draw(job.picture(),
+         {&surface.file, result.values, "distance", {}, {}, result.sources, result.triangles});
   if(!job.output().empty())
     write_result(job, "distance", result.values, farthest);
   job.finish();

@@ -28,6 +28,7 @@ struct Result
   std::vector<std::size_t> seeds;
   std::vector<long long> labels; // #vertices: the place of the nearest seed, -1 where none reaches
   std::vector<double> values;    // #vertices: its distance
+  std::vector<std::uint32_t> triangles; // of a cloud, for the picture
 };
 
 // Vertices of the surface that lie in a triangle, or surfels.
@@ -92,6 +93,7 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
   for(const std::size_t seed : result.seeds)
     sources.emplace_back(site<Surface_type>(seed));
   solver.compute(sources);
+  result.triangles = cloud_triangles(domain);
   const std::size_t n = job.surface().file.points.size();
   result.labels.resize(n);
   result.values.resize(n);
@@ -138,7 +140,7 @@ void run_voronoi(Job& job, const Voronoi_options& options)
   }
   if(!job.picture().empty())
   {
-    Picture picture{&surface.file, result.values, "", result.labels, {}, {}};
+    Picture picture{&surface.file, {}, "", result.labels, {}, {}, result.triangles};
     for(const std::size_t seed : result.seeds)
       picture.markers.push_back(surface.file.points[seed]);
     draw(job.picture(), picture);
