@@ -229,37 +229,41 @@ void Straightener::find_bends(const Strip& strip)
   // Adds a point to the end of the chain `near`; `sign` is 1 for the right chain.
   const auto add = [&](std::vector<Funnel_point>& near, std::size_t& near_apex,
                        std::vector<Funnel_point>& far, std::size_t& far_apex, double sign,
-                       const Planar& point, Bend bend)
+                       const Planar& point, double width, Bend bend)
   {
-    // A hundred roundings of the farthest position.
-    const double tolerance = 2e-14 * norm(point);
+    // A hundred roundings of the farthest position.  Points nearer to each other are one.
+    const double tolerance = 2e-14 * (norm(point) + width);
     while(near.size() > near_apex + 1)
     {
-      // Points at one place tell no direction: the point before all of them does.
       const Planar& last = near.back().point;
       std::size_t before = near.size() - 2;
       while(before > near_apex && norm(last - near[before].point) <= tolerance)
         --before;
-      const Planar leg = last - near[before].point, chord = point - near[before].point;
-      if(norm(leg) > tolerance && sign * cross(leg, chord) <= tolerance * norm(chord))
+      const Planar leg = last - near[before].point, step = point - last;
+      const double turn = sign * cross(leg, step);
+      const bool is_ahead = turn < -tolerance * norm(leg) || dot(leg, step) >= 0.;
+      if(norm(leg) > tolerance && turn <= tolerance * norm(leg + step) && is_ahead)
         break;
       near.pop_back();
     }
     if(near.size() == near_apex + 1)
     {
-      std::size_t apex = far_apex;
-      while(apex + 1 < far.size())
+      const std::size_t apex = far_apex;
+      while(far_apex + 1 < far.size())
       {
-        const Planar chord = point - far[apex].point;
-        if(sign * cross(far[apex + 1].point - far[apex].point, chord) < -tolerance * norm(chord))
+        // A point at the place of the apex is a bend too, so that both are gone around together.
+        const Planar leg = far[far_apex + 1].point - far[far_apex].point;
+        const Planar chord = point - far[far_apex].point;
+        const double turn = sign * cross(leg, chord), slack = tolerance * norm(chord);
+        if(turn < -slack || norm(chord) <= tolerance ||
+           (turn <= slack && dot(leg, chord - leg) < 0.))
           break;
-        ++apex;
-        m_bends.push_back(far[apex].bend);
+        ++far_apex;
+        m_bends.push_back(far[far_apex].bend);
       }
-      if(apex != far_apex)
+      if(far_apex != apex)
       {
-        far_apex = apex;
-        near.assign(1, far[apex]);
+        near.assign(1, far[far_apex]);
         near_apex = 0;
       }
     }
@@ -272,12 +276,13 @@ void Straightener::find_bends(const Strip& strip)
     const Index place = static_cast<Index>(i);
     const bool left_stays = i > 0 && strip.sides[i] == previous_side(t.twin[strip.sides[i - 1]]);
     const bool right_stays = i > 0 && !left_stays;
+    const double width = t.length[strip.sides[i]];
     if(!right_stays)
-      add(m_right, right_apex, m_left, left_apex, 1., u.right[i], {place, false});
+      add(m_right, right_apex, m_left, left_apex, 1., u.right[i], width, {place, false});
     if(!left_stays)
-      add(m_left, left_apex, m_right, right_apex, -1., u.left[i], {place, true});
+      add(m_left, left_apex, m_right, right_apex, -1., u.left[i], width, {place, true});
   }
-  add(m_right, right_apex, m_left, left_apex, 1., u.end, {static_cast<Index>(count), false});
+  add(m_right, right_apex, m_left, left_apex, 1., u.end, 0., {static_cast<Index>(count), false});
   for(std::size_t i = right_apex + 1; i + 1 < m_right.size(); ++i)
     m_bends.push_back(m_right[i].bend);
 }
@@ -686,7 +691,10 @@ Straight_path Straightener::written()
       // The share of the side, from its right to its left end.
       const double right = -cross(m_unfolded.end, m_unfolded.right[i]);
       const double left = cross(m_unfolded.end, m_unfolded.left[i]);
-      const double share = left + right > 0. ? std::clamp(right / (left + right), 0., 1.) : 0.5;
+      double share = right / (left + right);
+      if(!(left + right > 0.)) // along the side, or nowhere
+        share = norm(m_unfolded.right[i]) <= norm(m_unfolded.left[i]) ? 0. : 1.;
+      share = std::clamp(share, 0., 1.);
       Location location;
       location.triangle = knot.strip.sides[i] / 3;
       location.barycentric = on_side(knot.strip.sides[i], share);
