@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/front.h>
 
-#include <CGAL/Geodesic_processing/internal/locations.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
@@ -210,7 +210,7 @@ void Front::start(const std::vector<Source>& sources)
     {
       for(const Index triangle : triangles_at(t, line[0]))
         start_in_triangle(triangle, line[0], line[0], sources[i].offset, i);
-      if(const Index site = site_at(t, line[0]); site != none)
+      if(const Index site = site_of(t, line[0]); site != none)
         start_at_site(site, sources[i].offset, i);
     }
     for(std::size_t k = 1; k < line.size(); ++k)
@@ -229,13 +229,14 @@ void Front::start_in_triangle(Index triangle, const Location& begin, const Locat
                               double offset, Index source)
 {
   const Glued_triangles& t = *m_triangles;
-  Location p, q;
-  if(!express(t, begin, triangle, p) || !express(t, end, triangle, q))
+  const auto p = seen_from(t, triangle, begin), q = seen_from(t, triangle, end);
+  if(!p || !q)
     return;
-  m_started_in.push_back({triangle, {{p, q}, offset, source}});
+  const Location begin_here = {triangle, none, *p}, end_here = {triangle, none, *q};
+  m_started_in.push_back({triangle, {{begin_here, end_here}, offset, source}});
   const double slowness = m_slowness ? (*m_slowness)[triangle] : 1.;
   const auto corners = layout(t, triangle);
-  const Planar at_begin = position(corners, p), at_end = position(corners, q);
+  const Planar at_begin = position(corners, begin_here), at_end = position(corners, end_here);
   for(Index k = 0; k < 3; ++k)
   {
     const Index corner = 3 * triangle + k, site = t.corner[corner];
@@ -701,7 +702,7 @@ Index Front::predecessor(Index index) const
 double Front::distance(const Location& location) const
 {
   const Glued_triangles& t = *m_triangles;
-  if(const Index site = site_at(t, location); site != none)
+  if(const Index site = site_of(t, location); site != none)
     return m_sites[site].distance;
   const Index triangle = location.triangle;
   const double slowness = m_slowness ? (*m_slowness)[triangle] : 1.;

@@ -125,7 +125,7 @@ std::optional<std::array<double, 3>> seen_from(const Glued_triangles& t, Index t
     return std::nullopt;
   }
   const Index side = side_of(location);
-  if(side != none && t.twin[side] != none && t.twin[side] / 3 == triangle)
+  if(side != none && !t.twin.empty() && t.twin[side] != none && t.twin[side] / 3 == triangle)
     return on_side(t.twin[side], location.barycentric[side % 3]);
   return std::nullopt;
 }
@@ -142,6 +142,21 @@ std::size_t number_of_holders(const Glued_triangles& t, const Location& location
 
 } // namespace
 
+std::vector<Index> triangles_at(const Glued_triangles& t, const Location& location)
+{
+  std::vector<Index> result;
+  if(const Index site = site_of(t, location); site != none)
+  {
+    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+      result.push_back(t.star[i] / 3);
+    return result;
+  }
+  result.push_back(location.triangle);
+  if(const Index side = side_of(location); side != none && !t.twin.empty() && t.twin[side] != none)
+    result.push_back(t.twin[side] / 3);
+  return result;
+}
+
 Index common_triangle(const Glued_triangles& t, const Location& p, const Location& q)
 {
   if(number_of_holders(t, p) > number_of_holders(t, q))
@@ -156,7 +171,7 @@ Index common_triangle(const Glued_triangles& t, const Location& p, const Locatio
   }
   if(seen_from(t, p.triangle, q))
     return p.triangle;
-  const Index side = side_of(p), twin = side == none ? none : t.twin[side];
+  const Index side = side_of(p), twin = side == none || t.twin.empty() ? none : t.twin[side];
   return twin != none && seen_from(t, twin / 3, q) ? twin / 3 : none;
 }
 

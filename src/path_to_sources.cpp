@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/path_to_sources.h>
 
+#include <CGAL/Geodesic_processing/internal/cloud_path.h>
 #include <CGAL/Geodesic_processing/internal/descent.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/straighten.h>
@@ -46,10 +47,15 @@ std::vector<Location> path_to_sources(const Glued_triangles& t, const Location& 
                                       const std::function<double(Index)>& distance,
                                       const std::function<Index(Index)>& predecessor)
 {
-  if(t.is_cloud())
-    return along_predecessors(t, from, distance, predecessor);
-  const std::vector<Location> traced = Descent(t, sources)(from, distance).locations;
-  return traced.empty() ? traced : straighten(t, traced).locations;
+  return shortened(t, t.is_cloud() ? along_predecessors(t, from, distance, predecessor)
+                                   : Descent(t, sources)(from, distance).locations);
+}
+
+std::vector<Location> shortened(const Glued_triangles& t, const std::vector<Location>& path)
+{
+  if(path.size() < 2)
+    return path;
+  return t.is_cloud() ? smoothed_on_cloud(t, path) : straighten(t, path).locations;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_H
 
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+#include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/Mesh_domain.h>
 #include <CGAL/Geodesic_processing/Source.h>

@@ -44,6 +44,10 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<std::array<double, 3>> seen_from(const Glued_triangles& triangles, Index triangle,
                                                const Location& location);
 
+// The triangles that hold a clean location: all around a site, one or two at a side, else one.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Index> triangles_at(const Glued_triangles& triangles, const Location& location);
+
 // A triangle that holds both clean locations, or none.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Index common_triangle(const Glued_triangles& triangles, const Location& p, const Location& q);

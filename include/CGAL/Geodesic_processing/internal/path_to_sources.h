@@ -10,8 +10,13 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The path from a location to the nearest source: on a mesh traced down the distances and pulled
-// taut, on a cloud along predecessors.  Empty when no source can be reached.
+// A path made as short as it gets nearby: pulled taut on a mesh, smoothed on a cloud.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Location> shortened(const Glued_triangles& triangles,
+                                const std::vector<Location>& path);
+
+// The shortened path from a location to the nearest source: on a mesh traced down the distances, on
+// a cloud along predecessors.  Empty when no source can be reached.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Location> path_to_sources(const Glued_triangles& triangles, const Location& from,
                                       const std::vector<Source>& sources,
