@@ -42,5 +42,5 @@ int main()
   const double marching = error_of<GP::Fast_marching>("Fast_marching", domain, mesh, truth);
   const double front = error_of<GP::Euclidean_front>("Euclidean_front", domain, mesh, truth);
 
-  return front < 1e-9 && front <= marching && marching <= dijkstra ? EXIT_SUCCESS : EXIT_FAILURE;
+  return front < 1e-9 && marching < 0.1 * dijkstra ? EXIT_SUCCESS : EXIT_FAILURE;
 }
