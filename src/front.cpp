@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/front.h>
 
+#include <CGAL/Geodesic_processing/internal/glue.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
@@ -29,9 +30,6 @@ constexpr Index most_visits = 64; // label correction settles after two or three
 // A site that is final goes back into the queue when its distance falls by more than this: smaller
 // gains are below what the circle through two distances can tell from rounding.
 constexpr double worth_a_visit = 1e-9;
-
-// On a cloud what lies within 30 degrees of a front's straight continuation is not in its shadow.
-constexpr double least_lit_cosine = 0.866;
 
 inline void prefetch([[maybe_unused]] const void* address)
 {
@@ -86,6 +84,15 @@ double fitted_curvature(double length, double difference, double cosine)
   return denominator > 0. ? 2. * (difference + length * cosine) / denominator : 0.;
 }
 
+// A vector perpendicular to the unit vector `from`, turned with it the short way to the line of the
+// unit vector `to`: across a sharp edge this unfolds, where a projection would bend it to the edge.
+Spatial turned_into(const Spatial& v, const Spatial& from, const Spatial& to)
+{
+  const double cosine = dot(from, to);
+  const Spatial axis = cosine < 0. ? -1. * to : to;
+  return v - (dot(v, axis) / (1. + std::abs(cosine))) * (from + axis);
+}
+
 } // namespace
 
 // What comes to a site.
@@ -104,6 +111,8 @@ Front::Front(std::shared_ptr<const Glued_triangles> triangles, Front_kind kind)
 {
   if(kind == Front_kind::planar && !m_triangles->is_cloud())
     m_splits = std::make_shared<const Obtuse_splits>(obtuse_splits(*m_triangles));
+  if(kind == Front_kind::euclidean && m_triangles->is_cloud())
+    m_islands = std::make_shared<const std::vector<Index>>(islands(*m_triangles).first);
 }
 
 bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
@@ -594,19 +603,30 @@ void Front::spread_on_cloud(Index index)
   const auto [axis_1, axis_2] = tangent_frame(t.normal[index]);
   const Spatial source = from.direction[0] * axis_1 + from.direction[1] * axis_2;
   const bool is_origin = from.state & origin_flag, is_blind = from.state & blind_flag;
-  for(Index i = t.graph.first[index]; i < t.graph.first[index + 1]; ++i)
+  const auto reach = [&](Index target, double length)
   {
-    const Index target = t.graph.target[i];
-    const double length = t.graph.length[i], distance = from.distance + length;
+    const double distance = from.distance + length;
     if(!(distance <= m_sites[target].distance))
-      continue;
+      return;
     const Spatial back = t.point[index] - t.point[target];
-    // Without a star in order, shadow is what lies far off the straight continuation.
-    const bool is_lit =
-        !is_origin && (is_blind || dot(back, source) > least_lit_cosine * norm(back));
-    const Index flags = is_lit ? blind_flag | (from.state & flat_flag) : 0;
-    offer(target, {distance, tangent(target, back), index, flags, is_lit ? length : 0.},
+    // Whoever gets no more than a side's length knows no direction, and waits.
+    Index flags = is_origin ? 0 : blind_flag | (from.state & flat_flag);
+    // A copy is the same place.
+    if(length == 0.)
+      flags = from.state & arrival_flags;
+    offer(target, {distance, tangent(target, back), index, flags, flags & blind_flag ? length : 0.},
           m_sources[index]);
+  };
+  // Where there are triangles the front passes them and their sides only: longer arcs would cut
+  // off what comes through triangles.  Between islands there is nothing else.
+  for(Index i = t.graph.first[index]; i < t.graph.first[index + 1]; ++i)
+    if((*m_islands)[index] != (*m_islands)[t.graph.target[i]])
+      reach(t.graph.target[i], t.graph.length[i]);
+  for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
+  {
+    const Index corner = t.star[i], previous = previous_side(corner);
+    reach(t.corner[next_side(corner)], t.length[corner]);
+    reach(t.corner[previous], t.length[previous]);
   }
   if(is_origin)
     return;
@@ -640,6 +660,7 @@ void Front::cross_on_cloud(Index from, const Spatial* source, Index along, Index
   if(y_1 == 0.)
     return;
   const Spatial axis_2 = (1. / y_1) * across;
+  const Spatial plane = cross(axis_1, axis_2);
 
   const bool is_same = is_same_front(from, along);
   const double difference = z.distance - x.distance;
@@ -648,7 +669,8 @@ void Front::cross_on_cloud(Index from, const Spatial* source, Index along, Index
   circle.curvature = flags ? 0. : 1. / (x.distance - m_lowest_offset);
   if(source)
   {
-    const Planar projected = {dot(*source, axis_1), dot(*source, axis_2)};
+    const Spatial turned = turned_into(*source, t.normal[from], plane);
+    const Planar projected = {dot(turned, axis_1), dot(turned, axis_2)};
     const double size = norm(projected);
     if(size == 0. || projected[1] > 0.)
       return;
@@ -665,10 +687,12 @@ void Front::cross_on_cloud(Index from, const Spatial* source, Index along, Index
     return;
   const double distance = x.distance + gain;
   if(distance < m_sites[target].distance)
-    offer(target,
-          {distance, tangent(target, back[0] * axis_1 + back[1] * axis_2),
-           std::abs(y_0) < std::abs(base - y_0) ? from : along, flags, 0.},
-          m_sources[from]);
+    offer(
+        target,
+        {distance,
+         tangent(target, turned_into(back[0] * axis_1 + back[1] * axis_2, plane, t.normal[target])),
+         std::abs(y_0) < std::abs(base - y_0) ? from : along, flags, 0.},
+        m_sources[from]);
 }
 
 // A direction in space as coordinates in the tangent plane of a surfel.

@@ -184,7 +184,10 @@ std::size_t number_of_degenerate_triangles(const Glued_triangles& triangles)
   return count;
 }
 
-std::pair<std::vector<Index>, std::size_t> components(const Glued_triangles& triangles)
+namespace {
+
+std::pair<std::vector<Index>, std::size_t> joined(const Glued_triangles& triangles,
+                                                  const Site_graph& graph)
 {
   const std::size_t n = triangles.number_of_sites();
   std::vector<Index> label(n, none), stack;
@@ -211,13 +214,25 @@ std::pair<std::vector<Index>, std::size_t> components(const Glued_triangles& tri
         reach(triangles.corner[next_side(triangles.star[i])]);
         reach(triangles.corner[previous_side(triangles.star[i])]);
       }
-      if(triangles.is_cloud())
-        for(Index i = triangles.graph.first[site]; i < triangles.graph.first[site + 1]; ++i)
-          reach(triangles.graph.target[i]);
+      if(!graph.first.empty())
+        for(Index i = graph.first[site]; i < graph.first[site + 1]; ++i)
+          reach(graph.target[i]);
     }
     ++count;
   }
   return {std::move(label), count};
+}
+
+} // namespace
+
+std::pair<std::vector<Index>, std::size_t> components(const Glued_triangles& triangles)
+{
+  return joined(triangles, triangles.graph);
+}
+
+std::pair<std::vector<Index>, std::size_t> islands(const Glued_triangles& triangles)
+{
+  return joined(triangles, Site_graph());
 }
 
 } // namespace CGAL::Geodesic_processing::internal

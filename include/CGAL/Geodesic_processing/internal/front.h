@@ -100,7 +100,8 @@ private:
   bool source_at(Index corner, bool mirrored, Planar& source) const;
 
   std::shared_ptr<const Glued_triangles> m_triangles;
-  std::shared_ptr<const Obtuse_splits> m_splits; // for planar fronts on meshes
+  std::shared_ptr<const Obtuse_splits> m_splits;       // for planar fronts on meshes
+  std::shared_ptr<const std::vector<Index>> m_islands; // #sites, for Euclidean fronts on clouds
   Front_kind m_kind;
 
   std::vector<Site> m_sites;

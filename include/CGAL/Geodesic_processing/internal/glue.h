@@ -44,6 +44,10 @@ std::size_t number_of_degenerate_triangles(const Glued_triangles& triangles);
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::pair<std::vector<Index>, std::size_t> components(const Glued_triangles& triangles);
 
+// The same with sides alone: the islands of a cloud, between which only arcs lead.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::pair<std::vector<Index>, std::size_t> islands(const Glued_triangles& triangles);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_GLUE_H
