@@ -12,7 +12,6 @@
 
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -39,7 +38,7 @@ int main(int argc, char* argv[])
   for(Vertex v : mesh.vertices())
   {
     solver.compute(v, GP::parameters::maximum_distance(radius));
-    neighbours += std::distance(solver.reached().begin(), solver.reached().end());
+    neighbours += solver.reached().size();
   }
   timer.stop();
 
