@@ -60,9 +60,7 @@ Location checked(const Glued_triangles& t, const Location& location)
   return cleaned(t, location);
 }
 
-namespace {
-
-Spatial scaled_point(const Glued_triangles& t, const Location& location)
+Spatial scaled_coordinates(const Glued_triangles& t, const Location& location)
 {
   if(location.triangle == none)
     return t.point[location.site];
@@ -72,18 +70,16 @@ Spatial scaled_point(const Glued_triangles& t, const Location& location)
          location.barycentric[2] * t.point[corner[2]];
 }
 
-} // namespace
-
 std::array<double, 3> coordinates(const Glued_triangles& t, const Location& location)
 {
-  return t.origin + t.scale * scaled_point(t, location);
+  return t.origin + t.scale * scaled_coordinates(t, location);
 }
 
 double polyline_length(const Glued_triangles& t, const std::vector<Location>& path)
 {
   double length = 0.;
   for(std::size_t i = 1; i < path.size(); ++i)
-    length += norm(scaled_point(t, path[i]) - scaled_point(t, path[i - 1]));
+    length += norm(scaled_coordinates(t, path[i]) - scaled_coordinates(t, path[i - 1]));
   return length;
 }
 

@@ -122,7 +122,8 @@ public:
                                   internal::path_to_sources(
                                       *m_domain.triangles(), inner, m_sources,
                                       [&](internal::Index i) { return m_engine.distance(i); },
-                                      [&](internal::Index i) { return m_engine.predecessor(i); }),
+                                      [&](internal::Index i) { return m_engine.predecessor(i); },
+                                      [&](internal::Index i) { return m_engine.source(i); }),
                                   scale() * m_engine.distance(inner));
   }
 

@@ -23,6 +23,11 @@ Location cleaned(const Glued_triangles& triangles, const Location& location);
 CGAL_GEODESIC_PROCESSING_EXPORT
 Location checked(const Glued_triangles& triangles, const Location& location);
 
+// Where a location lies, in the domain's coordinates.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::array<double, 3> scaled_coordinates(const Glued_triangles& triangles,
+                                         const Location& location);
+
 // Where a location lies, in the caller's coordinates.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<double, 3> coordinates(const Glued_triangles& triangles, const Location& location);

@@ -21,7 +21,8 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Location> path_to_sources(const Glued_triangles& triangles, const Location& from,
                                       const std::vector<Source>& sources,
                                       const std::function<double(Index)>& distance,
-                                      const std::function<Index(Index)>& predecessor);
+                                      const std::function<Index(Index)>& predecessor,
+                                      const std::function<Index(Index)>& source);
 
 } // namespace CGAL::Geodesic_processing::internal
 
