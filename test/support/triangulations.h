@@ -85,7 +85,7 @@ inline Triangulation grid(std::size_t columns, std::size_t rows,
   return result;
 }
 
-// The unit square in the plane.  Up to jitter 0.3 no triangle turns over.
+// The unit square in the plane.  Up to jitter 0.25 no triangle turns over.
 inline Triangulation square(std::size_t n, double jitter = 0., unsigned seed = 1)
 {
   return grid(

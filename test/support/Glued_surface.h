@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_GLUED_SURFACE_H
+#define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_GLUED_SURFACE_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+
+#include "triangulations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::test {
+
+using internal::infinity;
+
+// A triangulation as the kernels see it, and their answers in its own numbers and unit.
+class Glued_surface
+{
+public:
+  explicit Glued_surface(const Triangulation& surface)
+      : m_surface(surface), m_glued(glued(surface)),
+        m_triangles(std::make_shared<const Glued_triangles>(m_glued.triangles))
+  {}
+
+  const std::shared_ptr<const Glued_triangles>& triangles() const { return m_triangles; }
+  const Glued_mesh& glued_mesh() const { return m_glued; }
+  double scale() const { return m_triangles->scale; }
+  Index size() const { return Index(m_surface.points.size()); }
+  const Point& point(Index i) const { return m_surface.points[i]; }
+  Index site(Index i) const { return m_glued.site_of_vertex[i]; }
+  Index point_of_site(Index i) const { return m_glued.vertex_of_site[i]; }
+  Index triangle(Index face) const { return m_glued.triangle_of_face[face]; }
+
+  Location at(Index i) const { return {none, site(i), {}}; }
+  Location in(Index face, const std::array<double, 3>& barycentric) const
+  {
+    return {triangle(face), none, barycentric};
+  }
+  // The share of the way along side k of a face.
+  Location on(Index face, int k, double share) const
+  {
+    std::array<double, 3> barycentric = {0., 0., 0.};
+    barycentric[k] = 1. - share;
+    barycentric[(k + 1) % 3] = share;
+    return in(face, barycentric);
+  }
+
+  internal::Source source(const Location& location, double offset = 0., Index label = 0) const
+  {
+    return {{location}, offset / scale(), label};
+  }
+  internal::Source source(Index i, double offset = 0., Index label = 0) const
+  {
+    return source(at(i), offset, label);
+  }
+  // The polyline along points that are joined by sides.
+  internal::Source line(const std::vector<Index>& points, double offset = 0.) const
+  {
+    internal::Source result{{}, offset / scale(), 0};
+    for(const Index i : points)
+      result.polyline.push_back(at(i));
+    return result;
+  }
+
+  // One value per point.
+  template <typename Engine>
+  std::vector<double> distances(const Engine& engine) const
+  {
+    std::vector<double> result(size());
+    for(Index i = 0; i < size(); ++i)
+      result[i] = scale() * engine.distance(site(i));
+    return result;
+  }
+
+private:
+  Triangulation m_surface;
+  Glued_mesh m_glued;
+  std::shared_ptr<const Glued_triangles> m_triangles;
+};
+
+// The largest of |value(i) - truth(i)| over all points; infinite where only one of them is, or one
+// is not a number.
+template <typename Truth>
+double largest_error(const std::vector<double>& value, const Truth& truth)
+{
+  double result = 0.;
+  for(Index i = 0; i < value.size(); ++i)
+  {
+    const double expected = truth(i);
+    if(value[i] == expected)
+      continue;
+    const double error = std::abs(value[i] - expected);
+    result = error <= result ? result : error; // keeps what is not a number
+    if(std::isnan(error))
+      return infinity;
+  }
+  return result;
+}
+
+// The mean of |value / truth - 1| over the points where the truth is at least `least`.
+template <typename Truth>
+double mean_relative_error(const std::vector<double>& value, double least, const Truth& truth)
+{
+  double sum = 0.;
+  std::size_t count = 0;
+  for(Index i = 0; i < value.size(); ++i)
+    if(truth(i) >= least)
+    {
+      sum += std::abs(value[i] / truth(i) - 1.);
+      ++count;
+    }
+  return sum / double(count);
+}
+
+inline double dot(const Point& p, const Point& q)
+{
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
+
+// Along the great circle of the unit sphere.
+inline double great_circle(const Point& p, const Point& q)
+{
+  return 2. * std::asin(std::min(1., 0.5 * distance(p, q)));
+}
+
+// To the nearest point of a segment.
+inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  const Point ab = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const Point ap = {p[0] - a[0], p[1] - a[1], p[2] - a[2]};
+  const double share = std::clamp(dot(ap, ab) / dot(ab, ab), 0., 1.);
+  return distance(p, {a[0] + share * ab[0], a[1] + share * ab[1], a[2] + share * ab[2]});
+}
+
+// On a cone, and on a saddle, made by cone(): from the radius a to the radius b, in directions that
+// differ by `angle` on one hand and by total - angle on the other.
+inline double distance_on_cone(double a, double b, double angle, double total)
+{
+  angle = std::min(angle, total - angle);
+  return angle < pi ? std::sqrt(std::max(0., a * a + b * b - 2. * a * b * std::cos(angle))) : a + b;
+}
+
+} // namespace CGAL::Geodesic_processing::test
+
+#endif // CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_GLUED_SURFACE_H
