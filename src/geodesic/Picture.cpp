@@ -178,10 +178,13 @@ void paint(vtkActor* actor, const Colour& colour)
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
 
-void add_tubes(vtkRenderer* renderer, vtkPolyData* lines, double radius, const Colour& colour)
+// Nothing where there are no lines.
+vtkSmartPointer<vtkActor> add_tubes(vtkRenderer* renderer, vtkPolyData* lines, double radius,
+                                    const Colour& colour)
 {
+  const auto actor = vtkSmartPointer<vtkActor>::New();
   if(lines->GetNumberOfLines() == 0)
-    return;
+    return actor;
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(lines);
   tubes->SetRadius(radius);
@@ -190,11 +193,11 @@ void add_tubes(vtkRenderer* renderer, vtkPolyData* lines, double radius, const C
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(tubes->GetOutputPort());
   mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   paint(actor, colour);
   actor->GetProperty()->SetAmbient(0.25);
   renderer->AddActor(actor);
+  return actor;
 }
 
 void add_ball(vtkRenderer* renderer, const Point& center, double radius, const Colour& colour)
@@ -289,9 +292,9 @@ double line_step(const Range& range)
 }
 
 // Lines of equal value on the triangles whose corners all have one.
-void add_isolines(vtkRenderer* renderer, const std::vector<Point>& points,
-                  const std::vector<std::uint32_t>& corners, const std::vector<double>& values,
-                  const Range& range)
+vtkSmartPointer<vtkActor> add_isolines(vtkRenderer* renderer, const std::vector<Point>& points,
+                                       const std::vector<std::uint32_t>& corners,
+                                       const std::vector<double>& values, const Range& range)
 {
   std::vector<std::uint32_t> finite;
   for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
@@ -318,7 +321,7 @@ void add_isolines(vtkRenderer* renderer, const std::vector<Point>& points,
   vtkNew<vtkStripper> stripper;
   stripper->SetInputConnection(contours->GetOutputPort());
   stripper->Update();
-  add_tubes(renderer, stripper->GetOutput(), thin, dark);
+  return add_tubes(renderer, stripper->GetOutput(), thin, dark);
 }
 
 void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title)
@@ -335,7 +338,13 @@ void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title
   bar->SetLookupTable(table);
   bar->SetTitle(title.c_str());
   bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat("%-#.3g");
+  // Three digits, without an exponent where that is short.
+  const double digits = std::floor(std::log10(std::max(std::abs(range.low), range.high)));
+  const std::string format =
+      digits >= -3. && digits < 6.
+          ? "%." + std::to_string(static_cast<int>(std::max(0., 2. - digits))) + "f"
+          : "%.2e";
+  bar->SetLabelFormat(format.c_str());
   bar->SetMaximumWidthInPixels(110);
   bar->SetPosition(0.885, 0.18);
   bar->SetWidth(0.1);
@@ -575,7 +584,7 @@ std::vector<Point> sample(const std::vector<Point>& points,
   return samples;
 }
 
-void place_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
+View place_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
                   const std::vector<Point>& places, bool has_bar)
 {
   // The bar takes a strip at the right.
@@ -589,6 +598,7 @@ void place_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
   camera->SetViewAngle(view_angle);
   camera->SetWindowCenter(has_bar ? 1. - free_share : 0., 0.);
   renderer->ResetCameraClippingRange();
+  return view;
 }
 
 void save(vtkRenderWindow* window, const std::string& filename)
@@ -632,6 +642,7 @@ void draw(const std::string& filename, const Picture& picture)
     colours = colours_of(picture.values, range.low, range.high);
 
   const std::vector<std::uint32_t>& triangles = is_mesh ? surface.corners : picture.triangles;
+  vtkSmartPointer<vtkActor> lines;
   if(!is_mesh)
     add_skin(renderer, splats(points, surface.normals, colours));
   if(!picture.labels.empty())
@@ -639,14 +650,14 @@ void draw(const std::string& filename, const Picture& picture)
     const Regions regions(points, triangles, picture.labels);
     if(is_mesh)
       add_skin(renderer, regions.skin());
-    add_tubes(renderer, lines_of(regions.borders()), thin, dark);
+    lines = add_tubes(renderer, lines_of(regions.borders()), thin, dark);
   }
   else
   {
     if(is_mesh)
       add_skin(renderer, {points, {}, triangles, colours});
     if(!range.empty())
-      add_isolines(renderer, points, triangles, picture.values, range);
+      lines = add_isolines(renderer, points, triangles, picture.values, range);
   }
   add_tubes(renderer, lines_of(polylines), thick, red);
   const bool has_regions = !picture.labels.empty();
@@ -659,7 +670,13 @@ void draw(const std::string& filename, const Picture& picture)
   for(const std::vector<Point>& polyline : polylines)
     for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
       places.push_back(polyline[i]);
-  place_camera(renderer, sample(points, surface.corners), places, !range.empty());
+  const View view = place_camera(renderer, sample(points, surface.corners), places, !range.empty());
+  // Splats stick out of the triangles that carry a cloud's lines: bring the lines to the front.
+  if(!is_mesh && lines != nullptr)
+  {
+    const Point shift = 0.012 * view.back;
+    lines->SetPosition(shift[0], shift[1], shift[2]);
+  }
 
   vtkNew<vtkLightKit> lights;
   lights->SetKeyLightIntensity(0.85);

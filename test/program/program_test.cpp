@@ -1,0 +1,450 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs the program itself: GEODESIC_PROCESSING_PROGRAM is its file.
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome
+{
+  int code = -1;
+  std::string out, err;
+};
+
+std::string content(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// A fresh folder with some inputs, gone at the end.
+class Program : public testing::Test
+{
+protected:
+  Program()
+  {
+    const testing::TestInfo* const test = testing::UnitTest::GetInstance()->current_test_info();
+    m_folder = fs::path(testing::TempDir()) / ("geodesic_" + std::string(test->name()));
+    fs::remove_all(m_folder);
+    fs::create_directories(m_folder);
+
+    // A unit square of 9 x 9 vertices whose diagonals run in turn, with a property.
+    std::ostringstream square;
+    square << "ply\nformat ascii 1.0\nelement vertex 81\nproperty double x\nproperty double y\n"
+              "property double z\nproperty float double_speed\nelement face 128\n"
+              "property list uchar int vertex_indices\nend_header\n";
+    for(int j = 0; j < 9; ++j)
+      for(int i = 0; i < 9; ++i)
+        square << i / 8. << ' ' << j / 8. << " 0 2\n";
+    for(int j = 0; j < 8; ++j)
+      for(int i = 0; i < 8; ++i)
+      {
+        const int a = 9 * j + i, b = a + 1, c = a + 10, d = a + 9;
+        if((i + j) % 2 == 0)
+          square << "3 " << a << ' ' << b << ' ' << c << "\n3 " << a << ' ' << c << ' ' << d
+                 << '\n';
+        else
+          square << "3 " << a << ' ' << b << ' ' << d << "\n3 " << b << ' ' << c << ' ' << d
+                 << '\n';
+      }
+    write("square.ply", square.str());
+
+    write("closed.off",
+          "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    write("apart.off",
+          "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 5\n1 0 5\n0 1 5\n9 9 9\n3 0 1 2\n3 3 4 5\n");
+    write("quads.off",
+          "OFF\n6 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n4 0 1 4 3\n4 1 4 5 2\n");
+    // Two triangles that share a vertex, and nothing else.
+    write("pinched.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
+    // Two tetrahedra that share a vertex.
+    write("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
+                        "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 5 6 0\n");
+    std::ostringstream cloud;
+    for(int j = 0; j < 12; ++j)
+      for(int i = 0; i < 12; ++i)
+        cloud << i / 11. << ' ' << j / 11. << " 0 0 0 1\n";
+    write("cloud.xyz", cloud.str());
+  }
+  ~Program() override { fs::remove_all(m_folder); }
+
+  void write(const std::string& name, const std::string& bytes) const
+  {
+    std::ofstream(m_folder / name, std::ios::binary) << bytes;
+  }
+
+  // A command line, run in the folder.
+  Outcome run(const std::string& arguments) const
+  {
+    const fs::path out = fs::path(m_folder.string() + ".out"), err = m_folder.string() + ".err";
+    const std::string redirected =
+        arguments.find('>') == std::string::npos ? " >'" + out.string() + "'" : "";
+    const int status =
+        std::system(("cd '" + m_folder.string() + "' && '" GEODESIC_PROCESSING_PROGRAM "' " +
+                     arguments + redirected + " 2>'" + err.string() + "'")
+                        .c_str());
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
+    fs::remove(out);
+    fs::remove(err);
+    return outcome;
+  }
+
+  nlohmann::json json(const std::string& arguments) const
+  {
+    const Outcome outcome = run(arguments + " --json --quiet");
+    EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
+    return nlohmann::json::parse(outcome.out, nullptr, false);
+  }
+
+  std::vector<double> numbers(const std::string& name) const
+  {
+    std::istringstream stream(content(m_folder / name));
+    std::vector<double> result;
+    for(std::string word; stream >> word;)
+      result.push_back(std::strtod(word.c_str(), nullptr));
+    return result;
+  }
+
+  // The code, and one sentence that holds a part.
+  void expect_failure(const std::string& arguments, int code, const std::string& part) const
+  {
+    const std::size_t files = count();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, part, outcome.err);
+    EXPECT_EQ(count(), files) << arguments << " left a file behind";
+  }
+
+  std::size_t count() const
+  {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), {}));
+  }
+
+  fs::path m_folder;
+};
+
+std::set<std::string> keys(const nlohmann::json& object)
+{
+  std::set<std::string> result;
+  for(const auto& item : object.items())
+    result.insert(item.key());
+  return result;
+}
+
+TEST_F(Program, wrong_usage_is_1_and_one_sentence)
+{
+  expect_failure("", 1, "--help");
+  expect_failure("fly square.ply", 1, "--help");
+  expect_failure("info", 1, "INPUT");
+  expect_failure("info square.ply --what", 1, "--what");
+  expect_failure("distance square.ply", 1, "--source");
+  expect_failure("distance square.ply --source one", 1, "'one'");
+  expect_failure("distance square.ply --source 1,,2", 1, "not the number of a vertex");
+  expect_failure("distance square.ply --source-at 1,2", 1, "x,y,z");
+  expect_failure("distance square.ply --source-at 1,2,nan", 1, "x,y,z");
+  expect_failure("distance square.ply --source 0 --method exact", 1, "not available yet");
+  expect_failure("distance square.ply --source 0 --method fast", 1, "the methods are");
+  expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
+  expect_failure("distance square.ply --source 0 --speed curvature-attractive", 1, "not available");
+  expect_failure("distance square.ply --source 0 --speed s --method heat", 1, "--speed");
+  expect_failure("distance square.ply --source 0 -o a.xyz", 1, "a.xyz");
+  expect_failure("distance square.ply --source 0 --picture a.jpg", 1, ".png");
+  expect_failure("path square.ply --from 0", 1, "--to");
+  expect_failure("path square.ply --from 0,1 --to 2", 1, "one vertex");
+  expect_failure("path square.ply --from 0 --from-at 0,0,0 --to 2", 1, "--from");
+  expect_failure("path square.ply --from 0 --to 80 -o a.off", 1, "a.off");
+  expect_failure("voronoi square.ply", 1, "--number");
+  expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
+}
+
+TEST_F(Program, bad_input_is_2_and_names_the_file)
+{
+  expect_failure("info nowhere.ply", 2, "nowhere.ply: there is no such file");
+  write("cut.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+  for(const char* const command : {"info cut.off", "distance cut.off --source 0",
+                                   "path cut.off --from 0 --to 1", "voronoi cut.off --number 1"})
+    expect_failure(command, 2, "cut.off: ");
+  expect_failure("distance square.ply --source 81", 2, "square.ply: there is no vertex 81");
+  expect_failure("distance square.ply --source 0 --speed wind", 2, "only double_speed");
+  expect_failure("distance closed.off --source-border", 2, "no border");
+  expect_failure("distance cloud.xyz --source-border", 2, "no border");
+  expect_failure("path apart.off --from 0 --to 3", 2, "no path");
+  expect_failure("path apart.off --from 0 --to 6 -o a.vtp", 2, "no path");
+}
+
+TEST_F(Program, what_cannot_be_written_is_3)
+{
+  expect_failure("info square.ply -o none/a.ply", 3, "none");
+  expect_failure("distance square.ply --source 0 --values none/a.txt", 3, "none");
+  if(!fs::exists("/dev/full"))
+    return;
+  EXPECT_EQ(run("distance square.ply --source 0 --values /dev/full").code, 3);
+  EXPECT_EQ(run("info square.ply --json > /dev/full").code, 3);
+  EXPECT_EQ(run("--help > /dev/full").code, 3);
+}
+
+TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
+{
+  const std::set<std::string> common = {"input",    "repaired", "kind",
+                                        "vertices", "faces",    "seconds"};
+  const auto expect_keys = [&](const std::string& arguments, std::set<std::string> own)
+  {
+    const nlohmann::json object = json(arguments);
+    own.insert(common.begin(), common.end());
+    EXPECT_EQ(keys(object), own) << arguments;
+    EXPECT_EQ(keys(object["seconds"]),
+              (std::set<std::string>{"read", "prepare", "query", "write"}));
+  };
+  expect_keys("info square.ply", {"components", "boundary_loops", "genus", "manifold", "area",
+                                  "min_angle", "max_angle", "bounding_box", "degenerate_faces"});
+  expect_keys("distance square.ply --source 0", {"max", "unreached"});
+  expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
+  expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
+  expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
+}
+
+TEST_F(Program, json_alone_is_on_standard_output)
+{
+  for(const char* const command :
+      {"info quads.off", "distance quads.off --source 0", "path quads.off --from 0 --to 5",
+       "voronoi quads.off --number 2"})
+  {
+    const Outcome outcome = run(std::string(command) + " --json");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(nlohmann::json::accept(outcome.out)) << outcome.out;
+    EXPECT_TRUE(nlohmann::json::parse(outcome.out)["repaired"].get<bool>());
+    EXPECT_EQ(run(std::string(command) + " --quiet").out, "");
+  }
+}
+
+TEST_F(Program, info_knows_the_shape)
+{
+  const nlohmann::json square = json("info square.ply");
+  EXPECT_EQ(square["boundary_loops"], 1);
+  EXPECT_EQ(square["genus"], 0);
+  EXPECT_EQ(square["components"], 1);
+  EXPECT_EQ(square["manifold"], true);
+  EXPECT_EQ(square["repaired"], false);
+  EXPECT_NEAR(square["area"].get<double>(), 1., 1e-14); // 128 roundings
+  EXPECT_NEAR(square["min_angle"].get<double>(), 45., 1e-12);
+  EXPECT_NEAR(square["max_angle"].get<double>(), 90., 1e-12);
+  EXPECT_EQ(square["bounding_box"], nlohmann::json::parse("[[0,0,0],[1,1,0]]"));
+  EXPECT_EQ(json("info apart.off")["components"], 2);
+  EXPECT_EQ(json("info pinched.off")["manifold"], false);
+}
+
+TEST_F(Program, info_converts)
+{
+  for(const char* const name : {"a.ply", "a.off", "a.obj", "a.vtp"})
+  {
+    EXPECT_EQ(run(std::string("info square.ply -o ") + name).code, 0);
+    const nlohmann::json again = json(std::string("info ") + name);
+    EXPECT_EQ(again["vertices"], 81);
+    EXPECT_EQ(again["faces"], 128);
+    EXPECT_EQ(again["repaired"], false);
+  }
+}
+
+TEST_F(Program, distances_of_a_flat_square_are_straight)
+{
+  for(const char* const method : {"euclidean", "fast-marching", "dijkstra", "heat"})
+  {
+    const nlohmann::json result =
+        json(std::string("distance square.ply --source 0 --values d.txt --method ") + method);
+    const std::vector<double> values = numbers("d.txt");
+    ASSERT_EQ(values.size(), 81u);
+    EXPECT_EQ(values[0], 0.);
+    EXPECT_EQ(result["unreached"], 0);
+    EXPECT_EQ(result["max"].get<double>(), *std::max_element(values.begin(), values.end()));
+    // The default is exact where the surface is flat.  The others err as their pages say; Dijkstra
+    // by 8 % between eight directions.
+    const double tolerance = std::string(method) == "euclidean" ? 1e-12 : 0.12;
+    for(int i = 0; i < 81; ++i)
+    {
+      const double straight = std::hypot(i % 9 / 8., i / 9 / 8.);
+      EXPECT_NEAR(values[static_cast<std::size_t>(i)], straight, tolerance) << method << ' ' << i;
+    }
+  }
+}
+
+TEST_F(Program, sources_of_every_kind)
+{
+  json("distance square.ply --source-at 0.5,0.5,7 --values d.txt");
+  EXPECT_NEAR(numbers("d.txt")[0], std::sqrt(0.5), 1e-12);
+  json("distance square.ply --source-border --values d.txt");
+  EXPECT_NEAR(numbers("d.txt")[40], 0.5, 1e-12);
+  EXPECT_EQ(numbers("d.txt")[8], 0.);
+  json("distance square.ply --source 0,80 --source-at 1,0,0 --values d.txt");
+  const std::vector<double> values = numbers("d.txt");
+  EXPECT_EQ(values[0] + values[80], 0.);
+  EXPECT_NEAR(values[8], 0., 1e-12);
+  EXPECT_NEAR(values[72], 1., 1e-12);
+}
+
+TEST_F(Program, a_limit_leaves_the_rest_unreached)
+{
+  const nlohmann::json result = json("distance square.ply --source 0 --limit 0.5 --values d.txt");
+  const std::vector<double> values = numbers("d.txt");
+  const auto unreached = std::count(values.begin(), values.end(), INFINITY);
+  EXPECT_EQ(result["unreached"], unreached);
+  EXPECT_LE(result["max"].get<double>(), 0.5);
+  for(int i = 0; i < 81; ++i)
+    EXPECT_EQ(std::isinf(values[static_cast<std::size_t>(i)]),
+              std::hypot(i % 9 / 8., i / 9 / 8.) > 0.5 + 1e-12)
+        << i;
+}
+
+TEST_F(Program, twice_the_speed_is_half_the_time)
+{
+  for(const char* const method : {"euclidean", "fast-marching"})
+  {
+    json(std::string(
+             "distance square.ply --source 0 --values s.txt --speed double_speed --method ") +
+         method);
+    json("distance square.ply --source 0 --values d.txt --method fast-marching");
+    const std::vector<double> fast = numbers("s.txt"), plain = numbers("d.txt");
+    for(std::size_t i = 0; i < 81; ++i)
+      EXPECT_NEAR(2. * fast[i], plain[i], 1e-12) << method;
+  }
+}
+
+TEST_F(Program, other_components_and_isolated_vertices_are_unreached)
+{
+  const nlohmann::json result = json("distance apart.off --source 0 --values d.txt");
+  EXPECT_EQ(result["unreached"], 4);
+  EXPECT_EQ(numbers("d.txt"),
+            (std::vector<double>{0, 1, 1, INFINITY, INFINITY, INFINITY, INFINITY}));
+  EXPECT_EQ(json("distance apart.off --source 6")["unreached"], 6);
+}
+
+TEST_F(Program, fronts_and_paths_pass_pinched_vertices)
+{
+  for(const char* const name : {"pinched.off", "bowtie.off"})
+  {
+    const nlohmann::json result =
+        json(std::string("distance ") + name + " --source 1 --values d.txt");
+    EXPECT_EQ(result["unreached"], 0) << name;
+    const std::size_t other = std::string(name) == "bowtie.off" ? 4 : 3;
+    EXPECT_NEAR(numbers("d.txt")[other], 2., 1e-12) << name;
+    const nlohmann::json path =
+        json(std::string("path ") + name + " --from 1 --to " + std::to_string(other));
+    EXPECT_NEAR(path["length"].get<double>(), 2., 1e-12) << name;
+  }
+}
+
+TEST_F(Program, results_carry_the_distances)
+{
+  json("distance square.ply --source 0 -o d.ply --values d.txt");
+  json("distance square.ply --source 0 -o d.vtp");
+  // Read back through --speed, which takes any property: zero speed at the source is allowed.
+  for(const char* const name : {"d.ply", "d.vtp"})
+    EXPECT_EQ(run(std::string("distance ") + name + " --source 80 --speed distance").code, 0);
+  EXPECT_EQ(run("distance square.ply --source 0 -o d.obj").code, 0);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "vt 0 0.5", content(m_folder / "d.obj"));
+  EXPECT_EQ(run("distance square.ply --source 0 -o d.off").code, 0);
+  EXPECT_EQ(content(m_folder / "d.off").substr(0, 4), "COFF");
+}
+
+TEST_F(Program, a_path_on_a_flat_square_is_straight)
+{
+  const nlohmann::json corners = json("path square.ply --from 0 --to 80 --values p.txt");
+  EXPECT_NEAR(corners["length"].get<double>(), std::sqrt(2.), 1e-12);
+  EXPECT_NEAR(corners["front_distance"].get<double>(), std::sqrt(2.), 1e-12);
+  const std::vector<double> points = numbers("p.txt");
+  EXPECT_EQ(points.size(), 3 * corners["points"].get<std::size_t>());
+  EXPECT_EQ((std::vector<double>(points.begin(), points.begin() + 3)),
+            (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ((std::vector<double>(points.end() - 3, points.end())), (std::vector<double>{1, 1, 0}));
+
+  const nlohmann::json places =
+      json("path square.ply --from-at 0.1,0.2,0 --to-at 0.9,0.3,1 -o p.vtp");
+  EXPECT_NEAR(places["length"].get<double>(), std::hypot(0.8, 0.1), 1e-12);
+  EXPECT_EQ(json("info p.vtp")["vertices"], places["points"]);
+  EXPECT_EQ(json("path square.ply --from 3 --to 3")["length"], 0.);
+}
+
+TEST_F(Program, a_path_on_a_cloud_joins_its_ends)
+{
+  const nlohmann::json path = json("path cloud.xyz --from 0 --to 143 --values p.txt");
+  // A flat grid: no shorter than straight, and straightened to within a per cent.
+  EXPECT_GE(path["length"].get<double>(), std::sqrt(2.) * (1. - 1e-12));
+  EXPECT_LE(path["length"].get<double>(), std::sqrt(2.) * 1.01);
+  const std::vector<double> points = numbers("p.txt");
+  ASSERT_GE(points.size(), 6u);
+  EXPECT_NEAR(points[0] + points[1], 0., 1e-12);
+  EXPECT_NEAR(points[points.size() - 3] + points[points.size() - 2], 2., 1e-12);
+}
+
+TEST_F(Program, cells_belong_to_the_nearest_seed)
+{
+  const nlohmann::json result = json("voronoi square.ply --seeds 0,80 --values l.txt");
+  EXPECT_EQ(result["seeds"], nlohmann::json::parse("[0,80]"));
+  const std::vector<double> labels = numbers("l.txt");
+  ASSERT_EQ(labels.size(), 81u);
+  for(int i = 0; i < 81; ++i)
+    if(i % 9 + i / 9 != 8) // on the line between them both are right
+      EXPECT_EQ(labels[static_cast<std::size_t>(i)], i % 9 + i / 9 > 8 ? 1. : 0.);
+}
+
+TEST_F(Program, farthest_seeds_cover_every_component_and_end_in_time)
+{
+  const nlohmann::json two = json("voronoi apart.off --number 2 --values l.txt");
+  EXPECT_EQ(two["unreached"], 1); // the isolated vertex gets no seed
+  std::set<bool> parts;
+  for(const std::size_t seed : two["seeds"].get<std::vector<std::size_t>>())
+    parts.insert(seed < 3);
+  EXPECT_EQ(parts.size(), 2u);
+  EXPECT_EQ(numbers("l.txt")[6], -1.);
+  EXPECT_EQ(json("voronoi apart.off --number 100")["seeds"].size(), 6u);
+  write("one.xyz", "1 2 3\n1 2 3\n");
+  EXPECT_EQ(json("voronoi one.xyz --number 5")["seeds"].size(), 1u);
+}
+
+TEST_F(Program, farthest_seeds_are_far_apart)
+{
+  for(const char* const name : {"square.ply", "cloud.xyz"})
+  {
+    const auto seeds = json(std::string("voronoi ") + name + " --number 5 --seed 7")["seeds"]
+                           .get<std::vector<std::size_t>>();
+    ASSERT_EQ(seeds.size(), 5u);
+    const std::size_t n = name == std::string("square.ply") ? 9 : 12;
+    for(std::size_t i = 0; i < 5; ++i)
+      for(std::size_t j = 0; j < i; ++j)
+      {
+        const auto x = [n](std::size_t s) { return static_cast<double>(s % n) / (n - 1.); };
+        const auto y = [n](std::size_t s) { return static_cast<double>(s / n) / (n - 1.); };
+        // Five points in a square can be 0.7 apart; farthest points are at least half as good.
+        EXPECT_GE(std::hypot(x(seeds[i]) - x(seeds[j]), y(seeds[i]) - y(seeds[j])), 0.35);
+      }
+    EXPECT_EQ(json(std::string("voronoi ") + name + " --number 5 --seed 7")["seeds"], seeds);
+  }
+}
+
+TEST_F(Program, names_with_blanks_and_other_letters)
+{
+  fs::copy_file(m_folder / "closed.off", m_folder / "a b \xc3\xa9.off");
+  EXPECT_EQ(json("info 'a b \xc3\xa9.off' -o 'c d.ply'")["vertices"], 4);
+  EXPECT_TRUE(fs::exists(m_folder / "c d.ply"));
+}
+
+} // namespace
