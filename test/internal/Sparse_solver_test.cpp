@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Sparse_solver.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+
+// The lower triangle of 2 + shift on the diagonal and -1 beside it.
+Sparse_matrix chain(int n, double shift)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for(int i = 0; i < n; ++i)
+  {
+    entries.emplace_back(i, i, 2. + shift);
+    if(i > 0)
+      entries.emplace_back(i, i - 1, -1.);
+  }
+  Sparse_matrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+TEST(Sparse_solver, leaves_a_small_residual)
+{
+  const int n = 1000;
+  const Sparse_matrix matrix = chain(n, 1e-3);
+  const Sparse_solver solver(matrix);
+  std::mt19937 random(1);
+  for(int i = 0; i < 5; ++i)
+  {
+    Vector right(n);
+    for(double& x : right)
+      x = double(random()) / double(random.max()) - 0.5;
+    const Vector x = solver.solve(right);
+    const Vector residual = matrix.selfadjointView<Eigen::Lower>() * x - right;
+    // Backward stable: roundings of |A| |x|.
+    EXPECT_LT(residual.norm(), 1e-14 * 4. * x.norm());
+  }
+}
+
+TEST(Sparse_solver, refuses_a_matrix_that_is_not_definite)
+{
+  EXPECT_THROW(Sparse_solver(chain(10, -3.)), Unsupported_surface_error);
+}
+
+} // namespace
