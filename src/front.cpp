@@ -210,6 +210,9 @@ void Front::start(const std::vector<Source>& sources)
   const Glued_triangles& t = *m_triangles;
   m_started_in.clear();
   m_is_single = sources.size() == 1;
+  m_offsets.clear();
+  for(const Source& source : sources)
+    m_offsets.push_back(source.offset);
   m_lowest_offset = infinity;
   for(const Source& source : sources)
     m_lowest_offset = std::min(m_lowest_offset, source.offset);
@@ -221,7 +224,7 @@ void Front::start(const std::vector<Source>& sources)
       for(const Index triangle : triangles_at(t, line[0]))
         start_in_triangle(triangle, line[0], line[0], sources[i].offset, i);
       if(const Index site = site_of(t, line[0]); site != none)
-        start_at_site(site, sources[i].offset, i);
+        start_at_site(site, sources[i].offset, 0, i);
     }
     for(std::size_t k = 1; k < line.size(); ++k)
       for(const Index triangle : triangles_at(t, line[k - 1]))
@@ -229,9 +232,9 @@ void Front::start(const std::vector<Source>& sources)
   }
 }
 
-void Front::start_at_site(Index site, double distance, Index source)
+void Front::start_at_site(Index site, double distance, Index flags, Index source)
 {
-  offer(site, {distance, {1., 0.}, none, origin_flag, 0.}, source);
+  offer(site, {distance, {1., 0.}, none, origin_flag | flags, 0.}, source);
 }
 
 // Gives the corners of a triangle their distances to the part of a source that lies in it.
@@ -246,20 +249,27 @@ void Front::start_in_triangle(Index triangle, const Location& begin, const Locat
   m_started_in.push_back({triangle, {{begin_here, end_here}, offset, source}});
   const double slowness = m_slowness ? (*m_slowness)[triangle] : 1.;
   const auto corners = layout(t, triangle);
+  // A segment sends a straight front out; past its ends the fitted curvature bends it.
   const Planar at_begin = position(corners, begin_here), at_end = position(corners, end_here);
+  const Index flat = norm(at_end - at_begin) > 0. ? flat_flag : 0;
   for(Index k = 0; k < 3; ++k)
   {
     const Index corner = 3 * triangle + k, site = t.corner[corner];
     bool inside = false;
-    const Planar way = foot(corners[k], at_begin, at_end, inside) - corners[k];
+    const Planar nearest = foot(corners[k], at_begin, at_end, inside);
+    const Planar way = nearest - corners[k];
     const double length = norm(way);
     if(length == 0.)
-      start_at_site(site, offset, source);
+      start_at_site(site, offset, flat, source);
     else if(slowness < infinity)
     {
+      // Without directions, and on a cloud, the predecessor: where the nearest point is a site.
+      const bool has_corner = has_directions() && !t.is_cloud();
+      const Index site_there =
+          inside ? none : site_of(t, nearest == at_begin ? begin_here : end_here);
       offer(site,
             {offset + slowness * length, in_corner((1. / length) * way, corners, corner),
-             t.is_cloud() || !has_directions() ? none : corner, inside ? flat_flag : 0, 0.},
+             has_corner ? corner : site_there, flat, 0.},
             source);
     }
   }
@@ -433,15 +443,17 @@ void Front::cross_split(Index index, Index site)
     if(!is_behind && site != sites[k])
       continue;
     const Index other = is_behind ? sites[k] : split.site;
+    // The predecessor is a neighbour, also where the front passes nearer to the site behind.
     if(m_sites[other].state & final_flag)
       cross_planar(corner, site, other, split.base[k], is_behind ? split.length : lengths[k],
-                   is_behind ? lengths[k] : split.length);
+                   is_behind ? lengths[k] : split.length, sites[k]);
   }
 }
 
 // Offers the site at a corner what a straight front gives it that passes x and z: `base` from x to
-// z, `to_x` and `to_z` from there to the site.
-void Front::cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z)
+// z, `to_x` and `to_z` from there to the site.  Without a predecessor it is the nearer of the two.
+void Front::cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z,
+                         Index predecessor)
 {
   if(!is_same_front(x, z))
     return;
@@ -459,8 +471,10 @@ void Front::cross_planar(Index corner, Index x, Index z, double base, double to_
     return;
   const Index target = m_triangles->corner[corner];
   const double distance = start + slowness * (rise * u + across * v);
+  if(predecessor == none)
+    predecessor = 2. * crossing < base * across ? x : z;
   if(distance < m_sites[target].distance)
-    offer(target, {distance, {1., 0.}, 2. * crossing < base * across ? x : z, 0, 0.}, m_sources[x]);
+    offer(target, {distance, {1., 0.}, predecessor, 0, 0.}, m_sources[x]);
 }
 
 // A site hands on its front through the triangles that see it come: from the triangle that it came
@@ -471,8 +485,10 @@ void Front::spread_euclidean(Index index)
 {
   const Glued_triangles& t = *m_triangles;
   const Site from = m_sites[index];
+  // Of a polyline's sites each sees only its part: what lies along a side of theirs may be nearer to
+  // another part.
   if(from.state & origin_flag)
-    return offer_along_sides(index, 0);
+    return offer_along_sides(index, from.state & flat_flag ? blind_flag | flat_flag : 0);
   if(from.state & blind_flag)
     return spread_blindly(index);
 
@@ -520,13 +536,13 @@ void Front::spread_euclidean(Index index)
   // The shadow between them, to the border on either hand.
   Index dark = left;
   for(; dark != none && dark != right; dark = turn_left(t, dark), ++seen)
-    offer_along_side(dark, true, 0);
+    offer_along_side(dark, true, from.state & flat_flag);
   if(dark == none)
     for(dark = right; dark != none; dark = turn_right(t, dark), ++seen)
-      offer_along_side(dark, false, 0);
+      offer_along_side(dark, false, from.state & flat_flag);
   // Other fans of a pinched site; where a shadow began a triangle was counted twice.
   if(seen < t.first[index + 1] - t.first[index] + 2)
-    offer_along_sides(index, 0);
+    offer_along_sides(index, from.state & flat_flag);
 }
 
 // Offers the end of a triangle's far side what a circular front gives it that crosses the side
@@ -547,7 +563,7 @@ void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, con
   const Planar y = t.length[mirrored ? corner : previous] * opening;
   // A front on a polyhedron bends at least as much as one that has come straight all the way.
   const Index flags = (x.state | z.state) & flat_flag;
-  double curvature = flags ? 0. : 1. / (x.distance - m_lowest_offset);
+  double curvature = flags ? 0. : 1. / (x.distance - offset_at(from));
   // Fronts of two sources are never mixed.
   if(is_same_front(from, along))
     curvature = std::max(curvature, fitted_curvature(base, z.distance - x.distance, angle[0]));
@@ -581,14 +597,14 @@ void Front::spread_blindly(Index index)
   const Glued_triangles& t = *m_triangles;
   const Site from = m_sites[index];
   offer_along_sides(index, blind_flag | (from.state & flat_flag));
-  const double radius = from.distance - m_lowest_offset;
+  const double radius = from.distance - offset_at(index);
   for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
     for(const bool mirrored : {false, true})
     {
       const Index corner = t.star[i];
       const Index side = mirrored ? previous_side(corner) : corner;
       const Index along = t.corner[mirrored ? side : next_side(corner)];
-      Circle circle{{1., 0.}, from.state & flat_flag ? 0. : 1. / radius};
+      Circle circle{{1., 0.}, (from.state | m_sites[along].state) & flat_flag ? 0. : 1. / radius};
       if(m_sources[along] == m_sources[index] &&
          source_by_distances(t.length[side], m_sites[along].distance - from.distance, circle))
         cross_circle(corner, mirrored, corner_angle(t, corner),
@@ -611,7 +627,8 @@ void Front::spread_on_cloud(Index index)
       return;
     const Spatial back = t.point[index] - t.point[target];
     // Whoever gets no more than a side's length knows no direction, and waits.
-    Index flags = is_origin ? 0 : blind_flag | (from.state & flat_flag);
+    const Index flat = from.state & flat_flag;
+    Index flags = is_origin && !flat ? 0 : blind_flag | flat;
     // A copy is the same place.
     if(length == 0.)
       flags = from.state & arrival_flags;
@@ -667,7 +684,7 @@ void Front::cross_on_cloud(Index from, const Spatial* source, Index along, Index
   const double difference = z.distance - x.distance;
   const Index flags = (x.state | z.state) & flat_flag;
   Circle circle;
-  circle.curvature = flags ? 0. : 1. / (x.distance - m_lowest_offset);
+  circle.curvature = flags ? 0. : 1. / (x.distance - offset_at(from));
   if(source)
   {
     const Spatial turned = turned_into(*source, t.normal[from], plane);
@@ -766,7 +783,8 @@ double Front::distance(const Location& location) const
       Circle circle;
       const bool is_planar = m_slowness || m_kind == Front_kind::planar;
       const bool is_flat = is_planar || ((x.state | z.state) & flat_flag);
-      circle.curvature = is_flat ? 0. : 1. / std::max(x.distance - m_lowest_offset, base * 1e-12);
+      circle.curvature =
+          is_flat ? 0. : 1. / std::max(x.distance - offset_at(t.corner[from]), base * 1e-12);
       if(is_planar || (x.state & (origin_flag | blind_flag)) ||
          !source_at(from, mirrored, circle.source))
       {

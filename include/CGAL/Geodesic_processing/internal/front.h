@@ -72,10 +72,14 @@ private:
 
   // Whether sites of the running query know the direction of their sources.
   bool has_directions() const { return m_kind == Front_kind::euclidean && !m_slowness; }
+  double offset_at(Index site) const
+  {
+    return m_is_single ? m_lowest_offset : m_offsets[m_sources[site]];
+  }
   bool is_same_front(Index x, Index z) const { return m_is_single || m_sources[x] == m_sources[z]; }
 
   void start(const std::vector<Source>& sources);
-  void start_at_site(Index site, double distance, Index source);
+  void start_at_site(Index site, double distance, Index flags, Index source);
   void start_in_triangle(Index triangle, const Location& begin, const Location& end, double offset,
                          Index source);
   bool offer(Index site, const Arrival& arrival, Index source);
@@ -86,7 +90,8 @@ private:
 
   void spread_planar(Index site);
   void cross_split(Index split, Index site);
-  void cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z);
+  void cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z,
+                    Index predecessor = none);
 
   void spread_euclidean(Index site);
   void spread_blindly(Index site);
@@ -112,6 +117,7 @@ private:
   // Of the running query
   std::shared_ptr<const std::vector<double>> m_slowness;
   std::vector<std::pair<Index, Source>> m_started_in; // triangle, its part of a source
+  std::vector<double> m_offsets;                      // #sources
   double m_lowest_offset = 0.;
   bool m_is_single = false; // one source only
 };
