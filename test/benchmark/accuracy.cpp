@@ -1,0 +1,325 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far from the truth are the methods, and how fast does the error fall?
+#include <CGAL/Geodesic_processing.h>
+
+#include "Convergence_plot.h"
+#include "Heat_peer.h"
+#include "models.h"
+#include "report.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace {
+
+using namespace benchmarks;
+namespace GP = CGAL::Geodesic_processing;
+
+// Above this many vertices the factorizations of the heat methods take minutes.
+constexpr std::size_t most_for_heat = 200000;
+
+const std::vector<std::string> methods = {"Dijkstra", "Fast_marching", "Euclidean_front", "Heat",
+                                          "CGAL heat"};
+enum
+{
+  dijkstra,
+  marching,
+  front,
+  heat,
+  peer
+};
+
+struct Errors
+{
+  double mean = std::nan(""), maximum = std::nan(""); // relative
+};
+
+// Over vertices whose distance is known and at least 5 % of the largest one: nearer to the source
+// a relative error says more about the first triangle than about the method.
+template <typename Distance>
+Errors errors(const std::vector<double>& known, Distance distance)
+{
+  const double nearest = 0.05 * *std::max_element(known.begin(), known.end());
+  Errors result{0., 0.};
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < known.size(); ++i)
+    if(known[i] >= nearest)
+    {
+      const double error = std::fabs(distance(Vertex(Mesh::size_type(i))) - known[i]) / known[i];
+      result.mean += error;
+      result.maximum = std::max(result.maximum, error);
+      ++number;
+    }
+  result.mean /= double(number);
+  return result;
+}
+
+// All methods, prepared on one mesh.
+class Prepared
+{
+public:
+  explicit Prepared(Mesh& mesh)
+      : m_domain(GP::make_domain(mesh)), m_dijkstra(m_domain), m_marching(m_domain),
+        m_front(m_domain)
+  {
+    if(num_vertices(mesh) <= most_for_heat)
+    {
+      m_heat = std::make_unique<Solver<GP::Heat>>(m_domain);
+      m_peer = std::make_unique<Heat_peer>(mesh);
+    }
+  }
+
+  // By method.
+  std::vector<Errors> errors(Vertex source, const std::vector<double>& known)
+  {
+    std::vector<Errors> result;
+    const auto run = [&](auto* solver)
+    {
+      if(!solver)
+      {
+        result.push_back({});
+        return;
+      }
+      solver->compute(source);
+      result.push_back(::errors(known, [&](Vertex v) { return solver->distance(v); }));
+    };
+    run(&m_dijkstra);
+    run(&m_marching);
+    run(&m_front);
+    run(m_heat.get());
+    run(m_peer.get());
+    return result;
+  }
+
+private:
+  template <typename Method>
+  using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
+  GP::Mesh_domain<Mesh> m_domain;
+  Solver<GP::Dijkstra> m_dijkstra;
+  Solver<GP::Fast_marching> m_marching;
+  Solver<GP::Euclidean_front> m_front;
+  std::unique_ptr<Solver<GP::Heat>> m_heat;
+  std::unique_ptr<Heat_peer> m_peer;
+};
+
+std::string percent(const Errors& e)
+{
+  return std::isnan(e.mean) ? "-" : digits(100. * e.mean) + " / " + digits(100. * e.maximum);
+}
+
+// What a table of errors collects: a row for each source, and the means over the sources.
+class Accuracy_table
+{
+public:
+  Accuracy_table() : m_table(head()) {}
+
+  std::vector<Errors> add(const std::string& name, Mesh& mesh, const std::vector<Vertex>& sources,
+                          const std::vector<std::vector<double>>& known)
+  {
+    Prepared prepared(mesh);
+    std::vector<Errors> means(methods.size(), Errors{0., 0.});
+    for(std::size_t s = 0; s < sources.size(); ++s)
+    {
+      const auto found = prepared.errors(sources[s], known[s]);
+      std::vector<std::string> row = {name, std::to_string(num_vertices(mesh)),
+                                      std::to_string(std::size_t(sources[s]))};
+      for(std::size_t m = 0; m < methods.size(); ++m)
+      {
+        row.push_back(percent(found[m]));
+        means[m].mean += found[m].mean / double(sources.size());
+        means[m].maximum = std::max(means[m].maximum, found[m].maximum);
+      }
+      row.push_back(digits(found[peer].mean / found[front].mean));
+      row.push_back(digits(found[marching].mean / found[front].mean));
+      m_table.add(row);
+    }
+    return means;
+  }
+  void print() const { m_table.print(); }
+
+private:
+  static std::vector<std::string> head()
+  {
+    std::vector<std::string> result = {"mesh", "vertices", "source"};
+    result.insert(result.end(), methods.begin(), methods.end());
+    result.insert(result.end(), {"CGAL heat/front", "marching/front"});
+    return result;
+  }
+  Table m_table;
+};
+
+// Errors of each method at several sizes of the edges.
+class Convergence
+{
+public:
+  void add(double edge, const std::vector<Errors>& means)
+  {
+    for(std::size_t m = 0; m < methods.size(); ++m)
+      if(std::isfinite(means[m].mean))
+        m_points[m].push_back({edge, means[m].mean});
+  }
+
+  // The slope of log error over log edge: the least-squares line through the finest three sizes.
+  double order(std::size_t method) const
+  {
+    const auto found = m_points.find(method);
+    if(found == m_points.end() || found->second.size() < 3)
+      return std::nan("");
+    double x = 0., y = 0., xx = 0., xy = 0.;
+    for(auto p = found->second.end() - 3; p != found->second.end(); ++p)
+    {
+      const double u = std::log((*p)[0]), v = std::log((*p)[1]);
+      x += u / 3.;
+      y += v / 3.;
+      xx += u * u / 3.;
+      xy += u * v / 3.;
+    }
+    return (xy - x * y) / (xx - x * x);
+  }
+
+  void print(const char* title) const
+  {
+    std::vector<std::string> head = {title}, row = {"order"};
+    for(std::size_t m = 0; m < methods.size(); ++m)
+    {
+      head.push_back(methods[m]);
+      row.push_back(number(order(m), 2));
+    }
+    Table table(head);
+    table.add(row);
+    table.print();
+  }
+
+  Panel panel(const std::string& title) const
+  {
+    Panel result{title, {}};
+    for(const auto& [method, points] : m_points)
+      result.series.push_back({methods[method], method, order(method), points});
+    return result;
+  }
+
+private:
+  std::map<std::size_t, std::vector<std::array<double, 2>>> m_points;
+};
+
+std::vector<std::vector<double>>
+known_distances(const Mesh& mesh, const std::vector<Vertex>& sources,
+                const std::function<std::vector<double>(const Mesh&, Vertex)>& distances)
+{
+  std::vector<std::vector<double>> result;
+  for(const Vertex source : sources)
+    result.push_back(distances(mesh, source));
+  return result;
+}
+
+} // namespace
+
+// accuracy [--quick] [PLOT.svg]
+int main(int argc, char* argv[])
+{
+  bool quick = false;
+  std::string plot;
+  for(int i = 1; i < argc; ++i)
+    if(std::strcmp(argv[i], "--quick") == 0)
+      quick = true;
+    else
+      plot = argv[i];
+
+  std::printf("Accuracy: mean / largest relative error in percent, one vertex as source; vertices\n"
+              "nearer than 5 %% of the largest distance are left out.\n\n");
+
+  std::printf("Unit sphere, against great circles\n");
+  Convergence on_sphere;
+  {
+    Accuracy_table table;
+    for(unsigned level = 3; level <= (quick ? 5u : 8u); ++level)
+    {
+      Mesh mesh = icosphere(level);
+      const auto sources = three_sources(num_vertices(mesh));
+      on_sphere.add(mean_edge(mesh), table.add("icosphere " + std::to_string(level), mesh, sources,
+                                               known_distances(mesh, sources, great_circles)));
+    }
+    table.print();
+    std::printf("Bars for Euclidean_front, mean: 0.15 at 10242 and 0.037 at 163842 vertices.\n");
+    on_sphere.print("Unit sphere, finest three");
+  }
+
+  std::printf("Flat square, jittered grid with random diagonals, against straight lines\n");
+  {
+    Accuracy_table table;
+    double obtuse = 0.;
+    for(const std::size_t n :
+        quick ? std::vector<std::size_t>{101} : std::vector<std::size_t>{101, 301, 1001})
+    {
+      Mesh mesh = jittered_square(n);
+      obtuse = part_of_obtuse_faces(mesh);
+      const auto sources = three_sources(num_vertices(mesh));
+      table.add("square " + std::to_string(n) + "^2", mesh, sources,
+                known_distances(mesh, sources, straight_lines));
+    }
+    table.print();
+    std::printf("Bar for Euclidean_front, largest: 1e-4 percent.  %.0f %% of the faces are "
+                "obtuse.\n\n",
+                100. * obtuse);
+  }
+
+  Convergence on_scan;
+  const auto names =
+      quick ? std::vector<std::string>{"elephant_2k8", "kitten_9k"}
+            : std::vector<std::string>{"bunny_37k",    "armadillo_26k",     "nefertiti_35k",
+                                       "boot_20k",     "fandisk_6k5",       "kitten_9k",
+                                       "camel_10k",    "human_man_7k",      "eight_5k",
+                                       "elephant_2k8", "chinese_dragon_10k"};
+  Accuracy_table table;
+  std::size_t found = 0;
+  for(const std::string& name : names)
+  {
+    auto mesh = model(name);
+    if(!mesh)
+      continue;
+    ++found;
+    const auto sources = three_sources(num_vertices(*mesh));
+    const auto known = known_distances(*mesh, sources, exact_distances);
+    const auto means = table.add(name, *mesh, sources, known);
+    if(name != names.front())
+      continue;
+    // Cut into smaller faces, the surface is the same, and so are its distances.
+    on_scan.add(mean_edge(*mesh), means);
+    Mesh finer = *mesh;
+    for(const std::string times : {" once", " twice"})
+    {
+      finer = refined(finer);
+      on_scan.add(mean_edge(finer), table.add(name + times, finer, sources, known));
+    }
+  }
+  if(found == 0)
+    std::printf("No models: there is no folder %s.\n", GEODESIC_PROCESSING_DATA);
+  else
+  {
+    std::printf(
+        "Models, against CGAL's exact algorithm; \"once\" and \"twice\" are the same surface "
+        "with each\nface cut into four\n");
+    table.print();
+    std::printf("Bars for bunny_37k, armadillo_26k and nefertiti_35k: both ratios at least 3; "
+                "Euclidean_front\nbelow 0.3 if possible.\n");
+    on_scan.print(names.front().c_str());
+  }
+
+  if(!plot.empty())
+  {
+    std::vector<Panel> panels = {on_sphere.panel("Unit sphere, against great circles")};
+    if(found > 0)
+      panels.push_back(on_scan.panel("Scan, cut once and twice, against exact distances"));
+    if(!write_convergence_plot(plot, panels))
+    {
+      std::fprintf(stderr, "accuracy: cannot write %s\n", plot.c_str());
+      return EXIT_FAILURE;
+    }
+    std::printf("The plot of convergence is in %s\n", plot.c_str());
+  }
+}

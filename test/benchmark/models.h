@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_BENCHMARK_MODELS_H
+#define CGAL_GEODESIC_PROCESSING_BENCHMARK_MODELS_H
+
+#include "triangulations.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+// The meshes of the benchmarks, and the distances on them that are known.
+
+namespace benchmarks {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+
+inline Mesh mesh_of(const CGAL::Geodesic_processing::test::Triangulation& surface)
+{
+  Mesh mesh;
+  mesh.reserve(Mesh::size_type(surface.points.size()),
+               Mesh::size_type(surface.corners.size() * 3 / 2 / 3 + surface.points.size()),
+               Mesh::size_type(surface.corners.size() / 3));
+  for(const auto& p : surface.points)
+    mesh.add_vertex({p[0], p[1], p[2]});
+  for(std::size_t c = 0; c < surface.corners.size(); c += 3)
+    mesh.add_face(Vertex(surface.corners[c]), Vertex(surface.corners[c + 1]),
+                  Vertex(surface.corners[c + 2]));
+  return mesh;
+}
+
+// A sphere of 10 * 4^level + 2 vertices.
+inline Mesh icosphere(unsigned level)
+{
+  return mesh_of(CGAL::Geodesic_processing::test::icosphere(level));
+}
+
+// The unit square of n times n vertices, each moved by up to a quarter of a step, and a random
+// diagonal in each cell: up to there no triangle can turn over.
+inline Mesh jittered_square(std::size_t n)
+{
+  return mesh_of(CGAL::Geodesic_processing::test::square(n - 1, 0.25));
+}
+
+// Each face cut into four, the surface unchanged; the vertices of the mesh come first.
+inline Mesh refined(const Mesh& mesh)
+{
+  Mesh result;
+  const auto edges = Mesh::size_type(num_edges(mesh)), faces = Mesh::size_type(num_faces(mesh));
+  const auto vertices = Mesh::size_type(num_vertices(mesh));
+  result.reserve(vertices + edges, 2 * edges + 3 * faces, 4 * faces);
+  for(const Vertex v : mesh.vertices())
+    result.add_vertex(mesh.point(v));
+  for(const auto e : mesh.edges())
+    result.add_vertex(midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  for(const Face f : mesh.faces())
+  {
+    std::array<Vertex, 3> corner, middle; // middle[i] follows corner[i]
+    auto h = mesh.halfedge(f);
+    for(int i = 0; i < 3; ++i, h = mesh.next(h))
+    {
+      corner[i] = mesh.source(h);
+      middle[i] = Vertex(vertices + Mesh::size_type(mesh.edge(h)));
+    }
+    for(int i = 0; i < 3; ++i)
+      result.add_face(corner[i], middle[i], middle[(i + 2) % 3]);
+    result.add_face(middle[0], middle[1], middle[2]);
+  }
+  return result;
+}
+
+// A mesh of the data folder, if that is there.
+inline std::optional<Mesh> model(const std::string& name)
+{
+  const std::filesystem::path folder = GEODESIC_PROCESSING_DATA;
+  for(const std::string place : {"meshes/", "patches/"})
+    for(const std::string ending : {".ply", ".off"})
+    {
+      const auto file = folder / (place + name + ending);
+      Mesh mesh;
+      if(exists(file) && CGAL::IO::read_polygon_mesh(file.string(), mesh) && !is_empty(mesh))
+        return mesh;
+    }
+  return std::nullopt;
+}
+
+inline double mean_edge(const Mesh& mesh)
+{
+  double sum = 0.;
+  for(const auto e : mesh.edges())
+    sum +=
+        std::sqrt(squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return sum / double(num_edges(mesh));
+}
+
+// The part of the faces that have an angle above a right one.
+inline double part_of_obtuse_faces(const Mesh& mesh)
+{
+  std::size_t number = 0;
+  for(const Face f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+               &r = mesh.point(mesh.target(mesh.next(h)));
+    if((q - p) * (r - p) < 0. || (r - q) * (p - q) < 0. || (p - r) * (q - r) < 0.)
+      ++number;
+  }
+  return double(number) / double(num_faces(mesh));
+}
+
+inline std::vector<Vertex> three_sources(std::size_t number_of_vertices)
+{
+  const auto n = Mesh::size_type(number_of_vertices);
+  return {Vertex(0), Vertex(n / 3), Vertex(Mesh::size_type(2 * std::size_t(n) / 3))};
+}
+
+// By closed forms, and by CGAL's exact algorithm; one number a vertex.
+
+inline std::vector<double> great_circles(const Mesh& sphere, Vertex source)
+{
+  const auto s = sphere.point(source) - CGAL::ORIGIN;
+  std::vector<double> result;
+  for(const Vertex v : sphere.vertices())
+  {
+    const auto p = sphere.point(v) - CGAL::ORIGIN;
+    const auto across = cross_product(s, p);
+    result.push_back(std::atan2(std::sqrt(across * across), s * p));
+  }
+  return result;
+}
+
+inline std::vector<double> straight_lines(const Mesh& square, Vertex source)
+{
+  std::vector<double> result;
+  for(const Vertex v : square.vertices())
+    result.push_back(std::sqrt(squared_distance(square.point(source), square.point(v))));
+  return result;
+}
+
+inline std::vector<double> exact_distances(const Mesh& mesh, Vertex source)
+{
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+  CGAL::Surface_mesh_shortest_path<Traits> paths(mesh);
+  paths.add_source_point(source);
+  std::vector<double> result;
+  for(const Vertex v : mesh.vertices())
+    result.push_back(paths.shortest_distance_to_source_points(v).first);
+  return result;
+}
+
+} // namespace benchmarks
+
+#endif // CGAL_GEODESIC_PROCESSING_BENCHMARK_MODELS_H

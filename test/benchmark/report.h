@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_BENCHMARK_REPORT_H
+#define CGAL_GEODESIC_PROCESSING_BENCHMARK_REPORT_H
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#if defined(__GLIBC__)
+#  include <malloc.h>
+#endif
+
+// What is measured, and tables of it.
+
+namespace benchmarks {
+
+// Processor time, which on a busy machine tells more than a watch does.
+template <typename Function>
+double seconds(Function f)
+{
+  const std::clock_t begin = std::clock();
+  f();
+  return double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+inline double median(std::vector<double> values)
+{
+  if(values.empty())
+    return std::nan("");
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Bytes allocated now, or nan where nobody counts them.
+inline double bytes_in_use()
+{
+#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
+  const auto info = mallinfo2();
+  return double(info.uordblks) + double(info.hblkhd);
+#else
+  return std::nan("");
+#endif
+}
+
+// Bytes resident at most since the last forget_peak(), where the system tells (Linux).
+inline double peak_bytes()
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while(status >> word)
+    if(word == "VmHWM:")
+    {
+      double kilobytes = 0.;
+      status >> kilobytes;
+      return 1024. * kilobytes;
+    }
+  return std::nan("");
+}
+
+// Memory that is free but not given back would hide what comes next.
+inline void forget_peak()
+{
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+inline std::string number(double value, int decimals)
+{
+  if(std::isnan(value))
+    return "-";
+  if(std::isinf(value))
+    return "inf";
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", decimals, value);
+  return text;
+}
+
+// Three digits that matter, however small.
+inline std::string digits(double value)
+{
+  if(std::isnan(value))
+    return "-";
+  char text[64];
+  std::snprintf(text, sizeof(text), value != 0. && std::fabs(value) < 1e-3 ? "%.1e" : "%.3g",
+                value);
+  return text;
+}
+
+// A table whose columns are as wide as they must be: the first to the left, others to the right.
+class Table
+{
+public:
+  explicit Table(std::vector<std::string> head) { m_rows.push_back(std::move(head)); }
+
+  void add(std::vector<std::string> row) { m_rows.push_back(std::move(row)); }
+
+  void print() const
+  {
+    std::vector<std::size_t> width;
+    for(const auto& row : m_rows)
+      for(std::size_t i = 0; i < row.size(); ++i)
+      {
+        width.resize(std::max(width.size(), i + 1));
+        width[i] = std::max(width[i], row[i].size());
+      }
+    for(const auto& row : m_rows)
+    {
+      for(std::size_t i = 0; i < row.size(); ++i)
+        std::printf(i == 0 ? "%-*s" : "  %*s", int(width[i]), row[i].c_str());
+      std::printf("\n");
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+
+private:
+  std::vector<std::vector<std::string>> m_rows;
+};
+
+} // namespace benchmarks
+
+#endif // CGAL_GEODESIC_PROCESSING_BENCHMARK_REPORT_H

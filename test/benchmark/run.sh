@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds and runs the benchmarks; prints tables, ends with the plot of
+# convergence.  Takes about ten minutes on one processor; best with nothing else running.
+#   --quick      small meshes only, half a minute
+#   accuracy     only this one
+#   speed        only this one
+# Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
+# GEODESIC_PROCESSING_DATA (default: ../shared/data).
+set -u -o pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
+. cmake/install_packages.sh
+
+quick=() programs=()
+for argument in "$@"; do
+  case $argument in
+    --quick) quick=(--quick) ;;
+    accuracy | speed) programs+=("$argument") ;;
+    *) sed -n '5,11s/^# \{0,1\}//p' "$0"; exit 1 ;;
+  esac
+done
+[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed)
+
+build=${BUILD:-build/benchmark}
+install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
+  libsuitesparse-dev libopenblas-dev libtbb-dev libbenchmark-dev || exit 1
+
+mkdir -p "$build"
+{
+  cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGEODESIC_PROCESSING_PROGRAM=OFF \
+    -DGEODESIC_PROCESSING_BENCHMARKS=ON \
+    -DGEODESIC_PROCESSING_DATA="${GEODESIC_PROCESSING_DATA:-$PWD/../shared/data}" &&
+    cmake --build "$build" -j "${JOBS:-$(nproc)}"
+} >"$build/build.log" 2>&1 || { cat "$build/build.log"; exit 1; }
+
+# One thread each, theirs and ours.
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+grep -m 1 'model name' /proc/cpuinfo
+for program in "${programs[@]}"; do
+  arguments=("${quick[@]}")
+  [ "$program" = speed ] || arguments+=("$build/convergence.svg")
+  printf '\n'
+  "$build/test/benchmark/$program" "${arguments[@]}" || exit 1
+done
