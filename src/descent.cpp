@@ -314,8 +314,8 @@ struct Descent::Walk
         return arrive(false);
       go_to(at_site(t, begin));
     }
-    // A step across a triangle lowers the value by an amount that has no lower bound: after more
-    // of them than the mesh has sides only steps to sites are made, of which there are finitely many.
+    // A step across a triangle lowers the value by an amount that has no lower bound: after more of
+    // them than the mesh has sides only steps to sites are made, of which there are finitely many.
     for(std::size_t steps = 0;; ++steps)
     {
       if(arrive(true))

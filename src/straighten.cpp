@@ -83,7 +83,7 @@ public:
 
 private:
   void read(const std::vector<Location>& path);
-  void pull_all_taut();
+  bool pull_all_taut();
   void pull_locally_taut();
   Straight_path written();
 
@@ -400,10 +400,10 @@ void Straightener::angles(Index index, double& left, double& right) const
   left = in == out && turn <= 0. ? -turn : sweep(false);
 }
 
-// Leads a strip that goes from before the first to the last of some knots around their sites, on the
-// side where the angle is below pi, and on to where the last knot's part ends.  Knots at one point
-// in space are seen as one: the angles between them are those of a straight line.
-// False when both angles are large enough.
+// Leads a strip that goes from before the first to the last of some knots around their sites, on
+// the side where the angle is below pi, and on to where the last knot's part ends.  Knots at one
+// point in space are seen as one: the angles between them are those of a straight line. False when
+// both angles are large enough.
 bool Straightener::go_around(Strip& strip, Index first, Index last) const
 {
   double left = 0., right = 0.;
@@ -572,9 +572,10 @@ void Straightener::read(const std::vector<Location>& given)
   merge_repeated(m_begin, m_end);
 }
 
-// Leads the path around all sites at once, as long strips: cheaper than one by one.
-void Straightener::pull_all_taut()
+// Leads the path around all sites at once, as long strips; false when there is none to go around.
+bool Straightener::pull_all_taut()
 {
+  bool is_changed = false;
   std::vector<Index> replaced;
   for(Index first = m_begin; first != m_end;)
   {
@@ -588,12 +589,14 @@ void Straightener::pull_all_taut()
     }
     if(!replaced.empty())
     {
+      is_changed = true;
       put(std::move(strip), first, last);
       std::for_each(replaced.begin(), replaced.end(), [&](Index knot) { drop(knot); });
     }
     first = last;
   }
   merge_repeated(m_begin, m_end);
+  return is_changed;
 }
 
 void Straightener::pull_locally_taut()
@@ -710,7 +713,9 @@ Straight_path Straightener::operator()(const std::vector<Location>& path)
   read(path);
   if(m_end != none)
   {
-    pull_all_taut();
+    // Turns all along the path are cheaper together, the last ones one by one.
+    for(int i = 0; i < 8 && pull_all_taut(); ++i)
+      ;
     pull_locally_taut();
   }
   return written();

@@ -348,7 +348,8 @@ Straightest_path straightest_in_space(const Glued_triangles& t, const Location& 
       }
     }
   }
-  if(!(norm(in_plane) > 0.))
+  // What a unit vector along the normal leaves in the plane is rounding.
+  if(!(norm(in_plane) > 1e-14))
     throw Invalid_argument_error(
         "The direction of a straightest geodesic is normal to the surface.");
   return straightest(t, start, std::atan2(in_plane[1], in_plane[0]), length);

@@ -47,7 +47,7 @@ double value_at(const Surface& surface, const std::function<double(Index)>& dist
 TEST(Descent, follows_a_distance_to_its_source)
 {
   std::size_t steps = 0, climbs = 0;
-  const Surface surface(square(20, 0.3));
+  const Surface surface(square(20, 0.25));
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
   {
@@ -77,7 +77,7 @@ TEST(Descent, follows_a_distance_to_its_source)
 
 TEST(Descent, ends_at_the_source_that_explains_the_value)
 {
-  const Surface surface(square(20, 0.3));
+  const Surface surface(square(20, 0.25));
   std::vector<Source> sources = {source_at(surface.at(0)), source_at(surface.at(440), 0.5)};
   const Point p = {0., 0., 0.}, q = {1., 1., 0.};
   const double scale = surface.t().scale;
@@ -100,7 +100,7 @@ TEST(Descent, ends_at_the_source_that_explains_the_value)
 
 TEST(Descent, ends_on_polylines)
 {
-  const Surface surface(square(20, 0.3));
+  const Surface surface(square(20, 0.25));
   // The lower border.
   Source border;
   for(Index i = 0; i <= 20; ++i)

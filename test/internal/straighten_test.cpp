@@ -60,7 +60,7 @@ Straight_path checked(const Surface& surface, const std::vector<Location>& path,
 
 TEST(Straighten, is_exact_on_an_irregular_flat_square)
 {
-  const Surface surface(square(25, 0.3));
+  const Surface surface(square(25, 0.25));
   Path_finder find(surface.triangles);
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
@@ -190,7 +190,7 @@ TEST(Straighten, hugs_a_hole)
 
 TEST(Straighten, contracts_a_loop)
 {
-  const Surface surface(square(8, 0.3));
+  const Surface surface(square(8, 0.25));
   const auto path = straighten(surface.t(), surface.along({20, 21, 22, 31, 40, 39, 38, 29, 20}));
   ASSERT_EQ(path.locations.size(), 1u);
   EXPECT_EQ(path.length, 0.);
@@ -217,7 +217,7 @@ TEST(Straighten, leaves_single_locations_and_parts_of_one_triangle_alone)
 
 TEST(Straighten, ends_on_sides)
 {
-  const Surface surface(square(12, 0.3));
+  const Surface surface(square(12, 0.25));
   const Glued_triangles& t = surface.t();
   Path_finder find(surface.triangles);
   std::mt19937 random(4);

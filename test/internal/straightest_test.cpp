@@ -48,7 +48,7 @@ Straightest_path checked(const Surface& surface, const Location& from, double an
 
 TEST(Straightest, is_a_straight_line_in_the_plane)
 {
-  const Surface surface(square(20, 0.3));
+  const Surface surface(square(20, 0.25));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(-pi, pi);
   for(int i = 0; i < 300; ++i)
@@ -226,6 +226,35 @@ TEST(Straightest, gets_on_through_slivers)
       for(const double b : location.barycentric)
         EXPECT_TRUE(b >= 0. && b <= 1.);
   }
+}
+
+TEST(Straightest, takes_directions_of_space)
+{
+  // The square in a tilted plane, so that directions have a part across it.
+  const double c = std::cos(0.7), d = std::sin(0.7);
+  Triangulation tilted = square(12, 0.25);
+  for(Point& p : tilted.points)
+    p = {p[0], c * p[1], d * p[1]};
+  const Surface surface(tilted);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> angle(-pi, pi);
+  for(int i = 0; i < 100; ++i)
+  {
+    Location from = random_location(surface.t(), random);
+    if(i % 2 == 0) // an inner point of the square
+      from = surface.at(Index(14 + random() % 11 + 13 * (random() % 11)));
+    const double a = angle(random), length = 0.02, across = i % 3 - 1.;
+    const Point way = {std::cos(a), c * std::sin(a), d * std::sin(a)};
+    const Point direction = {way[0], way[1] - across * d, way[2] + across * c};
+    const auto path = straightest_in_space(surface.t(), from, direction, length / surface.scale());
+    if(path.end == Straightest_end::border)
+      continue;
+    const Point p = point_at(surface.t(), from), q = point_at(surface.t(), path.locations.back());
+    for(int k = 0; k < 3; ++k)
+      EXPECT_NEAR(q[k], p[k] + length * way[k], rounding);
+  }
+  EXPECT_THROW(straightest_in_space(surface.t(), surface.at(20), {0., -d, c}, 1.),
+               Invalid_argument_error);
 }
 
 TEST(Straightest, refuses_lengths_that_are_none)

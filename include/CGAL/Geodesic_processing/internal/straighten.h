@@ -26,10 +26,10 @@ struct Straight_path
   std::vector<Touched_site> touched; // in order, without the ends
 };
 
-// Pulls a path taut: the result joins the same ends, is not longer, and is locally shortest: straight
-// in the triangles that it crosses, with an angle of at least pi on both sides of every site that
-// it touches.  It is the shortest of all that cross the same strip of triangles, but not always the
-// shortest of all: it stays on the side of every hill on which the path was.
+// Pulls a path taut: the result joins the same ends, is not longer, and is locally shortest:
+// straight in the triangles that it crosses, with an angle of at least pi on both sides of every
+// site that it touches.  It is the shortest of all that cross the same strip of triangles, but not
+// always the shortest of all: it stays on the side of every hill on which the path was.
 //
 // path  not empty; consecutive locations lie in a common triangle (of a mesh), anywhere in it.
 //       Coordinates below 1e-14 count as zero.
@@ -37,12 +37,12 @@ struct Straight_path
 // The strip of triangles is unfolded and its shortest path found by a funnel (Lee and Preparata
 // 1984); where an angle is below pi, the strip is led around the site on that side (Xin and Wang
 // 2007), and the part between the neighbouring touched sites is pulled taut again.  Each turn
-// shortens the path, so that it ends.  Corners that gain less than rounding stay (angles short of pi
-// by up to 1e-7), and where sites coincide a bend may.  The cost is proportional to the strip, times
-// the turns near each place; nothing of the size of the mesh is touched.
+// shortens the path, so that it ends.  Corners that gain less than rounding stay (angles short of
+// pi by up to 1e-7), and where sites coincide a bend may.  The cost is proportional to the strip,
+// times the turns near each place; nothing of the size of the mesh is touched.
 //
-// Throws Invalid_argument_error when the path is empty or two consecutive locations lie in no common
-// triangle, Unsupported_surface_error on a cloud.
+// Throws Invalid_argument_error when the path is empty or two consecutive locations lie in no
+// common triangle, Unsupported_surface_error on a cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Straight_path straighten(const Glued_triangles& triangles, const std::vector<Location>& path);
 

@@ -32,19 +32,19 @@ struct Straightest_path
 // an angle of at least pi on one side, and then left at exactly pi on it.
 //
 // from    on a mesh, in a triangle (as at_site() makes it of a site)
-// angle   of the direction in the plane of that triangle, counterclockwise from its side 0; where it
-//         points out of the triangle, from a corner or a side, the neighbours are unfolded into
+// angle   of the direction in the plane of that triangle, counterclockwise from its side 0; where
+//         it points out of the triangle, from a corner or a side, the neighbours are unfolded into
 //         that plane, the nearer way round
 // length  finite and not negative, in the domain's scale
 //
-// Throws Invalid_argument_error when the angle or the length is not so.  The cost is proportional to
-// the triangles crossed.
+// Throws Invalid_argument_error when the angle or the length is not so.  The cost is proportional
+// to the triangles crossed.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Straightest_path straightest(const Glued_triangles& triangles, const Location& from, double angle,
                              double length);
 
-// The same in a direction of space, which is projected to the plane of the location's triangle; at a
-// site to that of the triangle, of those that hold the projection, whose plane is the nearest.
+// The same in a direction of space, which is projected to the plane of the location's triangle; at
+// a site to that of the triangle, of those that hold the projection, whose plane is the nearest.
 // Throws Invalid_argument_error also when the projection vanishes, or at a site without triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Straightest_path straightest_in_space(const Glued_triangles& triangles, const Location& from,
