@@ -122,13 +122,14 @@ Glued_mesh glue(std::vector<std::array<double, 3>> points, const std::vector<Ind
                          : distance(t.point[t.corner[side]], t.point[t.corner[next_side(side)]]);
     longest = std::max(longest, t.length[side]);
   }
-  const int exponent = longest > 0. ? std::ilogb(longest) : 0;
+  const double unit = longest > 0. ? std::ldexp(1., std::ilogb(longest)) : 1.;
+  const double factor = 1. / unit; // exact: a power of two
   for(double& length : t.length)
-    length = std::ldexp(length, -exponent);
+    length *= factor;
   for(auto& point : t.point)
     for(double& coordinate : point)
-      coordinate = std::ldexp(coordinate, -exponent);
-  t.scale = std::ldexp(frame.scale, exponent);
+      coordinate *= factor;
+  t.scale = frame.scale * unit;
   t.origin = frame.origin;
 
   build_stars(t, n);
