@@ -66,7 +66,7 @@ Heat_solver::Heat_solver(std::shared_ptr<const Glued_triangles> triangles)
   for(const double length : t.length)
     mean += length / double(t.length.size());
   // A millionth of a side's length keeps the cotangents below a million (Sharp and Crane 2020).
-  mollify(t, 1e-6 * mean);
+  mollify(t, 1e-6 * (mean > 0. ? mean : 1.));
   if(!t.is_cloud())
     flip_to_delaunay(t);
 
