@@ -248,9 +248,9 @@ void Front::start_in_triangle(Index triangle, const Location& begin, const Locat
   const Location begin_here = {triangle, none, *p}, end_here = {triangle, none, *q};
   m_started_in.push_back({triangle, {{begin_here, end_here}, offset, source}});
   const double slowness = m_slowness ? (*m_slowness)[triangle] : 1.;
-  const auto corners = layout(t, triangle);
+  const auto corners = unfolded(t, triangle);
   // A segment sends a straight front out; past its ends the fitted curvature bends it.
-  const Planar at_begin = position(corners, begin_here), at_end = position(corners, end_here);
+  const Planar at_begin = unfolded_point(corners, *p), at_end = unfolded_point(corners, *q);
   const Index flat = norm(at_end - at_begin) > 0. ? flat_flag : 0;
   for(Index k = 0; k < 3; ++k)
   {
@@ -748,15 +748,15 @@ double Front::distance(const Location& location) const
     return m_sites[site].distance;
   const Index triangle = location.triangle;
   const double slowness = m_slowness ? (*m_slowness)[triangle] : 1.;
-  const auto corners = layout(t, triangle);
-  const Planar p = position(corners, location);
+  const auto corners = unfolded(t, triangle);
+  const Planar p = unfolded_point(corners, location.barycentric);
   double result = infinity;
   for(const auto& [started, source] : m_started_in)
     if(started == triangle)
     {
       bool inside = false;
-      const Planar q = foot(p, position(corners, source.polyline[0]),
-                            position(corners, source.polyline[1]), inside);
+      const Planar q = foot(p, unfolded_point(corners, source.polyline[0].barycentric),
+                            unfolded_point(corners, source.polyline[1].barycentric), inside);
       result = std::min(result, source.offset + slowness * norm(p - q));
     }
   for(Index k = 0; k < 3; ++k)

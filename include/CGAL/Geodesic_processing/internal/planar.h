@@ -52,19 +52,6 @@ inline Planar apex(const Glued_triangles& triangles, Index side)
   return triangles.length[previous_side(side)] * corner_angle(triangles, side);
 }
 
-// A triangle laid out with corner 0 at the origin and side 0 along the first axis.
-inline std::array<Planar, 3> layout(const Glued_triangles& triangles, Index triangle)
-{
-  return {Planar{0., 0.}, Planar{triangles.length[3 * triangle], 0.},
-          apex(triangles, 3 * triangle)};
-}
-
-inline Planar position(const std::array<Planar, 3>& corners, const Location& location)
-{
-  return location.barycentric[0] * corners[0] + location.barycentric[1] * corners[1] +
-         location.barycentric[2] * corners[2];
-}
-
 // The point of the segment from p to q that is nearest to x, and whether it lies between its ends.
 inline Planar foot(const Planar& x, const Planar& p, const Planar& q, bool& inside)
 {
