@@ -112,6 +112,8 @@ Front::Front(std::shared_ptr<const Glued_triangles> triangles, Front_kind kind)
 {
   if(kind == Front_kind::planar && !m_triangles->is_cloud())
     m_splits = std::make_shared<const Obtuse_splits>(obtuse_splits(*m_triangles));
+  if(kind == Front_kind::euclidean)
+    m_directions.resize(m_sites.size());
   if(kind == Front_kind::euclidean && m_triangles->is_cloud())
     m_islands = std::make_shared<const std::vector<Index>>(islands(*m_triangles).first);
 }
@@ -315,7 +317,8 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   if(!(site.state & reached_flag))
     m_reached.push_back(index);
   site.distance = arrival.distance;
-  site.direction = arrival.direction;
+  if(!m_directions.empty())
+    m_directions[index] = arrival.direction;
   site.corner = arrival.corner;
   site.state = (site.state & ~arrival_flags) | arrival.flags | reached_flag;
   m_sources[index] = source;
@@ -492,6 +495,7 @@ void Front::spread_euclidean(Index index)
   if(from.state & blind_flag)
     return spread_blindly(index);
 
+  const Planar direction = m_directions[index];
   // A lit side whose end no triangle reaches gets the side's own length, but no direction.
   const Index lit = blind_flag | (from.state & flat_flag);
   const Index corner = from.corner;
@@ -500,7 +504,7 @@ void Front::spread_euclidean(Index index)
   Index seen = 1;
 
   // Counterclockwise; `angle` is the one between the source and the side about to be crossed.
-  Planar angle = turned_back(corner_angle(t, corner), from.direction);
+  Planar angle = turned_back(corner_angle(t, corner), direction);
   angle[1] = std::max(angle[1], 0.);
   Index left = turn_left(t, corner);
   for(; left != none && left != corner; left = turn_left(t, left))
@@ -517,7 +521,7 @@ void Front::spread_euclidean(Index index)
     return;
 
   // Clockwise, until it meets the other way.
-  angle = {from.direction[0], std::max(from.direction[1], 0.)};
+  angle = {direction[0], std::max(direction[1], 0.)};
   Index right = turn_right(t, corner);
   for(; right != none; right = turn_right(t, right))
   {
@@ -618,7 +622,7 @@ void Front::spread_on_cloud(Index index)
   const Glued_triangles& t = *m_triangles;
   const Site from = m_sites[index];
   const auto [axis_1, axis_2] = tangent_frame(t.normal[index]);
-  const Spatial source = from.direction[0] * axis_1 + from.direction[1] * axis_2;
+  const Spatial source = m_directions[index][0] * axis_1 + m_directions[index][1] * axis_2;
   const bool is_origin = from.state & origin_flag, is_blind = from.state & blind_flag;
   const auto reach = [&](Index target, double length)
   {
@@ -733,8 +737,8 @@ Index Front::predecessor(Index index) const
   const Index next = t.corner[next_side(site.corner)],
               previous = t.corner[previous_side(site.corner)];
   // The side nearer to the source's direction, if its far end is nearer at all.
-  const Planar other = turned_back(corner_angle(t, site.corner), site.direction);
-  const bool is_next = site.direction[0] >= other[0];
+  const Planar other = turned_back(corner_angle(t, site.corner), m_directions[index]);
+  const bool is_next = m_directions[index][0] >= other[0];
   for(const Index candidate : {is_next ? next : previous, is_next ? previous : next})
     if(m_sites[candidate].distance < site.distance && m_sources[candidate] == m_sources[index])
       return candidate;
@@ -808,10 +812,10 @@ bool Front::source_at(Index corner, bool mirrored, Planar& source) const
 {
   const Glued_triangles& t = *m_triangles;
   const Site& site = m_sites[t.corner[corner]];
+  const Planar direction = m_directions[t.corner[corner]];
   if(t.is_cloud() || site.corner == none || site.corner == corner)
     return false;
-  Planar angle =
-      mirrored ? site.direction : turned_back(corner_angle(t, site.corner), site.direction);
+  Planar angle = mirrored ? direction : turned_back(corner_angle(t, site.corner), direction);
   angle[1] = std::max(angle[1], 0.);
   for(Index c = mirrored ? turn_right(t, site.corner) : turn_left(t, site.corner);
       c != none && c != site.corner; c = mirrored ? turn_right(t, c) : turn_left(t, c))

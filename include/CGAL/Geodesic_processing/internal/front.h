@@ -58,12 +58,9 @@ public:
   const std::vector<Index>& reached() const { return m_reached; }
 
 private:
-  // The unit vector `direction` points from the site back to its source: on a mesh in the plane of
-  // the triangle of `corner`, side `corner` on the first axis; on a cloud in the tangent frame.
   struct Site
   {
     double distance = infinity;
-    Planar direction = {1., 0.};
     Index corner = none; // of the site, in the triangle that the front came through; without
                          //   directions, and on a cloud, the predecessor
     Index state = 0;     // see the flags in front.cpp
@@ -110,6 +107,9 @@ private:
   Front_kind m_kind;
 
   std::vector<Site> m_sites;
+  // #sites, for Euclidean fronts: the unit vector back to the source; on a mesh in the plane of the
+  // triangle of the site's corner, whose side lies on the first axis; on a cloud in the tangent frame.
+  std::vector<Planar> m_directions;
   std::vector<Index> m_sources;
   std::vector<Index> m_reached;
   Queue m_queue;
