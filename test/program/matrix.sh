@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The authors of Geodesic_processing.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# matrix.sh PROGRAM FOLDER [JOBS]: every file of a folder through every command with every method
+# and kind of source.  Meant for a sanitizer build; takes from minutes to an hour.  Each run ends
+# with 0, or with 2 and one sentence that names the file, within 10 s up to 50,000 vertices and 60 s
+# above; no result holds a NaN, and what was written can be read again.
+set -u
+
+[ $# -ge 2 ] || { sed -n '5,8s/^# //p' "$0"; exit 1; }
+program=$(realpath "$1") folder=$(realpath "$2") jobs=${3:-1}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# attempt FILE LIMIT COMMAND ARGUMENTS...
+attempt()
+{
+  local file=$1 limit=$2 here status complaint=
+  shift 2
+  here=$(mktemp -d -p "$work")
+  timeout -k 5 "$limit" "$program" "$1" "$file" "${@:2}" --values "$here/values" \
+    -o "$here/result.vtp" --json --quiet >"$here/out" 2>"$here/err"
+  status=$?
+  case $status in
+    0)
+      if grep -qiE '(^|[^a-z])-?nan([^a-z]|$)' "$here/out" "$here/values"; then
+        complaint="a NaN in the result"
+      elif ! timeout 60 "$program" info "$here/result.vtp" --quiet 2>"$here/err"; then
+        complaint="its result cannot be read again"
+      fi ;;
+    2)
+      if [ "$(grep -c . "$here/err")" -ne 1 ] || ! grep -qF "$file: " "$here/err"; then
+        complaint="not one sentence that names the file"
+      elif [ -e "$here/values" ] || [ -e "$here/result.vtp" ]; then
+        complaint="a result in spite of the error"
+      fi ;;
+    124 | 137) complaint="no end after $limit s" ;;
+    *) complaint="exit code $status" ;;
+  esac
+  if [ -n "$complaint" ]; then
+    echo "FAILED: geodesic $1 $file ${*:2}: $complaint"
+    head -n 12 "$here/err"
+  fi
+  rm -rf "$here"
+  [ -z "$complaint" ]
+}
+
+all_of_a_file()
+{
+  local file=$1 failed=0 limit=10 method
+  # About 40 bytes a vertex with its faces.
+  [ "$(stat -c %s "$file")" -lt 2000000 ] || limit=60
+  attempt "$file" $limit info || failed=1
+  for method in euclidean fast-marching dijkstra heat; do
+    attempt "$file" $limit distance --source 0 --method $method || failed=1
+    attempt "$file" $limit path --from 0 --to-at 0.3,0.2,0.1 --method $method || failed=1
+  done
+  attempt "$file" $limit distance --source 0,1,2 --source-at 0.1,0.2,0.3 || failed=1
+  attempt "$file" $limit distance --source-at 0,0,0 --limit 0.1 || failed=1
+  attempt "$file" $limit distance --source-border || failed=1
+  attempt "$file" $limit path --from 1 --to 2 || failed=1
+  attempt "$file" $limit voronoi --number 10 || failed=1
+  attempt "$file" $limit voronoi --seeds 0,1 || failed=1
+  return $failed
+}
+
+export -f attempt all_of_a_file
+export program work
+if find "$folder" -type f -regex '.*\.\(ply\|off\|obj\|stl\|xyz\|pwn\|vtp\)' -print0 | sort -z |
+   xargs -0 -n 1 -P "$jobs" bash -c 'all_of_a_file "$1"' _; then
+  echo "$folder: no crash, no hang, no NaN"
+else
+  exit 1
+fi
