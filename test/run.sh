@@ -4,8 +4,8 @@
 #
 # Installs what is missing, builds and runs every test.  Leaves everything in build/.
 #   --quick   without the sanitizer build
-#   --all     also all the models of the data folder through the program, and a minute of fuzzing
-#             for each input format
+#   --all     also all the models of the data folder through all that the program can do, and a
+#             minute of fuzzing for each input format
 # Environment: JOBS (default: all processors), GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
 
@@ -101,6 +101,15 @@ run_tests() { ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jo
 
 check_hostile_files() { bash test/hostile.sh $sanitizer/geodesic "$jobs" "$@"; }
 
+check_all_models()
+{
+  local folder failed=0
+  for folder in hostile meshes patches points; do
+    bash test/program/matrix.sh $sanitizer/geodesic "$data/$folder" "$jobs" || failed=1
+  done
+  return $failed
+}
+
 # A minute for each input format, from the corpus that is kept.
 fuzz()
 {
@@ -137,8 +146,7 @@ if [ $quick = 0 ] && step "sanitizer build" build_sanitizer; then
     skip "hostile files, sanitized" "there is no $data"
   fi
   if [ $all = 1 ]; then
-    [ ! -d "$data" ] || step "all models, sanitized" check_hostile_files \
-      "$data"/meshes/* "$data"/patches/* "$data"/points/*
+    [ ! -d "$data" ] || step "all models and methods, sanitized" check_all_models
     step "fuzzing" fuzz
   fi
 fi
