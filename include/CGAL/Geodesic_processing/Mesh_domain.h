@@ -87,7 +87,7 @@ public:
   internal::Index index(Site vertex) const { return get(m_data->index_of_vertex, vertex); }
   Site site(internal::Index index) const { return m_data->vertices[index]; }
   internal::Location inner(const Location& location) const;
-  internal::Location inner_site(Site vertex) const { return {internal::none, index(vertex), {}}; }
+  internal::Location inner_site(Site vertex) const;
   Location outer(const internal::Location& location) const;
   Point_3 point(const internal::Location& location) const;
   internal::Index triangle(Face face) const { return get(m_data->triangle_of_face, face); }
@@ -187,6 +187,18 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
   }
   m_triangles = std::make_shared<const internal::Glued_triangles>(std::move(glued.triangles));
   m_data = std::move(data);
+}
+
+template <typename TriangleMesh>
+internal::Location Mesh_domain<TriangleMesh>::inner_site(Site vertex) const
+{
+  if(vertex != Graph::null_vertex())
+  {
+    const internal::Index i = index(vertex);
+    if(i < number_of_sites() && site(i) == vertex)
+      return {internal::none, i, {}};
+  }
+  throw Invalid_argument_error("A vertex is none of the mesh's.");
 }
 
 template <typename TriangleMesh>

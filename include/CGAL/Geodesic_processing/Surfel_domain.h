@@ -82,7 +82,7 @@ public:
     return m_data->sites[m_data->surfels.surfel_of_site[index]];
   }
   internal::Location inner(const Location& location) const;
-  internal::Location inner_site(Site surfel) const { return {internal::none, index(surfel), {}}; }
+  internal::Location inner_site(Site surfel) const;
   Location outer(const internal::Location& location) const;
   Point_3 point(const internal::Location& location) const;
   template <typename SpeedMap>
@@ -175,13 +175,26 @@ internal::Index Surfel_domain<SurfelRange>::index(Site surfel) const
 }
 
 template <typename SurfelRange>
+internal::Location Surfel_domain<SurfelRange>::inner_site(Site surfel) const
+{
+  const std::size_t place = surfel;
+  bool is_ours = place < m_data->surfels.site_of_surfel.size();
+  if constexpr(!std::is_same_v<Site, std::size_t>)
+    is_ours =
+        place < m_data->place_of_index.size() && m_data->place_of_index[place] != internal::none;
+  if(!is_ours)
+    throw Invalid_argument_error("A surfel is none of the cloud's.");
+  return {internal::none, index(surfel), {}};
+}
+
+template <typename SurfelRange>
 internal::Location Surfel_domain<SurfelRange>::inner(const Location& location) const
 {
   const internal::Glued_triangles& t = m_data->surfels.triangles;
   const auto [u, v] = location.offset;
   if(!(std::abs(u) < internal::infinity) || !(std::abs(v) < internal::infinity))
     throw Invalid_argument_error("The offset of a location is not finite.");
-  return internal::to_triangle(t, {index(location.surfel), {u / t.scale, v / t.scale}});
+  return internal::to_triangle(t, {inner_site(location.surfel).site, {u / t.scale, v / t.scale}});
 }
 
 template <typename SurfelRange>

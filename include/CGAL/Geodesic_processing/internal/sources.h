@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
 
 #include <cmath>
 #include <type_traits>
@@ -62,6 +63,10 @@ internal::Source source(const Domain& domain,
       result.polyline.push_back(domain.inner(place));
   if(result.polyline.empty())
     throw Invalid_argument_error("A source is an empty polyline.");
+  for(std::size_t i = 1; i < result.polyline.size(); ++i)
+    if(common_triangle(*domain.triangles(), result.polyline[i - 1], result.polyline[i]) == none)
+      throw Invalid_argument_error(
+          "Two consecutive locations of a source lie in no common triangle.");
   return result;
 }
 

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/tags.h>
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::test;
+
+// On a slit square the diagonal tells methods apart.
+template <typename Method>
+double across_a_square()
+{
+  static const Glued_surface surface(square(20));
+  internal::Engine<Method> engine(surface.triangles());
+  engine.run({surface.source(20)});
+  return surface.distances(engine)[20 * 21]; // from (1,0) to (0,1), against all diagonals
+}
+
+TEST(Tags, choose_the_method_with_its_error)
+{
+  EXPECT_NEAR(across_a_square<Dijkstra>(), 2., 1e-12); // the sides' sums, wrong by 41 percent
+  EXPECT_NEAR(across_a_square<Euclidean_front>(), std::sqrt(2.), 1e-9);
+  // First order; on this mesh and in this direction a few percent.
+  EXPECT_NEAR(across_a_square<Fast_marching>(), std::sqrt(2.), 0.1);
+  EXPECT_GT(across_a_square<Fast_marching>(), std::sqrt(2.) + 1e-6);
+  EXPECT_NEAR(across_a_square<Heat>(), std::sqrt(2.), 0.1);
+}
+
+} // namespace
