@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_METHODS_H
+#define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_METHODS_H
+
+#include <CGAL/Geodesic_processing/internal/front.h>
+#include <CGAL/Geodesic_processing/internal/heat.h>
+#include <CGAL/Geodesic_processing/internal/path_to_sources.h>
+
+#include "Glued_surface.h"
+
+#include <ostream>
+#include <vector>
+
+// One way to ask every method, for what has to hold of all.
+
+namespace CGAL::Geodesic_processing::test {
+
+enum class Method
+{
+  dijkstra,
+  fast_marching,
+  euclidean_front,
+  heat
+};
+constexpr Method fronts[] = {Method::dijkstra, Method::fast_marching, Method::euclidean_front};
+constexpr Method all_methods[] = {Method::dijkstra, Method::fast_marching, Method::euclidean_front,
+                                  Method::heat};
+
+inline std::ostream& operator<<(std::ostream& out, Method method)
+{
+  constexpr const char* names[] = {"Dijkstra", "fast marching", "Euclidean front", "heat"};
+  return out << names[int(method)];
+}
+
+// A final site goes back into the queue for a gain of one part in 10^9 or more; what is below is
+// left, and on the surfaces of these tests passed on some tens of times.
+constexpr double rounding_of_fronts = 1e-7;
+// Sums of some hundred lengths.
+constexpr double rounding = 1e-12;
+
+inline internal::Front_kind kind_of(Method method)
+{
+  return method == Method::dijkstra        ? internal::Front_kind::arcs
+         : method == Method::fast_marching ? internal::Front_kind::planar
+                                           : internal::Front_kind::euclidean;
+}
+
+// Distances at the points of a surface, in its unit.
+inline std::vector<double> distances(const Glued_surface& surface, Method method,
+                                     const std::vector<internal::Source>& sources)
+{
+  if(method == Method::heat)
+  {
+    internal::Heat_solver solver(surface.triangles());
+    solver.run(sources);
+    return surface.distances(solver);
+  }
+  internal::Front front(surface.triangles(), kind_of(method));
+  front.run(sources);
+  return surface.distances(front);
+}
+
+// The path of the Euclidean front from a location to its nearest source.
+inline std::vector<Location> path(const Glued_triangles& triangles, const internal::Front& front,
+                                  const std::vector<internal::Source>& sources,
+                                  const Location& from)
+{
+  return internal::path_to_sources(
+      triangles, from, sources, [&](Index i) { return front.distance(i); },
+      [&](Index i) { return front.predecessor(i); }, [&](Index i) { return front.source(i); });
+}
+
+} // namespace CGAL::Geodesic_processing::test
+
+#endif // CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_METHODS_H
