@@ -36,23 +36,26 @@ public:
   /// `offset` is in the surface's unit and may be negative.  Without a label a source is known by
   /// its position in the range of sources.
   Source(Site site, double offset = 0., std::optional<std::size_t> label = std::nullopt)
-      : m_place(site), m_offset(offset), m_label(label)
+      : m_place(site), m_offset(offset), m_has_label(label.has_value()), m_label(label.value_or(0))
   {}
   Source(Location location, double offset = 0., std::optional<std::size_t> label = std::nullopt)
-      : m_place(Polyline{std::move(location)}), m_offset(offset), m_label(label)
+      : m_place(Polyline{std::move(location)}), m_offset(offset), m_has_label(label.has_value()),
+        m_label(label.value_or(0))
   {}
   Source(Polyline polyline, double offset = 0., std::optional<std::size_t> label = std::nullopt)
-      : m_place(std::move(polyline)), m_offset(offset), m_label(label)
+      : m_place(std::move(polyline)), m_offset(offset), m_has_label(label.has_value()),
+        m_label(label.value_or(0))
   {}
 
   const std::variant<Site, Polyline>& place() const { return m_place; }
   double offset() const { return m_offset; }
-  std::size_t label(std::size_t position) const { return m_label.value_or(position); }
+  std::size_t label(std::size_t position) const { return m_has_label ? m_label : position; }
 
 private:
   std::variant<Site, Polyline> m_place;
   double m_offset;
-  std::optional<std::size_t> m_label;
+  bool m_has_label;
+  std::size_t m_label;
 };
 
 /// \ingroup PkgGeodesicProcessingSources

@@ -1,0 +1,308 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include "Glued_surface.h"
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Mesh_source = GP::Source<Mesh>;
+
+// What the front may leave of a distance, see the tests of the front itself.
+constexpr double flat = 1e-7;
+
+template <typename Sources>
+std::vector<double> distances_from(Mesh& mesh, const Sources& sources)
+{
+  auto map = vertex_map(mesh);
+  GP::geodesic_distances(mesh, sources, map);
+  return values(mesh, map);
+}
+
+TEST(Geodesic_distances, are_those_of_the_plane)
+{
+  const Triangulation plane = square(20, 0.24);
+  Mesh mesh = mesh_of(plane);
+  const auto d = distances_from(mesh, Vertex(100));
+  EXPECT_LT(largest_error(d, [&](Index i) { return distance(plane.points[i], plane.points[100]); }),
+            flat);
+}
+
+TEST(Geodesic_distances, take_sources_of_every_kind)
+{
+  const Triangulation plane = square(20, 0.24);
+  Mesh mesh = mesh_of(plane);
+  const auto expect = [&](const auto& sources, const auto& truth)
+  { EXPECT_LT(largest_error(distances_from(mesh, sources), truth), flat); };
+
+  const auto to = [&](Index k)
+  { return [&, k](Index i) { return distance(plane.points[i], plane.points[k]); }; };
+  expect(Vertex(5), to(5));
+  expect(Mesh_source(Vertex(5)), to(5));
+  expect(std::vector<Vertex>{Vertex(5)}, to(5));
+  expect(std::vector<Mesh_source>{Vertex(5)}, to(5));
+
+  for(const std::array<double, 3>& barycentric :
+      {std::array<double, 3>{0.2, 0.3, 0.5}, {0.6, 0., 0.4}, {0., 1., 0.}})
+  {
+    const auto location = location_of(333, barycentric);
+    const Point p = point_of(mesh, location);
+    const auto to_p = [&](Index i) { return distance(plane.points[i], p); };
+    expect(location, to_p);
+    expect(Mesh_source(location), to_p);
+    expect(std::vector<GP::Location<Mesh>>{location}, to_p);
+    expect(std::array<Mesh_source, 1>{Mesh_source(location, 0.25)},
+           [&](Index i) { return 0.25 + to_p(i); });
+  }
+  const std::vector<Vertex> corners = {Vertex(0), Vertex(440)};
+  // Where the two meet in a triangle each may have to go along a side, of 1/20.
+  EXPECT_LT(largest_error(distances_from(mesh, corners),
+                          [&](Index i) { return std::min(to(0)(i), to(440)(i)); }),
+            0.5 / 20.);
+}
+
+TEST(Geodesic_distances, start_from_all_borders)
+{
+  const Triangulation plane = square(20, 0.24);
+  Mesh mesh = mesh_of(plane);
+  std::vector<Mesh_source> border;
+  GP::border_sources(mesh, std::back_inserter(border));
+  ASSERT_EQ(border.size(), 1u);
+  const auto d = distances_from(mesh, border);
+  const auto truth = [&](Index i)
+  {
+    const Point& p = plane.points[i];
+    return std::min({p[0], p[1], 1. - p[0], 1. - p[1]});
+  };
+  // At the creases along the diagonals, and where a corner of the border is all that a triangle
+  // has of it: part of a side of 1/20.
+  EXPECT_LT(largest_error(d, truth), 0.2 / 20.);
+}
+
+TEST(Geodesic_distances, write_labels_and_predecessors)
+{
+  const Triangulation plane = square(20, 0.24);
+  Mesh mesh = mesh_of(plane);
+  auto map = vertex_map(mesh);
+  auto label = vertex_map<std::size_t>(mesh);
+  auto predecessor = vertex_map<Vertex>(mesh);
+  const std::vector<Mesh_source> sources = {Mesh_source(Vertex(0), 0., 7), Mesh_source(Vertex(20)),
+                                            Mesh_source(Vertex(440), 0.125, 7)};
+  GP::geodesic_distances(mesh, sources, map,
+                         GP::parameters::source_label_map(label).predecessor_map(predecessor));
+  for(const Vertex v : mesh.vertices())
+  {
+    const Point& p = plane.points[v];
+    const double to_7 =
+                     std::min(distance(p, plane.points[0]), 0.125 + distance(p, plane.points[440])),
+                 to_1 = distance(p, plane.points[20]);
+    // Nearer ties may go either way.
+    if(std::abs(to_7 - to_1) > 0.05)
+    {
+      EXPECT_EQ(label[v], to_7 < to_1 ? 7u : 1u);
+    }
+    if(predecessor[v] != v)
+    {
+      EXPECT_LT(map[predecessor[v]], map[v]);
+      EXPECT_NE(mesh.halfedge(predecessor[v], v), Mesh::null_halfedge());
+    }
+    else
+    {
+      EXPECT_TRUE(v == Vertex(0) || v == Vertex(20) || v == Vertex(440));
+    }
+  }
+}
+
+TEST(Geodesic_distances, leave_what_is_not_reached_infinite_and_without_label)
+{
+  Mesh mesh = mesh_of(apart(square(4), tetrahedron()));
+  auto map = vertex_map(mesh);
+  auto label = vertex_map<std::size_t>(mesh);
+  auto predecessor = vertex_map<Vertex>(mesh);
+  GP::geodesic_distances(mesh, Vertex(0), map,
+                         GP::parameters::source_label_map(label).predecessor_map(predecessor));
+  for(std::size_t i = 25; i < 29; ++i)
+  {
+    const Vertex v{Mesh::size_type(i)};
+    EXPECT_EQ(map[v], infinity);
+    EXPECT_EQ(label[v], std::numeric_limits<std::size_t>::max());
+    EXPECT_EQ(predecessor[v], v);
+  }
+}
+
+TEST(Geodesic_distances, take_speeds_of_vertices_and_of_faces)
+{
+  Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
+  auto once = vertex_map(mesh), twice = vertex_map(mesh), speed = vertex_map(mesh);
+  auto face_speed = mesh.add_property_map<Face, double>("f:speed", 0.5).first;
+  for(const Vertex v : mesh.vertices())
+    speed[v] = 0.5;
+  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), once);
+  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), twice,
+                                            GP::parameters::speed_map(face_speed));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(twice[v], 2. * once[v]);
+  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), twice,
+                                            GP::parameters::speed_map(speed));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_NEAR(twice[v], 2. * once[v], 1e-13); // the mean of three halves is rounded
+  GP::geodesic_distances(mesh, Vertex(3), twice, GP::parameters::speed_map(face_speed));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(twice[v], 2. * once[v]); // with speeds, this front is that one
+}
+
+TEST(Geodesic_distances, do_not_pass_obstacles)
+{
+  Mesh mesh = mesh_of(square(10));
+  auto map = vertex_map(mesh), speed = vertex_map(mesh);
+  for(const Vertex v : mesh.vertices())
+    speed[v] = mesh.point(v).x() == 0.5 ? 0. : 1.;
+  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(0), map, GP::parameters::speed_map(speed));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(map[v] < infinity, mesh.point(v).x() < 0.45);
+}
+
+TEST(Geodesic_distances, take_all_named_parameters_in_any_order)
+{
+  Mesh mesh = mesh_of(square(10, 0.24));
+  auto map = vertex_map(mesh), other = vertex_map(mesh);
+  auto label = vertex_map<std::size_t>(mesh);
+  auto points = mesh.add_property_map<Vertex, Kernel::Point_3>().first;
+  for(const Vertex v : mesh.vertices())
+    points[v] = Kernel::Point_3(2. * mesh.point(v).x(), 2. * mesh.point(v).y(), 0.);
+  int calls = 0;
+  const std::function<bool(double)> callback = [&](double) { return ++calls > 0; };
+  GP::geodesic_distances(mesh, Vertex(0), map,
+                         GP::parameters::vertex_point_map(points)
+                             .maximum_distance(1.)
+                             .source_label_map(label)
+                             .callback(callback)
+                             .geom_traits(Kernel()));
+  GP::geodesic_distances(mesh, Vertex(0), other,
+                         GP::parameters::maximum_distance(1.)
+                             .callback(callback)
+                             .geom_traits(Kernel())
+                             .source_label_map(label)
+                             .vertex_point_map(points));
+  EXPECT_GE(calls, 2);
+  for(const Vertex v : mesh.vertices())
+  {
+    EXPECT_EQ(map[v], other[v]);
+    const double truth = std::hypot(points[v].x(), points[v].y());
+    if(std::abs(truth - 1.) > 1e-6)
+    {
+      EXPECT_EQ(map[v] < infinity, truth < 1.);
+      EXPECT_EQ(label[v], truth < 1. ? 0u : std::numeric_limits<std::size_t>::max());
+    }
+  }
+  // CGAL's own chain alone.
+  GP::geodesic_distances(mesh, Vertex(0), map, CGAL::parameters::vertex_point_map(points));
+  EXPECT_NEAR(map[Vertex(120)], 2. * std::sqrt(2.), flat);
+}
+
+TEST(Geodesic_distances, go_into_any_property_map)
+{
+  Mesh mesh = mesh_of(tetrahedron());
+  std::map<Vertex, float> distances;
+  GP::geodesic_distances(mesh, Vertex(0), boost::make_assoc_property_map(distances));
+  EXPECT_EQ(distances.size(), 4u);
+  EXPECT_NEAR(distances[Vertex(1)], std::sqrt(8.), 1e-6); // single precision
+}
+
+TEST(Geodesic_distances, are_the_same_on_a_polyhedron)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  const Triangulation surface = shaken(icosphere(3), 0.03);
+  Mesh mesh = mesh_of(surface);
+  const auto d = distances_from(mesh, Vertex(9));
+  Numbered<Polyhedron> polyhedron;
+  fill(polyhedron, surface);
+  std::map<boost::graph_traits<Polyhedron>::vertex_descriptor, double> distances;
+  GP::geodesic_distances(polyhedron.mesh, polyhedron.vertices[9],
+                         boost::make_assoc_property_map(distances));
+  for(Index i = 0; i < d.size(); ++i)
+    EXPECT_NEAR(distances[polyhedron.vertices[i]], d[i], 1e-8); // faces begin elsewhere
+}
+
+TEST(Geodesic_distances, refuse_what_cannot_be_used)
+{
+  Mesh mesh = mesh_of(square(3));
+  auto map = vertex_map(mesh);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto np = GP::parameters::maximum_distance(1.);
+  EXPECT_THROW(GP::geodesic_distances(mesh, std::vector<Vertex>(), map, np),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_distances(mesh, Vertex(0), map, GP::parameters::maximum_distance(-1.)),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_distances(mesh, Vertex(0), map, GP::parameters::maximum_distance(nan)),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_distances(mesh, Mesh::null_vertex(), map), GP::Invalid_argument_error);
+  for(const double bad : {-1., nan, infinity})
+  {
+    auto speed = mesh.add_property_map<Vertex, double>("v:bad", bad).first;
+    EXPECT_THROW(GP::geodesic_distances(mesh, Vertex(0), map, GP::parameters::speed_map(speed)),
+                 GP::Invalid_argument_error);
+    mesh.remove_property_map(speed);
+  }
+  auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
+  EXPECT_THROW(
+      GP::geodesic_distances<GP::Heat>(mesh, Vertex(0), map, GP::parameters::speed_map(speed)),
+      GP::Unsupported_surface_error);
+  EXPECT_THROW(GP::geodesic_distances(mesh, Vertex(0), map,
+                                      GP::parameters::targets(location_of(0, {2., -1., 0.}))),
+               GP::Invalid_argument_error);
+  Mesh quads;
+  CGAL::make_grid(2, 2, quads);
+  EXPECT_THROW(GP::geodesic_distances(quads, Vertex(0), vertex_map(quads)),
+               GP::Unsupported_surface_error);
+}
+
+TEST(Geodesic_distances, on_a_cloud_are_those_of_the_plane)
+{
+  const Surfels cloud = flat_surfels(4000);
+  std::vector<double> d(cloud.size()), a(cloud.size());
+  std::vector<std::size_t> labels(cloud.size());
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const auto map_of = [](auto& values) { return CGAL::make_property_map(values); };
+  GP::geodesic_distances(cloud, std::size_t(17), map_of(d), np.source_label_map(map_of(labels)));
+  GP::geodesic_distances<GP::Dijkstra>(cloud, std::size_t(17), map_of(a), np);
+  double mean = 0., mean_of_arcs = 0.;
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    EXPECT_EQ(labels[i], 0u);
+    const double truth = std::sqrt(CGAL::squared_distance(cloud[i].first, cloud[17].first));
+    EXPECT_GE(a[i], truth * (1. - 1e-12));
+    mean += std::abs(d[i] - truth) / double(cloud.size());
+    mean_of_arcs += std::abs(a[i] - truth) / double(cloud.size());
+  }
+  // In the inside all is exact; gaps at the border, of some radii 0.03, are gone around.
+  EXPECT_LT(mean, 1e-3);
+  EXPECT_LT(mean, 0.2 * mean_of_arcs);
+}
+
+TEST(Geodesic_distances, on_a_cloud_are_those_of_the_sphere)
+{
+  const Surfels cloud = sphere_surfels(4);
+  std::vector<double> d(cloud.size());
+  GP::geodesic_distances(
+      cloud, std::size_t(100), CGAL::make_property_map(d),
+      GP::parameters::normal_map(Surfel_normal_map()).point_map(Surfel_point_map()));
+  const std::vector<Point> points = icosphere(4).points;
+  // Triangles between 2,562 surfels: the error of the mesh is 0.5 percent.
+  EXPECT_LT(
+      mean_relative_error(d, 0.1, [&](Index i) { return great_circle(points[i], points[100]); }),
+      0.01);
+}
+
+} // namespace
