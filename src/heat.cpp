@@ -41,6 +41,23 @@ double width_of(const std::shared_ptr<const Glued_triangles>& triangles,
   return 2. * longest;
 }
 
+// Where needles raise some entries a million times above others, rounding may hide that a matrix is
+// definite: then its diagonal grows until it shows, at most by a millionth of a millionth of itself.
+std::unique_ptr<Sparse_solver> factorized(Sparse_matrix& matrix)
+{
+  const Vector diagonal = matrix.diagonal();
+  for(double growth = 1e-14; growth < 1e-11; growth *= 10.)
+    try
+    {
+      return std::make_unique<Sparse_solver>(matrix);
+    }
+    catch(const Unsupported_surface_error&)
+    {
+      matrix.diagonal() = (1. + growth) * diagonal;
+    }
+  return std::make_unique<Sparse_solver>(matrix);
+}
+
 } // namespace
 
 struct Heat_solver::Systems
@@ -105,15 +122,26 @@ Heat_solver::Heat_solver(std::shared_ptr<const Glued_triangles> triangles)
   for(Index i = 0; i < n; ++i)
     entries.emplace_back(i, i, mass[i] > 0. ? mass[i] + step_square * diagonal[i] : 1.);
   heat.setFromTriplets(entries.begin(), entries.end());
-  systems->heat = std::make_unique<Sparse_solver>(heat);
+  systems->heat = factorized(heat);
 
-  // A billionth of the first eigenvalue's size makes the Laplacian definite and changes nothing seen.
-  const double shift = width > 0. ? 1e-9 / (width * width) : 1.;
+  // The Laplacian knows constants on each island as zero.  Holding one site there makes it definite, and
+  // the potential is the same up to a constant, because the divergence sums to zero.  (A shift small
+  // enough to change nothing on a long strip is lost in rounding.)
+  const auto [island, islands_found] = islands(t);
+  std::vector<bool> is_held(islands_found, false);
   entries = std::move(stiffness);
   for(Index i = 0; i < n; ++i)
-    entries.emplace_back(i, i, mass[i] > 0. ? diagonal[i] + shift * mass[i] : 1.);
+    if(!(mass[i] > 0.))
+      entries.emplace_back(i, i, 1.);
+    else if(is_held[island[i]])
+      entries.emplace_back(i, i, diagonal[i]);
+    else
+    {
+      is_held[island[i]] = true;
+      entries.emplace_back(i, i, 2. * diagonal[i]);
+    }
   poisson.setFromTriplets(entries.begin(), entries.end());
-  systems->poisson = std::make_unique<Sparse_solver>(poisson);
+  systems->poisson = factorized(poisson);
 
   systems->corner = std::move(t.corner);
   systems->length = std::move(t.length);
@@ -202,8 +230,12 @@ bool Heat_solver::run(const std::vector<Source>& sources, const Front_limits& li
     const double largest = std::max({std::abs(value[0]), std::abs(value[1]), std::abs(value[2])});
     if(!(largest > 0.) || !(corners[2][1] > 0.))
       continue;
-    const double du = (value[1] - value[0]) / largest / corners[1][0];
-    const double dv = ((value[2] - value[0]) / largest - du * corners[2][0]) / corners[2][1];
+    const double first = (value[1] - value[0]) / largest, second = (value[2] - value[0]) / largest;
+    // Opposite to the source of a symmetric surface there is no direction, only rounding.
+    if(std::max(std::abs(first), std::abs(second)) < 1e-13)
+      continue;
+    const double du = first / corners[1][0];
+    const double dv = (second - du * corners[2][0]) / corners[2][1];
     const double size = std::hypot(du, dv);
     if(!(size > 0.))
       continue;
