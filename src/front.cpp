@@ -488,10 +488,8 @@ void Front::spread_euclidean(Index index)
 {
   const Glued_triangles& t = *m_triangles;
   const Site from = m_sites[index];
-  // Of a polyline's sites each sees only its part: what lies along a side of theirs may be nearer to
-  // another part.
   if(from.state & origin_flag)
-    return offer_along_sides(index, from.state & flat_flag ? blind_flag | flat_flag : 0);
+    return offer_along_sides(index, from.state & flat_flag);
   if(from.state & blind_flag)
     return spread_blindly(index);
 
