@@ -440,6 +440,29 @@ TEST_F(Program, farthest_seeds_are_far_apart)
   }
 }
 
+TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
+{
+  const Outcome outcome = run("distance square.ply --source 0 --picture a.png --quiet");
+  if(outcome.code == 0)
+  {
+    EXPECT_EQ(content(m_folder / "a.png").substr(1, 3), "PNG");
+    for(const char* const command :
+        {"voronoi square.ply --number 3", "path square.ply --from 0 --to 80", "info cloud.xyz",
+         "distance cloud.xyz --source 0", "voronoi cloud.xyz --number 3"})
+    {
+      EXPECT_EQ(run(std::string(command) + " --picture b.png --quiet").code, 0) << command;
+      EXPECT_GT(fs::file_size(m_folder / "b.png"), 1000u) << command;
+      fs::remove(m_folder / "b.png");
+    }
+  }
+  // Without a server and a display, as without VTK, nothing is even read.
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nowhere", 1);
+  ::unsetenv("DISPLAY");
+  expect_failure("distance nowhere.ply --source 0 --picture c.png", 1, "--picture");
+  ::setenv("PATH", path.c_str(), 1);
+}
+
 TEST_F(Program, names_with_blanks_and_other_letters)
 {
   fs::copy_file(m_folder / "closed.off", m_folder / "a b \xc3\xa9.off");
