@@ -70,7 +70,7 @@ build_release()
     -DGEODESIC_PROCESSING_DEMOS=ON -DGEODESIC_PROCESSING_DOCS=ON \
     -DGEODESIC_PROCESSING_DATA="$data" >build/release.log || { cat build/release.log; return 1; }
   tail -n 4 build/release.log
-  cmake --build $release -j "$jobs"
+  cmake --build $release -j "$jobs" -- -k 0
 }
 
 # Optimized a little, as otherwise the tests take longer than the build.  Assertions are on.
@@ -83,7 +83,7 @@ build_sanitizer()
     -DGEODESIC_PROCESSING_PICTURES=OFF -DGEODESIC_PROCESSING_FUZZERS=ON \
     -DGEODESIC_PROCESSING_DATA="$data" >build/sanitizer.log ||
     { cat build/sanitizer.log; return 1; }
-  cmake --build $sanitizer -j "$jobs"
+  cmake --build $sanitizer -j "$jobs" -- -k 0
 }
 
 # A second project, which knows of this one only by find_package, builds the README's program.

@@ -28,5 +28,4 @@ a `CGAL::Point_set_3`, whose own indices and property maps are used.
 \cgalHasModelsEnd
 */
 class SurfelRange
-{
-};
+{};
