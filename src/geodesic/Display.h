@@ -19,7 +19,7 @@ public:
   Display& operator=(const Display&) = delete;
 
 private:
-  ::pid_t m_server = -1;
+  [[maybe_unused]] ::pid_t m_server = -1; // unused without pictures
 };
 
 } // namespace program
