@@ -5,6 +5,7 @@
 
 #include "report.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -37,7 +38,7 @@ inline bool write_convergence_plot(const std::string& file, const std::vector<Pa
   // Colours that also those who see few of them can tell apart (Okabe and Ito 2008).
   constexpr std::array<const char*, 5> colors = {"#888888", "#D55E00", "#0072B2", "#009E73",
                                                  "#CC79A7"};
-  constexpr double width = 400., height = 380., left = 62., right = 14., top = 30., bottom = 44.;
+  constexpr double width = 400., height = 380., left = 70., right = 14., top = 30., bottom = 44.;
   constexpr double legend_row = 17., legend = 5 * legend_row + 8.;
   const double total = height + legend;
 
@@ -113,7 +114,8 @@ inline bool write_convergence_plot(const std::string& file, const std::vector<Pa
     for(int decade = int(y0); decade <= int(y1); ++decade)
     {
       line(begin, at_y(decade), end, at_y(decade), "stroke=\"#ddd\"");
-      text(begin - 6., at_y(decade) + 4., "end", digits(100. * std::pow(10., decade)) + " %");
+      text(begin - 6., at_y(decade) + 4., "end",
+           number(std::pow(10., decade + 2), std::max(0, -decade - 2)) + " %");
     }
     for(int decade = int(std::floor(x0)); decade <= int(std::ceil(x1)); ++decade)
       for(const double digit : {1., 2., 5.})

@@ -80,7 +80,8 @@ inline std::string number(double value, int decimals)
   if(std::isinf(value))
     return "inf";
   char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", decimals, value);
+  const double rounding = 0.5 * std::pow(10., -decimals); // no "-0.00"
+  std::snprintf(text, sizeof(text), "%.*f", decimals, std::fabs(value) < rounding ? 0. : value);
   return text;
 }
 
