@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "meshes.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::test;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+// Sums of some tens of lengths.
+constexpr double rounding = 1e-12;
+
+TEST(Geodesic_path_finder, finds_straight_lines_in_a_plane)
+{
+  const Triangulation plane = square(10, 0.24);
+  Numbered<Surface_mesh> mesh;
+  fill(mesh, plane);
+  Geodesic_path_finder<Surface_mesh> finder(mesh.mesh);
+  std::mt19937 random(1);
+  for(int i = 0; i < 100; ++i)
+  {
+    const Index a = Index(random() % plane.points.size()), f = Index(random() % 200);
+    const auto to = location_in(mesh, plane, f, {0.2, 0.3, 0.5});
+    const auto path = finder(mesh.vertices[a], to);
+    const double truth = distance(plane.points[a], point_of(mesh.mesh, to));
+    EXPECT_NEAR(path.length, truth, rounding);
+    EXPECT_EQ(path.front_distance, path.length);
+    ASSERT_EQ(path.points.size(), path.locations.size());
+    EXPECT_LT(distance(to_array(path.points.front()), plane.points[a]), rounding);
+    EXPECT_LT(distance(to_array(path.points.back()), point_of(mesh.mesh, to)), rounding);
+  }
+}
+
+TEST(Geodesic_path_finder, finds_one_point_where_both_ends_are)
+{
+  Numbered<Surface_mesh> mesh;
+  fill(mesh, tetrahedron());
+  Geodesic_path_finder<Surface_mesh> finder(mesh.mesh);
+  const auto path = finder(mesh.vertices[2], mesh.vertices[2]);
+  EXPECT_EQ(path.locations.size(), 1u);
+  EXPECT_EQ(path.length, 0.);
+}
+
+TEST(Geodesic_path_finder, finds_nothing_between_components)
+{
+  Numbered<Surface_mesh> mesh;
+  fill(mesh, apart(tetrahedron(), square(2)));
+  Geodesic_path_finder<Surface_mesh> finder(mesh.mesh);
+  const auto path = finder(mesh.vertices[0], mesh.vertices[8]);
+  EXPECT_TRUE(path.empty());
+  EXPECT_TRUE(path.points.empty());
+  EXPECT_EQ(path.front_distance, internal::infinity);
+}
+
+TEST(Geodesic_path_finder, finds_no_shorter_paths_with_landmarks)
+{
+  const Triangulation sphere = shaken(icosphere(3), 0.02);
+  Numbered<Surface_mesh> mesh;
+  fill(mesh, sphere);
+  Geodesic_path_finder<Surface_mesh> plain(mesh.mesh), guided(plain);
+  guided.add_landmarks(4);
+  for(Index to = 1; to < sphere.points.size(); to += 13)
+  {
+    const double expected = plain(mesh.vertices[0], mesh.vertices[to]).length;
+    // Both are locally shortest; of two equal chains either may be taken, on either side of a bump.
+    EXPECT_NEAR(guided(mesh.vertices[0], mesh.vertices[to]).length, expected, 0.02 * expected);
+    EXPECT_GE(expected, distance(sphere.points[0], sphere.points[to]) - rounding);
+  }
+}
+
+TEST(Geodesic_path_finder, refuses_locations_outside_of_faces)
+{
+  Numbered<Surface_mesh> mesh;
+  fill(mesh, square(2));
+  Geodesic_path_finder<Surface_mesh> finder(mesh.mesh);
+  const Surface_path<Surface_mesh>::Location outside = {mesh.faces[0], {1.5, -0.5, 0.}};
+  EXPECT_THROW(finder(mesh.vertices[0], outside), Invalid_argument_error);
+}
+
+} // namespace

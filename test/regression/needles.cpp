@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "methods.h"
+#include "path_checks.h"
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::test;
+
+// Every other column of the square is `width` of a column wide.
+Triangulation with_needles(double width)
+{
+  const Index n = 16;
+  return grid(n, n,
+              [=](double u, double v)
+              {
+                const Index column = Index(std::lround(u * n));
+                const double x = column / 2 * (1. + width) + column % 2;
+                return Point{x / (n / 2 * (1. + width)), v, 0.};
+              });
+}
+
+TEST(Needles, have_finite_distances)
+{
+  for(const double width : {1e-3, 1e-7, 1e-12, 1e-16, 0.})
+  {
+    const Triangulation shape = with_needles(width);
+    const Glued_surface surface(shape);
+    for(const Method method : all_methods)
+      for(const Index source : {0u, 8u, 140u, 288u})
+      {
+        const auto d = distances(surface, method, {surface.source(source)});
+        for(Index i = 0; i < surface.size(); ++i)
+        {
+          ASSERT_TRUE(d[i] >= 0. && d[i] < internal::infinity) << method << ' ' << width;
+          // Nothing is nearer than in space, but for what heat smooths and angles near a straight one
+          // cost.  Of sides without length no direction is known.
+          const double truth = distance(shape.points[i], shape.points[source]);
+          const double share = width < 1e-15 || method == Method::heat ? 0.5 : 0.99;
+          EXPECT_GE(d[i], share * truth - rounding_of_fronts) << method << ' ' << width;
+        }
+      }
+  }
+}
+
+TEST(Needles, do_not_bend_the_euclidean_front)
+{
+  for(const double width : {1e-3, 1e-7, 1e-12})
+  {
+    const Triangulation shape = with_needles(width);
+    const Glued_surface surface(shape);
+    for(const Index source : {0u, 8u, 140u, 288u})
+    {
+      const auto d = distances(surface, Method::euclidean_front, {surface.source(source)});
+      // Angles are near a straight one: a thousandth, as anywhere beyond 150 degrees.
+      EXPECT_LT(mean_relative_error(d, 0.01,
+                                    [&](Index i)
+                                    { return distance(shape.points[i], shape.points[source]); }),
+                1e-3)
+          << width;
+    }
+  }
+}
+
+TEST(Needles, have_paths)
+{
+  for(const double width : {1e-3, 1e-7, 1e-12, 0.})
+  {
+    const Triangulation shape = with_needles(width);
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    const std::vector<internal::Source> sources = {surface.source(0)};
+    internal::Front front(surface.triangles(), internal::Front_kind::euclidean);
+    front.run(sources);
+    for(Index from = 1; from < surface.size(); from += 5)
+    {
+      const auto found = path(t, front, sources, surface.at(from));
+      ASSERT_FALSE(found.empty());
+      const double length = surface.scale() * internal::path_length(t, found);
+      if(width < 1e-9)
+      {
+        // Where sites coincide a bend may stay, as along the edges.
+        EXPECT_LE(length, std::sqrt(2.) * distance(shape.points[from], shape.points[0]));
+        continue;
+      }
+      // In the plane a locally shortest path is straight; corners that gain less than rounding stay.
+      EXPECT_NEAR(length, distance(shape.points[from], shape.points[0]), 1e-6) << width;
+    }
+  }
+}
+
+TEST(Needles, may_be_all_there_is)
+{
+  // All points on a line, and all at one point.
+  for(const double length : {1., 0.})
+  {
+    Triangulation shape = square(4);
+    for(Point& p : shape.points)
+      p = {length * (p[0] + p[1]), 0., 0.};
+    const Glued_surface surface(shape);
+    for(const Method method : all_methods)
+    {
+      std::vector<double> d;
+      ASSERT_NO_THROW(d = distances(surface, method, {surface.source(7)})) << method;
+      for(const double value : d)
+        EXPECT_TRUE(value >= 0. && value < internal::infinity) << method << ' ' << length;
+    }
+  }
+}
+
+} // namespace
