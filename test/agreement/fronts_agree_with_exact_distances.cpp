@@ -70,7 +70,8 @@ void expect_agreement(const Triangulation& shape)
   { return errors(distances(surface, method, {surface.source(0)}), exact); };
   const Errors euclidean = of(Method::euclidean_front), planar = of(Method::fast_marching),
                heat = of(Method::heat), arcs = of(Method::dijkstra);
-  // What each method's page states, and half as much again: these meshes are coarse.
+  // The means are about those that each method's page states for scans; coarse meshes with thin
+  // triangles have half as much again, and heat on a thin knot of 3,200 vertices 5 percent.
   EXPECT_LT(euclidean.mean, 0.006);
   EXPECT_LT(euclidean.largest, 0.1);
   EXPECT_LT(3. * euclidean.mean, planar.mean);
