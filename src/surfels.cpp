@@ -776,52 +776,61 @@ Location to_triangle(const Glued_triangles& t, const Tangent_location& location)
     return result;
   const auto [u, v] = tangent_frame(t.normal[location.site]);
   double best = infinity;
-  for(Index star = t.first[location.site]; star < t.first[location.site + 1]; ++star)
+  const auto try_triangle = [&](Index triangle)
   {
-    const Index corner = t.star[star], next = next_side(corner), previous = previous_side(corner);
-    const Spatial a = t.point[t.corner[next]] - t.point[location.site];
-    const Spatial b = t.point[t.corner[previous]] - t.point[location.site];
-    const double ax = dot(a, u), ay = dot(a, v), bx = dot(b, u), by = dot(b, v);
-    const double px = location.offset[0], py = location.offset[1];
-    const double area = ax * by - ay * bx;
+    const std::array<Index, 3> corners = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+    std::array<std::array<double, 2>, 3> p; // seen from the location
+    for(int k = 0; k < 3; ++k)
+    {
+      const Spatial way = t.point[t.corner[corners[k]]] - t.point[location.site];
+      p[k] = {dot(way, u) - location.offset[0], dot(way, v) - location.offset[1]};
+    }
+    const auto cross = [&](int i, int j) { return p[i][0] * p[j][1] - p[i][1] * p[j][0]; };
+    std::array<double, 3> share = {cross(1, 2), cross(2, 0), cross(0, 1)};
+    const double area = share[0] + share[1] + share[2];
     if(!(area > 0.))
-      continue;
-    double wa = (px * by - py * bx) / area, wb = (ax * py - ay * px) / area;
-    if(wa < 0. || wb < 0. || wa + wb > 1.)
+      return;
+    double miss = 0.;
+    if(share[0] < 0. || share[1] < 0. || share[2] < 0.)
     {
       // The nearest place on the three sides.
-      const auto on_side = [&](double sx, double sy, double ex, double ey)
+      miss = infinity;
+      for(int k = 0; k < 3; ++k)
       {
-        const double dx = ex - sx, dy = ey - sy, square = dx * dx + dy * dy;
-        return square > 0. ? std::clamp(((px - sx) * dx + (py - sy) * dy) / square, 0., 1.) : 0.;
-      };
-      const double along_a = on_side(0., 0., ax, ay), along_b = on_side(0., 0., bx, by);
-      const double along = on_side(ax, ay, bx, by);
-      const std::array<std::array<double, 2>, 3> choices = {
-          {{along_a, 0.}, {0., along_b}, {1. - along, along}}};
-      double nearest = infinity;
-      for(const auto& [ca, cb] : choices)
-      {
-        const double d = std::hypot(ca * ax + cb * bx - px, ca * ay + cb * by - py);
-        if(d < nearest)
+        const int next = (k + 1) % 3;
+        const double dx = p[next][0] - p[k][0], dy = p[next][1] - p[k][1];
+        const double square = dx * dx + dy * dy;
+        const double along =
+            square > 0. ? std::clamp(-(p[k][0] * dx + p[k][1] * dy) / square, 0., 1.) : 0.;
+        const double distance = std::hypot(p[k][0] + along * dx, p[k][1] + along * dy);
+        if(distance < miss)
         {
-          nearest = d;
-          wa = ca;
-          wb = cb;
+          miss = distance;
+          share = {0., 0., 0.};
+          share[k] = 1. - along;
+          share[next] = along;
         }
       }
     }
-    const double miss = std::hypot(wa * ax + wb * bx - px, wa * ay + wb * by - py);
+    else
+      for(double& x : share)
+        x /= area;
     if(miss < best)
     {
       best = miss;
-      result.triangle = corner / 3;
-      result.site = none;
-      result.barycentric[corner % 3] = std::max(0., 1. - wa - wb);
-      result.barycentric[next % 3] = wa;
-      result.barycentric[previous % 3] = wb;
+      result = {triangle, none, share};
     }
-  }
+  };
+  for(Index i = t.first[location.site]; i < t.first[location.site + 1]; ++i)
+    try_triangle(t.star[i] / 3);
+  // Delaunay triangles around a place need not have the site that is the nearest to it as a corner.
+  if(best > 0.)
+    for(Index i = t.graph.first[location.site]; i < t.graph.first[location.site + 1]; ++i)
+    {
+      const Index near = t.graph.target[i];
+      for(Index k = t.first[near]; k < t.first[near + 1]; ++k)
+        try_triangle(t.star[k] / 3);
+    }
   return result;
 }
 

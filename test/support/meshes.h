@@ -19,6 +19,8 @@
 
 namespace CGAL::Geodesic_processing::test {
 
+using internal::infinity;
+
 // A mesh and its vertices and faces in the order of the triangulation.
 template <typename Mesh>
 struct Numbered

@@ -89,8 +89,9 @@ struct Tangent_location
 CGAL_GEODESIC_PROCESSING_EXPORT
 Tangent_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point);
 
-// The same place in a triangle at the site, or the site itself where it has none.  Outside of the
-// site's triangles: the nearest place on one of them, measured in the tangent plane.
+// The same place in a triangle at the site or at a neighbour of it, or the site itself where there
+// are none.  Outside of these triangles: the nearest place on one of them, measured in the tangent
+// plane.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Location to_triangle(const Glued_triangles& triangles, const Tangent_location& location);
 

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Mesh_source = GP::Source<Mesh>;
+
+template <typename Method>
+class Geodesic_distance_solver : public testing::Test
+{
+public:
+  using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
+
+  const Mesh mesh = mesh_of(shaken(icosphere(4), 0.01));
+  const GP::Mesh_domain<Mesh> domain{mesh};
+
+  std::vector<double> distances(const Solver& solver) const
+  {
+    std::vector<double> result;
+    for(const Vertex v : mesh.vertices())
+      result.push_back(solver.distance(v));
+    return result;
+  }
+};
+
+using Methods = testing::Types<GP::Dijkstra, GP::Fast_marching, GP::Euclidean_front, GP::Heat>;
+TYPED_TEST_SUITE(Geodesic_distance_solver, Methods);
+
+TYPED_TEST(Geodesic_distance_solver, gives_each_query_what_a_fresh_one_gives)
+{
+  using Solver = typename TestFixture::Solver;
+  Solver reused(this->domain);
+  std::mt19937 random(1);
+  for(int i = 0; i < 6; ++i)
+  {
+    const std::vector<Mesh_source> sources = {random_location_of(this->mesh, random),
+                                              Vertex(Mesh::size_type(random() % 2000))};
+    Solver fresh(this->domain);
+    if(i % 2 == 0)
+    {
+      fresh.compute(sources);
+      reused.compute(sources);
+    }
+    else
+    {
+      fresh.compute(sources, GP::parameters::maximum_distance(0.5));
+      reused.compute(sources, GP::parameters::maximum_distance(0.5));
+    }
+    EXPECT_EQ(this->distances(reused), this->distances(fresh));
+    EXPECT_EQ(reused.reached(), fresh.reached());
+  }
+}
+
+TYPED_TEST(Geodesic_distance_solver, has_copies_that_compute_at_the_same_time)
+{
+  using Solver = typename TestFixture::Solver;
+  Solver first(this->domain), expected = first;
+  Solver second = first;
+  std::thread other([&] { second.compute(Vertex(900)); });
+  first.compute(Vertex(3));
+  other.join();
+  expected.compute(Vertex(3));
+  EXPECT_EQ(this->distances(first), this->distances(expected));
+  expected.compute(Vertex(900));
+  EXPECT_EQ(this->distances(second), this->distances(expected));
+}
+
+TYPED_TEST(Geodesic_distance_solver, writes_what_it_answers)
+{
+  using Solver = typename TestFixture::Solver;
+  Mesh mesh = this->mesh;
+  Solver solver(mesh);
+  solver.compute(std::vector<Mesh_source>{Mesh_source(Vertex(3), 0., 5), Vertex(1000)},
+                 GP::parameters::maximum_distance(1.));
+  auto distance = vertex_map(mesh);
+  auto label = vertex_map<std::size_t>(mesh);
+  auto predecessor = vertex_map<Vertex>(mesh);
+  solver.write_distances(distance);
+  solver.write_source_labels(label);
+  solver.write_predecessors(predecessor);
+  const auto reached = solver.reached();
+  for(const Vertex v : mesh.vertices())
+  {
+    EXPECT_EQ(distance[v], solver.distance(v));
+    EXPECT_EQ(label[v], solver.source_label(v));
+    EXPECT_EQ(predecessor[v], solver.predecessor(v));
+    EXPECT_EQ(distance[v] < infinity,
+              std::find(reached.begin(), reached.end(), v) != reached.end());
+    if(distance[v] < infinity)
+    {
+      EXPECT_LE(distance[v], 1.);
+      EXPECT_TRUE(label[v] == 5 || label[v] == 1);
+    }
+  }
+  EXPECT_LT(reached.size(), mesh.number_of_vertices());
+}
+
+TYPED_TEST(Geodesic_distance_solver, is_right_at_targets)
+{
+  using Solver = typename TestFixture::Solver;
+  Solver solver(this->domain), full(this->domain);
+  std::mt19937 random(2);
+  full.compute(Vertex(3));
+  for(int i = 0; i < 10; ++i)
+  {
+    const auto target = random_location_of(this->mesh, random);
+    EXPECT_TRUE(solver.compute(Vertex(3), GP::parameters::targets(target)));
+    EXPECT_NEAR(solver.distance(target), full.distance(target), 1e-8); // the front's least gain
+    const std::vector<Vertex> targets = {Vertex(10), Vertex(Mesh::size_type(random() % 2000))};
+    solver.compute(Vertex(3), GP::parameters::targets(targets));
+    for(const Vertex v : targets)
+      EXPECT_NEAR(solver.distance(v), full.distance(v), 1e-8);
+  }
+}
+
+TYPED_TEST(Geodesic_distance_solver, tells_that_it_was_cancelled)
+{
+  using Solver = typename TestFixture::Solver;
+  Solver solver(this->domain);
+  EXPECT_FALSE(solver.compute(Vertex(3), GP::parameters::callback(std::function<bool(double)>(
+                                             [](double) { return false; }))));
+  EXPECT_TRUE(solver.reached().empty());
+  EXPECT_EQ(solver.distance(Vertex(3)), infinity);
+  EXPECT_TRUE(solver.compute(Vertex(3), GP::parameters::callback(std::function<bool(double)>(
+                                            [](double) { return true; }))));
+  EXPECT_EQ(solver.reached().size(), this->mesh.number_of_vertices());
+}
+
+TYPED_TEST(Geodesic_distance_solver, has_continuous_distances)
+{
+  using Solver = typename TestFixture::Solver;
+  Solver solver(this->domain);
+  solver.compute(std::vector<Vertex>{Vertex(3), Vertex(1000)});
+  for(const Face f : this->mesh.faces())
+  {
+    auto h = this->mesh.halfedge(f);
+    for(int k = 0; k < 3; ++k, h = this->mesh.next(h))
+    {
+      std::array<double, 3> corner = {0., 0., 0.};
+      corner[k] = 1.;
+      EXPECT_EQ(solver.distance({f, corner}), solver.distance(this->mesh.source(h)));
+      // The middle of a side, seen from both of its faces.
+      std::array<double, 3> middle = {0.5, 0.5, 0.5};
+      middle[(k + 2) % 3] = 0.;
+      const auto opposite = this->mesh.opposite(h);
+      const Face other = this->mesh.face(opposite);
+      std::array<double, 3> seen = {0.5, 0.5, 0.5};
+      auto g = this->mesh.halfedge(other);
+      for(int i = 0; i < 3; ++i, g = this->mesh.next(g))
+        if(this->mesh.prev(g) == opposite)
+          seen[(i + 1) % 3] = 0.;
+      // Roundings of the same evaluations.
+      EXPECT_NEAR(solver.distance({f, middle}), solver.distance({other, seen}), 1e-12);
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Surfel_domain.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+
+const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+
+Point_set point_set_of(const Surfels& surfels)
+{
+  Point_set result(true);
+  for(const auto& [point, normal] : surfels)
+    result.insert(point, normal);
+  return result;
+}
+
+TEST(Surfel_domain, is_the_range)
+{
+  const Surfels surfels = sphere_surfels(3);
+  const GP::Surfel_domain<Surfels> domain(surfels, maps);
+  ASSERT_EQ(domain.number_of_sites(), surfels.size());
+  for(std::size_t i = 0; i < surfels.size(); ++i)
+  {
+    EXPECT_EQ(domain.site(domain.index(i)), i);
+    EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_site(i)), surfels[i].first),
+              1e-28); // roundings of coordinates near 1, squared
+  }
+}
+
+TEST(Surfel_domain, is_the_point_set)
+{
+  const Surfels surfels = sphere_surfels(3);
+  Point_set points = point_set_of(surfels);
+  const GP::Surfel_domain<Point_set> domain(points);
+  ASSERT_EQ(domain.number_of_sites(), surfels.size());
+  EXPECT_EQ(domain.triangles()->length,
+            GP::Surfel_domain<Surfels>(surfels, maps).triangles()->length);
+  auto map = points.add_property_map<double>("value").first;
+  domain.write([](GP::internal::Index i) { return 2. * i; }, map);
+  for(const auto& index : points)
+  {
+    EXPECT_EQ(domain.site(domain.index(index)), index);
+    EXPECT_EQ(map[index], 2. * domain.index(index));
+  }
+}
+
+TEST(Surfel_domain, skips_removed_points)
+{
+  Point_set points = point_set_of(sphere_surfels(3));
+  for(int i = 10; i < 30; ++i)
+    points.remove(points.begin() + i);
+  ASSERT_TRUE(points.has_garbage());
+  const GP::Surfel_domain<Point_set> domain(points);
+  EXPECT_EQ(domain.number_of_sites(), points.size());
+  for(const auto& index : points)
+  {
+    EXPECT_EQ(domain.site(domain.index(index)), index);
+    EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_site(index)), points.point(index)),
+              1e-28);
+  }
+  for(auto removed = points.garbage_begin(); removed != points.garbage_end(); ++removed)
+    EXPECT_THROW(domain.inner_site(*removed), GP::Invalid_argument_error);
+}
+
+TEST(Surfel_domain, reads_the_maps_that_it_is_given)
+{
+  // Points and normals apart, of an exact kernel, with radii that join nothing.
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  std::vector<Exact::Point_3> points;
+  std::vector<Exact::Vector_3> normals(30 * 30, Exact::Vector_3(0, 0, 5));
+  std::vector<double> radii(30 * 30, 1e-3);
+  std::vector<std::size_t> range;
+  for(int j = 0; j < 30; ++j)
+    for(int i = 0; i < 30; ++i)
+    {
+      points.emplace_back(i, j, 0);
+      range.push_back(range.size());
+    }
+  const auto np = GP::parameters::point_map(CGAL::make_property_map(points))
+                      .normal_map(CGAL::make_property_map(normals));
+  const GP::Surfel_domain<std::vector<std::size_t>> domain(range, np),
+      apart(range, np.radius_map(CGAL::make_property_map(radii)));
+  EXPECT_EQ(domain.number_of_sites(), 900u);
+  EXPECT_GT(domain.triangles()->number_of_triangles(), 1600u);
+  EXPECT_EQ(apart.triangles()->number_of_triangles(), 0u);
+  EXPECT_TRUE(apart.triangles()->graph.target.empty());
+}
+
+TEST(Surfel_domain, keeps_locations)
+{
+  const Surfels surfels = flat_surfels(2000);
+  const GP::Surfel_domain<Surfels> domain(surfels, maps);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> offset(-1e-5, 1e-5); // inside of the star
+  for(std::size_t i = 0; i < surfels.size(); ++i)
+  {
+    const auto p = surfels[i].first;
+    if(p.x() < 0.1 || p.x() > 0.9 || p.y() < 0.1 || p.y() > 0.9)
+      continue;
+    const GP::Location<Surfels> location{i, {offset(random), offset(random)}};
+    const auto inner = domain.inner(location);
+    const auto again = domain.inner(domain.outer(inner));
+    // In a plane the way there and back ends at the same point, though in another surfel's plane.
+    EXPECT_LT(CGAL::squared_distance(domain.point(inner), domain.point(again)), 1e-26);
+    EXPECT_NEAR(std::sqrt(CGAL::squared_distance(domain.point(inner), p)),
+                std::hypot(location.offset[0], location.offset[1]), 1e-12);
+  }
+}
+
+TEST(Surfel_domain, gives_the_same_for_any_number_of_threads)
+{
+  const Surfels surfels = sphere_surfels(4);
+  const auto one = GP::Surfel_domain<Surfels>(surfels, maps).triangles(),
+             three = GP::Surfel_domain<Surfels>(surfels, maps.threads(3u)).triangles();
+  EXPECT_EQ(one->corner, three->corner);
+  EXPECT_EQ(one->length, three->length);
+  EXPECT_EQ(one->graph.target, three->graph.target);
+}
+
+TEST(Surfel_domain, refuses_what_cannot_be_used)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Point_set without_normals;
+  without_normals.insert(Kernel::Point_3(0., 0., 0.));
+  EXPECT_THROW(GP::Surfel_domain<Point_set>{without_normals}, GP::Unsupported_surface_error);
+  const auto domain_of = [](const Surfels& surfels)
+  { return GP::Surfel_domain<Surfels>(surfels, maps); };
+  Surfels surfels = flat_surfels(20);
+  surfels[3].first = Kernel::Point_3(0., nan, 0.);
+  EXPECT_THROW(domain_of(surfels), GP::Invalid_argument_error);
+  surfels = flat_surfels(20);
+  surfels[3].second = Kernel::Vector_3(0., 0., 0.);
+  EXPECT_THROW(domain_of(surfels), GP::Invalid_argument_error);
+  surfels = flat_surfels(20);
+  for(const double bad : {-1., nan, std::numeric_limits<double>::infinity()})
+  {
+    const auto radius = boost::make_function_property_map<Surfels::value_type>(
+        [=](const Surfels::value_type&) { return bad; });
+    EXPECT_THROW((GP::Surfel_domain<Surfels>(surfels, maps.radius_map(radius))),
+                 GP::Invalid_argument_error);
+  }
+  const auto domain = domain_of(surfels);
+  EXPECT_THROW(domain.inner_site(20), GP::Invalid_argument_error);
+  EXPECT_THROW(domain.inner({20, {0., 0.}}), GP::Invalid_argument_error);
+  EXPECT_THROW(domain.inner({3, {nan, 0.}}), GP::Invalid_argument_error);
+}
+
+TEST(Surfel_domain, takes_an_empty_cloud_and_single_surfels)
+{
+  EXPECT_EQ(GP::Surfel_domain<Surfels>(Surfels(), maps).number_of_sites(), 0u);
+  EXPECT_EQ(GP::Surfel_domain<Surfels>(flat_surfels(1), maps).number_of_sites(), 1u);
+}
+
+} // namespace

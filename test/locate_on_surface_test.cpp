@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+Kernel::Point_3 to_point(const Point& p) { return {p[0], p[1], p[2]}; }
+
+TEST(Locate_on_surface, finds_every_place_of_a_mesh_again)
+{
+  for(const double scale : {1., 1e-160, 1e160})
+  {
+    Triangulation surface = shaken(icosphere(3), 0.03);
+    for(Point& p : surface.points)
+      for(double& x : p)
+        x *= scale;
+    const Mesh mesh = mesh_of(surface);
+    const GP::Surface_locator<Mesh> locate(mesh);
+    std::mt19937 random(1);
+    for(int i = 0; i < 200; ++i)
+    {
+      const auto location = random_location_of(mesh, random);
+      const Point p = point_of(mesh, location), q = point_of(mesh, locate(to_point(p)));
+      for(int k = 0; k < 3; ++k)
+        EXPECT_NEAR(p[k] / scale, q[k] / scale, 1e-14); // roundings of coordinates near 1
+    }
+    for(const Vertex v : mesh.vertices())
+    {
+      const Point q = point_of(mesh, locate(mesh.point(v)));
+      for(int k = 0; k < 3; ++k)
+        EXPECT_NEAR(q[k] / scale, mesh.point(v)[k] / scale, 1e-14);
+    }
+  }
+}
+
+TEST(Locate_on_surface, finds_the_foot_of_points_outside)
+{
+  const Mesh mesh = mesh_of(square(8, 0.24));
+  const auto foot = [&](double x, double y, double z)
+  { return point_of(mesh, GP::locate_on_surface(mesh, Kernel::Point_3(x, y, z))); };
+  EXPECT_LT(distance(foot(0.3, 0.4, 2.), {0.3, 0.4, 0.}), 1e-14);
+  EXPECT_LT(distance(foot(-1., 0.4, 2.), {0., 0.4, 0.}), 1e-14);
+  EXPECT_LT(distance(foot(7., 8., 9.), {1., 1., 0.}), 1e-14);
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  EXPECT_LT(distance(point_of(mesh, GP::locate_on_surface(mesh, Exact::Point_3(0.5, 0.5, 1.))),
+                     {0.5, 0.5, 0.}),
+            1e-14);
+}
+
+TEST(Locate_on_surface, is_not_disturbed_by_faces_without_area)
+{
+  Triangulation surface = square(6, 0.24);
+  surface.points[24] = surface.points[25];
+  const Mesh mesh = mesh_of(surface);
+  const GP::Surface_locator<Mesh> locate(mesh);
+  for(const Vertex v : mesh.vertices())
+    EXPECT_LT(distance(point_of(mesh, locate(mesh.point(v))), to_array(mesh.point(v))), 1e-14);
+}
+
+TEST(Locate_on_surface, finds_surfels_and_places_between)
+{
+  const Surfels cloud = flat_surfels(3000);
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const GP::Surfel_domain<Surfels> domain(cloud, np);
+  const GP::Surface_locator<Surfels> locate(domain);
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    const auto location = locate(cloud[i].first);
+    EXPECT_EQ(location.surfel, i);
+    EXPECT_NEAR(std::hypot(location.offset[0], location.offset[1]), 0., 1e-14);
+  }
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> inside(0.1, 0.9);
+  for(int i = 0; i < 300; ++i)
+  {
+    const Kernel::Point_3 p(inside(random), inside(random), 0.01);
+    const auto found = domain.point(domain.inner(locate(p)));
+    EXPECT_LT(CGAL::squared_distance(found, Kernel::Point_3(p.x(), p.y(), 0.)), 1e-24);
+  }
+}
+
+TEST(Locate_on_surface, refuses_what_is_not_finite_and_empty_surfaces)
+{
+  const Mesh mesh = mesh_of(square(2));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(GP::locate_on_surface(mesh, Kernel::Point_3(nan, 0., 0.)),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::locate_on_surface(mesh, Kernel::Point_3(0., infinity, 0.)),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::locate_on_surface(Mesh(), Kernel::Point_3(0., 0., 0.)),
+               GP::Invalid_argument_error);
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  EXPECT_THROW(GP::locate_on_surface(flat_surfels(50), Kernel::Point_3(nan, 0., 0.), np),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::locate_on_surface(Surfels(), Kernel::Point_3(0., 0., 0.), np),
+               GP::Invalid_argument_error);
+}
+
+} // namespace
