@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/geodesic_path.h>
+
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Path = GP::Surface_path<Mesh>;
+
+// Some tens of crossings of faces.
+constexpr double rounding = 1e-12;
+
+// What has to hold of any path: on the surface, each location at its point, no point twice, of the
+// length that it says, not shorter than the straight line.
+void expect_path(const Mesh& mesh, const Path& path, const Point& from, const Point& to)
+{
+  ASSERT_FALSE(path.empty());
+  ASSERT_EQ(path.points.size(), path.locations.size());
+  EXPECT_LT(distance(to_array(path.points.front()), from), rounding);
+  EXPECT_LT(distance(to_array(path.points.back()), to), rounding);
+  double length = 0.;
+  for(std::size_t i = 0; i < path.points.size(); ++i)
+  {
+    EXPECT_LT(distance(point_of(mesh, path.locations[i]), to_array(path.points[i])), rounding);
+    if(i > 0)
+    {
+      EXPECT_NE(path.points[i], path.points[i - 1]);
+      length += distance(to_array(path.points[i]), to_array(path.points[i - 1]));
+    }
+  }
+  EXPECT_NEAR(path.length, length, rounding);
+  EXPECT_GE(path.length, distance(from, to) - rounding);
+}
+
+TEST(Geodesic_path, is_the_straight_line_in_the_plane)
+{
+  const Mesh mesh = mesh_of(square(15, 0.24));
+  const GP::Mesh_domain<Mesh> domain(mesh);
+  std::mt19937 random(1);
+  const auto expect_straight = [&](const Path& path, const Point& p, const Point& q, double error)
+  {
+    expect_path(mesh, path, p, q);
+    EXPECT_NEAR(path.length, distance(p, q), rounding);
+    EXPECT_NEAR(path.front_distance, path.length, error);
+  };
+  for(int i = 0; i < 20; ++i)
+  {
+    const auto from = random_location_of(mesh, random), to = random_location_of(mesh, random);
+    const Point p = point_of(mesh, from), q = point_of(mesh, to);
+    expect_straight(GP::geodesic_path(domain, from, to), p, q, 1e-7); // the front's least gain
+    // First order: two sides of 1/15 at most.  Arcs: 41 percent.  Heat: some percent.
+    expect_straight(GP::geodesic_path<GP::Fast_marching>(domain, from, to), p, q, 2. / 15.);
+    expect_straight(GP::geodesic_path<GP::Dijkstra>(domain, from, to), p, q, 0.5);
+    expect_straight(GP::geodesic_path<GP::Heat>(domain, from, to), p, q, 2. / 15.);
+  }
+}
+
+TEST(Geodesic_path, joins_places_of_every_kind)
+{
+  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
+  const GP::Location<Mesh> inside = location_of(100, {0.2, 0.3, 0.5}),
+                           on_side = location_of(500, {0.2, 0.8, 0.}),
+                           at_vertex = location_of(900, {0., 1., 0.});
+  const auto expect = [&](const auto& from, const auto& to, const Point& p, const Point& q)
+  {
+    const Path path = GP::geodesic_path(mesh, from, to);
+    expect_path(mesh, path, p, q);
+    // On a mesh of this size the front errs by a percent, and paths go one way of several.
+    EXPECT_NEAR(path.length, path.front_distance, 0.02 * path.front_distance + 1e-3);
+  };
+  const Vertex vertex(17);
+  const Point v = to_array(mesh.point(vertex)), p = point_of(mesh, inside),
+              q = point_of(mesh, on_side), r = point_of(mesh, at_vertex);
+  expect(vertex, inside, v, p);
+  expect(inside, vertex, p, v);
+  expect(inside, on_side, p, q);
+  expect(on_side, at_vertex, q, r);
+  expect(at_vertex, inside, r, p);
+  expect(vertex, Vertex(400), v, to_array(mesh.point(Vertex(400))));
+  // In one face, and along one edge.
+  expect(inside, location_of(100, {0.5, 0.3, 0.2}), p,
+         point_of(mesh, location_of(100, {0.5, 0.3, 0.2})));
+  const Vertex next = mesh.target(mesh.halfedge(vertex)) == vertex
+                          ? mesh.source(mesh.halfedge(vertex))
+                          : mesh.target(mesh.halfedge(vertex));
+  const Path edge = GP::geodesic_path(mesh, vertex, next);
+  EXPECT_EQ(edge.points.size(), 2u);
+}
+
+TEST(Geodesic_path, from_a_place_to_itself_is_that_place)
+{
+  const Mesh mesh = mesh_of(icosphere(2));
+  const Path of_vertex = GP::geodesic_path(mesh, Vertex(9), Vertex(9));
+  EXPECT_EQ(of_vertex.points.size(), 1u);
+  EXPECT_EQ(of_vertex.length, 0.);
+  EXPECT_EQ(of_vertex.front_distance, 0.);
+  const auto inside = location_of(30, {0.2, 0.3, 0.5});
+  const Path of_place = GP::geodesic_path(mesh, inside, inside);
+  EXPECT_EQ(of_place.points.size(), 1u);
+  EXPECT_EQ(of_place.length, 0.);
+}
+
+TEST(Geodesic_path, ends_at_the_nearest_of_several_sources)
+{
+  const Mesh mesh = mesh_of(square(15, 0.24));
+  const std::vector<Vertex> corners = {Vertex(0), Vertex(15), Vertex(240), Vertex(255)};
+  for(const Vertex v : mesh.vertices())
+  {
+    const Point p = to_array(mesh.point(v));
+    double least = infinity, second = infinity;
+    Vertex nearest;
+    for(const Vertex corner : corners)
+    {
+      const double d = distance(p, to_array(mesh.point(corner)));
+      if(d < least)
+        nearest = corner;
+      second = std::min(second, std::max(d, least));
+      least = std::min(least, d);
+    }
+    if(second - least < 2. / 15.) // near the cells' border it may be the other one
+      continue;
+    expect_path(mesh, GP::geodesic_path(mesh, v, corners), p, to_array(mesh.point(nearest)));
+  }
+}
+
+TEST(Geodesic_path, is_empty_where_none_is)
+{
+  const Mesh mesh = mesh_of(apart(square(4), tetrahedron()));
+  const Path path = GP::geodesic_path(mesh, Vertex(26), Vertex(0));
+  EXPECT_TRUE(path.empty());
+  EXPECT_TRUE(path.points.empty());
+  EXPECT_EQ(path.front_distance, infinity);
+  EXPECT_EQ(path.length, 0.);
+}
+
+TEST(Geodesic_path, keeps_to_the_scale)
+{
+  for(const double scale : {1e-160, 1e-6, 1e6, 1e160})
+  {
+    Triangulation surface = square(8, 0.24);
+    for(Point& p : surface.points)
+      for(double& x : p)
+        x *= scale;
+    const Mesh mesh = mesh_of(surface);
+    const Path path = GP::geodesic_path(mesh, Vertex(0), Vertex(80));
+    EXPECT_NEAR(path.length / scale, std::sqrt(2.), rounding);
+    EXPECT_NEAR(path.front_distance / scale, std::sqrt(2.), 1e-7); // the front's least gain
+  }
+}
+
+TEST(Geodesic_path, takes_parameters)
+{
+  Mesh mesh = mesh_of(square(8, 0.24));
+  auto points = mesh.add_property_map<Vertex, Kernel::Point_3>().first;
+  for(const Vertex v : mesh.vertices())
+    points[v] = Kernel::Point_3(3. * mesh.point(v).x(), mesh.point(v).y(), 0.);
+  EXPECT_NEAR(
+      GP::geodesic_path(mesh, Vertex(0), Vertex(8), GP::parameters::vertex_point_map(points))
+          .length,
+      3., rounding);
+  // What is out of reach is not looked for.
+  EXPECT_TRUE(
+      GP::geodesic_path(mesh, Vertex(0), Vertex(8), GP::parameters::maximum_distance(0.5)).empty());
+}
+
+TEST(Geodesic_path, is_on_the_polyhedron_too)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  Numbered<Polyhedron> mesh;
+  fill(mesh, square(8, 0.24));
+  const auto path = GP::geodesic_path(mesh.mesh, mesh.vertices[0], mesh.vertices[80]);
+  EXPECT_NEAR(path.length, std::sqrt(2.), rounding);
+}
+
+TEST(Geodesic_path, refuses_what_cannot_be_used)
+{
+  const Mesh mesh = mesh_of(square(3));
+  EXPECT_THROW(GP::geodesic_path(mesh, Vertex(0), std::vector<Vertex>()),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_path(mesh, Mesh::null_vertex(), Vertex(0)), GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_path(mesh, location_of(0, {2., -1., 0.}), Vertex(0)),
+               GP::Invalid_argument_error);
+}
+
+TEST(Geodesic_path, on_a_cloud_joins_its_ends_through_surfels)
+{
+  const Surfels cloud = flat_surfels(3000);
+  const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const GP::Surfel_domain<Surfels> domain(cloud, np);
+  for(std::size_t i = 1; i < 60; ++i)
+  {
+    const auto path = GP::geodesic_path(domain, i, std::size_t(0));
+    ASSERT_GE(path.points.size(), 2u);
+    const double chord = std::sqrt(CGAL::squared_distance(cloud[i].first, cloud[0].first));
+    EXPECT_LT(CGAL::squared_distance(path.points.front(), cloud[i].first), 1e-26);
+    EXPECT_LT(CGAL::squared_distance(path.points.back(), cloud[0].first), 1e-26);
+    EXPECT_GE(path.length, chord - rounding);
+    EXPECT_LE(path.length, 1.01 * chord + 0.02); // a gap at the border may be in the way
+    for(std::size_t k = 1; k < path.points.size(); ++k)
+      EXPECT_NE(path.points[k], path.points[k - 1]);
+  }
+  const auto itself = GP::geodesic_path(domain, std::size_t(4), std::size_t(4));
+  EXPECT_EQ(itself.points.size(), 1u);
+}
+
+} // namespace
