@@ -132,6 +132,27 @@ TEST(Surfel_domain, gives_the_same_for_any_number_of_threads)
   EXPECT_EQ(one->graph.target, three->graph.target);
 }
 
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& values)
+{
+  return values.capacity() * sizeof(T);
+}
+
+TEST(Surfel_domain, takes_some_hundred_bytes_per_surfel)
+{
+  const Surfels surfels = sphere_surfels(5);
+  const GP::Surfel_domain<Surfels> domain(surfels, maps);
+  const auto& t = *domain.triangles();
+  const auto& s = domain.surfels();
+  const std::size_t bytes =
+      bytes_of(t.corner) + bytes_of(t.twin) + bytes_of(t.length) + bytes_of(t.first) +
+      bytes_of(t.star) + bytes_of(t.weight) + bytes_of(t.graph.first) + bytes_of(t.graph.target) +
+      bytes_of(t.graph.length) + bytes_of(t.point) + bytes_of(t.normal) + bytes_of(s.radius) +
+      bytes_of(s.site_of_surfel) + bytes_of(s.surfel_of_site);
+  // What its documentation says, with the tree of points and indices.
+  EXPECT_LE(bytes, 700 * surfels.size());
+}
+
 TEST(Surfel_domain, refuses_what_cannot_be_used)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
