@@ -54,8 +54,8 @@ bool pass(const Circle& circle, double length, const Planar& y, double& gain, Pl
   const Planar b = circle.source - circle.curvature * y;
   if(b[1] >= 0.)
     return false;
-  const double crossing = y[0] - y[1] * b[0] / b[1];
-  if(crossing < 0. || crossing > length)
+  const double crossing = y[0] * b[1] - y[1] * b[0]; // along the side, times b[1] < 0
+  if(crossing > 0. || crossing < length * b[1])
     return false;
   const double size = norm(b);
   // |y - r u| - r with r = 1 / curvature, which stays exact for straight fronts.
@@ -480,20 +480,29 @@ void Front::cross_planar(Index corner, Index x, Index z, double base, double to_
     offer(target, {distance, {1., 0.}, predecessor, 0, 0.}, m_sources[x]);
 }
 
-// A site hands on its front through the triangles that see it come: from the triangle that it came
-// through, both ways around the site, as long as the source lies within a half turn of the side
-// that is crossed.  Sides beyond lie in the shadow of a saddle or a border: there the site is a
-// source of its own.
 void Front::spread_euclidean(Index index)
 {
-  const Glued_triangles& t = *m_triangles;
-  const Site from = m_sites[index];
-  if(from.state & origin_flag)
-    return offer_along_sides(index, from.state & flat_flag);
-  if(from.state & blind_flag)
+  const Index state = m_sites[index].state;
+  if(state & origin_flag)
+    return offer_along_sides(index, state & flat_flag);
+  if(state & blind_flag)
     return spread_blindly(index);
+  // In the shadow of a saddle, behind a border, and in the other fans of a pinched site the site is a
+  // source of its own.
+  if(!spread_all_around(index))
+    offer_along_sides(index, state & flat_flag);
+}
 
+// A site hands on its front through the triangles that see it come: from the triangle that it came
+// through, both ways around the site, as long as the source lies within a half turn of the side
+// that is crossed.  Whether that is all around it.
+bool Front::spread_all_around(Index index)
+{
+  const Glued_triangles& t = *m_triangles;
+  const Index degree = t.first[index + 1] - t.first[index];
+  const Site from = m_sites[index];
   const Planar direction = m_directions[index];
+  const double least_curvature = 1. / (from.distance - offset_at(index));
   // A lit side whose end no triangle reaches gets the side's own length, but no direction.
   const Index lit = blind_flag | (from.state & flat_flag);
   const Index corner = from.corner;
@@ -508,7 +517,7 @@ void Front::spread_euclidean(Index index)
   for(; left != none && left != corner; left = turn_left(t, left))
   {
     const Planar opening = corner_angle(t, left);
-    cross_circle(left, false, opening, angle);
+    cross_circle(left, false, opening, angle, least_curvature);
     ++seen;
     angle = turned(angle, opening);
     if(angle[1] < 0.)
@@ -516,7 +525,7 @@ void Front::spread_euclidean(Index index)
     offer_along_side(left, true, lit);
   }
   if(left == corner)
-    return;
+    return seen == degree;
 
   // Clockwise, until it meets the other way.
   angle = {direction[0], std::max(direction[1], 0.)};
@@ -524,32 +533,24 @@ void Front::spread_euclidean(Index index)
   for(; right != none; right = turn_right(t, right))
   {
     const Planar opening = corner_angle(t, right);
-    cross_circle(right, true, opening, angle);
+    cross_circle(right, true, opening, angle, least_curvature);
     angle = turned(angle, opening);
     if(angle[1] >= 0.)
       offer_along_side(right, false, lit);
     if(right == left)
-      return;
+      return seen == degree;
     ++seen;
     if(angle[1] < 0.)
       break;
   }
 
-  // The shadow between them, to the border on either hand.
-  Index dark = left;
-  for(; dark != none && dark != right; dark = turn_left(t, dark), ++seen)
-    offer_along_side(dark, true, from.state & flat_flag);
-  if(dark == none)
-    for(dark = right; dark != none; dark = turn_right(t, dark), ++seen)
-      offer_along_side(dark, false, from.state & flat_flag);
-  // Other fans of a pinched site; where a shadow began a triangle was counted twice.
-  if(seen < t.first[index + 1] - t.first[index] + 2)
-    offer_along_sides(index, from.state & flat_flag);
+  return false;
 }
 
 // Offers the end of a triangle's far side what a circular front gives it that crosses the side
 // nearer to the source: the one that leaves the corner or, mirrored, the one that arrives there.
-void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle)
+void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle,
+                         double least_curvature)
 {
   const Glued_triangles& t = *m_triangles;
   const Index next = next_side(corner), previous = previous_side(corner);
@@ -565,7 +566,7 @@ void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, con
   const Planar y = t.length[mirrored ? corner : previous] * opening;
   // A front on a polyhedron bends at least as much as one that has come straight all the way.
   const Index flags = (x.state | z.state) & flat_flag;
-  double curvature = flags ? 0. : 1. / (x.distance - offset_at(from));
+  double curvature = flags ? 0. : least_curvature;
   // Fronts of two sources are never mixed.
   if(is_same_front(from, along))
     curvature = std::max(curvature, fitted_curvature(base, z.distance - x.distance, angle[0]));
@@ -599,18 +600,18 @@ void Front::spread_blindly(Index index)
   const Glued_triangles& t = *m_triangles;
   const Site from = m_sites[index];
   offer_along_sides(index, blind_flag | (from.state & flat_flag));
-  const double radius = from.distance - offset_at(index);
+  const double curvature = 1. / (from.distance - offset_at(index));
   for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
     for(const bool mirrored : {false, true})
     {
       const Index corner = t.star[i];
       const Index side = mirrored ? previous_side(corner) : corner;
       const Index along = t.corner[mirrored ? side : next_side(corner)];
-      Circle circle{{1., 0.}, (from.state | m_sites[along].state) & flat_flag ? 0. : 1. / radius};
+      Circle circle{{1., 0.}, (from.state | m_sites[along].state) & flat_flag ? 0. : curvature};
       if(m_sources[along] == m_sources[index] &&
          source_by_distances(t.length[side], m_sites[along].distance - from.distance, circle))
         cross_circle(corner, mirrored, corner_angle(t, corner),
-                     {circle.source[0], -circle.source[1]});
+                     {circle.source[0], -circle.source[1]}, curvature);
     }
 }
 
@@ -706,12 +707,17 @@ void Front::cross_on_cloud(Index from, const Spatial* source, Index along, Index
   if(!pass(circle, base, {y_0, y_1}, gain, back))
     return;
   const double distance = x.distance + gain;
-  if(distance < m_sites[target].distance)
-    offer(
-        target,
+  // A predecessor is nearer to the source than the target: else two sites could be each other's.
+  const bool from_is_nearer = x.distance < distance;
+  const bool along_is_nearer = is_same && z.distance < distance;
+  if(!(distance < m_sites[target].distance) || !(from_is_nearer || along_is_nearer))
+    return;
+  const bool is_along =
+      along_is_nearer && (!from_is_nearer || std::abs(y_0) >= std::abs(base - y_0));
+  offer(target,
         {distance,
          tangent(target, turned_into(back[0] * axis_1 + back[1] * axis_2, plane, t.normal[target])),
-         std::abs(y_0) < std::abs(base - y_0) ? from : along, flags, 0.},
+         is_along ? along : from, flags, 0.},
         m_sources[from]);
 }
 

@@ -91,8 +91,10 @@ private:
                     Index predecessor = none);
 
   void spread_euclidean(Index site);
+  bool spread_all_around(Index site);
   void spread_blindly(Index site);
-  void cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle);
+  void cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle,
+                    double least_curvature);
 
   void spread_on_cloud(Index site);
   void cross_on_cloud(Index from, const Spatial* source, Index along, Index target);
