@@ -10,7 +10,6 @@
 #include <CGAL/Polygon_mesh_processing/border.h>
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -53,8 +52,6 @@ public:
   std::size_t label(std::size_t position) const { return m_has_label ? m_label : position; }
 
 private:
-  static constexpr std::size_t no_label = (std::numeric_limits<std::size_t>::max)();
-
   std::variant<Site, Polyline> m_place;
   double m_offset;
   bool m_has_label;
