@@ -774,7 +774,7 @@ Location to_triangle(const Glued_triangles& t, const Tangent_location& location)
   result.site = location.site;
   if(location.offset[0] == 0. && location.offset[1] == 0.)
     return result;
-  const auto [u, v] = tangent_frame(t.normal[location.site]);
+  const auto frame = tangent_frame(t.normal[location.site]);
   double best = infinity;
   const auto try_triangle = [&](Index triangle)
   {
@@ -783,7 +783,8 @@ Location to_triangle(const Glued_triangles& t, const Tangent_location& location)
     for(int k = 0; k < 3; ++k)
     {
       const Spatial way = t.point[t.corner[corners[k]]] - t.point[location.site];
-      p[k] = {dot(way, u) - location.offset[0], dot(way, v) - location.offset[1]};
+      p[k] = {dot(way, frame.first) - location.offset[0],
+              dot(way, frame.second) - location.offset[1]};
     }
     const auto cross = [&](int i, int j) { return p[i][0] * p[j][1] - p[i][1] * p[j][0]; };
     std::array<double, 3> share = {cross(1, 2), cross(2, 0), cross(0, 1)};
