@@ -403,7 +403,9 @@ TEST_F(Program, cells_belong_to_the_nearest_seed)
   ASSERT_EQ(labels.size(), 81u);
   for(int i = 0; i < 81; ++i)
     if(i % 9 + i / 9 != 8) // on the line between them both are right
+    {
       EXPECT_EQ(labels[static_cast<std::size_t>(i)], i % 9 + i / 9 > 8 ? 1. : 0.);
+    }
 }
 
 TEST_F(Program, farthest_seeds_cover_every_component_and_end_in_time)
