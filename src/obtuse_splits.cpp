@@ -58,7 +58,8 @@ Obtuse_splits obtuse_splits(const Glued_triangles& t, int steps)
     return result;
   for(Index corner = 0; corner < t.corner.size(); ++corner)
   {
-    if(corner_angle(t, corner)[0] >= 0.)
+    // A right angle needs no split, and is common: rounding must not make it obtuse.
+    if(corner_angle(t, corner)[0] >= -1e-12)
       continue;
     const Obtuse_splits::Split split = split_of(t, corner, steps);
     if(split.site == none)

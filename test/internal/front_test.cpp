@@ -233,6 +233,29 @@ TEST(Front, has_about_first_order_when_planar)
   EXPECT_LT(fine, 0.02);
 }
 
+TEST(Front, is_the_five_point_scheme_on_right_angles)
+{
+  // Rouy and Tourin's scheme on a grid, for which the fronts of Kimmel and Sethian were made.
+  const std::size_t n = 20;
+  const Glued_surface surface(square(n));
+  const auto d = run(surface, Kind::planar, {surface.source(Index(n))}); // at (1,0)
+  const double h = 1. / n;
+  std::vector<double> truth(d.size());
+  for(std::size_t j = 0; j <= n; ++j)
+    for(std::size_t i = 0; i <= n; ++i) // i sides to the left of the source
+    {
+      double& value = truth[j * (n + 1) + n - i];
+      if(i == 0 || j == 0)
+      {
+        value = h * double(i + j);
+        continue;
+      }
+      const double a = truth[j * (n + 1) + n - i + 1], b = truth[(j - 1) * (n + 1) + n - i];
+      value = 0.5 * (a + b + std::sqrt(2. * h * h - (a - b) * (a - b)));
+    }
+  EXPECT_LT(largest_error(d, [&](Index i) { return truth[i]; }), rounding);
+}
+
 TEST(Front, is_not_consistent_along_arcs)
 {
   // The diagonal against the sides of a regular grid that has the other diagonals.

@@ -76,6 +76,7 @@ TEST(Obtuse_splits, are_found_from_the_site_behind)
 TEST(Obtuse_splits, are_none_where_no_corner_is_obtuse_or_nothing_lies_behind)
 {
   EXPECT_TRUE(obtuse_splits(*Glued_surface(icosphere(2)).triangles()).splits.empty());
+  EXPECT_TRUE(obtuse_splits(*Glued_surface(square(20)).triangles()).splits.empty()); // right angles
   const Triangulation obtuse = {{{0., 0., 0.}, {4., 0., 0.}, {2., 0.5, 0.}}, {0, 1, 2}};
   EXPECT_TRUE(obtuse_splits(*Glued_surface(obtuse).triangles()).splits.empty());
 }
