@@ -757,13 +757,22 @@ Index Front::predecessor(Index index) const
 
 double Front::distance(const Location& location) const
 {
-  const Glued_triangles& t = *m_triangles;
-  if(const Index site = site_of(t, location); site != none)
+  if(const Index site = site_of(*m_triangles, location); site != none)
     return m_sites[site].distance;
-  const Index triangle = location.triangle;
+  // On a side the front comes through either triangle.
+  double result = infinity;
+  for(const Index triangle : triangles_at(*m_triangles, location))
+    result = std::min(result, distance_in(triangle, *seen_from(*m_triangles, triangle, location)));
+  return result;
+}
+
+// The distance of a place in a triangle, as the front comes through it.
+double Front::distance_in(Index triangle, const std::array<double, 3>& barycentric) const
+{
+  const Glued_triangles& t = *m_triangles;
   const double slowness = m_slowness ? (*m_slowness)[triangle] : 1.;
   const auto corners = unfolded(t, triangle);
-  const Planar p = unfolded_point(corners, location.barycentric);
+  const Planar p = unfolded_point(corners, barycentric);
   double result = infinity;
   for(const auto& [started, source] : m_started_in)
     if(started == triangle)

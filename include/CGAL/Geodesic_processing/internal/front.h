@@ -101,6 +101,7 @@ private:
 
   Planar in_corner(const Planar& vector, const std::array<Planar, 3>& corners, Index corner) const;
   Planar tangent(Index site, const Spatial& direction) const;
+  double distance_in(Index triangle, const std::array<double, 3>& barycentric) const;
   bool source_at(Index corner, bool mirrored, Planar& source) const;
 
   std::shared_ptr<const Glued_triangles> m_triangles;
