@@ -157,8 +157,12 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   for(std::size_t visits = 0; !m_queue.empty(); ++visits)
   {
     const Queue::Entry entry = m_queue.front();
-    if(entry.key > limits.maximum_distance)
-      break;
+    // Sites that wait leave the queue late: those behind may be nearer than this one.
+    if(m_sites[entry.site].distance > limits.maximum_distance)
+    {
+      m_queue.pop();
+      continue;
+    }
     if(has_targets)
     {
       while(!targets.empty() &&
