@@ -115,8 +115,8 @@ Front::Front(std::shared_ptr<const Glued_triangles> triangles, Front_kind kind)
     : m_triangles(std::move(triangles)), m_kind(kind), m_sites(m_triangles->number_of_sites()),
       m_sources(m_triangles->number_of_sites(), none), m_queue(m_triangles->number_of_sites())
 {
-  if(kind == Front_kind::planar && !m_triangles->is_cloud())
-    m_splits = std::make_shared<const Obtuse_splits>(obtuse_splits(*m_triangles));
+  if(kind == Front_kind::planar)
+    m_spokes = std::make_shared<const Spokes>(spokes(*m_triangles));
   if(kind == Front_kind::euclidean)
     m_directions.resize(m_sites.size());
   if(kind == Front_kind::euclidean && m_triangles->is_cloud())
@@ -134,8 +134,8 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   m_reached.clear();
   m_queue.clear();
   m_slowness = limits.slowness;
-  if(m_slowness && m_kind == Front_kind::euclidean && !t.is_cloud() && !m_splits)
-    m_splits = std::make_shared<const Obtuse_splits>(obtuse_splits(t));
+  if(m_slowness && m_kind == Front_kind::euclidean && !m_spokes)
+    m_spokes = std::make_shared<const Spokes>(spokes(t));
   start(sources);
 
   // A target is final once the front is past it by the longest side around it: no triangle can
@@ -180,7 +180,13 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
     m_queue.pop();
     // What comes next is mostly known already; its star is on its way while this one spreads.
     if(!m_queue.empty())
-      prefetch(t.star.data() + t.first[m_queue.front().site]);
+    {
+      const Index next = m_queue.front().site;
+      if(m_spokes)
+        prefetch(m_spokes->spokes.data() + m_spokes->first[next][0]);
+      else
+        prefetch(t.star.data() + t.first[next]);
+    }
     Site& site = m_sites[entry.site];
     site.state = (site.state | final_flag) + one_visit;
     switch(m_kind)
@@ -398,95 +404,87 @@ void Front::spread_along_arcs(Index index)
 }
 
 // Kimmel and Sethian 1998: the front crosses a triangle as a straight line, from two sites that are
-// final to a third that is not; obtuse corners look through their splits.
+// final to a third that is not.
 void Front::spread_planar(Index index)
 {
   const Glued_triangles& t = *m_triangles;
+  const Spokes& s = *m_spokes;
   if(t.is_cloud() && !m_slowness)
     spread_along_arcs(index);
   const auto is_final = [&](Index site) { return (m_sites[site].state & final_flag) != 0; };
   const double distance = m_sites[index].distance;
   const Index source = m_sources[index];
-  for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
+
+  // The star holds the triangles that the spokes have, in the same order.
+  const Index* triangle = m_slowness ? t.star.data() + t.first[index] : nullptr;
+  double before = infinity; // slowness of the triangle before the spoke
+  for(Index i = s.first[index][0]; i < s.first[index + 1][0]; ++i)
   {
-    const Index corner = t.star[i], next = next_side(corner), previous = previous_side(corner);
-    const Index ends[2] = {t.corner[next], t.corner[previous]};
-    const bool are_final[2] = {is_final(ends[0]), is_final(ends[1])};
-    if(are_final[0] && are_final[1])
-      continue;
-    const double slowness = m_slowness ? (*m_slowness)[corner / 3] : 1.;
-    if(!(slowness < infinity))
-      continue;
-    const Index target_corners[2] = {next, previous};
-    const double lengths[2] = {t.length[corner], t.length[previous]};
-    for(const int k : {0, 1})
+    const Spokes::Spoke& spoke = s.spokes[i];
+    double after = infinity;
+    if(spoke.flags & Spokes::Spoke::has_triangle)
+      after = m_slowness ? (*m_slowness)[*triangle++ / 3] : 1.;
+    if(!is_final(spoke.end))
     {
-      if(are_final[k])
-        continue;
-      const double along = distance + slowness * lengths[k];
-      if(along < m_sites[ends[k]].distance)
-        offer(ends[k], {along, {1., 0.}, index, 0, 0.}, source);
-      const Index split = m_splits ? m_splits->split_of_corner[target_corners[k]] : none;
-      if(split != none)
-        cross_split(split, index);
-      else if(are_final[1 - k])
-        cross_planar(target_corners[k], index, ends[1 - k], lengths[1 - k], lengths[k],
-                     t.length[next]);
+      double best = distance + std::min(before, after) * spoke.length;
+      Index predecessor = index;
+      const auto cross = [&](const Spokes::Spoke& other, double opposite, double slowness)
+      {
+        bool is_nearer_to_other;
+        const double offered = cross_planar(index, other.end, other.length, spoke.length, opposite,
+                                            slowness, is_nearer_to_other);
+        if(offered < best)
+        {
+          best = offered;
+          predecessor = is_nearer_to_other ? other.end : index;
+        }
+      };
+      if(after < infinity && !(spoke.flags & Spokes::Spoke::is_split) && is_final((&spoke)[1].end))
+        cross((&spoke)[1], spoke.opposite, after);
+      if(before < infinity && !((&spoke)[-1].flags & Spokes::Spoke::next_is_split) &&
+         is_final((&spoke)[-1].end))
+        cross((&spoke)[-1], (&spoke)[-1].opposite, before);
+      if(best < m_sites[spoke.end].distance)
+        offer(spoke.end, {best, {1., 0.}, predecessor, 0, 0.}, source);
     }
+    before = after;
   }
-  if(m_splits)
-    for(Index i = m_splits->first[index]; i < m_splits->first[index + 1]; ++i)
-      cross_split(m_splits->behind[i], index);
-}
 
-// The virtual triangles of a split that have the site at one end of their base.
-void Front::cross_split(Index index, Index site)
-{
-  const Glued_triangles& t = *m_triangles;
-  const Obtuse_splits::Split& split = m_splits->splits[index];
-  const Index corner = split.corner, previous = previous_side(corner);
-  if(m_sites[t.corner[corner]].state & final_flag)
-    return;
-  const Index sites[2] = {t.corner[next_side(corner)], t.corner[previous]};
-  const double lengths[2] = {t.length[corner], t.length[previous]};
-  const bool is_behind = site == split.site;
-  for(const int k : {0, 1})
+  for(Index i = s.first[index][1]; i < s.first[index + 1][1]; ++i)
   {
-    if(!is_behind && site != sites[k])
+    const Spokes::Split& split = s.splits[i];
+    const Index target = t.corner[split.corner];
+    if(is_final(target) || !is_final(split.along))
       continue;
-    const Index other = is_behind ? sites[k] : split.site;
-    // The predecessor is a neighbour, also where the front passes nearer to the site behind.
-    if(m_sites[other].state & final_flag)
-      cross_planar(corner, site, other, split.base[k], is_behind ? split.length : lengths[k],
-                   is_behind ? lengths[k] : split.length, sites[k]);
+    bool is_nearer_to_along;
+    const double slowness = m_slowness ? (*m_slowness)[split.corner / 3] : 1.;
+    const double offered = cross_planar(index, split.along, split.base, split.length, split.other,
+                                        slowness, is_nearer_to_along);
+    if(offered < m_sites[target].distance)
+      offer(target, {offered, {1., 0.}, split.neighbour, 0, 0.}, source);
   }
 }
 
-// Offers the site at a corner what a straight front gives it that passes x and z: `base` from x to
-// z, `to_x` and `to_z` from there to the site.  Without a predecessor it is the nearer of the two.
-void Front::cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z,
-                         Index predecessor)
+// What a straight front that passes x and z gives a site: `base` from x to z, `to_x` and `to_z` from
+// there to the site; infinity when it does not come through between them.
+double Front::cross_planar(Index x, Index z, double base, double to_x, double to_z, double slowness,
+                           bool& is_nearer_to_z) const
 {
   if(!is_same_front(x, z))
-    return;
-  const double slowness = m_slowness ? (*m_slowness)[corner / 3] : 1.;
+    return infinity;
   const double start = m_sites[x].distance, width = slowness * base;
   // The rise along the base is the cosine between it and the front's way.
   const double rise = (m_sites[z].distance - start) / width;
   if(!(std::abs(rise) < 1.) || !(width < infinity))
-    return;
+    return infinity;
   const double across = std::sqrt((1. - rise) * (1. + rise));
   const double u = 0.5 * (base + (to_x - to_z) * ((to_x + to_z) / base));
   const double v = std::sqrt(std::max(0., (to_x - u) * (to_x + u)));
   const double crossing = u * across - v * rise; // times `across`
   if(crossing < 0. || crossing > base * across)
-    return;
-  const Index target = m_triangles->corner[corner];
-  const double distance = start + slowness * (rise * u + across * v);
-  if(predecessor == none)
-    predecessor = 2. * crossing < base * across ? x : z;
-  if(distance < m_sites[target].distance)
-    offer(target, {distance, {1., 0.}, predecessor, 0, 0.}, m_sources[x]);
+    return infinity;
+  is_nearer_to_z = 2. * crossing >= base * across;
+  return start + slowness * (rise * u + across * v);
 }
 
 void Front::spread_euclidean(Index index)

@@ -5,9 +5,9 @@
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 #include <CGAL/Geodesic_processing/internal/Queue.h>
-#include <CGAL/Geodesic_processing/internal/obtuse_splits.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/spokes.h>
 
 #include <array>
 #include <functional>
@@ -86,9 +86,8 @@ private:
   void spread_along_arcs(Index site);
 
   void spread_planar(Index site);
-  void cross_split(Index split, Index site);
-  void cross_planar(Index corner, Index x, Index z, double base, double to_x, double to_z,
-                    Index predecessor = none);
+  double cross_planar(Index x, Index z, double base, double to_x, double to_z, double slowness,
+                      bool& is_nearer_to_z) const;
 
   void spread_euclidean(Index site);
   bool spread_all_around(Index site);
@@ -105,7 +104,7 @@ private:
   bool source_at(Index corner, bool mirrored, Planar& source) const;
 
   std::shared_ptr<const Glued_triangles> m_triangles;
-  std::shared_ptr<const Obtuse_splits> m_splits;       // for planar fronts on meshes
+  std::shared_ptr<const Spokes> m_spokes;              // for planar fronts
   std::shared_ptr<const std::vector<Index>> m_islands; // #sites, for Euclidean fronts on clouds
   Front_kind m_kind;
 

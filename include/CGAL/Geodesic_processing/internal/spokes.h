@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SPOKES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SPOKES_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// All that a straight front reads around a site, in one run of memory: a front visits sites all over
+// it, and waits for memory longer than it computes.
+struct Spokes
+{
+  // A side, seen from the site, and the triangle between it and the next spoke.
+  struct Spoke
+  {
+    enum Flags : Index
+    {
+      has_triangle = 1, // else it is the last one of its fan
+      is_split = 2,     // the triangle's corner at this end is obtuse, and split
+      next_is_split = 4 // that at the next spoke's end is
+    };
+    Index end; // the site at the far end
+    Index flags;
+    double length;
+    double opposite; // length of the triangle's third side
+  };
+  // Half of an obtuse corner, which the site behind the opposite side splits into two acute angles
+  // once the triangles between are unfolded into its plane (Kimmel and Sethian 1998, section 3):
+  // a triangle as good as a real one to reach that corner, seen from one end of its base.
+  struct Split
+  {
+    Index corner;         // the obtuse one
+    Index along;          // the site at the other end of the base
+    Index neighbour;      // the end that is a neighbour of the corner's site
+    double base;          // length of the base,
+    double length, other; //   from its ends to the corner: from this one and the other one
+  };
+
+  std::vector<std::array<Index, 2>> first; // #sites + 1: where each site's begin, as in a CSR
+  std::vector<Spoke> spokes; // of each fan counterclockwise; the first one again ends a closed fan
+  std::vector<Split> splits;
+};
+
+// O(#triangles); at most `steps` triangles are unfolded for a corner.  Corners are split on meshes.
+CGAL_GEODESIC_PROCESSING_EXPORT Spokes spokes(const Glued_triangles& triangles, int steps = 20);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SPOKES_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/spokes.h>
+
+#include <CGAL/Geodesic_processing/internal/planar.h>
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+TEST(Spokes, are_the_sides_around_a_site_and_the_triangles_between_them)
+{
+  // A pinched site, borders, and a closed surface.
+  const Triangulation bow = {
+      {{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}}, {0, 1, 2, 0, 3, 4}};
+  for(const Triangulation& triangulation : {bow, square(5), icosphere(2)})
+  {
+    const Glued_surface surface(triangulation);
+    const Glued_triangles& t = *surface.triangles();
+    const Spokes s = spokes(t);
+    for(Index site = 0; site < t.number_of_sites(); ++site)
+    {
+      // The triangles of the star, in its order.
+      Index i = t.first[site];
+      for(Index j = s.first[site][0]; j < s.first[site + 1][0]; ++j)
+      {
+        if(!(s.spokes[j].flags & Spokes::Spoke::has_triangle))
+          continue;
+        ASSERT_LT(i, t.first[site + 1]);
+        const Index corner = t.star[i++];
+        EXPECT_EQ(s.spokes[j].end, t.corner[next_side(corner)]);
+        EXPECT_EQ(s.spokes[j + 1].end, t.corner[previous_side(corner)]);
+        EXPECT_EQ(s.spokes[j].length, t.length[corner]);
+        EXPECT_EQ(s.spokes[j + 1].length, t.length[previous_side(corner)]);
+        EXPECT_EQ(s.spokes[j].opposite, t.length[next_side(corner)]);
+      }
+      EXPECT_EQ(i, t.first[site + 1]);
+      if(i > t.first[site])
+        EXPECT_FALSE(s.spokes[s.first[site + 1][0] - 1].flags & Spokes::Spoke::has_triangle);
+    }
+  }
+}
+
+TEST(Spokes, split_obtuse_corners_of_the_plane_into_acute_ones)
+{
+  // In the plane what is unfolded lies where it is.
+  const Triangulation plane = grid(
+      20, 20,
+      [](double u, double v) {
+        return Point{u, 0.3 * v, 0.};
+      },
+      0.24);
+  const Glued_surface surface(plane);
+  const Glued_triangles& t = *surface.triangles();
+  const Spokes s = spokes(t);
+  const auto at = [&](Index site) { return surface.point(surface.point_of_site(site)); };
+  // Each split is seen from both ends of the bases of its two halves.
+  std::vector<int> views(t.corner.size(), 0);
+  for(Index site = 0; site < t.number_of_sites(); ++site)
+    for(Index i = s.first[site][1]; i < s.first[site + 1][1]; ++i)
+    {
+      const Spokes::Split& split = s.splits[i];
+      ++views[split.corner];
+      EXPECT_LT(corner_angle(t, split.corner)[0], 0.);
+      const Index behind = split.neighbour == site ? split.along : site;
+      const Point x = at(t.corner[split.corner]), w = at(behind);
+      EXPECT_TRUE(split.neighbour == t.corner[next_side(split.corner)] ||
+                  split.neighbour == t.corner[previous_side(split.corner)]);
+      EXPECT_TRUE(split.neighbour == site || split.neighbour == split.along);
+      // A few unfoldings, each with a few roundings.
+      EXPECT_NEAR(surface.scale() * split.base, distance(at(site), at(split.along)), 1e-12);
+      EXPECT_NEAR(surface.scale() * split.length, distance(at(site), x), 1e-12);
+      EXPECT_NEAR(surface.scale() * split.other, distance(at(split.along), x), 1e-12);
+      const Point a = at(split.neighbour);
+      EXPECT_GT(dot(Point{a[0] - x[0], a[1] - x[1], 0.}, Point{w[0] - x[0], w[1] - x[1], 0.}), 0.);
+    }
+  std::size_t split_corners = 0;
+  for(Index corner = 0; corner < t.corner.size(); ++corner)
+  {
+    const bool is_split = views[corner] != 0;
+    EXPECT_TRUE(views[corner] == 0 || views[corner] == 4);
+    split_corners += is_split;
+    // Behind the border there is nothing.  Farther inside than 20 thin triangles there is.
+    const Point p = at(t.corner[corner]);
+    if(p[0] > 0.2 && p[0] < 0.8 && p[1] > 0.12 && p[1] < 0.18)
+      EXPECT_EQ(is_split, corner_angle(t, corner)[0] < 0.);
+  }
+  EXPECT_GT(split_corners, 100u);
+  // What is split is reached through its halves only.
+  for(Index site = 0; site < t.number_of_sites(); ++site)
+  {
+    Index i = t.first[site];
+    for(Index j = s.first[site][0]; j < s.first[site + 1][0]; ++j)
+      if(const Index flags = s.spokes[j].flags; flags & Spokes::Spoke::has_triangle)
+      {
+        const Index corner = t.star[i++];
+        EXPECT_EQ((flags & Spokes::Spoke::is_split) != 0, views[next_side(corner)] != 0);
+        EXPECT_EQ((flags & Spokes::Spoke::next_is_split) != 0, views[previous_side(corner)] != 0);
+      }
+  }
+}
+
+TEST(Spokes, are_not_split_where_no_corner_is_obtuse_or_nothing_lies_behind)
+{
+  EXPECT_TRUE(spokes(*Glued_surface(icosphere(2)).triangles()).splits.empty());
+  EXPECT_TRUE(spokes(*Glued_surface(square(20)).triangles()).splits.empty()); // right angles
+  const Triangulation obtuse = {{{0., 0., 0.}, {4., 0., 0.}, {2., 0.5, 0.}}, {0, 1, 2}};
+  EXPECT_TRUE(spokes(*Glued_surface(obtuse).triangles()).splits.empty());
+}
+
+} // namespace
