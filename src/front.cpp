@@ -115,8 +115,8 @@ Front::Front(std::shared_ptr<const Glued_triangles> triangles, Front_kind kind)
     : m_triangles(std::move(triangles)), m_kind(kind), m_sites(m_triangles->number_of_sites()),
       m_sources(m_triangles->number_of_sites(), none), m_queue(m_triangles->number_of_sites())
 {
-  if(kind == Front_kind::planar)
-    m_spokes = std::make_shared<const Spokes>(spokes(*m_triangles));
+  if(kind == Front_kind::planar || (kind == Front_kind::euclidean && !m_triangles->is_cloud()))
+    m_spokes = std::make_shared<const Spokes>(spokes(*m_triangles, kind == Front_kind::planar));
   if(kind == Front_kind::euclidean)
     m_directions.resize(m_sites.size());
   if(kind == Front_kind::euclidean && m_triangles->is_cloud())
@@ -134,8 +134,12 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   m_reached.clear();
   m_queue.clear();
   m_slowness = limits.slowness;
-  if(m_slowness && m_kind == Front_kind::euclidean && !m_spokes)
-    m_spokes = std::make_shared<const Spokes>(spokes(t));
+  // A Euclidean front with speeds is a planar one.
+  if(m_slowness && m_kind == Front_kind::euclidean && !m_has_splits)
+  {
+    m_spokes = std::make_shared<const Spokes>(spokes(t, true));
+    m_has_splits = true;
+  }
   start(sources);
 
   // A target is final once the front is past it by the longest side around it: no triangle can
@@ -178,15 +182,10 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
       break;
     }
     m_queue.pop();
-    // What comes next is mostly known already; its star is on its way while this one spreads.
+    // What comes next is mostly known already; what lies around it is on its way while this one
+    // spreads.
     if(!m_queue.empty())
-    {
-      const Index next = m_queue.front().site;
-      if(m_spokes)
-        prefetch(m_spokes->spokes.data() + m_spokes->first[next][0]);
-      else
-        prefetch(t.star.data() + t.first[next]);
-    }
+      prefetch_around(m_queue.front().site);
     Site& site = m_sites[entry.site];
     site.state = (site.state | final_flag) + one_visit;
     switch(m_kind)
@@ -220,6 +219,18 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   m_reached.erase(std::remove_if(m_reached.begin(), m_reached.end(), is_open), m_reached.end());
   m_queue.clear();
   return is_finished;
+}
+
+void Front::prefetch_around(Index site) const
+{
+  prefetch(m_triangles->star.data() + m_triangles->first[site]);
+  if(!m_spokes)
+    return;
+  // Three lines of memory hold the spokes of a site of six neighbours.
+  const char* const spokes =
+      reinterpret_cast<const char*>(m_spokes->spokes.data() + m_spokes->first[site][0]);
+  for(const int line : {0, 64, 128})
+    prefetch(spokes + line);
 }
 
 void Front::start(const std::vector<Source>& sources)
@@ -343,37 +354,39 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   return true;
 }
 
-// Offers the far end of a side what the site at its near end can give along it: of the side that
-// leaves a corner, or of the one that arrives there.
-void Front::offer_along_side(Index corner, bool arriving, Index flags)
+// Offers the far end of a spoke what the site gives along it.
+void Front::offer_along(Index site, const Spoke_place& place, Index flags)
 {
   const Glued_triangles& t = *m_triangles;
-  const Index site = t.corner[corner];
-  const Index side = arriving ? previous_side(corner) : corner;
-  const Index far = arriving ? side : next_side(corner);
-  const double gain = t.length[side], distance = m_sites[site].distance + gain;
-  if(!(distance <= m_sites[t.corner[far]].distance))
+  const Spokes::Spoke& spoke = m_spokes->spokes[place.spoke];
+  const double distance = m_sites[site].distance + spoke.length;
+  if(!(distance <= m_sites[spoke.end].distance))
     return;
-  // At the far end the side leaves its corner: this one, that of the twin, or, at a border, it
-  // arrives there.
-  Arrival arrival = {distance, {1., 0.}, far, flags, flags & blind_flag ? gain : 0.};
-  if(!arriving)
+  // At the far end the side leaves its corner in the triangle before the spoke; at a border, it
+  // arrives at the corner in the triangle after it.
+  Arrival arrival = {distance, {1., 0.}, none, flags, flags & blind_flag ? spoke.length : 0.};
+  const bool has_before =
+      place.spoke > m_spokes->first[site][0] && ((&spoke)[-1].flags & Spokes::Spoke::has_triangle);
+  if(has_before)
+    arrival.corner = previous_side(t.star[place.star - 1]);
+  else if(const Index corner = t.star[place.star]; t.twin[corner] != none)
+    arrival.corner = t.twin[corner];
+  else
   {
-    if(t.twin[corner] != none)
-      arrival.corner = t.twin[corner];
-    else
-      arrival.direction = corner_angle(t, far);
+    arrival.corner = next_side(corner);
+    arrival.direction = corner_angle(t, arrival.corner);
   }
-  offer(t.corner[far], arrival, m_sources[site]);
+  offer(spoke.end, arrival, m_sources[site]);
 }
 
-void Front::offer_along_sides(Index site, Index flags)
+void Front::offer_along_all(Index site, Index flags)
 {
-  const Glued_triangles& t = *m_triangles;
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+  Spoke_place place = {m_spokes->first[site][0], m_triangles->first[site]};
+  for(; place.spoke < m_spokes->first[site + 1][0]; ++place.spoke)
   {
-    offer_along_side(t.star[i], false, flags);
-    offer_along_side(t.star[i], true, flags);
+    offer_along(site, place, flags);
+    if(m_spokes->spokes[place.spoke].flags & Spokes::Spoke::has_triangle)
+      ++place.star;
   }
 }
 
@@ -491,13 +504,13 @@ void Front::spread_euclidean(Index index)
 {
   const Index state = m_sites[index].state;
   if(state & origin_flag)
-    return offer_along_sides(index, state & flat_flag);
+    return offer_along_all(index, state & flat_flag);
   if(state & blind_flag)
     return spread_blindly(index);
   // In the shadow of a saddle, behind a border, and in the other fans of a pinched site the site is a
   // source of its own.
   if(!spread_all_around(index))
-    offer_along_sides(index, state & flat_flag);
+    offer_along_all(index, state & flat_flag);
 }
 
 // A site hands on its front through the triangles that see it come: from the triangle that it came
@@ -505,47 +518,73 @@ void Front::spread_euclidean(Index index)
 // that is crossed.  Whether that is all around it.
 bool Front::spread_all_around(Index index)
 {
-  const Glued_triangles& t = *m_triangles;
-  const Index degree = t.first[index + 1] - t.first[index];
+  const Spokes& s = *m_spokes;
   const Site from = m_sites[index];
   const Planar direction = m_directions[index];
   const double least_curvature = 1. / (from.distance - offset_at(index));
+  // Triangles are known by the spokes that they follow; those of the fan are begin .. end - 1.
+  const Spoke_place entry = place_of(*m_triangles, s, from.corner);
+  Index begin = entry.spoke, end = entry.spoke + 1;
+  while(begin > s.first[index][0] && (s.spokes[begin - 1].flags & Spokes::Spoke::has_triangle))
+    --begin;
+  while(s.spokes[end].flags & Spokes::Spoke::has_triangle)
+    ++end;
+  const bool is_closed = s.spokes[end].flags & Spokes::Spoke::is_repeated;
+  const bool is_only_fan = end - begin == m_triangles->first[index + 1] - m_triangles->first[index];
+  const auto place = [&](Index spoke) {
+    return Spoke_place{spoke, entry.star + spoke - entry.spoke};
+  };
+  const auto opening = [&](Index triangle)
+  {
+    const Spokes::Spoke *right = &s.spokes[triangle], *left = right + 1;
+    return angle_between(right->length, left->length, right->opposite);
+  };
   // A lit side whose end no triangle reaches gets the side's own length, but no direction.
   const Index lit = blind_flag | (from.state & flat_flag);
-  const Index corner = from.corner;
-  offer_along_side(corner, false, lit);
-  offer_along_side(corner, true, lit);
-  Index seen = 1;
+  offer_along(index, place(entry.spoke), lit);
+  offer_along(index, place(entry.spoke + 1), lit);
 
   // Counterclockwise; `angle` is the one between the source and the side about to be crossed.
-  Planar angle = turned_back(corner_angle(t, corner), direction);
+  Index seen = 1, left = entry.spoke;
+  Planar angle = turned_back(opening(left), direction);
   angle[1] = std::max(angle[1], 0.);
-  Index left = turn_left(t, corner);
-  for(; left != none && left != corner; left = turn_left(t, left))
+  for(;;)
   {
-    const Planar opening = corner_angle(t, left);
-    cross_circle(left, false, opening, angle, least_curvature);
+    if(++left == end)
+    {
+      if(!is_closed)
+        break;
+      left = begin;
+    }
+    if(left == entry.spoke)
+      return is_only_fan;
+    const Planar opened = opening(left);
+    cross_circle(index, place(left), false, opened, angle, least_curvature);
     ++seen;
-    angle = turned(angle, opening);
+    angle = turned(angle, opened);
     if(angle[1] < 0.)
       break;
-    offer_along_side(left, true, lit);
+    offer_along(index, place(left + 1), lit);
   }
-  if(left == corner)
-    return seen == degree;
 
   // Clockwise, until it meets the other way.
   angle = {direction[0], std::max(direction[1], 0.)};
-  Index right = turn_right(t, corner);
-  for(; right != none; right = turn_right(t, right))
+  for(Index right = entry.spoke;;)
   {
-    const Planar opening = corner_angle(t, right);
-    cross_circle(right, true, opening, angle, least_curvature);
-    angle = turned(angle, opening);
+    if(right == begin)
+    {
+      if(!is_closed)
+        break;
+      right = end;
+    }
+    --right;
+    const Planar opened = opening(right);
+    cross_circle(index, place(right), true, opened, angle, least_curvature);
+    angle = turned(angle, opened);
     if(angle[1] >= 0.)
-      offer_along_side(right, false, lit);
+      offer_along(index, place(right), lit);
     if(right == left)
-      return seen == degree;
+      return is_only_fan && seen == end - begin;
     ++seen;
     if(angle[1] < 0.)
       break;
@@ -555,35 +594,33 @@ bool Front::spread_all_around(Index index)
 }
 
 // Offers the end of a triangle's far side what a circular front gives it that crosses the side
-// nearer to the source: the one that leaves the corner or, mirrored, the one that arrives there.
-void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle,
-                         double least_curvature)
+// nearer to the source: the triangle's right one or, mirrored, its left one, as the site sees them.
+void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
+                         const Planar& opening, const Planar& angle, double least_curvature)
 {
-  const Glued_triangles& t = *m_triangles;
-  const Index next = next_side(corner), previous = previous_side(corner);
-  const Index from = t.corner[corner], along = t.corner[mirrored ? previous : next],
-              target = t.corner[mirrored ? next : previous];
-  const Site& x = m_sites[from];
-  const Site& z = m_sites[along];
+  const Spokes::Spoke* const right = &m_spokes->spokes[place.spoke];
+  const Spokes::Spoke &near = right[mirrored ? 1 : 0], &far = right[mirrored ? 0 : 1];
+  const Site& x = m_sites[index];
+  const Site& z = m_sites[near.end];
   // A distance still waiting along a side, too long, would bend the circle far too much.
   const bool is_guess = (z.state & (blind_flag | final_flag)) == blind_flag;
   if(!(z.distance < infinity) || is_guess)
     return;
-  const double base = t.length[mirrored ? previous : corner];
-  const Planar y = t.length[mirrored ? corner : previous] * opening;
+  const double base = near.length;
+  const Planar y = far.length * opening;
   // A front on a polyhedron bends at least as much as one that has come straight all the way.
   const Index flags = (x.state | z.state) & flat_flag;
   double curvature = flags ? 0. : least_curvature;
   // Fronts of two sources are never mixed.
-  if(is_same_front(from, along))
+  if(is_same_front(index, near.end))
     curvature =
-        bent(curvature, base, z.distance - x.distance, angle[0], x.distance - offset_at(from));
+        bent(curvature, base, z.distance - x.distance, angle[0], x.distance - offset_at(index));
   double gain;
   Planar back;
   if(!pass({{angle[0], -angle[1]}, curvature}, base, y, gain, back))
     return;
   const double distance = x.distance + gain;
-  if(!(distance < m_sites[target].distance))
+  if(!(distance < m_sites[far.end].distance))
     return;
   // From the plane in which the crossed side lies on the first axis to the corner of the target.
   Planar direction;
@@ -598,29 +635,39 @@ void Front::cross_circle(Index corner, bool mirrored, const Planar& opening, con
   }
   else
     direction = turned_back(back, {-opening[0], -opening[1]});
-  offer(target, {distance, direction, mirrored ? next : previous, flags, 0.}, m_sources[from]);
+  const Index corner = m_triangles->star[place.star];
+  offer(far.end,
+        {distance, direction, mirrored ? next_side(corner) : previous_side(corner), flags, 0.},
+        m_sources[index]);
 }
 
 // Without a direction: the circle, or the straight line, that its distance and that of a neighbour
 // determine (Reimers 2004).
 void Front::spread_blindly(Index index)
 {
-  const Glued_triangles& t = *m_triangles;
+  const Spokes& s = *m_spokes;
   const Site from = m_sites[index];
-  offer_along_sides(index, blind_flag | (from.state & flat_flag));
+  offer_along_all(index, blind_flag | (from.state & flat_flag));
   const double curvature = 1. / (from.distance - offset_at(index));
-  for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
+  Spoke_place place = {s.first[index][0], m_triangles->first[index]};
+  for(; place.spoke < s.first[index + 1][0]; ++place.spoke)
+  {
+    const Spokes::Spoke& right = s.spokes[place.spoke];
+    if(!(right.flags & Spokes::Spoke::has_triangle))
+      continue;
+    const Spokes::Spoke& left = (&right)[1];
+    const Planar opening = angle_between(right.length, left.length, right.opposite);
     for(const bool mirrored : {false, true})
     {
-      const Index corner = t.star[i];
-      const Index side = mirrored ? previous_side(corner) : corner;
-      const Index along = t.corner[mirrored ? side : next_side(corner)];
-      Circle circle{{1., 0.}, (from.state | m_sites[along].state) & flat_flag ? 0. : curvature};
-      if(m_sources[along] == m_sources[index] &&
-         source_by_distances(t.length[side], m_sites[along].distance - from.distance, circle))
-        cross_circle(corner, mirrored, corner_angle(t, corner),
-                     {circle.source[0], -circle.source[1]}, curvature);
+      const Spokes::Spoke& near = mirrored ? left : right;
+      Circle circle{{1., 0.}, (from.state | m_sites[near.end].state) & flat_flag ? 0. : curvature};
+      if(m_sources[near.end] == m_sources[index] &&
+         source_by_distances(near.length, m_sites[near.end].distance - from.distance, circle))
+        cross_circle(index, place, mirrored, opening, {circle.source[0], -circle.source[1]},
+                     curvature);
     }
+    ++place.star;
+  }
 }
 
 // Surfels know their directions in space: a triangle unfolds by a projection to its plane.

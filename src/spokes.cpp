@@ -9,21 +9,19 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// What lies behind an obtuse corner.
+// An obtuse corner and the site behind the opposite side that splits it.
 struct Behind
 {
-  Index site = none;      // what splits the corner, none where no site within reach does
-  double length = 0.;     // from the corner to that site
-  Planar base = {0., 0.}; // from that site to the corner's two neighbours, the one that the
-                          //   corner's side runs to first
+  Index corner;
+  Index site;    // none where no site within reach splits the corner
+  double length; // from the corner to that site
+  Planar base;   // from that site to the corner's two neighbours, the one that the corner's side
+                 //   runs to first
 };
 
-Behind behind(const Glued_triangles& t, Index corner, int steps)
+Behind behind(const Glued_triangles& t, Index corner, const Planar& angle)
 {
-  const Planar angle = corner_angle(t, corner);
-  // A right angle needs no split, and is common: rounding must not make it obtuse.
-  if(angle[0] >= -1e-12)
-    return {};
+  constexpr int steps = 20;
   const Planar a = {t.length[corner], 0.}, b = t.length[previous_side(corner)] * angle;
   // The side to look behind, from `left` to `right` as seen from the corner.
   Index side = next_side(corner);
@@ -40,7 +38,7 @@ Behind behind(const Glued_triangles& t, Index corner, int steps)
     const Planar w = end + turned(apex(t, side), along);
     const bool acute_to_a = dot(a, w) > 0., acute_to_b = dot(b, w) > 0.;
     if(acute_to_a && acute_to_b && cross(a, w) > 0. && cross(w, b) > 0.)
-      return {t.corner[previous_side(side)], norm(w), {norm(a - w), norm(b - w)}};
+      return {corner, t.corner[previous_side(side)], norm(w), {norm(a - w), norm(b - w)}};
     if(acute_to_a)
     {
       // Too close to a: the cone passes between w and end.
@@ -54,74 +52,94 @@ Behind behind(const Glued_triangles& t, Index corner, int steps)
       side = next_side(side);
     }
   }
-  return {};
+  return {corner, none, 0., {0., 0.}};
+}
+
+void add_spokes(const Glued_triangles& t, Spokes& s)
+{
+  const Index n = static_cast<Index>(t.number_of_sites());
+  s.first.resize(n + 1);
+  s.spokes.reserve(t.star.size() + n);
+  for(Index site = 0; site < n; ++site)
+  {
+    s.first[site] = {static_cast<Index>(s.spokes.size()), 0};
+    std::size_t fan = s.spokes.size(); // where it begins
+    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    {
+      const Index corner = t.star[i], next = next_side(corner), previous = previous_side(corner);
+      s.spokes.push_back(
+          {t.corner[next], Spokes::Spoke::has_triangle, t.length[corner], t.length[next]});
+      const Index left = t.twin.empty() ? none : turn_left(t, corner);
+      if(left != none && i + 1 < t.first[site + 1] && left == t.star[i + 1])
+        continue;
+      s.spokes.push_back({t.corner[previous], 0, t.length[previous], 0.});
+      if(left != none)
+      {
+        s.spokes[fan].flags |= Spokes::Spoke::is_repeated;
+        s.spokes.back().flags |= Spokes::Spoke::is_repeated;
+      }
+      fan = s.spokes.size();
+    }
+  }
+  s.first[n] = {static_cast<Index>(s.spokes.size()), 0};
+}
+
+void add_splits(const Glued_triangles& t, Spokes& s)
+{
+  std::vector<Behind> behinds;
+  for(Index corner = 0; corner < t.corner.size(); ++corner)
+  {
+    const double a = t.length[corner], b = t.length[previous_side(corner)],
+                 opposite = t.length[next_side(corner)];
+    // A right angle needs no split, and is common: rounding must not make it obtuse.
+    if(!(opposite * opposite > a * a + b * b))
+      continue;
+    const Planar angle = angle_between(a, b, opposite);
+    if(angle[0] >= -1e-12)
+      continue;
+    const Behind found = behind(t, corner, angle);
+    if(found.site != none)
+      behinds.push_back(found);
+  }
+
+  // Each is seen from both ends of the bases of its two halves.
+  const auto for_each_view = [&](const auto& use)
+  {
+    for(const Behind& found : behinds)
+    {
+      const Index corners[2] = {next_side(found.corner), previous_side(found.corner)};
+      const double lengths[2] = {t.length[found.corner], t.length[corners[1]]};
+      for(const int k : {0, 1})
+      {
+        const Index neighbour = t.corner[corners[k]];
+        use(neighbour, Spokes::Split{found.corner, found.site, neighbour, found.base[k], lengths[k],
+                                     found.length});
+        use(found.site, Spokes::Split{found.corner, neighbour, neighbour, found.base[k],
+                                      found.length, lengths[k]});
+      }
+      s.spokes[place_of(t, s, corners[0]).spoke].flags |= Spokes::Spoke::next_is_split;
+      s.spokes[place_of(t, s, corners[1]).spoke].flags |= Spokes::Spoke::is_split;
+    }
+  };
+  for_each_view([&](Index site, const Spokes::Split&) { ++s.first[site + 1][1]; });
+  for(std::size_t site = 1; site < s.first.size(); ++site)
+    s.first[site][1] += s.first[site - 1][1];
+  s.splits.resize(s.first.back()[1]);
+  std::vector<Index> end;
+  end.reserve(s.first.size());
+  for(const auto& [spoke, split] : s.first)
+    end.push_back(split);
+  for_each_view([&](Index site, const Spokes::Split& split) { s.splits[end[site]++] = split; });
 }
 
 } // namespace
 
-Spokes spokes(const Glued_triangles& t, int steps)
+Spokes spokes(const Glued_triangles& t, bool with_splits)
 {
   Spokes result;
-  const Index n = static_cast<Index>(t.number_of_sites());
-  std::vector<Behind> behinds;
-  std::vector<Index> behind_corner(t.corner.size(), none);
-  result.first.assign(n + 1, {0, 0});
-  if(!t.twin.empty())
-    for(Index corner = 0; corner < t.corner.size(); ++corner)
-    {
-      const Behind found = behind(t, corner, steps);
-      if(found.site == none)
-        continue;
-      behind_corner[corner] = static_cast<Index>(behinds.size());
-      behinds.push_back(found);
-      ++result.first[t.corner[next_side(corner)] + 1][1];
-      ++result.first[t.corner[previous_side(corner)] + 1][1];
-      result.first[found.site + 1][1] += 2;
-    }
-
-  result.spokes.reserve(t.star.size() + n);
-  for(Index site = 0; site < n; ++site)
-  {
-    result.first[site][0] = static_cast<Index>(result.spokes.size());
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-    {
-      const Index corner = t.star[i], next = next_side(corner), previous = previous_side(corner);
-      Index flags = Spokes::Spoke::has_triangle;
-      if(behind_corner[next] != none)
-        flags |= Spokes::Spoke::is_split;
-      if(behind_corner[previous] != none)
-        flags |= Spokes::Spoke::next_is_split;
-      result.spokes.push_back({t.corner[next], flags, t.length[corner], t.length[next]});
-      const bool goes_on =
-          i + 1 < t.first[site + 1] && !t.twin.empty() && turn_left(t, corner) == t.star[i + 1];
-      if(!goes_on)
-        result.spokes.push_back({t.corner[previous], 0, t.length[previous], 0.});
-    }
-  }
-  result.first[n][0] = static_cast<Index>(result.spokes.size());
-
-  for(Index site = 0; site < n; ++site)
-    result.first[site + 1][1] += result.first[site][1];
-  result.splits.resize(result.first[n][1]);
-  std::vector<Index> end(n);
-  for(Index site = 0; site < n; ++site)
-    end[site] = result.first[site][1];
-  for(Index corner = 0; corner < t.corner.size(); ++corner)
-  {
-    if(behind_corner[corner] == none)
-      continue;
-    const Behind& found = behinds[behind_corner[corner]];
-    const Index previous = previous_side(corner);
-    const Index sites[2] = {t.corner[next_side(corner)], t.corner[previous]};
-    const double lengths[2] = {t.length[corner], t.length[previous]};
-    for(const int k : {0, 1})
-    {
-      result.splits[end[sites[k]]++] = {corner,        found.site, sites[k],
-                                        found.base[k], lengths[k], found.length};
-      result.splits[end[found.site]++] = {corner,        sites[k],     sites[k],
-                                          found.base[k], found.length, lengths[k]};
-    }
-  }
+  add_spokes(t, result);
+  if(with_splits && !t.is_cloud())
+    add_splits(t, result);
   return result;
 }
 

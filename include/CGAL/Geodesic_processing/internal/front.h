@@ -75,14 +75,15 @@ private:
   }
   bool is_same_front(Index x, Index z) const { return m_is_single || m_sources[x] == m_sources[z]; }
 
+  void prefetch_around(Index site) const;
   void start(const std::vector<Source>& sources);
   void start_at_site(Index site, double distance, Index flags, Index source);
   void start_in_triangle(Index triangle, const Location& begin, const Location& end, double offset,
                          Index source);
   bool offer(Index site, const Arrival& arrival, Index source);
 
-  void offer_along_side(Index corner, bool arriving, Index flags);
-  void offer_along_sides(Index site, Index flags);
+  void offer_along(Index site, const Spoke_place& place, Index flags);
+  void offer_along_all(Index site, Index flags);
   void spread_along_arcs(Index site);
 
   void spread_planar(Index site);
@@ -92,8 +93,8 @@ private:
   void spread_euclidean(Index site);
   bool spread_all_around(Index site);
   void spread_blindly(Index site);
-  void cross_circle(Index corner, bool mirrored, const Planar& opening, const Planar& angle,
-                    double least_curvature);
+  void cross_circle(Index site, const Spoke_place& place, bool mirrored, const Planar& opening,
+                    const Planar& angle, double least_curvature);
 
   void spread_on_cloud(Index site);
   void cross_on_cloud(Index from, const Spatial* source, Index along, Index target);
@@ -104,9 +105,10 @@ private:
   bool source_at(Index corner, bool mirrored, Planar& source) const;
 
   std::shared_ptr<const Glued_triangles> m_triangles;
-  std::shared_ptr<const Spokes> m_spokes;              // for planar fronts
+  std::shared_ptr<const Spokes> m_spokes;              // but for arcs, and distances on clouds
   std::shared_ptr<const std::vector<Index>> m_islands; // #sites, for Euclidean fronts on clouds
   Front_kind m_kind;
+  bool m_has_splits = false; // in the spokes of a Euclidean front, for queries with speeds
 
   std::vector<Site> m_sites;
   // #sites, for Euclidean fronts: the unit vector back to the source; on a mesh in the plane of the

@@ -32,18 +32,23 @@ inline Planar turned_back(const Planar& p, const Planar& q)
   return {p[0] * q[0] + p[1] * q[1], p[1] * q[0] - p[0] * q[1]};
 }
 
-// The unit vector at a corner's interior angle, seen from the side that leaves it.  A triangle
-// without area gets 0 or pi.
-inline Planar corner_angle(const Glued_triangles& triangles, Index corner)
+// The unit vector at the angle between two sides of a triangle, seen from either.  A triangle without
+// area gets 0 or pi.
+inline Planar angle_between(double a, double b, double opposite)
 {
-  const double a = triangles.length[corner], b = triangles.length[previous_side(corner)],
-               opposite = triangles.length[next_side(corner)];
   const double product = 2. * a * b;
   if(product <= 0.)
     return {1., 0.};
   // 1 - cosine, from differences: well conditioned also at needles.
   const double versine = std::clamp((opposite - (a - b)) * (opposite + (a - b)) / product, 0., 2.);
   return {1. - versine, std::sqrt(versine * (2. - versine))};
+}
+
+// The same at a corner, seen from the side that leaves it.
+inline Planar corner_angle(const Glued_triangles& triangles, Index corner)
+{
+  return angle_between(triangles.length[corner], triangles.length[previous_side(corner)],
+                       triangles.length[next_side(corner)]);
 }
 
 // Where the third corner lies when side `side` runs from the origin along the first axis.

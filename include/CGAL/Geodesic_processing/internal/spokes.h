@@ -10,7 +10,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// All that a straight front reads around a site, in one run of memory: a front visits sites all over
+// All that a front reads around a site, in one run of memory: a front visits sites all over
 // it, and waits for memory longer than it computes.
 struct Spokes
 {
@@ -19,9 +19,10 @@ struct Spokes
   {
     enum Flags : Index
     {
-      has_triangle = 1, // else it is the last one of its fan
-      is_split = 2,     // the triangle's corner at this end is obtuse, and split
-      next_is_split = 4 // that at the next spoke's end is
+      has_triangle = 1,  // else it is the last one of its fan
+      is_repeated = 2,   // it begins or ends a closed fan, and stands at both ends
+      is_split = 4,      // the triangle's corner at this end is obtuse, and split
+      next_is_split = 8, // that at the next spoke's end is
     };
     Index end; // the site at the far end
     Index flags;
@@ -45,8 +46,26 @@ struct Spokes
   std::vector<Split> splits;
 };
 
-// O(#triangles); at most `steps` triangles are unfolded for a corner.  Corners are split on meshes.
-CGAL_GEODESIC_PROCESSING_EXPORT Spokes spokes(const Glued_triangles& triangles, int steps = 20);
+// O(#triangles).  The corners of meshes are split, where that is asked for; at most 20 triangles are
+// unfolded for each.
+CGAL_GEODESIC_PROCESSING_EXPORT Spokes spokes(const Glued_triangles& triangles, bool with_splits);
+
+// Where the triangle of a corner stands around the corner's site.
+struct Spoke_place
+{
+  Index spoke; // the one that the triangle follows
+  Index star;  // the triangle's place in the star
+};
+
+inline Spoke_place place_of(const Glued_triangles& triangles, const Spokes& spokes, Index corner)
+{
+  const Index site = triangles.corner[corner];
+  Spoke_place place = {spokes.first[site][0], triangles.first[site]};
+  for(; triangles.star[place.star] != corner; ++place.star, ++place.spoke)
+    if(!(spokes.spokes[place.spoke + 1].flags & Spokes::Spoke::has_triangle))
+      ++place.spoke;
+  return place;
+}
 
 } // namespace CGAL::Geodesic_processing::internal
 
