@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_WINDOW_PROPAGATION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_WINDOW_PROPAGATION_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/Queue.h>
+#include <CGAL/Geodesic_processing/internal/front.h>
+#include <CGAL/Geodesic_processing/internal/planar.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Exact distances on a mesh (Mitchell, Mount and Papadimitriou 1987).
+//
+// A window is an interval of a side through which straight lines come from one unfolded source.  The
+// windows that wait at a side cross its triangle together (Qin et al. 2016), in the order of the
+// distance of the side's nearer end.  Those that no shortest path can use are dropped before: they
+// come later than a detour by an end of the side (Xin and Wang 2009), they are farther than a
+// neighbour, or their lines cross the shortest one to the apex.  Saddle, border and pinched sites are
+// sources of their own for what no straight line from before them sees.
+//
+// Windows that unfold to the same source are one again: flat parts cost what a front does, curved
+// ones O(n^1.5) in practice.  Nothing is kept of a window once it has crossed.  A query costs in
+// proportion to what it visits.  Copies share the triangles and may run at the same time.
+class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagation
+{
+public:
+  // Throws Unsupported_surface_error on a cloud.
+  explicit Window_propagation(std::shared_ptr<const Glued_triangles> triangles);
+
+  // As Front::run().  Throws Unsupported_surface_error when there is a slowness.
+  bool run(const std::vector<Source>& sources, const Front_limits& limits = {});
+
+  // All of the last run, in the domain's scale, as of a Front.
+  double distance(Index site) const { return m_sites[site].distance + m_lowest_offset; }
+  Index source(Index site) const { return m_sites[site].source; }
+  Index predecessor(Index site) const;
+  const std::vector<Index>& reached() const { return m_reached; }
+
+private:
+  struct Window
+  {
+    // Where the side begins at the origin and runs along the first axis, with the triangle to be
+    // crossed above it.  Of a straight front, a unit vector back.
+    Planar source;
+    double offset;     // distance at the source; of a straight front, at the origin
+    double begin, end; // along the side
+    Index origin;      // the site that is the source, or #sites + the piece of a source
+    float weight;      // 1, or 0 of a straight front: source / weight in homogeneous coordinates
+
+    double distance(double place) const;
+  };
+  struct Site
+  {
+    double distance = infinity;  // above the lowest offset
+    Planar direction = {1., 0.}; // unit vector back to the source, in the plane of the triangle of
+    Index corner = none;         //   this corner, whose side lies on the first axis
+    Index origin = none;         // of the window that came, or the site at the other end of a side
+    Index source = none;
+    Index state = 0;
+  };
+  // Windows next to each other, sorted along a side.
+  struct List
+  {
+    Index place = 0, size = 0;
+    Index room = 0; // logarithm of how many fit
+  };
+  // The part of a source that lies in a triangle.
+  struct Piece
+  {
+    Index triangle;
+    Index source;
+    std::array<double, 3> begin, end;
+    double offset;
+  };
+
+  void clear();
+  void start(const std::vector<Source>& sources);
+  void start_at_point(const Location& location, Index source, double offset);
+  void start_along(const Piece& piece);
+  bool offer(Index site, double distance, Index corner, const Planar& direction, Index origin,
+             Index source);
+  void keep_targets_only(const std::vector<Location>& targets);
+
+  void leave(Index site);
+  void offer_along_side(Index corner, bool arriving);
+  void shine(Index site);
+  void emit(Index corner, double from, double to);
+
+  void cross(Index side);
+  void gather(Index side);
+  bool is_late(const Window& window, double most_by_begin, double most_by_end) const;
+
+  List allocate(std::size_t size);
+  void release(List& list);
+  void put(Index side, int part, List list);
+  void put(Index side, const Window& window);
+
+  std::shared_ptr<const Glued_triangles> m_triangles;
+  std::vector<bool> m_is_pseudo_source; // #sites: straight lines may bend here
+  double m_longest = 0.;                // side
+
+  std::vector<Site> m_sites;
+  std::vector<Index> m_reached;
+  Queue m_queue; // sides, and behind them sites
+
+  // The windows that wait at each side: those through the side that shares its begin, and its end.
+  std::vector<List> m_waiting; // 2 #sides
+  std::vector<Window> m_pool;
+  std::vector<std::vector<Index>> m_free; // by the logarithm of their room, places in the pool
+  std::vector<unsigned short> m_crossed;  // #sides: how often windows have crossed each
+  std::vector<Index> m_crossed_sides;
+  std::vector<Window> m_windows; // that cross now
+
+  // Of the last query
+  std::vector<Piece> m_pieces;
+  double m_lowest_offset = 0.;
+  double m_maximum = infinity; // above it
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_WINDOW_PROPAGATION_H
