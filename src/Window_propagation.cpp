@@ -4,6 +4,9 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/path_to_sources.h>
+#include <CGAL/Geodesic_processing/internal/straighten.h>
+#include <CGAL/Geodesic_processing/internal/straightest.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
 #include <algorithm>
@@ -129,6 +132,35 @@ bool part(Window& a, Window& b, double least)
   return true;
 }
 
+// Sites where a shortest path may bend: those with more than 2 pi around them, or a border, or a
+// second fan.
+std::shared_ptr<const std::vector<bool>> pseudo_sources(const Glued_triangles& t)
+{
+  if(t.is_cloud())
+    throw Unsupported_surface_error("Exact distances need a mesh, not a cloud.");
+  auto result = std::make_shared<std::vector<bool>>(t.number_of_sites());
+  for(Index site = 0; site < t.number_of_sites(); ++site)
+  {
+    double angle = 0.;
+    bool is_border = false;
+    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    {
+      angle += interior_angle(t, t.star[i]);
+      is_border = is_border || t.twin[t.star[i]] == none;
+    }
+    Index fan = 0, corner = t.first[site] < t.first[site + 1] ? t.star[t.first[site]] : none;
+    if(!is_border && corner != none)
+      do
+      {
+        ++fan;
+        corner = turn_left(t, corner);
+      } while(corner != t.star[t.first[site]]);
+    (*result)[site] =
+        is_border || angle > 2. * pi + straight || fan < t.first[site + 1] - t.first[site];
+  }
+  return result;
+}
+
 } // namespace
 
 inline double Window_propagation::Window::distance(double place) const
@@ -140,40 +172,18 @@ inline double Window_propagation::Window::distance(double place) const
 }
 
 Window_propagation::Window_propagation(std::shared_ptr<const Glued_triangles> triangles)
-    : m_triangles(std::move(triangles))
+    : Window_propagation(triangles, pseudo_sources(*triangles))
+{}
+
+Window_propagation::Window_propagation(std::shared_ptr<const Glued_triangles> triangles,
+                                       std::shared_ptr<const std::vector<bool>> is_pseudo_source)
+    : m_triangles(std::move(triangles)), m_is_pseudo_source(std::move(is_pseudo_source)),
+      m_sites(m_triangles->number_of_sites()),
+      m_queue(m_triangles->corner.size() + m_triangles->number_of_sites()),
+      m_waiting(2 * m_triangles->corner.size()), m_free(33), m_crossed(m_triangles->corner.size())
 {
-  const Glued_triangles& t = *m_triangles;
-  if(t.is_cloud())
-    throw Unsupported_surface_error("Exact distances need a mesh, not a cloud.");
-  const std::size_t sites = t.number_of_sites(), sides = t.corner.size();
-  m_sites.resize(sites);
-  m_queue = Queue(sides + sites);
-  m_waiting.resize(2 * sides);
-  m_crossed.resize(sides);
-  m_free.resize(33);
-  for(const double length : t.length)
+  for(const double length : m_triangles->length)
     m_longest = std::max(m_longest, length);
-  m_is_pseudo_source.resize(sites);
-  for(Index site = 0; site < sites; ++site)
-  {
-    double angle = 0.;
-    bool is_border = false;
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-    {
-      angle += interior_angle(t, t.star[i]);
-      is_border = is_border || t.twin[t.star[i]] == none;
-    }
-    // A second fan makes a site a pseudo-source as well.
-    Index fan = 0, corner = t.first[site] < t.first[site + 1] ? t.star[t.first[site]] : none;
-    if(!is_border && corner != none)
-      do
-      {
-        ++fan;
-        corner = turn_left(t, corner);
-      } while(corner != t.star[t.first[site]]);
-    m_is_pseudo_source[site] =
-        is_border || angle > 2. * pi + straight || fan < t.first[site + 1] - t.first[site];
-  }
 }
 
 bool Window_propagation::run(const std::vector<Source>& sources, const Front_limits& limits)
@@ -272,6 +282,10 @@ void Window_propagation::start(const std::vector<Source>& sources)
           start_along(m_pieces.back());
         }
   }
+  m_pieces_of.clear();
+  for(Index i = 0; i < m_pieces.size(); ++i)
+    m_pieces_of.emplace_back(m_pieces[i].triangle, i);
+  std::sort(m_pieces_of.begin(), m_pieces_of.end());
 }
 
 void Window_propagation::start_at_point(const Location& location, Index source, double offset)
@@ -371,6 +385,14 @@ bool Window_propagation::offer(Index index, double distance, Index corner, const
   Site& site = m_sites[index];
   if(!(distance < site.distance) || distance > m_maximum)
     return false;
+  if(m_goal)
+  {
+    const double total = distance + m_goal->m_sites[index].distance;
+    if(!(total <= m_meeting.distance * (1. + rounding)))
+      return false;
+    if(total < m_meeting.distance)
+      m_meeting = {total, index, {}, {}, 0., none};
+  }
   if(!(site.state & reached_flag))
     m_reached.push_back(index);
   // Who has left does not go back for rounding.
@@ -393,7 +415,7 @@ void Window_propagation::leave(Index index)
     if(m_sites[index].corner == none)
       emit(t.star[i], 0., pi);
   }
-  if(m_sites[index].corner != none && m_is_pseudo_source[index])
+  if(m_sites[index].corner != none && (*m_is_pseudo_source)[index])
     shine(index);
 }
 
@@ -492,8 +514,7 @@ void Window_propagation::gather(Index side)
 {
   const Glued_triangles& t = *m_triangles;
   const double length = t.length[side], least = same * length;
-  const double by_begin = m_sites[t.corner[side]].distance * (1. + rounding),
-               by_end = m_sites[t.corner[next_side(side)]].distance * (1. + rounding) + length;
+  const double by_begin = most(t.corner[side]), by_end = most(t.corner[next_side(side)]) + length;
   List* const lists = &m_waiting[2 * std::size_t(side)];
   m_windows.resize(lists[0].size + lists[1].size + 1);
   Window* top = m_windows.data(); // the first one is none
@@ -514,6 +535,15 @@ void Window_propagation::gather(Index side)
     release(lists[k]);
   }
   m_windows.resize(std::size_t(top - m_windows.data()) + 1);
+}
+
+// The distance at a site beyond which no window counts.
+double Window_propagation::most(Index site) const
+{
+  const double here = m_sites[site].distance * (1. + rounding);
+  if(!m_goal)
+    return here;
+  return std::min(here, m_meeting.distance * (1. + rounding) - m_goal->m_sites[site].distance);
 }
 
 // Whether the far end of a window is farther from its source than by the near end of the side, for
@@ -593,11 +623,19 @@ void Window_propagation::cross(Index side)
     const double size = norm(back);
     const Planar direction =
         size > 0. ? turned_back((1. / size) * back, (-1. / left_length) * top) : Planar{1., 0.};
-    const Index origin = windows[nearest].origin;
+    // A bend at an end of the side is one at the site there.
+    Index origin = windows[nearest].origin;
+    if(back[1] == -top[1] && crossing <= same * base)
+      origin = t.corner[side];
+    else if(back[1] == -top[1] && crossing >= base * (1. - same))
+      origin = t.corner[next];
     offer(site, best, previous, direction, origin,
           origin < m_sites.size() ? m_sites[origin].source
                                   : m_pieces[origin - m_sites.size()].source);
   }
+
+  if(m_goal)
+    meet_sources_behind(side);
 
   // Lines that cross the nearest one's to the apex are not shortest behind it.
   if(t.twin[previous] != none && left_length > 0. && last > 0)
@@ -712,6 +750,225 @@ Index Window_propagation::predecessor(Index index) const
     if(m_sites[candidate].distance < site.distance && m_sites[candidate].source == site.source)
       return candidate;
   return none;
+}
+
+double Window_propagation::distance(const Location& location) const
+{
+  if(const Index site = site_of(*m_triangles, location); site != none)
+    return distance(site);
+  const std::lock_guard lock(m_search.mutex);
+  return back().search(*this, location).distance + m_lowest_offset;
+}
+
+Window_propagation& Window_propagation::back() const
+{
+  if(!m_search.windows)
+    m_search.windows.reset(new Window_propagation(m_triangles, m_is_pseudo_source));
+  return *m_search.windows;
+}
+
+// Sends windows back to where the goal was reached before, as far as they may be on a shortest path:
+// as a goal's site is not nearer to its sources than the distance there, a window that is too far
+// from it is late.
+const Window_propagation::Meeting& Window_propagation::search(const Window_propagation& goal,
+                                                              const Location& from)
+{
+  const Glued_triangles& t = *m_triangles;
+  clear();
+  m_goal = &goal;
+  m_meeting = Meeting{};
+  m_maximum = infinity;
+  for(const Index triangle : triangles_at(t, from))
+    meet_sources(triangle, unfolded_point(unfolded(t, triangle), *seen_from(t, triangle, from)));
+  m_lowest_offset = 0.;
+  start({{{from}, 0., 0}});
+  while(!m_queue.empty())
+  {
+    m_maximum = m_meeting.distance * (1. + rounding);
+    const Index item = m_queue.pop().site, sides = Index(t.corner.size());
+    if(item < sides)
+      cross(item);
+    else
+      leave(item - sides);
+  }
+  return m_meeting;
+}
+
+// Looks for sources of the goal next to where windows are sent back from.
+void Window_propagation::meet_sources(Index triangle, const Planar& place)
+{
+  const auto& pieces = m_goal->m_pieces_of;
+  for(auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(triangle, Index(0)));
+      i != pieces.end() && i->first == triangle; ++i)
+  {
+    const Piece& piece = m_goal->m_pieces[i->second];
+    const auto corners = unfolded(*m_triangles, triangle);
+    bool inside = false;
+    meet(piece,
+         foot(place, unfolded_point(corners, piece.begin), unfolded_point(corners, piece.end),
+              inside),
+         place, 0., Index(m_sites.size()));
+  }
+}
+
+// Looks for sources of the goal in a triangle that windows cross.
+void Window_propagation::meet_sources_behind(Index side)
+{
+  const Glued_triangles& t = *m_triangles;
+  const auto& pieces = m_goal->m_pieces_of;
+  const Index triangle = side / 3;
+  auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(triangle, Index(0)));
+  if(i == pieces.end() || i->first != triangle)
+    return;
+  const auto corners = unfolded(t, triangle);
+  const Planar begin = corners[side % 3];
+  const Planar axis = (1. / t.length[side]) * (corners[next_side(side) % 3] - begin);
+  bool inside = false;
+  for(; i != pieces.end() && i->first == triangle; ++i)
+  {
+    const Piece& piece = m_goal->m_pieces[i->second];
+    const Planar p = unfolded_point(corners, piece.begin), q = unfolded_point(corners, piece.end);
+    for(std::size_t k = 1; k < m_windows.size(); ++k)
+    {
+      const Window& w = m_windows[k];
+      const Planar source = begin + turned(w.source, axis), nearest = foot(source, p, q, inside);
+      const Planar seen = turned_back(nearest - begin, axis);
+      const auto is_right = [&](double place) {
+        return internal::cross(Planar{place, 0.} - w.source, seen - w.source) >= 0.;
+      };
+      if(!is_right(w.begin) && is_right(w.end))
+      {
+        meet(piece, nearest, source, w.offset, w.origin);
+        continue;
+      }
+      for(const double place : {w.begin, w.end})
+      {
+        const Planar end = begin + place * axis;
+        const Index origin = place <= 0.               ? t.corner[side]
+                             : place >= t.length[side] ? t.corner[next_side(side)]
+                                                       : w.origin;
+        meet(piece, foot(end, p, q, inside), end, w.distance(place), origin);
+      }
+    }
+  }
+}
+
+void Window_propagation::meet(const Piece& piece, const Planar& place, const Planar& from,
+                              double distance, Index origin)
+{
+  const double total = piece.offset + norm(from - place) + distance;
+  if(!(total < m_meeting.distance))
+    return;
+  const auto corners = unfolded(*m_triangles, piece.triangle);
+  const Planar begin = unfolded_point(corners, piece.begin);
+  const double size = norm(unfolded_point(corners, piece.end) - begin);
+  const double share = size > 0. ? norm(place - begin) / size : 0.;
+  m_meeting = {total, none, {piece.triangle, none, {}}, from - place, norm(from - place), origin};
+  for(int k = 0; k < 3; ++k)
+    m_meeting.place.barycentric[k] = (1. - share) * piece.begin[k] + share * piece.end[k];
+}
+
+std::vector<Location> Window_propagation::path(const Location& from) const
+{
+  const Glued_triangles& t = *m_triangles;
+  std::vector<Location> path;
+  double length = 0.;
+  Index site = site_of(t, from);
+  if(site == none)
+  {
+    const std::lock_guard lock(m_search.mutex);
+    Window_propagation& windows = back();
+    const Meeting& meeting = windows.search(*this, from);
+    if(!(meeting.distance < infinity))
+      return {};
+    site = meeting.site;
+    if(site == none)
+    {
+      path.push_back(cleaned(t, meeting.place));
+      length +=
+          windows.append_line(meeting.place, meeting.way, meeting.length, meeting.origin, path);
+    }
+    else
+      path.push_back(at_site(t, site));
+    if(const Index origin = site == none ? meeting.origin : site; origin < m_sites.size())
+      length += windows.append_chain(origin, path);
+    std::reverse(path.begin(), path.end());
+  }
+  else if(m_sites[site].distance < infinity)
+    path.push_back(at_site(t, site));
+  else
+    return {};
+  if(site != none)
+    length += append_chain(site, path);
+  for(std::size_t i = 1; i < path.size(); ++i)
+    if(common_triangle(t, path[i - 1], path[i]) == none)
+      return {};
+  const Straight_path result = straighten(t, path);
+  return result.length <= length + 1e-9 * (length + m_longest * rounding) ? result.locations
+                                                                          : std::vector<Location>();
+}
+
+// Appends the way from a site to the source that its windows came from, without the site itself, and
+// returns its length.
+double Window_propagation::append_chain(Index site, std::vector<Location>& path) const
+{
+  const Glued_triangles& t = *m_triangles;
+  double length = 0.;
+  while(site < m_sites.size() && m_sites[site].corner != none)
+  {
+    const Site& at = m_sites[site];
+    const auto corners = unfolded(t, at.corner / 3);
+    const Planar side = corners[next_side(at.corner) % 3] - corners[at.corner % 3];
+    const double size = norm(side);
+    const double gain =
+        at.distance - (at.origin < m_sites.size() ? m_sites[at.origin].distance
+                                                  : m_pieces[at.origin - m_sites.size()].offset);
+    length += append_line({at.corner / 3, none, at_corner(at.corner)},
+                          turned(at.direction, size > 0. ? (1. / size) * side : Planar{1., 0.}),
+                          gain, at.origin, path);
+    site = at.origin;
+  }
+  return length;
+}
+
+// Appends the straight line to the site or the piece of a source that is seen in a direction of the
+// layout of a triangle.
+double Window_propagation::append_line(const Location& from, const Planar& way, double length,
+                                       Index origin, std::vector<Location>& path) const
+{
+  const Glued_triangles& t = *m_triangles;
+  const Location first = path.back();
+  const double angle = std::atan2(way[1], way[0]);
+  for(const Location& on : straightest(t, from, angle, std::max(length, 0.)).locations)
+    if(const Location location = cleaned(t, on); !is_same_point(t, path.back(), location))
+      path.push_back(location);
+  Location end;
+  if(origin < m_sites.size())
+    end = at_site(t, origin);
+  else
+  {
+    const Piece& piece = m_pieces[origin - m_sites.size()];
+    end = {piece.triangle, none, piece.begin};
+    if(const auto last = seen_from(t, piece.triangle, path.back());
+       last && piece.begin != piece.end)
+    {
+      const auto corners = unfolded(t, piece.triangle);
+      const Planar p = unfolded_point(corners, piece.begin), q = unfolded_point(corners, piece.end);
+      bool inside = false;
+      const double share =
+          norm(foot(unfolded_point(corners, *last), p, q, inside) - p) / norm(q - p);
+      for(int k = 0; k < 3; ++k)
+        end.barycentric[k] = (1. - share) * piece.begin[k] + share * piece.end[k];
+    }
+    end = cleaned(t, end);
+  }
+  // Rounding may have led it past the end by a triangle or two.
+  while(path.size() > 1 && common_triangle(t, path.back(), end) == none &&
+        !is_same_point(t, path.back(), first))
+    path.pop_back();
+  if(!is_same_point(t, path.back(), end))
+    path.push_back(end);
+  return length;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

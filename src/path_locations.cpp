@@ -40,7 +40,9 @@ Location cleaned(const Glued_triangles& t, const Location& location)
     sum += b;
   }
   // Not for the sake of a rounding: what is clean stays as it is.
-  if(std::abs(sum - 1.) > 4e-16)
+  if(const Index corner = corner_of(result); corner != none)
+    result.barycentric[corner % 3] = 1.;
+  else if(std::abs(sum - 1.) > 4e-16)
     for(double& b : result.barycentric)
       b /= sum;
   return result;

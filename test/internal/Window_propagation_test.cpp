@@ -4,6 +4,8 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+
 #include "Glued_surface.h"
 
 #include <gtest/gtest.h>
@@ -383,6 +385,91 @@ TEST(Window_propagation, other_components_and_isolated_sites_are_not_reached)
   ASSERT_TRUE(windows.run({surface.source(surface.size() - 1, 2.)}));
   EXPECT_EQ(windows.reached().size(), 1u);
   EXPECT_EQ(surface.distances(windows).back(), 2.);
+}
+
+TEST(Window_propagation, knows_the_distance_of_every_place)
+{
+  const Triangulation plane = square(20, 0.24);
+  const Glued_surface flat(plane);
+  Window_propagation windows(flat.triangles());
+  std::mt19937 random(1);
+  const Location begin = flat.in(333, {0.5, 0.3, 0.2}), end = flat.in(333, {0.1, 0.2, 0.7});
+  const Point p = point_at(*flat.triangles(), begin), q = point_at(*flat.triangles(), end);
+  for(int i = 0; i < 20; ++i)
+  {
+    const Location at = random_location(*flat.triangles(), random);
+    const Point r = point_at(*flat.triangles(), at);
+    ASSERT_TRUE(windows.run({flat.source(100, 0.5)}));
+    EXPECT_NEAR(flat.scale() * windows.distance(at), 0.5 + distance(plane.points[100], r),
+                rounding);
+    ASSERT_TRUE(windows.run({flat.source(begin, -0.5)}));
+    EXPECT_NEAR(flat.scale() * windows.distance(at), -0.5 + distance(p, r), rounding);
+    ASSERT_TRUE(windows.run({internal::Source{{begin, end}, 0., 0}}));
+    EXPECT_NEAR(flat.scale() * windows.distance(at), distance_to_segment(r, p, q), rounding);
+  }
+  // The same as windows from there.
+  for(const Triangulation& shape :
+      {hills(24, 0.2), shaken(icosphere(3), 0.1), corner_room(12, 0.2)})
+  {
+    const Glued_surface surface(shape);
+    Window_propagation there(surface.triangles()), back(surface.triangles());
+    ASSERT_TRUE(there.run({surface.source(0), surface.source(surface.size() / 3, 0.1)}));
+    for(int i = 0; i < 20; ++i)
+    {
+      const Location at = random_location(*surface.triangles(), random);
+      ASSERT_TRUE(back.run({surface.source(at)}));
+      const double least =
+          std::min(back.distance(surface.site(0)),
+                   back.distance(surface.site(surface.size() / 3)) + 0.1 / surface.scale());
+      EXPECT_NEAR(there.distance(at), least, rounding);
+    }
+  }
+}
+
+TEST(Window_propagation, paths_are_as_long_as_their_distances)
+{
+  for(const Triangulation& shape : {square(16, 0.24), hills(24, 0.2), shaken(icosphere(3), 0.1),
+                                    corner_room(12, 0.2), cone(12, 6, 9.), square(12)})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    std::mt19937 random(1);
+    Window_propagation windows(surface.triangles());
+    const std::vector<std::vector<internal::Source>> queries = {
+        {surface.source(0)},
+        {surface.source(surface.size() / 3, 0.2), surface.source(random_location(t, random))},
+        {{{surface.in(7, {0.2, 0.2, 0.6}), surface.in(7, {0.1, 0.8, 0.1})}, 0., 0}}};
+    for(const auto& sources : queries)
+    {
+      ASSERT_TRUE(windows.run(sources));
+      for(int i = 0; i < 40; ++i)
+      {
+        const Location from =
+            i % 2 == 0 ? random_location(t, random) : surface.at(Index(random() % surface.size()));
+        const double expected = windows.distance(from);
+        const auto path = windows.path(from);
+        if(!(expected < infinity))
+        {
+          EXPECT_TRUE(path.empty());
+          continue;
+        }
+        ASSERT_FALSE(path.empty());
+        EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
+        // One of the sources is at its end.
+        double least = infinity;
+        for(const internal::Source& source : sources)
+        {
+          const Point end = point_at(t, path.back()), p = point_at(t, source.polyline.front()),
+                      q = point_at(t, source.polyline.back());
+          const double away = p == q ? distance(end, p) : distance_to_segment(end, p, q);
+          // A line that is traced turns by rounding at each side.
+          if(away < 1e-9)
+            least = std::min(least, source.offset);
+        }
+        EXPECT_NEAR(least + path_length(t, path), expected, 1e-9);
+      }
+    }
+  }
 }
 
 TEST(Window_propagation, passes_a_pinched_site)

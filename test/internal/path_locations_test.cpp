@@ -32,6 +32,14 @@ TEST(Path_locations, are_cleaned_of_rounding)
   EXPECT_EQ(site_of(mesh.triangles, clean), mesh.triangles.corner[0]);
 }
 
+TEST(Path_locations, at_a_corner_have_nothing_but_one)
+{
+  // One that misses it by the rounding of a sum.
+  const Glued_mesh mesh = glued(one_triangle());
+  const Location clean = cleaned(mesh.triangles, location(0, {0., 1. - 2.2e-16, 1e-15}));
+  EXPECT_EQ(clean.barycentric, (std::array<double, 3>{0., 1., 0.}));
+}
+
 TEST(Path_locations, of_a_site_are_the_same_seen_from_all_its_triangles)
 {
   const Glued_mesh mesh = glued(tetrahedron());

@@ -11,6 +11,8 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -41,6 +43,12 @@ public:
   Index source(Index site) const { return m_sites[site].source; }
   Index predecessor(Index site) const;
   const std::vector<Index>& reached() const { return m_reached; }
+  // Anywhere else windows are sent back until they meet a source or a site through which a shortest
+  // path leads; only those that can be on one go on.
+  double distance(const Location& location) const;
+  // The shortest path from a location to the nearest source, as straighten() leaves it.  Empty where
+  // no source reaches, or where triangles without area let it lose its way.
+  std::vector<Location> path(const Location& from) const;
 
 private:
   struct Window
@@ -79,6 +87,40 @@ private:
     double offset;
   };
 
+  // Where windows that are sent back meet what has been reached.
+  struct Meeting
+  {
+    double distance = infinity;
+    Index site = none;
+    // Otherwise a place of a source, and where it is seen from, in the layout of its triangle.
+    Location place;
+    Planar way = {0., 0.};
+    double length = 0.;
+    Index origin = none;
+  };
+  // Where windows are sent back; a copy begins with none.
+  struct Search
+  {
+    Search() = default;
+    Search(const Search&) {}
+    Search& operator=(const Search&) { return *this; }
+
+    std::mutex mutex;
+    std::shared_ptr<Window_propagation> windows;
+  };
+
+  Window_propagation(std::shared_ptr<const Glued_triangles> triangles,
+                     std::shared_ptr<const std::vector<bool>> is_pseudo_source);
+  const Meeting& search(const Window_propagation& goal, const Location& from);
+  Window_propagation& back() const;
+  void meet_sources(Index triangle, const Planar& place);
+  void meet_sources_behind(Index side);
+  void meet(const Piece& piece, const Planar& place, const Planar& from, double distance,
+            Index origin);
+  double append_chain(Index site, std::vector<Location>& path) const;
+  double append_line(const Location& from, const Planar& way, double length, Index origin,
+                     std::vector<Location>& path) const;
+
   void clear();
   void start(const std::vector<Source>& sources);
   void start_at_point(const Location& location, Index source, double offset);
@@ -94,6 +136,7 @@ private:
 
   void cross(Index side);
   void gather(Index side);
+  double most(Index site) const;
   bool is_late(const Window& window, double most_by_begin, double most_by_end) const;
 
   List allocate(std::size_t size);
@@ -102,8 +145,8 @@ private:
   void put(Index side, const Window& window);
 
   std::shared_ptr<const Glued_triangles> m_triangles;
-  std::vector<bool> m_is_pseudo_source; // #sites: straight lines may bend here
-  double m_longest = 0.;                // side
+  std::shared_ptr<const std::vector<bool>> m_is_pseudo_source; // #sites: paths may bend here
+  double m_longest = 0.;                                       // side
 
   std::vector<Site> m_sites;
   std::vector<Index> m_reached;
@@ -120,7 +163,11 @@ private:
   // Of the last query
   std::vector<Piece> m_pieces;
   double m_lowest_offset = 0.;
-  double m_maximum = infinity; // above it
+  double m_maximum = infinity;                      // above it
+  std::vector<std::pair<Index, Index>> m_pieces_of; // triangle, piece; sorted
+  const Window_propagation* m_goal = nullptr;       // of windows that are sent back
+  Meeting m_meeting;
+  mutable Search m_search;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
