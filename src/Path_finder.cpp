@@ -220,13 +220,19 @@ void Path_finder::add_landmarks(unsigned number)
   if(n == 0 || number == 0)
     return;
   // Each is the site farthest from those before, the first from site 0.
-  std::vector<double> nearest, distance;
-  run_everywhere(0, nearest);
+  std::vector<double> nearest(n, infinity), distance;
   const std::size_t before = m_number_of_landmarks, after = before + number;
+  if(before == 0)
+    run_everywhere(0, nearest);
   std::vector<float> landmarks(n * after);
   for(std::size_t s = 0; s < n; ++s)
     for(std::size_t i = 0; i < before; ++i)
+    {
+      const double known = m_landmarks[s * before + i];
       landmarks[s * after + i] = m_landmarks[s * before + i];
+      if(known < nearest[s]) // false for NaN
+        nearest[s] = known;
+    }
   for(std::size_t i = before; i < after; ++i)
   {
     const auto farthest = std::max_element(nearest.begin(), nearest.end());

@@ -15,6 +15,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// In a box of size one: far below what distances tell apart, far above the rounding of positions.
+constexpr double shortest_side = 0x1p-36;
+
 double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
   const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
@@ -35,6 +38,21 @@ std::vector<Index> order_of_triangles(const std::vector<Index>& corner, std::siz
   for(std::size_t f = 0; f < m; ++f)
     order[begin[smallest(f)]++] = static_cast<Index>(f);
   return order;
+}
+
+// Triangles without area in double precision: a side of length zero, or sides of which the longest
+// is not shorter than the two others together.
+std::size_t number_of_degenerate_triangles(const std::vector<double>& length)
+{
+  std::size_t count = 0;
+  for(std::size_t c = 0; c < length.size(); c += 3)
+  {
+    const double a = length[c], b = length[c + 1], l = length[c + 2];
+    const double longest = std::max({a, b, l});
+    if(std::min({a, b, l}) <= 0. || a + b + l - longest <= longest)
+      ++count;
+  }
+  return count;
 }
 
 // Fills first and star.  A fan starts at its border where it has one, else at its first triangle.
@@ -122,6 +140,12 @@ Glued_mesh glue(std::vector<std::array<double, 3>> points, const std::vector<Ind
                          : distance(t.point[t.corner[side]], t.point[t.corner[next_side(side)]]);
     longest = std::max(longest, t.length[side]);
   }
+  result.degenerate = number_of_degenerate_triangles(t.length);
+  // No direction is known across a side of no length.  The larger of two lengths obeys the triangle
+  // inequality where both do.
+  if(longest > 0.)
+    for(double& length : t.length)
+      length = std::max(length, shortest_side);
   const double unit = longest > 0. ? std::ldexp(1., std::ilogb(longest)) : 1.;
   const double factor = 1. / unit; // exact: a power of two
   for(double& length : t.length)
@@ -170,19 +194,6 @@ std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector
     }
   }
   return twin;
-}
-
-std::size_t number_of_degenerate_triangles(const Glued_triangles& triangles)
-{
-  std::size_t count = 0;
-  for(std::size_t c = 0; c < triangles.length.size(); c += 3)
-  {
-    const double a = triangles.length[c], b = triangles.length[c + 1], l = triangles.length[c + 2];
-    const double longest = std::max({a, b, l});
-    if(std::min({a, b, l}) <= 0. || a + b + l - longest <= longest)
-      ++count;
-  }
-  return count;
 }
 
 namespace {

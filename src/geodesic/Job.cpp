@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <thread>
 
 #include <unistd.h>
 
@@ -53,7 +54,7 @@ const Surface& Job::read(const std::vector<std::string>& kinds)
     m_display = std::make_unique<Display>();
   }
   stage("read");
-  m_surface = read_surface(m_input);
+  m_surface = read_surface(m_input, threads());
   m_result["input"] = m_input;
   m_result["repaired"] = m_surface.repaired;
   m_result["kind"] = m_surface.is_mesh() ? "mesh" : "cloud";
@@ -63,6 +64,11 @@ const Surface& Job::read(const std::vector<std::string>& kinds)
     note(m_surface.is_mesh() ? "the faces were repaired (cut into triangles, turned, or separated)"
                              : "missing normals were estimated");
   return m_surface;
+}
+
+unsigned Job::threads() const
+{
+  return m_threads != 0 ? m_threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
 void Job::stage(const std::string& name)

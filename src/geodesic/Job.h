@@ -54,7 +54,7 @@ public:
   const std::string& values() const { return m_values; }
   const std::string& picture() const { return m_picture; }
   bool json() const { return m_json; }
-  unsigned threads() const { return m_threads; }
+  unsigned threads() const; // at least one
   unsigned seed() const { return m_seed; }
 
 private:

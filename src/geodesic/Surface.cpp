@@ -6,12 +6,12 @@
 
 namespace program {
 
-Surface read_surface(const std::string& filename)
+Surface read_surface(const std::string& filename, unsigned threads)
 {
-  return repair(read_surface_file(filename), filename);
+  return repair(read_surface_file(filename), filename, threads);
 }
 
-Surface repair(Surface_file file, const std::string& filename)
+Surface repair(Surface_file file, const std::string& filename, unsigned threads)
 {
   check(file, filename);
   Surface surface;
@@ -19,7 +19,7 @@ Surface repair(Surface_file file, const std::string& filename)
   surface.file = std::move(file);
   if(!surface.is_mesh())
   {
-    surface.repaired = complete_normals(surface.file);
+    surface.repaired = complete_normals(surface.file, threads);
     return surface;
   }
   surface.repaired = triangulate(surface.file, filename);

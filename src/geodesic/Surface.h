@@ -28,10 +28,10 @@ struct Surface
   bool is_mesh() const { return file.number_of_polygons() > 0; }
 };
 
-Surface read_surface(const std::string& filename);
+Surface read_surface(const std::string& filename, unsigned threads = 1);
 
 // The policy alone: checks coordinates and indices, then repairs.  Throws Input_error.
-Surface repair(Surface_file file, const std::string& name);
+Surface repair(Surface_file file, const std::string& name, unsigned threads = 1);
 
 // Vertex i of the result is vertex i of the file.  Vertices where several fans meet stay one
 // vertex, so that a front passes from fan to fan.

@@ -2,25 +2,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/mst_orient_normals.h>
-#include <CGAL/pca_estimate_normals.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/Queue.h>
+#include <CGAL/Geodesic_processing/internal/parallel.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
-#include <tuple>
 
 namespace program {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-constexpr unsigned neighbours = 16;
+using CGAL::Geodesic_processing::internal::for_each_block;
+using CGAL::Geodesic_processing::internal::Index;
+using CGAL::Geodesic_processing::internal::Kd_tree;
+using CGAL::Geodesic_processing::internal::Queue;
+
+constexpr std::size_t neighbours = 16;
 
 // Of unit length, or zero where there is none.  Neither overflows nor underflows.
 Point unit(Point v)
@@ -84,33 +86,128 @@ std::vector<std::size_t> number_distinct(const std::vector<Point>& points,
   return number;
 }
 
-// Point, normal, and place in the input: orientation reorders them.
-using Surfel = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::size_t>;
+// Each point's nearest ones, itself among them.
+struct Neighbourhoods
+{
+  std::size_t size;        // of each
+  std::vector<Index> near; // size #points
+
+  const Index* begin(std::size_t i) const { return near.data() + size * i; }
+  const Index* end(std::size_t i) const { return begin(i + 1); }
+};
+
+// The direction in which some points vary least.
+Point normal_across(const std::vector<Point>& points, const Index* begin, const Index* end)
+{
+  const auto vector = [&](Index i) { return Eigen::Map<const Eigen::Vector3d>(points[i].data()); };
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for(const Index* i = begin; i != end; ++i)
+    mean += vector(*i) / static_cast<double>(end - begin);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for(const Index* i = begin; i != end; ++i)
+    covariance += (vector(*i) - mean) * (vector(*i) - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const Point n = unit({normal[0], normal[1], normal[2]});
+  return is_zero(n) ? Point{0., 0., 1.} : n;
+}
+
+// Turns normals to one side along a minimum spanning tree of all neighbourhoods, in which those are
+// near whose normals differ little (Hoppe et al. 1992).  In each part the highest one looks up.
+void orient_along_tree(const std::vector<Point>& points, const Neighbourhoods& neighbourhoods,
+                       std::vector<Point>& normals)
+{
+  const std::size_t n = points.size();
+  // Neighbours, and those of which a point is one.
+  std::vector<std::size_t> first(n + 1, 0);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    first[i] += neighbourhoods.size;
+    for(const Index* j = neighbourhoods.begin(i); j != neighbourhoods.end(i); ++j)
+      ++first[*j];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Index> around(first[n]);
+  for(std::size_t i = 0; i < n; ++i)
+    for(const Index* j = neighbourhoods.begin(i); j != neighbourhoods.end(i); ++j)
+    {
+      around[--first[i]] = *j;
+      around[--first[*j]] = static_cast<Index>(i);
+    }
+
+  std::vector<Index> seeds(n);
+  std::iota(seeds.begin(), seeds.end(), 0);
+  std::stable_sort(seeds.begin(), seeds.end(),
+                   [&](Index i, Index j) { return points[i][2] > points[j][2]; });
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> cost(n, infinity); // of joining the tree; less than any when it is in it
+  std::vector<Index> parent(n);
+  Queue queue(n);
+  const auto turn = [](Point& normal, bool turns)
+  {
+    for(double& x : normal)
+      x = turns ? -x : x;
+  };
+  for(const Index seed : seeds)
+  {
+    if(cost[seed] != infinity)
+      continue;
+    turn(normals[seed], normals[seed][2] < 0.);
+    parent[seed] = seed;
+    queue.push(seed, 0.);
+    while(!queue.empty())
+    {
+      const Index i = queue.pop().site;
+      cost[i] = -infinity;
+      turn(normals[i], dot(normals[i], normals[parent[i]]) < 0.);
+      for(std::size_t k = first[i]; k < first[i + 1]; ++k)
+      {
+        const Index j = around[k];
+        const double step = 1. - std::abs(dot(normals[i], normals[j]));
+        if(step < cost[j])
+        {
+          cost[j] = step;
+          parent[j] = i;
+          queue.push(j, step);
+        }
+      }
+    }
+  }
+}
 
 // Unit normals of points that are all different, of one side where that can be told.
-std::vector<Point> estimate(const std::vector<Point>& points, bool oriented)
+std::vector<Point> estimate(const std::vector<Point>& points, bool oriented, unsigned threads)
 {
-  std::vector<Point> normals(points.size(), Point{0., 0., 1.});
+  const std::size_t n = points.size();
+  std::vector<Point> normals(n, Point{0., 0., 1.});
   // Two points have a line at most.
-  if(points.size() < 3)
+  if(n < 3)
     return normals;
-  std::vector<Surfel> surfels(points.size());
-  for(std::size_t i = 0; i < points.size(); ++i)
-    surfels[i] = {{points[i][0], points[i][1], points[i][2]}, {0., 0., 0.}, i};
-  const unsigned k = static_cast<unsigned>(std::min<std::size_t>(neighbours, points.size() - 1));
-  const auto maps = CGAL::parameters::point_map(CGAL::Nth_of_tuple_property_map<0, Surfel>())
-                        .normal_map(CGAL::Nth_of_tuple_property_map<1, Surfel>());
-  CGAL::pca_estimate_normals<CGAL::Sequential_tag>(surfels, k, maps);
-  // What has no normal (all neighbours in one place, to rounding) must not enter the tree.
-  for(auto& [point, normal, i] : surfels)
-  {
-    const Point n = unit({normal.x(), normal.y(), normal.z()});
-    normal = is_zero(n) ? Kernel::Vector_3(0., 0., 1.) : Kernel::Vector_3(n[0], n[1], n[2]);
-  }
+  std::vector<Point> sorted = points;
+  std::vector<Index> order;
+  const Kd_tree tree(sorted, order, threads);
+  Neighbourhoods neighbourhoods = {std::min(neighbours + 1, n), {}};
+  neighbourhoods.near.resize(n * neighbourhoods.size);
+  std::vector<Point> found(n);
+  for_each_block(n, 1024, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   std::vector<Kd_tree::Neighbor> nearest;
+                   for(std::size_t i = begin; i < end; ++i)
+                   {
+                     tree.nearest(sorted, sorted[i], neighbourhoods.size, nearest);
+                     std::transform(nearest.begin(), nearest.end(),
+                                    neighbourhoods.near.begin() +
+                                        static_cast<std::ptrdiff_t>(neighbourhoods.size * i),
+                                    [](const Kd_tree::Neighbor& j) { return j.point; });
+                     found[i] =
+                         normal_across(sorted, neighbourhoods.begin(i), neighbourhoods.end(i));
+                   }
+                 });
   if(oriented)
-    CGAL::mst_orient_normals(surfels, k, maps);
-  for(const auto& [point, normal, i] : surfels)
-    normals[i] = {normal.x(), normal.y(), normal.z()};
+    orient_along_tree(sorted, neighbourhoods, found);
+  for(std::size_t i = 0; i < n; ++i)
+    normals[order[i]] = found[i];
   return normals;
 }
 
@@ -124,28 +221,26 @@ void turn_like_given(const std::vector<Point>& given, const std::vector<std::siz
     for(std::size_t c = 0; c < 3; ++c)
       sum[number[i]][c] += given[i][c];
 
-  using Numbered = std::tuple<Kernel::Point_3, std::size_t>;
-  using Traits = CGAL::Search_traits_adapter<Numbered, CGAL::Nth_of_tuple_property_map<0, Numbered>,
-                                             CGAL::Search_traits_3<Kernel>>;
-  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
-  Search::Tree tree;
+  std::vector<Point> known;
+  std::vector<Index> place, order;
   for(std::size_t d = 0; d < places.size(); ++d)
     if(!is_zero(sum[d]))
-      tree.insert({{places[d][0], places[d][1], places[d][2]}, d});
-  if(tree.empty())
+    {
+      known.push_back(places[d]);
+      place.push_back(static_cast<Index>(d));
+    }
+  if(known.empty())
     return;
+  const Kd_tree tree(known, order);
   for(std::size_t d = 0; d < places.size(); ++d)
-  {
-    const Search search(tree, {places[d][0], places[d][1], places[d][2]}, 1);
-    if(dot(normals[d], sum[std::get<1>(search.begin()->first)]) < 0.)
+    if(dot(normals[d], sum[place[order[tree.nearest(known, places[d])]]]) < 0.)
       for(double& x : normals[d])
         x = -x;
-  }
 }
 
 } // namespace
 
-bool complete_normals(Surface_file& cloud)
+bool complete_normals(Surface_file& cloud, unsigned threads)
 {
   const std::size_t n = cloud.points.size();
   const bool given = !cloud.normals.empty();
@@ -159,7 +254,7 @@ bool complete_normals(Surface_file& cloud)
 
   std::vector<Point> distinct;
   const std::vector<std::size_t> number = number_distinct(to_unit_box(cloud.points), distinct);
-  std::vector<Point> normals = estimate(distinct, missing == n);
+  std::vector<Point> normals = estimate(distinct, missing == n, threads);
   if(missing == n)
     for(std::size_t i = 0; i < n; ++i)
       cloud.normals[i] = normals[number[i]];

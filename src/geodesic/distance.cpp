@@ -70,7 +70,7 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
     const Property_map<typename Domain::Site> speeds{&property(job.surface(), options.speed)};
     solver.compute(sources, limits.speed_map(speeds));
   }
-  result.triangles = cloud_triangles(domain);
+  result.triangles = picture_triangles(domain, job);
   result.values.resize(job.surface().file.points.size());
   for(std::size_t i = 0; i < result.values.size(); ++i)
     result.values[i] = solver.distance(site<Surface_type>(i));

@@ -3,9 +3,12 @@
 #include "Job.h"
 #include "Output_file.h"
 #include "Picture.h"
+#include "Scanner.h"
 #include "commands.h"
+#include "queries.h"
 
 #include <CGAL/Geodesic_processing/internal/glue.h>
+#include <CGAL/Geodesic_processing/internal/surfels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +17,7 @@ namespace program {
 
 namespace {
 
-using CGAL::Geodesic_processing::internal::Glued_triangles;
+namespace internal = GP::internal;
 
 struct Shape
 {
@@ -32,7 +35,7 @@ double cross_length(const Point& u, const Point& v)
                     u[0] * v[1] - u[1] * v[0]);
 }
 
-Shape shape_of(const Glued_triangles& triangles)
+Shape shape_of(const internal::Glued_triangles& triangles)
 {
   constexpr double degrees = 57.295779513082323;
   Shape shape;
@@ -57,17 +60,32 @@ Shape shape_of(const Glued_triangles& triangles)
   return shape;
 }
 
-void describe_mesh(Job& job)
+// The component of each vertex, whose place among the domain's sites is given.
+std::vector<long long> components_of(const internal::Glued_triangles& triangles,
+                                     const std::vector<internal::Index>& site)
+{
+  const std::vector<internal::Index> label = internal::components(triangles).first;
+  std::vector<long long> result(site.size());
+  std::transform(site.begin(), site.end(), result.begin(),
+                 [&](internal::Index s) { return static_cast<long long>(label[s]); });
+  return result;
+}
+
+// The regions of the picture.
+struct Regions
+{
+  std::vector<long long> labels;
+  std::vector<std::uint32_t> triangles; // of a cloud
+};
+
+Regions describe_mesh(Job& job)
 {
   const Surface& surface = job.surface();
   const Gluing& gluing = surface.gluing;
-  const auto glued = CGAL::Geodesic_processing::internal::glue(surface.file.points,
-                                                               surface.file.corners, gluing.twins);
+  const auto glued = internal::glue(surface.file.points, surface.file.corners, gluing.twins);
   job.stage("query");
   const Shape shape = shape_of(glued.triangles);
   const std::size_t faces = surface.file.number_of_polygons();
-  const std::size_t degenerate =
-      CGAL::Geodesic_processing::internal::number_of_degenerate_triangles(glued.triangles);
   auto& result = job.result();
   result["components"] = gluing.components;
   result["boundary_loops"] = gluing.boundary_loops;
@@ -77,7 +95,7 @@ void describe_mesh(Job& job)
   const bool has_angles = shape.max_angle > 0.;
   result["min_angle"] = has_angles ? json_number(shape.min_angle) : nullptr;
   result["max_angle"] = has_angles ? json_number(shape.max_angle) : nullptr;
-  result["degenerate_faces"] = degenerate;
+  result["degenerate_faces"] = glued.degenerate;
 
   job.say("components      " + std::to_string(gluing.components));
   job.say("boundary loops  " + std::to_string(gluing.boundary_loops));
@@ -87,7 +105,29 @@ void describe_mesh(Job& job)
     job.say("angles          " + readable(shape.min_angle) + " to " + readable(shape.max_angle) +
             " degrees");
   job.say("area            " + readable(shape.area));
-  job.say("degenerate      " + std::to_string(degenerate) + " faces");
+  job.say("degenerate      " + std::to_string(glued.degenerate) + " faces");
+  if(gluing.components < 2 || job.picture().empty())
+    return {};
+  return {components_of(glued.triangles, glued.site_of_vertex), {}};
+}
+
+// Surfels are joined by arcs: those that no arcs join do not reach each other.
+Regions describe_cloud(Job& job)
+{
+  const Surface_file& file = job.surface().file;
+  internal::Surfel_options options;
+  options.threads = job.threads();
+  const auto surfels = internal::glue_surfels(file.points, file.normals, {}, options);
+  job.stage("query");
+  const std::size_t components = internal::components(surfels.triangles).second;
+  job.result()["components"] = components;
+  job.say("components      " + std::to_string(components));
+  if(job.picture().empty())
+    return {};
+  Regions regions = {{}, picture_triangles(surfels)};
+  if(components > 1)
+    regions.labels = components_of(surfels.triangles, surfels.site_of_surfel);
+  return regions;
 }
 
 void describe_box(Job& job)
@@ -104,17 +144,19 @@ void describe_box(Job& job)
           " to " + readable(high[0]) + " " + readable(high[1]) + " " + readable(high[2]));
 }
 
-void run_info(Job& job)
+void run_info(Job& job, const std::string& wanted)
 {
+  if(!wanted.empty() && job.picture().empty())
+    throw Usage_error("--property: it is shown in a --picture.");
   const Surface& surface = job.read();
+  if(!wanted.empty())
+    property(surface, wanted);
   job.say(std::string("kind            ") + (surface.is_mesh() ? "mesh" : "cloud"));
   job.say("vertices        " + std::to_string(surface.file.points.size()));
   job.stage("prepare");
   if(surface.is_mesh())
-  {
     job.say("faces           " + std::to_string(surface.file.number_of_polygons()));
-    describe_mesh(job);
-  }
+  Regions regions = surface.is_mesh() ? describe_mesh(job) : describe_cloud(job);
   job.stage("query");
   describe_box(job);
 
@@ -129,7 +171,16 @@ void run_info(Job& job)
     job.write_values(text);
   }
   if(!job.picture().empty())
-    draw(job.picture(), Picture{&surface.file});
+  {
+    Picture picture{&surface.file, {}, "", regions.labels, {}, {}, regions.triangles};
+    if(!wanted.empty())
+    {
+      picture.values = property(surface, wanted);
+      picture.title = wanted;
+      picture.labels.clear();
+    }
+    draw(job.picture(), picture);
+  }
   job.finish();
 }
 
@@ -139,7 +190,12 @@ void add_info(CLI::App& program)
 {
   CLI::App* const command = program.add_subcommand("info", "sizes, shape and defects; -o converts");
   const auto job = std::make_shared<Job>(*command);
-  command->callback([job] { run_info(*job); });
+  const auto name = std::make_shared<std::string>();
+  command
+      ->add_option("--property", *name,
+                   "of the vertices, shown in the picture; else the components are")
+      ->type_name("NAME");
+  command->callback([job, name] { run_info(*job, *name); });
 }
 
 } // namespace program

@@ -22,7 +22,7 @@ struct End
 struct Path_options
 {
   End from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
-  std::string method = "euclidean";
+  std::string method; // whose distances the path follows; none: a search for this one path
 };
 
 struct Result
@@ -37,6 +37,16 @@ std::size_t vertex_of(const End& end)
   if(vertices.size() != 1)
     throw Usage_error(std::string(end.vertex_option) + ": give one vertex.");
   return vertices[0];
+}
+
+// The path between two places by a method, or by a search that computes no distances elsewhere.
+template <typename Method, typename Domain, typename Place1, typename Place2>
+auto path_between(const Domain& domain, const Place1& from, const Place2& to)
+{
+  if constexpr(std::is_void_v<Method>)
+    return GP::Geodesic_path_finder<typename Domain::Surface>(domain)(from, to);
+  else
+    return GP::geodesic_path<Method>(domain, from, to);
 }
 
 // The library's part: the path between two ends.
@@ -57,7 +67,7 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
   std::visit(
       [&](const auto& begin, const auto& end)
       {
-        const auto path = GP::geodesic_path<Method>(domain, begin, end);
+        const auto path = path_between<Method>(domain, begin, end);
         for(const auto& p : path.points)
           result.points.push_back({p.x(), p.y(), p.z()});
         result.length = path.length;
@@ -82,7 +92,8 @@ void run_path(Job& job, const Path_options& options)
 {
   check(options.from);
   check(options.to);
-  check_method(options.method);
+  if(!options.method.empty())
+    check_method(options.method);
   const Surface& surface = job.read({"vtp", "ply", "obj"});
   for(const End* end : {&options.from, &options.to})
     if(!end->vertex.empty())
@@ -93,8 +104,13 @@ void run_path(Job& job, const Path_options& options)
   on_surface(surface,
              [&](const auto& mesh_or_cloud)
              {
-               with_method(options.method, [&](auto method)
-                           { result = find_path<decltype(method)>(mesh_or_cloud, options, job); });
+               if(options.method.empty())
+                 result = find_path<void>(mesh_or_cloud, options, job);
+               else
+                 with_method(options.method,
+                             [&](auto method) {
+                               result = find_path<decltype(method)>(mesh_or_cloud, options, job);
+                             });
              });
   if(result.points.empty())
     fail(surface.name, "no path joins the two places, they lie on different components");
@@ -142,9 +158,11 @@ void add_path(CLI::App& program)
     command->add_option(end->point_option, end->point, "the place nearest to a point")
         ->type_name("x,y,z");
   }
-  command->add_option("--method", options->method, "dijkstra, fast-marching, euclidean or heat")
-      ->type_name("NAME")
-      ->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "follow its distances: dijkstra, fast-marching, euclidean or heat; without, a "
+                   "search for this path alone")
+      ->type_name("NAME");
   command->callback([job, options] { run_path(*job, *options); });
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <unordered_set>
 
 namespace program {
 
@@ -18,6 +20,33 @@ void check_method(const std::string& word)
   if(!among({"dijkstra", "fast-marching", "euclidean", "heat"}))
     throw Usage_error("--method " + shown(word) +
                       ": the methods are dijkstra, fast-marching, euclidean and heat.");
+}
+
+std::vector<std::uint32_t> picture_triangles(const GP::internal::Glued_surfels& surfels)
+{
+  const GP::internal::Glued_triangles& t = surfels.triangles;
+  // A cloud's triangles overlap where its surfels disagree.  Those that most of them found come
+  // first, and each side is taken once in each direction.
+  std::vector<std::uint32_t> order(t.number_of_triangles());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t f, std::uint32_t g) { return t.weight[f] > t.weight[g]; });
+  std::unordered_set<std::uint64_t> taken;
+  taken.reserve(t.corner.size());
+  std::vector<std::uint32_t> corners;
+  for(const std::uint32_t f : order)
+  {
+    std::uint64_t sides[3];
+    for(std::size_t k = 0; k < 3; ++k)
+      sides[k] = std::uint64_t{t.corner[3 * std::size_t{f} + k]} << 32 |
+                 t.corner[3 * std::size_t{f} + (k + 1) % 3];
+    if(std::any_of(sides, sides + 3, [&](std::uint64_t side) { return taken.count(side) > 0; }))
+      continue;
+    taken.insert(sides, sides + 3);
+    for(const std::uint64_t side : sides)
+      corners.push_back(surfels.surfel_of_site[side >> 32]);
+  }
+  return corners;
 }
 
 const std::vector<double>& property(const Surface& surface, const std::string& name)

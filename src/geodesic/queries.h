@@ -68,20 +68,18 @@ typename Domain::Location locate(const Domain& domain, const std::string& text,
   return GP::Surface_locator<typename Domain::Surface>(domain)(Kernel::Point_3(p[0], p[1], p[2]));
 }
 
-// Corners of the triangles that a picture of a cloud draws lines on: those that all three corners
-// agree on.  Nothing on a mesh, which has its own.
+// Corners of the triangles that a picture of a cloud draws lines on: as many as fit side by side.
+std::vector<std::uint32_t> picture_triangles(const GP::internal::Glued_surfels& surfels);
+
+// The same of a domain, where a picture is wanted; nothing of a mesh, which has its own.
 template <typename Domain>
-std::vector<std::uint32_t> cloud_triangles([[maybe_unused]] const Domain& domain)
+std::vector<std::uint32_t> picture_triangles([[maybe_unused]] const Domain& domain,
+                                             [[maybe_unused]] const Job& job)
 {
-  std::vector<std::uint32_t> corners;
   if constexpr(!is_mesh<typename Domain::Surface>)
-  {
-    const auto& triangles = *domain.triangles();
-    for(std::size_t f = 0; f < triangles.number_of_triangles(); ++f)
-      for(std::size_t k = 0; k < 3 && triangles.weight[f] == 1.f; ++k)
-        corners.push_back(static_cast<std::uint32_t>(domain.site(triangles.corner[3 * f + k])));
-  }
-  return corners;
+    if(!job.picture().empty())
+      return picture_triangles(domain.surfels());
+  return {};
 }
 
 // A property of the file, read like a map of the library.

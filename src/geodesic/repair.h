@@ -42,7 +42,7 @@ Gluing orient(Surface_file& surface);
 // Gives normals of unit length to a cloud.  Those missing, zero or not finite are estimated from 16
 // neighbours and oriented along a minimum spanning tree, or, where only some are missing, like the
 // nearest given one.  True when given normals had to be replaced.
-bool complete_normals(Surface_file& cloud);
+bool complete_normals(Surface_file& cloud, unsigned threads = 1);
 
 } // namespace program
 

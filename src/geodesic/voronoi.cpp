@@ -93,7 +93,7 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
   for(const std::size_t seed : result.seeds)
     sources.emplace_back(site<Surface_type>(seed));
   solver.compute(sources);
-  result.triangles = cloud_triangles(domain);
+  result.triangles = picture_triangles(domain, job);
   const std::size_t n = job.surface().file.points.size();
   result.labels.resize(n);
   result.values.resize(n);

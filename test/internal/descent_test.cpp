@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/descent.h>
 
+#include "Glued_surface.h"
 #include "path_checks.h"
 
 namespace {
@@ -12,19 +13,13 @@ using namespace CGAL::Geodesic_processing::test;
 
 constexpr double rounding = 1e-12; // a few hundred roundings of lengths below 10
 
-struct Surface
+// A field from distances in the caller's space.
+std::function<double(Index)> field(const Glued_surface& surface,
+                                   const std::function<double(const Point&)>& f)
 {
-  Glued_mesh mesh;
-
-  explicit Surface(const Triangulation& triangulation) : mesh(glued(triangulation)) {}
-  const Glued_triangles& t() const { return mesh.triangles; }
-  Location at(Index point) const { return at_site(t(), mesh.site_of_vertex[point]); }
-  // A field from distances in the caller's space.
-  std::function<double(Index)> field(const std::function<double(const Point&)>& f) const
-  {
-    return [this, f](Index site) { return f(point_at(t(), at_site(t(), site))) / t().scale; };
-  }
-};
+  return [&surface, f](Index site)
+  { return f(surface.point(surface.point_of_site(site))) / surface.scale(); };
+}
 
 Source source_at(const Location& location, double offset = 0.)
 {
@@ -34,7 +29,7 @@ Source source_at(const Location& location, double offset = 0.)
   return result;
 }
 
-double value_at(const Surface& surface, const std::function<double(Index)>& distance,
+double value_at(const Glued_surface& surface, const std::function<double(Index)>& distance,
                 const Location& location)
 {
   double sum = 0.;
@@ -47,14 +42,14 @@ double value_at(const Surface& surface, const std::function<double(Index)>& dist
 TEST(Descent, follows_a_distance_to_its_source)
 {
   std::size_t steps = 0, climbs = 0;
-  const Surface surface(square(20, 0.25));
+  const Glued_surface surface(square(20, 0.25));
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
   {
     const Location to =
         i % 2 == 0 ? surface.at(Index(random() % 441)) : random_location(surface.t(), random);
     const Point center = point_at(surface.t(), to);
-    const auto distances = surface.field([&](const Point& p) { return distance(p, center); });
+    const auto distances = field(surface, [&](const Point& p) { return distance(p, center); });
     const Descent descent(surface.t(), {source_at(to)});
     const Location from = random_location(surface.t(), random);
     const auto path = descent(from, distances);
@@ -77,12 +72,12 @@ TEST(Descent, follows_a_distance_to_its_source)
 
 TEST(Descent, ends_at_the_source_that_explains_the_value)
 {
-  const Surface surface(square(20, 0.25));
+  const Glued_surface surface(square(20, 0.25));
   std::vector<Source> sources = {source_at(surface.at(0)), source_at(surface.at(440), 0.5)};
   const Point p = {0., 0., 0.}, q = {1., 1., 0.};
   const double scale = surface.t().scale;
-  const auto distances = surface.field(
-      [&](const Point& x) { return std::min(distance(x, p), 0.5 * scale + distance(x, q)); });
+  const auto distances = field(surface, [&](const Point& x)
+                               { return std::min(distance(x, p), 0.5 * scale + distance(x, q)); });
   const Descent descent(surface.t(), sources);
   std::mt19937 random(2);
   for(int i = 0; i < 100; ++i)
@@ -100,13 +95,13 @@ TEST(Descent, ends_at_the_source_that_explains_the_value)
 
 TEST(Descent, ends_on_polylines)
 {
-  const Surface surface(square(20, 0.25));
+  const Glued_surface surface(square(20, 0.25));
   // The lower border.
   Source border;
   for(Index i = 0; i <= 20; ++i)
     border.polyline.push_back(surface.at(i));
   const Descent descent(surface.t(), {border});
-  const auto height = surface.field([](const Point& p) { return p[1]; });
+  const auto height = field(surface, [](const Point& p) { return p[1]; });
   std::mt19937 random(3);
   for(int i = 0; i < 100; ++i)
   {
@@ -122,11 +117,11 @@ TEST(Descent, ends_on_polylines)
 
 TEST(Descent, starts_at_the_source_and_beside_it)
 {
-  const Surface surface(square(6, 0.2));
+  const Glued_surface surface(square(6, 0.2));
   std::mt19937 random(4);
   Location to = random_location(surface.t(), random), from = to;
   const Point center = point_at(surface.t(), to);
-  const auto distances = surface.field([&](const Point& p) { return distance(p, center); });
+  const auto distances = field(surface, [&](const Point& p) { return distance(p, center); });
   const Descent descent(surface.t(), {source_at(to)});
   EXPECT_EQ(descent(to, distances).locations.size(), 1u);
   from.barycentric = {0.2, 0.3, 0.5};
@@ -140,7 +135,7 @@ TEST(Descent, never_turns_in_circles_whatever_the_field)
 {
   for(unsigned seed = 1; seed <= 20; ++seed)
   {
-    const Surface surface(shaken(icosphere(2), 0.05, seed));
+    const Glued_surface surface(shaken(icosphere(2), 0.05, seed));
     const Glued_triangles& t = surface.t();
     std::mt19937 random(seed);
     std::vector<double> values(t.number_of_sites());
@@ -174,12 +169,13 @@ TEST(Descent, never_turns_in_circles_whatever_the_field)
 
 TEST(Descent, begins_beside_what_was_not_reached)
 {
-  const Surface surface(square(10));
+  const Glued_surface surface(square(10));
   const Point center = {0., 0., 0.};
   const Descent descent(surface.t(), {source_at(surface.at(0))});
   // Reached up to a distance of 0.5 only.
-  const auto distances = surface.field(
-      [&](const Point& p) { return distance(p, center) < 0.5 ? distance(p, center) : infinity; });
+  const auto distances =
+      field(surface, [&](const Point& p)
+            { return distance(p, center) < 0.5 ? distance(p, center) : infinity; });
   const auto path = descent(surface.at(30), distances); // at (0.8, 0.2)
   EXPECT_TRUE(path.locations.empty());
   // In a triangle with a corner that was reached
@@ -203,7 +199,7 @@ TEST(Descent, says_when_there_is_no_way)
 {
   Triangulation two = apart(square(4), icosphere(1));
   two.points.push_back({5., 5., 5.}); // an isolated point
-  const Surface surface(two);
+  const Glued_surface surface(two);
   const Index isolated = Index(two.points.size() - 1);
   const auto constant = [](Index) { return 1.; };
   const Descent descent(surface.t(), {source_at(surface.at(0)), source_at(surface.at(isolated))});
@@ -216,11 +212,11 @@ TEST(Descent, says_when_there_is_no_way)
 
 TEST(Descent, climbs_out_of_a_pit)
 {
-  const Surface surface(square(20, 0.2));
+  const Glued_surface surface(square(20, 0.2));
   const Point center = {0.1, 0.1, 0.}, pit = {0.7, 0.6, 0.};
   const auto distances =
-      surface.field([&](const Point& p)
-                    { return distance(p, center) - 2. * std::max(0., 0.2 - distance(p, pit)); });
+      field(surface, [&](const Point& p)
+            { return distance(p, center) - 2. * std::max(0., 0.2 - distance(p, pit)); });
   const Location to = surface.at(2 + 21 * 2);
   const Descent descent(surface.t(), {source_at(to)});
   const Location from = surface.at(19 + 21 * 17);

@@ -142,11 +142,11 @@ TEST(Glue, leaves_sides_on_the_border_that_no_pair_claims)
 
 TEST(Glue, counts_triangles_without_area)
 {
-  EXPECT_EQ(number_of_degenerate_triangles(glued(icosphere(2)).triangles), 0u);
+  EXPECT_EQ(glued(icosphere(2)).degenerate, 0u);
   const Triangulation surface = {
       {{0., 0., 0.}, {1., 0., 0.}, {2., 0., 0.}, {0., 1., 0.}, {0., 1., 0.}, {1., 1e-20, 0.}},
       {0, 1, 2, 0, 3, 4, 0, 2, 5, 0, 2, 3}}; // collinear, zero side, needle below rounding, none
-  EXPECT_EQ(number_of_degenerate_triangles(glued(surface).triangles), 3u);
+  EXPECT_EQ(glued(surface).degenerate, 3u);
 }
 
 TEST(Glue, numbers_components)

@@ -6,9 +6,8 @@
 #include <CGAL/Geodesic_processing/internal/Path_finder.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
+#include "Glued_surface.h"
 #include "path_checks.h"
-
-#include <memory>
 
 namespace {
 
@@ -23,28 +22,7 @@ constexpr double rounding = 1e-12;
 // root of rounding at worst.
 constexpr double angle_rounding = 1e-6;
 
-struct Surface
-{
-  Glued_mesh mesh;
-  std::shared_ptr<const Glued_triangles> triangles;
-
-  explicit Surface(const Triangulation& triangulation)
-      : mesh(glued(triangulation)),
-        triangles(std::make_shared<const Glued_triangles>(mesh.triangles))
-  {}
-  const Glued_triangles& t() const { return *triangles; }
-  Location at(Index point) const { return at_site(t(), mesh.site_of_vertex[point]); }
-  // A path along arcs between the points given.
-  std::vector<Location> along(const std::vector<Index>& points) const
-  {
-    std::vector<Location> path;
-    for(const Index point : points)
-      path.push_back(at(point));
-    return path;
-  }
-};
-
-Straight_path checked(const Surface& surface, const std::vector<Location>& path,
+Straight_path checked(const Glued_surface& surface, const std::vector<Location>& path,
                       double tolerance = angle_rounding)
 {
   const Glued_triangles& t = surface.t();
@@ -60,8 +38,8 @@ Straight_path checked(const Surface& surface, const std::vector<Location>& path,
 
 TEST(Straighten, is_exact_on_an_irregular_flat_square)
 {
-  const Surface surface(square(25, 0.25));
-  Path_finder find(surface.triangles);
+  const Glued_surface surface(square(25, 0.25));
+  Path_finder find(surface.triangles());
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
   {
@@ -76,7 +54,7 @@ TEST(Straighten, is_exact_on_an_irregular_flat_square)
 
 TEST(Straighten, is_exact_through_the_sites_of_a_lattice)
 {
-  const Surface surface(square(16));
+  const Glued_surface surface(square(16));
   // Along the border, then up the other border: the diagonal of the square.
   std::vector<Index> corner;
   for(Index i = 0; i <= 16; ++i)
@@ -91,7 +69,7 @@ TEST(Straighten, takes_the_side_of_a_cone_that_it_starts_on)
 {
   const std::size_t n = 12;
   const double total = 1.5 * pi, step = total / n;
-  const Surface surface(cone(n, 5, total));
+  const Glued_surface surface(cone(n, 5, total));
   // From ring 4 in direction 0 to ring 3 in direction k, along ring 4 counterclockwise.
   for(Index k = 1; k < n; ++k)
   {
@@ -111,7 +89,7 @@ TEST(Straighten, takes_the_side_of_a_cone_that_it_starts_on)
 TEST(Straighten, goes_through_a_saddle)
 {
   const std::size_t n = 12;
-  const Surface surface(cone(n, 5, 3. * pi));
+  const Glued_surface surface(cone(n, 5, 3. * pi));
   std::vector<Index> way;
   for(Index i = 0; i <= 6; ++i)
     way.push_back(Index(1 + n * 4 + i));
@@ -119,7 +97,7 @@ TEST(Straighten, goes_through_a_saddle)
   EXPECT_NEAR(path.length * surface.t().scale, 10., 10. * rounding);
   double least = 0.;
   for(const Touched_site& touched : path.touched)
-    if(site_of(surface.t(), path.locations[touched.place]) == surface.mesh.site_of_vertex[0])
+    if(site_of(surface.t(), path.locations[touched.place]) == surface.site(0))
       least = std::min(touched.left, touched.right);
   EXPECT_NEAR(least, 1.5 * pi, rounding);
 }
@@ -128,7 +106,7 @@ TEST(Straighten, keeps_the_turns_around_a_cylinder)
 {
   const std::size_t n = 10, number_of_rings = 8;
   const double side = 2. * std::sin(pi / n), perimeter = n * side;
-  const Surface surface(cylinder(n, number_of_rings, 1., 3.));
+  const Glued_surface surface(cylinder(n, number_of_rings, 1., 3.));
   for(Index turns = 1; turns < 4; ++turns)
   {
     // Around ring 2 several times, then up two rings: one step to the side (half a step a ring).
@@ -156,7 +134,7 @@ TEST(Straighten, is_exact_on_a_prism)
   // Rings without twist: the strips between them unroll to a flat band.
   const std::size_t n = 10;
   const double perimeter = n * 2. * std::sin(pi / n);
-  const Surface surface(rings(
+  const Glued_surface surface(rings(
       n, 8, [](double) { return 1.; }, [](double s) { return 3. * s; }, 0.));
   for(Index turns = 0; turns < 4; ++turns)
     for(Index extra = 0; extra < n; ++extra)
@@ -175,7 +153,7 @@ TEST(Straighten, is_exact_on_a_prism)
 TEST(Straighten, hugs_a_hole)
 {
   const std::size_t n = 24;
-  const Surface surface(annulus(n, 4, 1., 3.));
+  const Glued_surface surface(annulus(n, 4, 1., 3.));
   // Half around, on the outer ring.
   std::vector<Index> way;
   for(Index i = 0; i <= n / 2; ++i)
@@ -190,7 +168,7 @@ TEST(Straighten, hugs_a_hole)
 
 TEST(Straighten, contracts_a_loop)
 {
-  const Surface surface(square(8, 0.25));
+  const Glued_surface surface(square(8, 0.25));
   const auto path = straighten(surface.t(), surface.along({20, 21, 22, 31, 40, 39, 38, 29, 20}));
   ASSERT_EQ(path.locations.size(), 1u);
   EXPECT_EQ(path.length, 0.);
@@ -198,7 +176,7 @@ TEST(Straighten, contracts_a_loop)
 
 TEST(Straighten, leaves_single_locations_and_parts_of_one_triangle_alone)
 {
-  const Surface surface(square(4, 0.2));
+  const Glued_surface surface(square(4, 0.2));
   const Glued_triangles& t = surface.t();
   std::mt19937 random(3);
   for(int i = 0; i < 20; ++i)
@@ -217,9 +195,9 @@ TEST(Straighten, leaves_single_locations_and_parts_of_one_triangle_alone)
 
 TEST(Straighten, ends_on_sides)
 {
-  const Surface surface(square(12, 0.25));
+  const Glued_surface surface(square(12, 0.25));
   const Glued_triangles& t = surface.t();
-  Path_finder find(surface.triangles);
+  Path_finder find(surface.triangles());
   std::mt19937 random(4);
   for(int i = 0; i < 100; ++i)
   {
@@ -238,7 +216,7 @@ TEST(Straighten, passes_a_pinched_site_straight_through)
   //   \ / \    / \       two fans meet at 2 alone
   //    5---2--+   |
   //        |   \ /
-  const Surface surface(
+  const Glued_surface surface(
       Triangulation{{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}},
                     {0, 1, 2, 0, 3, 4}});
   const auto path = checked(surface, surface.along({1, 0, 3}));
@@ -253,7 +231,7 @@ TEST(Straighten, pulls_any_chain_taut_on_rough_surfaces)
   for(unsigned seed = 1; seed <= 6; ++seed)
   {
     // Edges are about 0.15 long: from smooth to crumpled.
-    const Surface surface(shaken(icosphere(3), 0.02 * seed, seed));
+    const Glued_surface surface(shaken(icosphere(3), 0.02 * seed, seed));
     const Glued_triangles& t = surface.t();
     std::mt19937 random(seed);
     for(int i = 0; i < 60; ++i)
@@ -279,15 +257,15 @@ TEST(Straighten, pulls_any_chain_taut_on_rough_surfaces)
 TEST(Straighten, does_not_depend_on_the_unit)
 {
   Triangulation surface = shaken(icosphere(3), 0.03);
-  const Surface reference(surface);
+  const Glued_surface reference(surface);
   for(const double unit : {1e-8, 1e8, 1e-150, 1e150})
   {
     Triangulation scaled = surface;
     for(Point& p : scaled.points)
       for(double& x : p)
         x *= unit;
-    const Surface other(scaled);
-    Path_finder find(reference.triangles), find_other(other.triangles);
+    const Glued_surface other(scaled);
+    Path_finder find(reference.triangles()), find_other(other.triangles());
     for(Index k = 1; k < 600; k += 50)
     {
       const auto a = straighten(reference.t(), find(reference.at(0), reference.at(k)));
@@ -309,12 +287,10 @@ TEST(Straighten, survives_slivers_and_sides_of_length_zero)
     if(row == 5)
       flat.points[i][1] = 0.6 - 1e-9;
   }
-  const Surface surface(flat);
+  const Glued_surface surface(flat);
   const Glued_triangles& t = surface.t();
-  Path_finder find(surface.triangles);
+  Path_finder find(surface.triangles());
   std::mt19937 random(5);
-  int exact = 0;
-  double excess = 0.;
   for(int i = 0; i < 200; ++i)
   {
     const Index p = Index(random() % 121), q = Index(random() % 121);
@@ -322,19 +298,16 @@ TEST(Straighten, survives_slivers_and_sides_of_length_zero)
     const auto path = straighten(t, chain);
     expect_path_on_surface(t, path.locations, surface.at(p), surface.at(q));
     EXPECT_LE(path.length, path_length(t, chain) * (1. + rounding) + rounding);
-    const double straight = distance(flat.points[p], flat.points[q]);
-    EXPECT_GE(path.length * t.scale, straight * (1. - 1e-8)); // the row's width
-    excess = std::max(excess, path.length * t.scale - straight);
-    exact += path.length * t.scale < straight + 1e-6;
+    // Where nothing but a fold of no width lies between, the straight line is found; the sliver's
+    // width is all that may be lost.
+    EXPECT_NEAR(path.length * t.scale, distance(flat.points[p], flat.points[q]), 2e-9);
+    expect_locally_shortest(path, angle_rounding);
   }
-  // At sites that coincide the path may keep a bend; nearly always it does not.
-  EXPECT_GE(exact, 195);
-  EXPECT_LE(excess, 0.02);
 }
 
 TEST(Straighten, refuses_what_is_no_path)
 {
-  const Surface surface(square(4));
+  const Glued_surface surface(square(4));
   EXPECT_THROW(straighten(surface.t(), {}), Invalid_argument_error);
   EXPECT_THROW(straighten(surface.t(), surface.along({0, 24})), Invalid_argument_error);
 }

@@ -173,6 +173,8 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("path square.ply --from 0,1 --to 2", 1, "one vertex");
   expect_failure("path square.ply --from 0 --from-at 0,0,0 --to 2", 1, "--from");
   expect_failure("path square.ply --from 0 --to 80 -o a.off", 1, "a.off");
+  expect_failure("path square.ply --from 0 --to 80 --method nothing", 1, "nothing");
+  expect_failure("info square.ply --property distance", 1, "--picture");
   expect_failure("voronoi square.ply", 1, "--number");
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
 }
@@ -217,6 +219,7 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   };
   expect_keys("info square.ply", {"components", "boundary_loops", "genus", "manifold", "area",
                                   "min_angle", "max_angle", "bounding_box", "degenerate_faces"});
+  expect_keys("info cloud.xyz", {"components", "bounding_box"});
   expect_keys("distance square.ply --source 0", {"max", "unreached"});
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
@@ -251,6 +254,30 @@ TEST_F(Program, info_knows_the_shape)
   EXPECT_EQ(square["bounding_box"], nlohmann::json::parse("[[0,0,0],[1,1,0]]"));
   EXPECT_EQ(json("info apart.off")["components"], 2);
   EXPECT_EQ(json("info pinched.off")["manifold"], false);
+}
+
+TEST_F(Program, info_counts_the_parts_of_a_cloud)
+{
+  EXPECT_EQ(json("info cloud.xyz")["components"], 1);
+  std::string two = content(m_folder / "cloud.xyz");
+  for(int i = 0; i < 100; ++i) // a patch far above
+    two += std::to_string(i % 10 / 10.) + ' ' + std::to_string(i / 10 / 10.) + " 9 0 0 1\n";
+  std::ofstream(m_folder / "two.xyz") << two;
+  EXPECT_EQ(json("info two.xyz")["components"], 2);
+}
+
+TEST_F(Program, threads_change_no_result)
+{
+  for(const char* const command : {"distance cloud.xyz --source 5", "voronoi cloud.xyz --number 4",
+                                   "path cloud.xyz --from 0 --to 143"})
+  {
+    EXPECT_EQ(run(std::string(command) + " --threads 1 --values one.txt").code, 0);
+    for(const char* const threads : {"0", "2", "7"})
+    {
+      EXPECT_EQ(run(std::string(command) + " --values more.txt --threads " + threads).code, 0);
+      EXPECT_EQ(content(m_folder / "one.txt"), content(m_folder / "more.txt")) << command;
+    }
+  }
 }
 
 TEST_F(Program, info_converts)
@@ -381,6 +408,18 @@ TEST_F(Program, a_path_on_a_flat_square_is_straight)
   EXPECT_NEAR(places["length"].get<double>(), std::hypot(0.8, 0.1), 1e-12);
   EXPECT_EQ(json("info p.vtp")["vertices"], places["points"]);
   EXPECT_EQ(json("path square.ply --from 3 --to 3")["length"], 0.);
+
+  for(const char* const method : {"dijkstra", "fast-marching", "euclidean", "heat"})
+  {
+    const nlohmann::json path =
+        json(std::string("path square.ply --from 9 --to 71 --method ") + method);
+    // Straightened, whatever distances it follows.
+    EXPECT_NEAR(path["length"].get<double>(), std::hypot(1., 0.75), 1e-12) << method;
+  }
+  // These are the method's own: along the sides a diagonal of 6 squares and 2 sides more.
+  EXPECT_NEAR(
+      json("path square.ply --from 9 --to 71 --method dijkstra")["front_distance"].get<double>(),
+      (6. * std::sqrt(2.) + 2.) / 8., 1e-12);
 }
 
 TEST_F(Program, a_path_on_a_cloud_joins_its_ends)
@@ -456,6 +495,9 @@ TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
       EXPECT_GT(fs::file_size(m_folder / "b.png"), 1000u) << command;
       fs::remove(m_folder / "b.png");
     }
+    EXPECT_EQ(run("distance cloud.xyz --source 0 -o d.ply --quiet").code, 0);
+    EXPECT_EQ(run("info d.ply --property distance --picture b.png --quiet").code, 0);
+    expect_failure("info d.ply --property other --picture b.png", 2, "'other'");
   }
   // Without a server and a display, as without VTK, nothing is even read.
   const std::string path = std::getenv("PATH");

@@ -39,9 +39,9 @@ TEST(Needles, have_finite_distances)
         {
           ASSERT_TRUE(d[i] >= 0. && d[i] < internal::infinity) << method << ' ' << width;
           // Nothing is nearer than in space, but for what heat smooths and angles near a straight one
-          // cost.  Of sides without length no direction is known.
+          // cost.
           const double truth = distance(shape.points[i], shape.points[source]);
-          const double share = width < 1e-15 || method == Method::heat ? 0.5 : 0.99;
+          const double share = method == Method::heat ? 0.5 : 0.99;
           EXPECT_GE(d[i], share * truth - rounding_of_fronts) << method << ' ' << width;
         }
       }
@@ -50,18 +50,17 @@ TEST(Needles, have_finite_distances)
 
 TEST(Needles, do_not_bend_the_euclidean_front)
 {
-  for(const double width : {1e-3, 1e-7, 1e-12})
+  for(const double width : {1e-3, 1e-7, 1e-12, 1e-16, 0.})
   {
     const Triangulation shape = with_needles(width);
     const Glued_surface surface(shape);
     for(const Index source : {0u, 8u, 140u, 288u})
     {
       const auto d = distances(surface, Method::euclidean_front, {surface.source(source)});
-      // Angles are near a straight one: a thousandth, as anywhere beyond 150 degrees.
-      EXPECT_LT(mean_relative_error(d, 0.01,
-                                    [&](Index i)
-                                    { return distance(shape.points[i], shape.points[source]); }),
-                1e-3)
+      // Needles of no width are taken for some that are 1.5e-11 wide, eight of them in a row.
+      EXPECT_LT(largest_error(d, [&](Index i)
+                              { return distance(shape.points[i], shape.points[source]); }),
+                1e-9)
           << width;
     }
   }
@@ -69,7 +68,7 @@ TEST(Needles, do_not_bend_the_euclidean_front)
 
 TEST(Needles, have_paths)
 {
-  for(const double width : {1e-3, 1e-7, 1e-12, 0.})
+  for(const double width : {1e-3, 1e-7, 1e-12, 1e-16, 0.})
   {
     const Triangulation shape = with_needles(width);
     const Glued_surface surface(shape);
@@ -82,12 +81,6 @@ TEST(Needles, have_paths)
       const auto found = path(t, front, sources, surface.at(from));
       ASSERT_FALSE(found.empty());
       const double length = surface.scale() * internal::path_length(t, found);
-      if(width < 1e-9)
-      {
-        // Where sites coincide a bend may stay, as along the edges.
-        EXPECT_LE(length, std::sqrt(2.) * distance(shape.points[from], shape.points[0]));
-        continue;
-      }
       // In the plane a locally shortest path is straight; corners that gain less than rounding stay.
       EXPECT_NEAR(length, distance(shape.points[from], shape.points[0]), 1e-6) << width;
     }

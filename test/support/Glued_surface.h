@@ -27,6 +27,7 @@ public:
   {}
 
   const std::shared_ptr<const Glued_triangles>& triangles() const { return m_triangles; }
+  const Glued_triangles& t() const { return *m_triangles; }
   const Glued_mesh& glued_mesh() const { return m_glued; }
   double scale() const { return m_triangles->scale; }
   Index size() const { return Index(m_surface.points.size()); }
@@ -49,6 +50,15 @@ public:
     return in(face, barycentric);
   }
 
+  // A path along sides between points.
+  std::vector<Location> along(const std::vector<Index>& points) const
+  {
+    std::vector<Location> path;
+    for(const Index i : points)
+      path.push_back(at(i));
+    return path;
+  }
+
   internal::Source source(const Location& location, double offset = 0., Index label = 0) const
   {
     return {{location}, offset / scale(), label};
@@ -60,10 +70,7 @@ public:
   // The polyline along points that are joined by sides.
   internal::Source line(const std::vector<Index>& points, double offset = 0.) const
   {
-    internal::Source result{{}, offset / scale(), 0};
-    for(const Index i : points)
-      result.polyline.push_back(at(i));
-    return result;
+    return {along(points), offset / scale(), 0};
   }
 
   // One value per point.

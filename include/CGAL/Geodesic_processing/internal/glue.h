@@ -18,10 +18,15 @@ struct Glued_mesh
   std::vector<Index> vertex_of_site;   // #sites
   std::vector<Index> triangle_of_face; // #faces; corners keep the order that they had in the face
   std::vector<Index> face_of_triangle; // #triangles
+  // Without area in double precision: a side of length zero, or one not shorter than the two others
+  // together.
+  std::size_t degenerate = 0;
 };
 
 // Glues triangles whose twins are known (as a half-edge structure knows them): sites in Morton
 // order, triangles in the order of their first site, lengths from scaled coordinates.
+// Sides shorter than 2^-36 (1.5e-11) of the size of the whole get that length, so that sites at one
+// point act as one.
 //
 // points  #vertices; corners  3 #faces, indices of points; twins  3 #faces, opposite side or none.
 // Throws Invalid_argument_error when a coordinate is not finite, or two of them are so far apart
@@ -34,11 +39,6 @@ Glued_mesh glue(std::vector<std::array<double, 3>> points, const std::vector<Ind
 // two vertices; sides that no such pair claims stay on the border.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector<Index>& corners);
-
-// Triangles without area in double precision: a side of length zero, or sides of which the longest
-// is not shorter than the two others together.
-CGAL_GEODESIC_PROCESSING_EXPORT
-std::size_t number_of_degenerate_triangles(const Glued_triangles& triangles);
 
 // Components of the sites, joined by sides and arcs: a label for each site, and how many there are.
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -37,9 +37,10 @@ struct Straight_path
 // The strip of triangles is unfolded and its shortest path found by a funnel (Lee and Preparata
 // 1984); where an angle is below pi, the strip is led around the site on that side (Xin and Wang
 // 2007), and the part between the neighbouring touched sites is pulled taut again.  Each turn
-// shortens the path, so that it ends.  Corners that gain less than rounding stay (angles short of
-// pi by up to 1e-7), and where sites coincide a bend may.  The cost is proportional to the strip,
-// times the turns near each place; nothing of the size of the mesh is touched.
+// shortens the path, so that it ends.  Corners that gain less than rounding stay: angles short of
+// pi by up to 1e-7, and more at sites nearer to each other than some hundred roundings of the
+// path's length, which glue() keeps apart.  The cost is proportional to the strip, times the turns
+// near each place; nothing of the size of the mesh is touched.
 //
 // Throws Invalid_argument_error when the path is empty or two consecutive locations lie in no
 // common triangle, Unsupported_surface_error on a cloud.
