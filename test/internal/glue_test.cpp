@@ -149,6 +149,28 @@ TEST(Glue, counts_triangles_without_area)
   EXPECT_EQ(glued(surface).degenerate, 3u);
 }
 
+TEST(Glue, gives_each_side_a_length)
+{
+  Triangulation surface = square(8, 0.2);
+  surface.points[30] = surface.points[31];
+  surface.points[50] = surface.points[51] = surface.points[60];
+  const Glued_mesh mesh = glued(surface);
+  const std::vector<double>& length = mesh.triangles.length;
+  for(Index side = 0; side < length.size(); ++side)
+  {
+    EXPECT_GT(length[side], 1e-11);
+    EXPECT_LE(length[side], length[next_side(side)] + length[previous_side(side)]);
+    const Index twin = mesh.triangles.twin[side];
+    EXPECT_EQ(length[side], length[twin == none ? side : twin]);
+  }
+  EXPECT_GE(mesh.degenerate, 4u); // two beside the first side, two beside one of the others
+  // Where there is no other length either, there is none to be given.
+  for(Point& p : surface.points)
+    p = {3., 4., 5.};
+  for(const double zero : glued(surface).triangles.length)
+    EXPECT_EQ(zero, 0.);
+}
+
 TEST(Glue, numbers_components)
 {
   const Triangulation surface = apart(apart(square(3), tetrahedron()), {{{9., 9., 9.}}, {}});

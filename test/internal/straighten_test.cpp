@@ -305,6 +305,23 @@ TEST(Straighten, survives_slivers_and_sides_of_length_zero)
   }
 }
 
+TEST(Straighten, is_locally_shortest_around_sites_at_one_point)
+{
+  Triangulation sphere = icosphere(2);
+  // Both ends of a side, and all corners of a triangle elsewhere.
+  sphere.points[sphere.corners[0]] = sphere.points[sphere.corners[1]];
+  for(std::size_t k = 1; k < 3; ++k)
+    sphere.points[sphere.corners[600 + k]] = sphere.points[sphere.corners[600]];
+  const Glued_surface surface(sphere);
+  Path_finder find(surface.triangles());
+  for(Index from = 0; from < surface.size(); from += 3)
+    for(Index to = 0; to < surface.size(); ++to)
+    {
+      const auto path = straighten(surface.t(), find(surface.at(from), surface.at(to)));
+      expect_locally_shortest(path, angle_rounding);
+    }
+}
+
 TEST(Straighten, refuses_what_is_no_path)
 {
   const Glued_surface surface(square(4));
