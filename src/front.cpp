@@ -23,14 +23,15 @@ constexpr Index blind_flag = 8;   // it was reached along a side although the fr
                                   //   its direction is not to be trusted
 constexpr Index flat_flag = 16;   // its source is a segment: the front may be a straight line
 constexpr Index arrival_flags = origin_flag | blind_flag | flat_flag;
-constexpr Index one_visit = 32;
-constexpr Index most_visits = 64; // label correction settles after two or three; a bound for
-                                  //   inputs whose triangles contradict each other
+constexpr Index one_correction = 32;
+constexpr Index most_corrections = 512; // most sites need none, in a web of needles some need
+                                        //   hundreds; a bound for inputs that contradict themselves
 
-// A site that is final goes back into the queue when its distance falls by more than this fraction.
-// What is left uncorrected turns directions, and comes back up to 20 times larger: on an irregular
-// square 1e-9 left errors of 2e-8 where 1e-12 leaves rounding, at the same cost.
-constexpr double worth_a_visit = 1e-12;
+// A final site is corrected, and what others took from it is taken back, when its distance falls by
+// more than this fraction: a front fitted to a distance too long bends too much, and gives what later
+// offers cannot undo, distances too short.  On an irregular square 1e-8 left errors of 2e-4 where
+// 1e-12 leaves rounding, at the same cost.
+constexpr double worth_a_correction = 1e-12;
 
 inline void prefetch([[maybe_unused]] const void* address)
 {
@@ -133,6 +134,7 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   }
   m_reached.clear();
   m_queue.clear();
+  m_corrected.clear();
   m_slowness = limits.slowness;
   // A Euclidean front with speeds is a planar one.
   if(m_slowness && m_kind == Front_kind::euclidean && !m_has_splits)
@@ -162,7 +164,8 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   {
     const Queue::Entry entry = m_queue.front();
     // Sites that wait leave the queue late: those behind may be nearer than this one.
-    if(m_sites[entry.site].distance > limits.maximum_distance)
+    const double distance = m_sites[entry.site].distance;
+    if(distance > limits.maximum_distance || distance == infinity)
     {
       m_queue.pop();
       continue;
@@ -187,7 +190,7 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
     if(!m_queue.empty())
       prefetch_around(m_queue.front().site);
     Site& site = m_sites[entry.site];
-    site.state = (site.state | final_flag) + one_visit;
+    site.state |= final_flag;
     switch(m_kind)
     {
     case Front_kind::arcs:
@@ -205,6 +208,8 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
         spread_euclidean(entry.site);
       break;
     }
+    if(!m_corrected.empty())
+      retract();
   }
 
   // Sites that never left the queue were not reached.
@@ -328,9 +333,12 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   const bool is_final = site.state & final_flag;
   if(is_final)
   {
-    if(!has_directions() || site.state >= most_visits * one_visit ||
-       arrival.distance >= site.distance - worth_a_visit * (site.distance - m_lowest_offset))
+    if(!has_directions() || site.state >= most_corrections * one_correction ||
+       arrival.distance >= site.distance - worth_a_correction * (site.distance - m_lowest_offset))
       return false;
+    site.state += one_correction;
+    if(m_spokes)
+      m_corrected.push_back(index);
   }
   else if(arrival.distance >= site.distance)
   {
@@ -352,6 +360,38 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   // what comes through a triangle, as it should, comes first.
   m_queue.push(index, arrival.distance + arrival.wait);
   return true;
+}
+
+// Forgets what came through triangles with a corrected corner, and so on, and lets those around
+// that are final spread once more.
+void Front::retract()
+{
+  const Glued_triangles& t = *m_triangles;
+  const Spokes& s = *m_spokes;
+  std::vector<Index> forgotten;
+  const auto forget_around = [&](Index from)
+  {
+    for(Index i = s.first[from][0]; i < s.first[from + 1][0]; ++i)
+    {
+      const Index index = s.spokes[i].end;
+      Site& site = m_sites[index];
+      if(site.distance == infinity || (site.state & origin_flag) || site.corner == none ||
+         (t.corner[next_side(site.corner)] != from && t.corner[previous_side(site.corner)] != from))
+        continue;
+      site.distance = infinity;
+      site.state &= ~(final_flag | arrival_flags);
+      forgotten.push_back(index);
+    }
+  };
+  for(const Index site : m_corrected)
+    forget_around(site);
+  m_corrected.clear();
+  for(std::size_t i = 0; i < forgotten.size(); ++i)
+    forget_around(forgotten[i]);
+  for(const Index site : forgotten)
+    for(Index i = s.first[site][0]; i < s.first[site + 1][0]; ++i)
+      if(const Index end = s.spokes[i].end; m_sites[end].state & final_flag)
+        m_queue.push(end, m_sites[end].distance);
 }
 
 // Offers the far end of a spoke what the site gives along it.

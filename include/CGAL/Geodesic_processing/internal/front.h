@@ -81,6 +81,7 @@ private:
   void start_in_triangle(Index triangle, const Location& begin, const Location& end, double offset,
                          Index source);
   bool offer(Index site, const Arrival& arrival, Index source);
+  void retract();
 
   void offer_along(Index site, const Spoke_place& place, Index flags);
   void offer_along_all(Index site, Index flags);
@@ -117,6 +118,7 @@ private:
   std::vector<Index> m_sources;
   std::vector<Index> m_reached;
   Queue m_queue;
+  std::vector<Index> m_corrected; // while a site spreads: final ones whose distance has fallen
 
   // Of the running query
   std::shared_ptr<const std::vector<double>> m_slowness;
