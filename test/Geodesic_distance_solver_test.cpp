@@ -33,7 +33,8 @@ public:
   }
 };
 
-using Methods = testing::Types<GP::Dijkstra, GP::Fast_marching, GP::Euclidean_front, GP::Heat>;
+using Methods =
+    testing::Types<GP::Dijkstra, GP::Fast_marching, GP::Euclidean_front, GP::Exact, GP::Heat>;
 TYPED_TEST_SUITE(Geodesic_distance_solver, Methods);
 
 TYPED_TEST(Geodesic_distance_solver, gives_each_query_what_a_fresh_one_gives)
@@ -143,6 +144,9 @@ TYPED_TEST(Geodesic_distance_solver, has_continuous_distances)
   solver.compute(std::vector<Vertex>{Vertex(3), Vertex(1000)});
   for(const Face f : this->mesh.faces())
   {
+    // An exact distance in a face is a search; some have to do.
+    if(std::is_same_v<TypeParam, GP::Exact> && f % 20 != 0)
+      continue;
     auto h = this->mesh.halfedge(f);
     for(int k = 0; k < 3; ++k, h = this->mesh.next(h))
     {

@@ -64,6 +64,28 @@ TEST(Geodesic_path, is_the_straight_line_in_the_plane)
   }
 }
 
+TEST(Geodesic_path, is_the_shortest_when_exact)
+{
+  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.1));
+  const GP::Mesh_domain<Mesh> domain(mesh);
+  std::mt19937 random(1);
+  const auto expect_shortest = [&](const auto& from, const auto& to, const Point& p, const Point& q)
+  {
+    const Path path = GP::geodesic_path<GP::Exact>(domain, from, to);
+    expect_path(mesh, path, p, q);
+    EXPECT_NEAR(path.length, path.front_distance, rounding);
+    EXPECT_NEAR(path.length, GP::geodesic_path<GP::Exact>(domain, to, from).length, rounding);
+    EXPECT_LE(path.length, GP::geodesic_path(domain, from, to).length + rounding);
+  };
+  for(int i = 0; i < 10; ++i)
+  {
+    const auto from = random_location_of(mesh, random), to = random_location_of(mesh, random);
+    expect_shortest(from, to, point_of(mesh, from), point_of(mesh, to));
+    const Vertex v(Mesh::size_type(random() % 600));
+    expect_shortest(v, to, to_array(mesh.point(v)), point_of(mesh, to));
+  }
+}
+
 TEST(Geodesic_path, joins_places_of_every_kind)
 {
   const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));

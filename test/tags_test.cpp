@@ -25,6 +25,7 @@ TEST(Tags, choose_the_method_with_its_error)
 {
   EXPECT_NEAR(across_a_square<Dijkstra>(), 2., 1e-12); // the sides' sums, wrong by 41 percent
   EXPECT_NEAR(across_a_square<Euclidean_front>(), std::sqrt(2.), 1e-9);
+  EXPECT_NEAR(across_a_square<Exact>(), std::sqrt(2.), 1e-12); // sums of twenty lengths
   // First order: a side of 1/20.
   EXPECT_NEAR(across_a_square<Fast_marching>(), std::sqrt(2.), 1.1 / 20.);
   EXPECT_GT(across_a_square<Fast_marching>(), std::sqrt(2.) + 1e-6);

@@ -99,6 +99,7 @@ void run_distance(Job& job, const Distance_options& options)
 {
   check(options);
   const Surface& surface = job.read();
+  check_method(options.method, surface);
   if(!options.source.empty())
     for(const std::size_t vertex : parse_integers(options.source, "--source"))
       check_vertex(surface, vertex);
@@ -112,8 +113,9 @@ void run_distance(Job& job, const Distance_options& options)
   on_surface(surface,
              [&](const auto& mesh_or_cloud)
              {
-               with_method(options.method, [&](auto method)
-                           { result = distances<decltype(method)>(mesh_or_cloud, options, job); });
+               with_method<std::decay_t<decltype(mesh_or_cloud)>>(
+                   options.method, [&](auto method)
+                   { result = distances<decltype(method)>(mesh_or_cloud, options, job); });
              });
   double farthest = 0.;
   std::size_t unreached = 0;
@@ -158,7 +160,8 @@ void add_distance(CLI::App& program)
   command->add_option("--source-at", options->source_at, "the place nearest to a point")
       ->type_name("x,y,z");
   command->add_flag("--source-border", options->source_border, "all borders of a mesh");
-  command->add_option("--method", options->method, "dijkstra, fast-marching, euclidean or heat")
+  command
+      ->add_option("--method", options->method, "dijkstra, fast-marching, euclidean, exact or heat")
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--limit", options->limit, "go no farther")->type_name("D");

@@ -95,6 +95,7 @@ void run_path(Job& job, const Path_options& options)
   if(!options.method.empty())
     check_method(options.method);
   const Surface& surface = job.read({"vtp", "ply", "obj"});
+  check_method(options.method, surface);
   for(const End* end : {&options.from, &options.to})
     if(!end->vertex.empty())
       check_vertex(surface, vertex_of(*end));
@@ -107,10 +108,9 @@ void run_path(Job& job, const Path_options& options)
                if(options.method.empty())
                  result = find_path<void>(mesh_or_cloud, options, job);
                else
-                 with_method(options.method,
-                             [&](auto method) {
-                               result = find_path<decltype(method)>(mesh_or_cloud, options, job);
-                             });
+                 with_method<std::decay_t<decltype(mesh_or_cloud)>>(
+                     options.method, [&](auto method)
+                     { result = find_path<decltype(method)>(mesh_or_cloud, options, job); });
              });
   if(result.points.empty())
     fail(surface.name, "no path joins the two places, they lie on different components");
@@ -159,9 +159,10 @@ void add_path(CLI::App& program)
         ->type_name("x,y,z");
   }
   command
-      ->add_option("--method", options->method,
-                   "follow its distances: dijkstra, fast-marching, euclidean or heat; without, a "
-                   "search for this path alone")
+      ->add_option(
+          "--method", options->method,
+          "follow its distances: dijkstra, fast-marching, euclidean, exact or heat; without, "
+          "a search for this path alone")
       ->type_name("NAME");
   command->callback([job, options] { run_path(*job, *options); });
 }

@@ -15,11 +15,17 @@ void check_method(const std::string& word)
 {
   const auto among = [&word](std::initializer_list<const char*> words)
   { return std::find(words.begin(), words.end(), word) != words.end(); };
-  if(among({"exact", "spectral", "biharmonic", "emd"}))
+  if(among({"spectral", "biharmonic", "emd"}))
     throw Usage_error("--method " + word + ": this method is not available yet.");
-  if(!among({"dijkstra", "fast-marching", "euclidean", "heat"}))
+  if(!among({"dijkstra", "fast-marching", "euclidean", "exact", "heat"}))
     throw Usage_error("--method " + shown(word) +
-                      ": the methods are dijkstra, fast-marching, euclidean and heat.");
+                      ": the methods are dijkstra, fast-marching, euclidean, exact and heat.");
+}
+
+void check_method(const std::string& word, const Surface& surface)
+{
+  if(word == "exact" && !surface.is_mesh())
+    fail(surface.name, "a cloud has no exact distances, they need a mesh");
 }
 
 std::vector<std::uint32_t> picture_triangles(const GP::internal::Glued_surfels& surfels)

@@ -42,13 +42,18 @@ typename GP::Source<Surface_type>::Site site(std::size_t number)
     return Cloud::Index(number);
 }
 
-// The method of a word; throws Usage_error with a sentence for other words.
+// The method of a word; throws Usage_error with a sentence for other words, and Input_error where the
+// surface is not what the method needs.
 void check_method(const std::string& word);
+void check_method(const std::string& word, const Surface& surface);
 
-// Calls f with the tag of a method that passed the check.
-template <typename Function>
+// Calls f with the tag of a method that passed the check; the exact one is for meshes.
+template <typename Surface_type, typename Function>
 void with_method(const std::string& word, Function f)
 {
+  if constexpr(is_mesh<Surface_type>)
+    if(word == "exact")
+      return f(GP::Exact());
   if(word == "dijkstra")
     f(GP::Dijkstra());
   else if(word == "fast-marching")

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
@@ -27,6 +28,9 @@ namespace CGAL::Geodesic_processing {
 template <typename Surface, typename Method = Euclidean_front>
 class Geodesic_distance_solver
 {
+  static_assert(!internal::Is_cloud<Surface>::value || !std::is_same_v<Method, Exact>,
+                "Exact distances need a mesh; a surfel cloud has no edges to cross.");
+
 public:
   using Domain = internal::Domain_of<Surface>;
   using Site = typename Domain::Site;
@@ -114,17 +118,23 @@ public:
     return result;
   }
   /// returns the path from a site or a location to its nearest source; empty where none reaches.
+  /// With `Exact` it is as long as the distance.
   template <typename Place>
   Surface_path<Surface> path(const Place& from) const
   {
     const internal::Location inner = internal::location(m_domain, from);
+    const double distance = scale() * m_engine.distance(inner);
+    // Only triangles without area keep an exact path from being found.
+    if constexpr(std::is_same_v<Method, Exact>)
+      if(const auto path = m_engine.path(inner); !path.empty())
+        return internal::surface_path(m_domain, path, distance);
     return internal::surface_path(m_domain,
                                   internal::path_to_sources(
                                       *m_domain.triangles(), inner, m_sources,
                                       [&](internal::Index i) { return m_engine.distance(i); },
                                       [&](internal::Index i) { return m_engine.predecessor(i); },
                                       [&](internal::Index i) { return m_engine.source(i); }),
-                                  scale() * m_engine.distance(inner));
+                                  distance);
   }
 
   template <typename DistanceMap>

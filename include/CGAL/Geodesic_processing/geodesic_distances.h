@@ -11,7 +11,7 @@ namespace CGAL::Geodesic_processing {
 ///
 /// computes the distance of each site to its nearest source, along the surface.
 ///
-/// \tparam Method `Euclidean_front` (the default), `Fast_marching`, `Dijkstra` or `Heat`; their pages
+/// \tparam Method `Euclidean_front` (the default), `Exact`, `Fast_marching`, `Dijkstra` or `Heat`; their pages
 ///         state their errors
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///         `SurfelRange`, or a domain made by `make_domain()`
@@ -31,7 +31,8 @@ namespace CGAL::Geodesic_processing {
 /// \cgalNamedParamsEnd
 /// \throws as `make_domain()` and `Geodesic_distance_solver::compute()`
 ///
-/// O(n log n) after `make_domain()`; the heat method as its factorization.
+/// O(n log n) after `make_domain()`; `Exact` in practice O(n<SUP>1.5</SUP>), the heat method as its
+/// factorization.
 template <typename Method = Euclidean_front, typename Surface, typename Sources,
           typename DistanceMap, typename NamedParameters = internal::Default_parameters>
 void geodesic_distances(const Surface& surface, const Sources& sources, DistanceMap distance_map,

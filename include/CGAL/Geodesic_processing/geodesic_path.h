@@ -13,8 +13,8 @@ namespace CGAL::Geodesic_processing {
 /// the place, the path traced down them, then straightened to a geodesic.
 ///
 /// On a mesh the result is locally shortest: straight in every face, with an angle of at least
-/// \f$ \pi \f$ on both sides of every vertex that it touches.  It is not always the shortest of all;
-/// its length is at least the distance, and differs from `Surface_path::front_distance` by at most
+/// \f$ \pi \f$ on both sides of every vertex that it touches.  With `Exact` it is the shortest of all; with the other methods
+/// not always: its length is at least the distance, and differs from `Surface_path::front_distance` by at most
 /// the error of the method.  On a cloud it runs through surfels.
 ///
 /// \param surface as for `geodesic_distances()`
