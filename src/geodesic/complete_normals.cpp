@@ -99,13 +99,25 @@ struct Neighbourhoods
 // The direction in which some points vary least.
 Point normal_across(const std::vector<Point>& points, const Index* begin, const Index* end)
 {
-  const auto vector = [&](Index i) { return Eigen::Map<const Eigen::Vector3d>(points[i].data()); };
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  // Moments about the first of them; the solver reads the lower triangle.
+  const double* const origin = points[*begin].data();
+  double sum[3] = {0., 0., 0.}, moment[3][3] = {};
   for(const Index* i = begin; i != end; ++i)
-    mean += vector(*i) / static_cast<double>(end - begin);
+  {
+    const double* const p = points[*i].data();
+    const double d[3] = {p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]};
+    for(int r = 0; r < 3; ++r)
+    {
+      sum[r] += d[r];
+      for(int c = 0; c <= r; ++c)
+        moment[r][c] += d[r] * d[c];
+    }
+  }
+  const double count = static_cast<double>(end - begin);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for(const Index* i = begin; i != end; ++i)
-    covariance += (vector(*i) - mean) * (vector(*i) - mean).transpose();
+  for(int r = 0; r < 3; ++r)
+    for(int c = 0; c <= r; ++c)
+      covariance(r, c) = moment[r][c] - sum[r] * sum[c] / count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d normal = solver.eigenvectors().col(0);
   const Point n = unit({normal[0], normal[1], normal[2]});
