@@ -32,6 +32,9 @@ constexpr Index most_corrections = 512; // most sites need none, in a web of nee
 // offers cannot undo, distances too short.  On an irregular square 1e-8 left errors of 2e-4 where
 // 1e-12 leaves rounding, at the same cost.
 constexpr double worth_a_correction = 1e-12;
+// What is taken back in all, as a multiple of the sites reached: scans need 0.2, the worst webs of
+// needles 15, and where sheets of needles fold over each other (a lantern of Schwarz) it has no end.
+constexpr std::size_t most_forgotten = 20;
 
 inline void prefetch([[maybe_unused]] const void* address)
 {
@@ -135,6 +138,7 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   m_reached.clear();
   m_queue.clear();
   m_corrected.clear();
+  m_forgotten = 0;
   m_slowness = limits.slowness;
   // A Euclidean front with speeds is a planar one.
   if(m_slowness && m_kind == Front_kind::euclidean && !m_has_splits)
@@ -368,6 +372,8 @@ void Front::retract()
 {
   const Glued_triangles& t = *m_triangles;
   const Spokes& s = *m_spokes;
+  if(m_forgotten > most_forgotten * m_reached.size())
+    return m_corrected.clear();
   std::vector<Index> forgotten;
   const auto forget_around = [&](Index from)
   {
@@ -388,6 +394,7 @@ void Front::retract()
   m_corrected.clear();
   for(std::size_t i = 0; i < forgotten.size(); ++i)
     forget_around(forgotten[i]);
+  m_forgotten += forgotten.size();
   for(const Index site : forgotten)
     for(Index i = s.first[site][0]; i < s.first[site + 1][0]; ++i)
       if(const Index end = s.spokes[i].end; m_sites[end].state & final_flag)

@@ -118,6 +118,7 @@ private:
   std::vector<Index> m_sources;
   std::vector<Index> m_reached;
   Queue m_queue;
+  std::size_t m_forgotten = 0;    // sites taken back in the running query
   std::vector<Index> m_corrected; // while a site spreads: final ones whose distance has fallen
 
   // Of the running query
