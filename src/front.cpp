@@ -267,6 +267,8 @@ void Front::start(const std::vector<Source>& sources)
       for(const Index triangle : triangles_at(t, line[k - 1]))
         start_in_triangle(triangle, line[k - 1], line[k], sources[i].offset, i);
   }
+  std::sort(m_started_in.begin(), m_started_in.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
 void Front::start_at_site(Index site, double distance, Index flags, Index source)
@@ -870,14 +872,16 @@ double Front::distance_in(Index triangle, const std::array<double, 3>& barycentr
   const auto corners = unfolded(t, triangle);
   const Planar p = unfolded_point(corners, barycentric);
   double result = infinity;
-  for(const auto& [started, source] : m_started_in)
-    if(started == triangle)
-    {
-      bool inside = false;
-      const Planar q = foot(p, unfolded_point(corners, source.polyline[0].barycentric),
-                            unfolded_point(corners, source.polyline[1].barycentric), inside);
-      result = std::min(result, source.offset + slowness * norm(p - q));
-    }
+  for(auto it = std::lower_bound(m_started_in.begin(), m_started_in.end(), triangle,
+                                 [](const auto&part, Index f) { return part.first < f; });
+      it != m_started_in.end() && it->first == triangle; ++it)
+  {
+    const Source& source = it->second;
+    bool inside = false;
+    const Planar q = foot(p, unfolded_point(corners, source.polyline[0].barycentric),
+                          unfolded_point(corners, source.polyline[1].barycentric), inside);
+    result = std::min(result, source.offset + slowness * norm(p - q));
+  }
   for(Index k = 0; k < 3; ++k)
     result = std::min(result, m_sites[t.corner[3 * triangle + k]].distance +
                                   slowness * norm(p - corners[k]));

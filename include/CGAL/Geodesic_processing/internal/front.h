@@ -123,7 +123,7 @@ private:
 
   // Of the running query
   std::shared_ptr<const std::vector<double>> m_slowness;
-  std::vector<std::pair<Index, Source>> m_started_in; // triangle, its part of a source
+  std::vector<std::pair<Index, Source>> m_started_in; // sorted: triangle, its part of a source
   std::vector<double> m_offsets;                      // #sources
   double m_lowest_offset = 0.;
   bool m_is_single = false; // one source only
