@@ -31,12 +31,11 @@ struct Fast_marching
 /// chooses a front that crosses each triangle as a circle around an unfolded source, of which each
 /// vertex knows the direction.
 ///
-/// Exact to rounding where the surface between the source and a vertex unfolds to a plane and no angle is
-/// very obtuse (beyond 150 degrees a few values are off by up to a thousandth); elsewhere of second order,
-/// with errors of some hundredths of a percent on common meshes, up to a few tenths on rough scans.  After
-/// Reimers's idea of
-/// circular fronts \cgalCite{cgal:r-tvs-04}, with the curvature of the circle fitted to a direction
-/// and two distances instead of assumed.  With a speed the front is that of `Fast_marching`.
+/// Exact to rounding where the surface between the source and a vertex unfolds to a plane, also through
+/// needles; elsewhere of second order, with errors of some hundredths of a percent on common meshes, up
+/// to a few tenths on rough scans.  After Reimers's idea of circular fronts \cgalCite{cgal:r-tvs-04},
+/// with the curvature of the circle fitted to a direction and two distances instead of assumed.  With
+/// a speed the front is that of `Fast_marching`.
 struct Euclidean_front
 {};
 
