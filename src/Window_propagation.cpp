@@ -31,9 +31,11 @@ constexpr double same = 1e-13;
 constexpr double straight = 1e-8;
 // Windows that overlap less than by this part of the smaller one are not worth to be parted.
 constexpr double worth_parting = 0.6;
-// Windows cross a side once or twice; this bounds those that go in circles in triangles without
-// area, where nothing gets farther.
-constexpr unsigned short most_crossings = 1000;
+// Windows cross a side once or twice.  Those that have come more often than this may go in circles,
+// around spikes and between faces that lie on each other.
+constexpr std::uint8_t many_crossings = 8;
+// Where everything lies on one line, all are as near as each other: there is no end of them.
+constexpr std::size_t most_known = 1000;
 
 // Whether the place on the base lies right of the window's line to the apex (positive) or left.
 template <typename Window>
@@ -161,6 +163,27 @@ std::shared_ptr<const std::vector<bool>> pseudo_sources(const Glued_triangles& t
   return result;
 }
 
+// Takes from a window the parts at its ends where another one is not farther.
+template <typename Window>
+void trim(Window& w, const Window& other)
+{
+  const double low = std::max(w.begin, other.begin), high = std::min(w.end, other.end);
+  const auto is_nearer = [&](double place)
+  { return other.distance(place) <= w.distance(place) + same * std::abs(w.distance(place)); };
+  if(!(low < high) || (low > w.begin && high < w.end) || !is_nearer(low) || !is_nearer(high))
+    return;
+  // Two hyperbolas meet up to twice: in between, the difference has one extremum.
+  const double slope = (w.source[0] - other.source[0]) / (w.offset - other.offset);
+  const double between =
+      w.source[0] + std::abs(w.source[1]) * slope / std::sqrt(1. - slope * slope);
+  if(between > low && between < high && !is_nearer(between))
+    return;
+  if(low == w.begin)
+    w.begin = high;
+  else
+    w.end = low;
+}
+
 } // namespace
 
 inline double Window_propagation::Window::distance(double place) const
@@ -241,6 +264,7 @@ void Window_propagation::clear()
   for(const Index side : m_crossed_sides)
     m_crossed[side] = 0;
   m_crossed_sides.clear();
+  m_known.clear();
   while(!m_queue.empty())
     if(const std::size_t side = m_queue.pop().site; side < sides)
       for(const int part : {0, 1})
@@ -535,6 +559,36 @@ void Window_propagation::gather(Index side)
     release(lists[k]);
   }
   m_windows.resize(std::size_t(top - m_windows.data()) + 1);
+  if(m_crossed[side] == 0)
+    m_crossed_sides.push_back(side);
+  if(m_crossed[side] < many_crossings)
+    ++m_crossed[side];
+  else
+    drop_repeated(side);
+}
+
+// A side that is crossed often remembers by what: windows that are nowhere nearer end here.
+void Window_propagation::drop_repeated(Index side)
+{
+  std::vector<Window>& known = m_known[side];
+  if(known.size() > most_known)
+    return m_windows.resize(1);
+  const double least = same * m_triangles->length[side];
+  std::size_t kept = 1;
+  for(std::size_t i = 1; i < m_windows.size(); ++i)
+  {
+    Window w = m_windows[i];
+    for(double width = infinity; w.end - w.begin > least && w.end - w.begin < width;)
+    {
+      width = w.end - w.begin;
+      for(const Window& other : known)
+        trim(w, other);
+    }
+    if(w.end - w.begin > least)
+      m_windows[kept++] = w;
+  }
+  m_windows.resize(kept);
+  known.insert(known.end(), m_windows.begin() + 1, m_windows.end());
 }
 
 // The distance at a site beyond which no window counts.
@@ -570,10 +624,8 @@ void Window_propagation::cross(Index side)
   gather(side);
   const Window* const windows = m_windows.data() + 1;
   const std::size_t n = m_windows.size() - 1;
-  if(n == 0 || m_crossed[side] == most_crossings)
+  if(n == 0)
     return;
-  if(m_crossed[side]++ == 0)
-    m_crossed_sides.push_back(side);
   const Index next = next_side(side), previous = previous_side(side);
   const double base = t.length[side], left_length = t.length[previous],
                right_length = t.length[next];

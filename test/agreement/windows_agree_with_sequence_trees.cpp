@@ -72,6 +72,19 @@ TEST(Windows_agree_with_sequence_trees, on_surfaces_with_borders)
   expect_agreement(shaken(cylinder(16, 10, 0.3, 1.), 0.02), unfolded);
 }
 
+TEST(Windows_agree_with_sequence_trees, on_spikes)
+{
+  // Windows wind around spikes up to a hundred times as high as wide.
+  for(const double height : {0.3, 3.})
+    expect_agreement(grid(
+                         16, 16,
+                         [=](double u, double v) {
+                           return Point{u, v, height * std::sin(1e5 * u + 3e4 * v)};
+                         },
+                         0.24),
+                     unfolded);
+}
+
 TEST(Windows_agree_with_sequence_trees, on_scans_and_parts)
 {
   for(const char* name : {"meshes/pig_468.off", "meshes/spool_649.off", "patches/patch_01_735.off"})

@@ -527,6 +527,28 @@ TEST(Window_propagation, needles_and_sides_without_length_are_no_trouble)
   }
 }
 
+TEST(Window_propagation, ends_on_needles_and_spikes)
+{
+  // Two faces on each other that a line crosses to and fro, and spikes a thousand times as high as
+  // wide, around which it winds.
+  const Triangulation pillow{{{0., 0., 0.}, {1., 1e-6, 0.}, {3., 0., 0.}}, {0, 1, 2, 0, 2, 1}};
+  const Triangulation spikes = grid(
+      24, 24,
+      [](double u, double v) {
+        return Point{u, v, 40. * std::sin(1e5 * u + 3e4 * v)};
+      },
+      0.24);
+  for(const Triangulation& shape : {pillow, spikes})
+  {
+    const Glued_surface surface(shape);
+    const Index a = 0, b = surface.size() / 2;
+    const double there = run(surface, {surface.source(a)})[b],
+                 back = run(surface, {surface.source(b)})[a];
+    EXPECT_NEAR(there, back, rounding * there);
+    EXPECT_GE(there, distance(shape.points[a], shape.points[b]) * (1. - rounding));
+  }
+}
+
 TEST(Window_propagation, refuses_clouds_and_speeds)
 {
   auto cloud = std::make_shared<Glued_triangles>();

@@ -10,8 +10,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -136,6 +138,7 @@ private:
 
   void cross(Index side);
   void gather(Index side);
+  void drop_repeated(Index side);
   double most(Index site) const;
   bool is_late(const Window& window, double most_by_begin, double most_by_end) const;
 
@@ -156,9 +159,10 @@ private:
   std::vector<List> m_waiting; // 2 #sides
   std::vector<Window> m_pool;
   std::vector<std::vector<Index>> m_free; // by the logarithm of their room, places in the pool
-  std::vector<unsigned short> m_crossed;  // #sides: how often windows have crossed each
+  std::vector<std::uint8_t> m_crossed;    // #sides: how often windows have crossed each
   std::vector<Index> m_crossed_sides;
-  std::vector<Window> m_windows; // that cross now
+  std::unordered_map<Index, std::vector<Window>> m_known; // what has crossed sides crossed often
+  std::vector<Window> m_windows;                          // that cross now
 
   // Of the last query
   std::vector<Piece> m_pieces;
