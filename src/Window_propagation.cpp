@@ -960,6 +960,36 @@ std::vector<Location> Window_propagation::path(const Location& from) const
                                                                           : std::vector<Location>();
 }
 
+Departure Window_propagation::departure(const Location& to) const
+{
+  const Glued_triangles& t = *m_triangles;
+  const std::vector<Location> path = this->path(to);
+  Departure result;
+  if(path.empty())
+    return result;
+  result.from = path.back();
+  result.length = path_length(t, path);
+  if(path.size() == 1)
+    return result;
+  const Location& next = path[path.size() - 2];
+  const Index triangle = common_triangle(t, path.back(), next);
+  const auto corners = unfolded(t, triangle);
+  const auto here = *seen_from(t, triangle, path.back());
+  const Planar way =
+      unfolded_point(corners, *seen_from(t, triangle, next)) - unfolded_point(corners, here);
+  result.from = {triangle, none, here};
+  result.angle = std::atan2(way[1], way[0]);
+  result.polar_angle = result.angle;
+  if(const Index corner = corner_of(result.from); corner != none)
+  {
+    const Planar side = corners[next_side(corner) % 3] - corners[corner % 3];
+    result.polar_angle = std::atan2(std::max(0., internal::cross(side, way)), dot(side, way));
+    for(Index i = t.first[t.corner[corner]]; t.star[i] != corner; ++i)
+      result.polar_angle += interior_angle(t, t.star[i]);
+  }
+  return result;
+}
+
 // Appends the way from a site to the source that its windows came from, without the site itself, and
 // returns its length.
 double Window_propagation::append_chain(Index site, std::vector<Location>& path) const

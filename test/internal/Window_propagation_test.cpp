@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/straightest.h>
 
 #include "Glued_surface.h"
 
@@ -470,6 +471,54 @@ TEST(Window_propagation, paths_are_as_long_as_their_distances)
       }
     }
   }
+}
+
+TEST(Window_propagation, departures_are_where_straight_lines_arrive)
+{
+  // On convex surfaces, where no shortest path bends.
+  for(const Triangulation& shape : {square(16, 0.24), icosphere(3), cone(12, 6, 5.)})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    std::mt19937 random(1);
+    Window_propagation windows(surface.triangles());
+    for(const auto& source : {surface.source(surface.size() / 2, 0.5), surface.source(0),
+                              surface.source(random_location(t, random))})
+    {
+      ASSERT_TRUE(windows.run({source}));
+      for(int i = 0; i < 30; ++i)
+      {
+        const Location to = random_location(t, random);
+        const Departure departure = windows.departure(to);
+        EXPECT_NEAR(departure.length, windows.distance(to) - source.offset, rounding);
+        const auto line = straightest(t, departure.from, departure.angle, departure.length);
+        // The direction of the first part of the path, which may be short.
+        EXPECT_LT(distance(point_at(t, line.locations.back()), point_at(t, to)), 1e-8);
+      }
+    }
+  }
+}
+
+TEST(Window_propagation, departures_go_around_their_site)
+{
+  const Triangulation plane = square(16, 0.24);
+  const Glued_surface surface(plane);
+  const Glued_triangles& t = *surface.triangles();
+  const Index center = 8 * 17 + 8, site = surface.site(center);
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(center)}));
+  const auto direction = [&](const Point& p)
+  { return std::atan2(p[1] - plane.points[center][1], p[0] - plane.points[center][0]); };
+  const double first =
+      direction(plane.points[surface.point_of_site(t.corner[next_side(t.star[t.first[site]])])]);
+  std::mt19937 random(1);
+  for(int i = 0; i < 40; ++i)
+  {
+    const Location to = random_location(t, random);
+    const double turned = direction(point_at(t, to)) - first;
+    EXPECT_NEAR(windows.departure(to).polar_angle, turned < 0. ? turned + 2. * pi : turned, 1e-8);
+  }
+  EXPECT_EQ(windows.departure(surface.at(center)).length, 0.);
 }
 
 TEST(Window_propagation, passes_a_pinched_site)

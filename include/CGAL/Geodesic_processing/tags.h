@@ -44,7 +44,7 @@ struct Euclidean_front
 ///
 /// Right to rounding on every mesh, with saddles, borders and needles; paths are shortest ones, and
 /// distances are exact in faces too, each at the cost of a search from there.  Where the mesh is flat
-/// it takes about twice the time of `Euclidean_front`; on curved ones the windows grow as
+/// it takes a few times as long as `Euclidean_front`; on curved ones the windows grow as
 /// O(n<SUP>1.5</SUP>).  Windows of neighbouring edges cross a face together, after Qin et al.
 /// \cgalCite{cgal:qhyyz-fedgc-16}
 struct Exact

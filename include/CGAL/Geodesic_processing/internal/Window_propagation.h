@@ -19,6 +19,16 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// How the shortest path to a place leaves its source: the exact logarithmic map.
+struct Departure
+{
+  Location from;            // where on the source
+  double angle = 0.;        // in the plane of the triangle of `from`, as straightest() takes it
+  double polar_angle = 0.;  // around a site, counterclockwise from the side that leaves the first
+                            //   corner of its star; elsewhere the angle
+  double length = infinity; // without the source's offset; infinite where there is no path
+};
+
 // Exact distances on a mesh (Mitchell, Mount and Papadimitriou 1987).
 //
 // A window is an interval of a side through which straight lines come from one unfolded source.  The
@@ -51,6 +61,8 @@ public:
   // The shortest path from a location to the nearest source, as straighten() leaves it.  Empty where
   // no source reaches, or where triangles without area let it lose its way.
   std::vector<Location> path(const Location& from) const;
+  // How that path leaves the source, the other way.
+  Departure departure(const Location& to) const;
 
 private:
   struct Window
