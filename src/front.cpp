@@ -233,12 +233,14 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
 void Front::prefetch_around(Index site) const
 {
   prefetch(m_triangles->star.data() + m_triangles->first[site]);
+  if(!m_directions.empty())
+    prefetch(&m_directions[site]);
   if(!m_spokes)
     return;
-  // Three lines of memory hold the spokes of a site of six neighbours.
+  // Four lines of memory hold the spokes of a site of six neighbours.
   const char* const spokes =
       reinterpret_cast<const char*>(m_spokes->spokes.data() + m_spokes->first[site][0]);
-  for(const int line : {0, 64, 128})
+  for(const int line : {0, 64, 128, 192})
     prefetch(spokes + line);
 }
 
@@ -490,10 +492,10 @@ void Front::spread_planar(Index index)
     {
       double best = distance + std::min(before, after) * spoke.length;
       Index predecessor = index;
-      const auto cross = [&](const Spokes::Spoke& other, double opposite, double slowness)
+      const auto cross = [&](const Spokes::Spoke& other, const Planar& opening, double slowness)
       {
         bool is_nearer_to_other;
-        const double offered = cross_planar(index, other.end, other.length, spoke.length, opposite,
+        const double offered = cross_planar(index, other.end, other.length, spoke.length * opening,
                                             slowness, is_nearer_to_other);
         if(offered < best)
         {
@@ -502,10 +504,10 @@ void Front::spread_planar(Index index)
         }
       };
       if(after < infinity && !(spoke.flags & Spokes::Spoke::is_split) && is_final((&spoke)[1].end))
-        cross((&spoke)[1], spoke.opposite, after);
+        cross((&spoke)[1], spoke.opening, after);
       if(before < infinity && !((&spoke)[-1].flags & Spokes::Spoke::next_is_split) &&
          is_final((&spoke)[-1].end))
-        cross((&spoke)[-1], (&spoke)[-1].opposite, before);
+        cross((&spoke)[-1], (&spoke)[-1].opening, before);
       if(best < m_sites[spoke.end].distance)
         offer(spoke.end, {best, {1., 0.}, predecessor, 0, 0.}, source);
     }
@@ -520,16 +522,16 @@ void Front::spread_planar(Index index)
       continue;
     bool is_nearer_to_along;
     const double slowness = m_slowness ? (*m_slowness)[split.corner / 3] : 1.;
-    const double offered = cross_planar(index, split.along, split.base, split.length, split.other,
-                                        slowness, is_nearer_to_along);
+    const double offered =
+        cross_planar(index, split.along, split.base, split.apex, slowness, is_nearer_to_along);
     if(offered < m_sites[target].distance)
       offer(target, {offered, {1., 0.}, split.neighbour, 0, 0.}, source);
   }
 }
 
-// What a straight front that passes x and z gives a site: `base` from x to z, `to_x` and `to_z` from
-// there to the site; infinity when it does not come through between them.
-double Front::cross_planar(Index x, Index z, double base, double to_x, double to_z, double slowness,
+// What a straight front that passes x and z gives a site that lies at `apex` when the base, of this
+// length, runs from x along the first axis to z; infinity when it does not come through between them.
+double Front::cross_planar(Index x, Index z, double base, const Planar& apex, double slowness,
                            bool& is_nearer_to_z) const
 {
   if(!is_same_front(x, z))
@@ -540,13 +542,11 @@ double Front::cross_planar(Index x, Index z, double base, double to_x, double to
   if(!(std::abs(rise) < 1.) || !(width < infinity))
     return infinity;
   const double across = std::sqrt((1. - rise) * (1. + rise));
-  const double u = 0.5 * (base + (to_x - to_z) * ((to_x + to_z) / base));
-  const double v = std::sqrt(std::max(0., (to_x - u) * (to_x + u)));
-  const double crossing = u * across - v * rise; // times `across`
+  const double crossing = apex[0] * across - apex[1] * rise; // times `across`
   if(crossing < 0. || crossing > base * across)
     return infinity;
   is_nearer_to_z = 2. * crossing >= base * across;
-  return start + slowness * (rise * u + across * v);
+  return start + slowness * (rise * apex[0] + across * apex[1]);
 }
 
 void Front::spread_euclidean(Index index)
@@ -572,7 +572,7 @@ bool Front::spread_all_around(Index index)
   const Planar direction = m_directions[index];
   const double least_curvature = 1. / (from.distance - offset_at(index));
   // Triangles are known by the spokes that they follow; those of the fan are begin .. end - 1.
-  const Spoke_place entry = place_of(*m_triangles, s, from.corner);
+  const Spoke_place entry = place_of(*m_triangles, s, index, from.corner);
   Index begin = entry.spoke, end = entry.spoke + 1;
   while(begin > s.first[index][0] && (s.spokes[begin - 1].flags & Spokes::Spoke::has_triangle))
     --begin;
@@ -583,11 +583,7 @@ bool Front::spread_all_around(Index index)
   const auto place = [&](Index spoke) {
     return Spoke_place{spoke, entry.star + spoke - entry.spoke};
   };
-  const auto opening = [&](Index triangle)
-  {
-    const Spokes::Spoke *right = &s.spokes[triangle], *left = right + 1;
-    return angle_between(right->length, left->length, right->opposite);
-  };
+  const auto opening = [&](Index triangle) -> const Planar& { return s.spokes[triangle].opening; };
   // A lit side whose end no triangle reaches gets the side's own length, but no direction.
   const Index lit = blind_flag | (from.state & flat_flag);
   offer_along(index, place(entry.spoke), lit);
@@ -607,7 +603,7 @@ bool Front::spread_all_around(Index index)
     }
     if(left == entry.spoke)
       return is_only_fan;
-    const Planar opened = opening(left);
+    const Planar& opened = opening(left);
     cross_circle(index, place(left), false, opened, angle, least_curvature);
     ++seen;
     angle = turned(angle, opened);
@@ -627,7 +623,7 @@ bool Front::spread_all_around(Index index)
       right = end;
     }
     --right;
-    const Planar opened = opening(right);
+    const Planar& opened = opening(right);
     cross_circle(index, place(right), true, opened, angle, least_curvature);
     angle = turned(angle, opened);
     if(angle[1] >= 0.)
@@ -657,6 +653,9 @@ void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
     return;
   const double base = near.length;
   const Planar y = far.length * opening;
+  // However the front bends, it gains no less than a straight one.
+  if(x.distance - dot(y, {angle[0], -angle[1]}) >= m_sites[far.end].distance)
+    return;
   // A front on a polyhedron bends at least as much as one that has come straight all the way.
   const Index flags = (x.state | z.state) & flat_flag;
   double curvature = flags ? 0. : least_curvature;
@@ -705,14 +704,13 @@ void Front::spread_blindly(Index index)
     if(!(right.flags & Spokes::Spoke::has_triangle))
       continue;
     const Spokes::Spoke& left = (&right)[1];
-    const Planar opening = angle_between(right.length, left.length, right.opposite);
     for(const bool mirrored : {false, true})
     {
       const Spokes::Spoke& near = mirrored ? left : right;
       Circle circle{{1., 0.}, (from.state | m_sites[near.end].state) & flat_flag ? 0. : curvature};
       if(m_sources[near.end] == m_sources[index] &&
          source_by_distances(near.length, m_sites[near.end].distance - from.distance, circle))
-        cross_circle(index, place, mirrored, opening, {circle.source[0], -circle.source[1]},
+        cross_circle(index, place, mirrored, right.opening, {circle.source[0], -circle.source[1]},
                      curvature);
     }
     ++place.star;

@@ -68,11 +68,11 @@ void add_spokes(const Glued_triangles& t, Spokes& s)
     {
       const Index corner = t.star[i], next = next_side(corner), previous = previous_side(corner);
       s.spokes.push_back(
-          {t.corner[next], Spokes::Spoke::has_triangle, t.length[corner], t.length[next]});
+          {t.corner[next], Spokes::Spoke::has_triangle, t.length[corner], corner_angle(t, corner)});
       const Index left = t.twin.empty() ? none : turn_left(t, corner);
       if(left != none && i + 1 < t.first[site + 1] && left == t.star[i + 1])
         continue;
-      s.spokes.push_back({t.corner[previous], 0, t.length[previous], 0.});
+      s.spokes.push_back({t.corner[previous], 0, t.length[previous], {1., 0.}});
       if(left != none)
       {
         s.spokes[fan].flags |= Spokes::Spoke::is_repeated;
@@ -112,16 +112,17 @@ void add_splits(const Glued_triangles& t, Spokes& s)
       for(const int k : {0, 1})
       {
         const Index neighbour = t.corner[corners[k]];
-        use(neighbour, Spokes::Split{found.corner, found.site, neighbour, found.base[k], lengths[k],
-                                     found.length});
-        use(found.site, Spokes::Split{found.corner, neighbour, neighbour, found.base[k],
-                                      found.length, lengths[k]});
+        use(found, neighbour, found.site, neighbour, found.base[k], lengths[k], found.length);
+        use(found, found.site, neighbour, neighbour, found.base[k], found.length, lengths[k]);
       }
-      s.spokes[place_of(t, s, corners[0]).spoke].flags |= Spokes::Spoke::next_is_split;
-      s.spokes[place_of(t, s, corners[1]).spoke].flags |= Spokes::Spoke::is_split;
+      s.spokes[place_of(t, s, t.corner[corners[0]], corners[0]).spoke].flags |=
+          Spokes::Spoke::next_is_split;
+      s.spokes[place_of(t, s, t.corner[corners[1]], corners[1]).spoke].flags |=
+          Spokes::Spoke::is_split;
     }
   };
-  for_each_view([&](Index site, const Spokes::Split&) { ++s.first[site + 1][1]; });
+  for_each_view([&](const Behind&, Index site, Index, Index, double, double, double)
+                { ++s.first[site + 1][1]; });
   for(std::size_t site = 1; site < s.first.size(); ++site)
     s.first[site][1] += s.first[site - 1][1];
   s.splits.resize(s.first.back()[1]);
@@ -129,7 +130,13 @@ void add_splits(const Glued_triangles& t, Spokes& s)
   end.reserve(s.first.size());
   for(const auto& [spoke, split] : s.first)
     end.push_back(split);
-  for_each_view([&](Index site, const Spokes::Split& split) { s.splits[end[site]++] = split; });
+  for_each_view(
+      [&](const Behind& found, Index site, Index along, Index neighbour, double base,
+          double to_site, double to_along)
+      {
+        s.splits[end[site]++] = {found.corner, along, neighbour, base,
+                                 third_corner(base, to_site, to_along)};
+      });
 }
 
 } // namespace

@@ -41,9 +41,9 @@ TEST(Spokes, are_the_sides_around_a_site_and_the_triangles_between_them)
         EXPECT_EQ(s.spokes[j + 1].end, t.corner[previous_side(corner)]);
         EXPECT_EQ(s.spokes[j].length, t.length[corner]);
         EXPECT_EQ(s.spokes[j + 1].length, t.length[previous_side(corner)]);
-        EXPECT_EQ(s.spokes[j].opposite, t.length[next_side(corner)]);
-        EXPECT_EQ(place_of(t, s, corner).spoke, j);
-        EXPECT_EQ(place_of(t, s, corner).star, i - 1);
+        EXPECT_EQ(s.spokes[j].opening, corner_angle(t, corner));
+        EXPECT_EQ(place_of(t, s, site, corner).spoke, j);
+        EXPECT_EQ(place_of(t, s, site, corner).star, i - 1);
       }
       EXPECT_EQ(i, t.first[site + 1]);
       if(i == t.first[site])
@@ -81,8 +81,9 @@ TEST(Spokes, split_obtuse_corners_of_the_plane_into_acute_ones)
       EXPECT_TRUE(split.neighbour == site || split.neighbour == split.along);
       // A few unfoldings, each with a few roundings.
       EXPECT_NEAR(surface.scale() * split.base, distance(at(site), at(split.along)), 1e-12);
-      EXPECT_NEAR(surface.scale() * split.length, distance(at(site), x), 1e-12);
-      EXPECT_NEAR(surface.scale() * split.other, distance(at(split.along), x), 1e-12);
+      const Planar to_along = split.apex - Planar{split.base, 0.};
+      EXPECT_NEAR(surface.scale() * norm(split.apex), distance(at(site), x), 1e-12);
+      EXPECT_NEAR(surface.scale() * norm(to_along), distance(at(split.along), x), 1e-12);
       const Point a = at(split.neighbour);
       EXPECT_GT(dot(Point{a[0] - x[0], a[1] - x[1], 0.}, Point{w[0] - x[0], w[1] - x[1], 0.}), 0.);
     }

@@ -23,7 +23,7 @@ namespace CGAL::Geodesic_processing {
 /// What a query costs depends on the sites that it reaches, not on the size of the surface; `Heat` is
 /// global.  Copies share the domain, and may compute at the same time.  On a mesh the fronts prepare a
 /// copy of each vertex's surroundings, which takes less time than a query over the whole mesh; with it
-/// and the answer they take about 220 bytes per vertex beside the domain.
+/// and the answer they take about 280 bytes per vertex beside the domain.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 /// \tparam Method as for `geodesic_distances()`

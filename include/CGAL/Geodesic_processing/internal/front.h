@@ -88,7 +88,7 @@ private:
   void spread_along_arcs(Index site);
 
   void spread_planar(Index site);
-  double cross_planar(Index x, Index z, double base, double to_x, double to_z, double slowness,
+  double cross_planar(Index x, Index z, double base, const Planar& apex, double slowness,
                       bool& is_nearer_to_z) const;
 
   void spread_euclidean(Index site);

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_SPOKES_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/planar.h>
 
 #include <array>
 #include <vector>
@@ -27,18 +28,18 @@ struct Spokes
     Index end; // the site at the far end
     Index flags;
     double length;
-    double opposite; // length of the triangle's third side
+    Planar opening; // unit vector at the triangle's angle, seen from this spoke
   };
   // Half of an obtuse corner, which the site behind the opposite side splits into two acute angles
   // once the triangles between are unfolded into its plane (Kimmel and Sethian 1998, section 3):
   // a triangle as good as a real one to reach that corner, seen from one end of its base.
   struct Split
   {
-    Index corner;         // the obtuse one
-    Index along;          // the site at the other end of the base
-    Index neighbour;      // the end that is a neighbour of the corner's site
-    double base;          // length of the base,
-    double length, other; //   from its ends to the corner: from this one and the other one
+    Index corner;    // the obtuse one
+    Index along;     // the site at the other end of the base
+    Index neighbour; // the end that is a neighbour of the corner's site
+    double base;     // its length
+    Planar apex;     // where the corner lies when the base runs from this end along the first axis
   };
 
   std::vector<std::array<Index, 2>> first; // #sites + 1: where each site's begin, as in a CSR
@@ -50,16 +51,16 @@ struct Spokes
 // unfolded for each.
 CGAL_GEODESIC_PROCESSING_EXPORT Spokes spokes(const Glued_triangles& triangles, bool with_splits);
 
-// Where the triangle of a corner stands around the corner's site.
+// Where the triangle of a corner stands around the site of that corner.
 struct Spoke_place
 {
   Index spoke; // the one that the triangle follows
   Index star;  // the triangle's place in the star
 };
 
-inline Spoke_place place_of(const Glued_triangles& triangles, const Spokes& spokes, Index corner)
+inline Spoke_place place_of(const Glued_triangles& triangles, const Spokes& spokes, Index site,
+                            Index corner)
 {
-  const Index site = triangles.corner[corner];
   Spoke_place place = {spokes.first[site][0], triangles.first[site]};
   for(; triangles.star[place.star] != corner; ++place.star, ++place.spoke)
     if(!(spokes.spokes[place.spoke + 1].flags & Spokes::Spoke::has_triangle))
