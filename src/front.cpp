@@ -32,9 +32,12 @@ constexpr Index most_corrections = 512; // most sites need none, in a web of nee
 // offers cannot undo, distances too short.  On an irregular square 1e-8 left errors of 2e-4 where
 // 1e-12 leaves rounding, at the same cost.
 constexpr double worth_a_correction = 1e-12;
-// What is taken back in all, as a multiple of the sites reached: scans need 0.2, the worst webs of
-// needles 15, and where sheets of needles fold over each other (a lantern of Schwarz) it has no end.
-constexpr std::size_t most_forgotten = 20;
+// What is taken back in all, as a multiple of the sites reached: scans need 0.2, webs of needles one,
+// and where sheets of needles fold over each other (a lantern of Schwarz) it has no end.  From there
+// on a site is corrected a few times only.
+constexpr std::size_t most_forgotten = 4;
+constexpr std::size_t few_forgotten = 20000; // which every query may, small ones too
+constexpr Index few_corrections = 8;
 
 inline void prefetch([[maybe_unused]] const void* address)
 {
@@ -341,7 +344,8 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   const bool is_final = site.state & final_flag;
   if(is_final)
   {
-    if(!has_directions() || site.state >= most_corrections * one_correction ||
+    const Index most = can_retract() ? most_corrections : few_corrections;
+    if(!has_directions() || site.state >= most * one_correction ||
        arrival.distance >= site.distance - worth_a_correction * (site.distance - m_lowest_offset))
       return false;
     site.state += one_correction;
@@ -370,13 +374,18 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   return true;
 }
 
+bool Front::can_retract() const
+{
+  return m_forgotten <= few_forgotten + most_forgotten * m_reached.size();
+}
+
 // Forgets what came through triangles with a corrected corner, and so on, and lets those around
 // that are final spread once more.
 void Front::retract()
 {
   const Glued_triangles& t = *m_triangles;
   const Spokes& s = *m_spokes;
-  if(m_forgotten > most_forgotten * m_reached.size())
+  if(!can_retract())
     return m_corrected.clear();
   std::vector<Index> forgotten;
   const auto forget_around = [&](Index from)

@@ -81,6 +81,7 @@ private:
   void start_in_triangle(Index triangle, const Location& begin, const Location& end, double offset,
                          Index source);
   bool offer(Index site, const Arrival& arrival, Index source);
+  bool can_retract() const;
   void retract();
 
   void offer_along(Index site, const Spoke_place& place, Index flags);
