@@ -134,8 +134,9 @@ void add_splits(const Glued_triangles& t, Spokes& s)
       [&](const Behind& found, Index site, Index along, Index neighbour, double base,
           double to_site, double to_along)
       {
-        s.splits[end[site]++] = {found.corner, along, neighbour, base,
-                                 third_corner(base, to_site, to_along)};
+        s.splits[end[site]++] = {found.corner, t.corner[found.corner],
+                                 along,        neighbour,
+                                 base,         third_corner(base, to_site, to_along)};
       });
 }
 

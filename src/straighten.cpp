@@ -14,8 +14,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // Angles nearer to pi than this count as pi: cutting such a corner, with legs a and b, shortens the
 // path by less than 1e-18 (a + b).
 constexpr double angle_tolerance = 1e-9;

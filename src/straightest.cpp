@@ -14,8 +14,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // A path nearer than this fraction of a side to its end hits the site: on lattices it would
 // otherwise pass it on the side that rounding chooses.
 constexpr double hit_tolerance = 1e-12;

@@ -74,6 +74,7 @@ TEST(Spokes, split_obtuse_corners_of_the_plane_into_acute_ones)
       const Spokes::Split& split = s.splits[i];
       ++views[split.corner];
       EXPECT_LT(corner_angle(t, split.corner)[0], 0.);
+      EXPECT_EQ(split.target, t.corner[split.corner]);
       const Index behind = split.neighbour == site ? split.along : site;
       const Point x = at(t.corner[split.corner]), w = at(behind);
       EXPECT_TRUE(split.neighbour == t.corner[next_side(split.corner)] ||

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 #include <CGAL/Geodesic_processing/internal/surfels.h>
 
@@ -15,8 +16,6 @@
 
 namespace CGAL::Geodesic_processing::internal {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 struct Cloud
 {

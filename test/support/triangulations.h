@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 #include <CGAL/Geodesic_processing/internal/glue.h>
+#include <CGAL/Geodesic_processing/internal/planar.h>
 
 #include <array>
 #include <cmath>
@@ -26,8 +27,7 @@ using internal::Glued_triangles;
 using internal::Index;
 using internal::Location;
 using internal::none;
-
-constexpr double pi = 3.14159265358979323846;
+using internal::pi;
 
 using Point = std::array<double, 3>;
 

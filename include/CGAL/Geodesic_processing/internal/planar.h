@@ -11,6 +11,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+constexpr double pi = 3.14159265358979323846;
+
 // Points and vectors in the plane of an unfolded triangle.
 using Planar = std::array<double, 2>;
 

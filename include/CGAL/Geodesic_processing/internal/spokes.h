@@ -36,6 +36,7 @@ struct Spokes
   struct Split
   {
     Index corner;    // the obtuse one
+    Index target;    // its site
     Index along;     // the site at the other end of the base
     Index neighbour; // the end that is a neighbour of the corner's site
     double base;     // its length
