@@ -17,8 +17,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // State of a site.
 constexpr Index reached_flag = 1; // it is among the reached
 constexpr Index left_flag = 2;    // its distance has been handed on
@@ -186,14 +184,6 @@ void trim(Window& w, const Window& other)
 
 } // namespace
 
-inline double Window_propagation::Window::distance(double place) const
-{
-  if(weight == 0.f)
-    return offset - place * source[0];
-  const double x = place - source[0];
-  return offset + std::sqrt(x * x + source[1] * source[1]);
-}
-
 Window_propagation::Window_propagation(std::shared_ptr<const Glued_triangles> triangles)
     : Window_propagation(triangles, pseudo_sources(*triangles))
 {}
@@ -221,6 +211,7 @@ bool Window_propagation::run(const std::vector<Source>& sources, const Front_lim
   start(sources);
 
   const Index sides = Index(m_triangles->corner.size());
+  std::size_t next_look = 0; // at the targets, of the visits
   bool is_finished = true;
   for(std::size_t visits = 0; !m_queue.empty(); ++visits)
   {
@@ -238,8 +229,11 @@ bool Window_propagation::run(const std::vector<Source>& sources, const Front_lim
     else
     {
       leave(item - sides);
-      if(!limits.targets.empty() && visits % 64 == 0)
+      if(!limits.targets.empty() && visits >= next_look)
+      {
         keep_targets_only(limits.targets);
+        next_look = visits + std::max<std::size_t>(64, limits.targets.size());
+      }
     }
   }
   keep_targets_only(limits.targets);
@@ -317,7 +311,7 @@ void Window_propagation::start_at_point(const Location& location, Index source, 
   const Glued_triangles& t = *m_triangles;
   if(const Index site = site_of(t, location); site != none)
   {
-    offer(site, offset, none, {1., 0.}, site, source);
+    offer(site, {offset, {1., 0.}, none, site}, source);
     return;
   }
   for(const Index triangle : triangles_at(t, location))
@@ -336,8 +330,10 @@ void Window_propagation::start_at_point(const Location& location, Index source, 
       const Planar axis = (1. / length) * (corners[(k + 1) % 3] - corners[k]);
       const Planar way = p - corners[k];
       const double gain = norm(way);
-      offer(t.corner[side], offset + gain, side,
-            gain > 0. ? turned_back((1. / gain) * way, axis) : Planar{1., 0.}, origin, source);
+      offer(t.corner[side],
+            {offset + gain, gain > 0. ? turned_back((1. / gain) * way, axis) : Planar{1., 0.}, side,
+             origin},
+            source);
       // Seen by the twin, which runs the other way.
       const Planar seen = turned_back(way, axis);
       if(b[(k + 2) % 3] > 0.)
@@ -370,8 +366,10 @@ void Window_propagation::start_along(const Piece& piece)
     if(corner[0] >= 0. && corner[0] <= size)
     {
       const Planar way = {0., corner[1] > 0. ? -1. : 1.};
-      offer(t.corner[side], piece.offset + std::abs(corner[1]), side,
-            turned_back(turned(way, along), axis), origin, piece.source);
+      offer(
+          t.corner[side],
+          {piece.offset + std::abs(corner[1]), turned_back(turned(way, along), axis), side, origin},
+          piece.source);
     }
     if(t.twin[side] == none || (piece.begin[(k + 2) % 3] == 0. && piece.end[(k + 2) % 3] == 0.))
       continue;
@@ -403,10 +401,12 @@ void Window_propagation::start_along(const Piece& piece)
   }
 }
 
-bool Window_propagation::offer(Index index, double distance, Index corner, const Planar& direction,
-                               Index origin, Index source)
+bool Window_propagation::offer(Index index, const Arrival& arrival, Index source)
 {
+  if(m_keeps_all)
+    keep(index, arrival);
   Site& site = m_sites[index];
+  const double distance = arrival.distance;
   if(!(distance < site.distance) || distance > m_maximum)
     return false;
   if(m_goal)
@@ -414,14 +414,14 @@ bool Window_propagation::offer(Index index, double distance, Index corner, const
     const double total = distance + m_goal->m_sites[index].distance;
     if(!(total <= m_meeting.distance * (1. + rounding)))
       return false;
-    if(total < m_meeting.distance)
+    if(!m_keeps_all && total < m_meeting.distance)
       m_meeting = {total, index, {}, {}, 0., none};
   }
   if(!(site.state & reached_flag))
     m_reached.push_back(index);
   // Who has left does not go back for rounding.
   const bool is_known = (site.state & left_flag) && distance >= site.distance * (1. - same);
-  site = {distance, direction, corner, origin, source, site.state | reached_flag};
+  site = {arrival, source, site.state | reached_flag};
   if(!is_known)
     m_queue.push(Index(m_triangles->corner.size() + index), distance);
   return true;
@@ -449,11 +449,13 @@ void Window_propagation::offer_along_side(Index corner, bool arriving)
   const Index index = t.corner[corner], side = arriving ? previous_side(corner) : corner;
   const Index far = arriving ? side : next_side(corner);
   const double distance = m_sites[index].distance + t.length[side];
-  if(!(distance < m_sites[t.corner[far]].distance))
+  if(!m_keeps_all && !(distance < m_sites[t.corner[far]].distance))
     return;
   const bool is_on_axis = arriving || t.twin[corner] != none;
-  offer(t.corner[far], distance, arriving || !is_on_axis ? far : t.twin[corner],
-        is_on_axis ? Planar{1., 0.} : corner_angle(t, far), index, m_sites[index].source);
+  offer(t.corner[far],
+        {distance, is_on_axis ? Planar{1., 0.} : corner_angle(t, far),
+         arriving || !is_on_axis ? far : t.twin[corner], index},
+        m_sites[index].source);
 }
 
 // Sends windows to where the shortest path bends at a site: more than pi from the way back, both
@@ -641,6 +643,21 @@ void Window_propagation::cross(Index side)
   double best = infinity, crossing = 0.;
   std::size_t nearest = n;
   Planar back = {1., 0.};
+  const auto offer_to_apex = [&](const Window& w, double distance, double place, const Planar& way)
+  {
+    const double size = norm(way);
+    const Planar direction =
+        size > 0. ? turned_back((1. / size) * way, (-1. / left_length) * top) : Planar{1., 0.};
+    // A bend at an end of the side is one at the site there.
+    Index origin = w.origin;
+    if(way[1] == -top[1] && place <= same * base)
+      origin = t.corner[side];
+    else if(way[1] == -top[1] && place >= base * (1. - same))
+      origin = t.corner[next];
+    offer(t.corner[previous], {distance, direction, previous, origin},
+          origin < m_sites.size() ? m_sites[origin].source
+                                  : m_pieces[origin - m_sites.size()].source);
+  };
   for(std::size_t i = first - (first > 0); i < last + (last < n); ++i)
   {
     const Window& w = windows[i];
@@ -660,6 +677,8 @@ void Window_propagation::cross(Index side)
       way = Planar{place, 0.} - top;
       distance = w.distance(place) + norm(way);
     }
+    if(m_keeps_all && left_length > 0.)
+      offer_to_apex(w, distance, place, way);
     if(distance < best)
     {
       best = distance;
@@ -670,21 +689,8 @@ void Window_propagation::cross(Index side)
   }
   if(nearest == n)
     return;
-  if(const Index site = t.corner[previous]; best < m_sites[site].distance && left_length > 0.)
-  {
-    const double size = norm(back);
-    const Planar direction =
-        size > 0. ? turned_back((1. / size) * back, (-1. / left_length) * top) : Planar{1., 0.};
-    // A bend at an end of the side is one at the site there.
-    Index origin = windows[nearest].origin;
-    if(back[1] == -top[1] && crossing <= same * base)
-      origin = t.corner[side];
-    else if(back[1] == -top[1] && crossing >= base * (1. - same))
-      origin = t.corner[next];
-    offer(site, best, previous, direction, origin,
-          origin < m_sites.size() ? m_sites[origin].source
-                                  : m_pieces[origin - m_sites.size()].source);
-  }
+  if(best < m_sites[t.corner[previous]].distance && left_length > 0.)
+    offer_to_apex(windows[nearest], best, crossing, back);
 
   if(m_goal)
     meet_sources_behind(side);
@@ -802,255 +808,6 @@ Index Window_propagation::predecessor(Index index) const
     if(m_sites[candidate].distance < site.distance && m_sites[candidate].source == site.source)
       return candidate;
   return none;
-}
-
-double Window_propagation::distance(const Location& location) const
-{
-  if(const Index site = site_of(*m_triangles, location); site != none)
-    return distance(site);
-  const std::lock_guard lock(m_search.mutex);
-  return back().search(*this, location).distance + m_lowest_offset;
-}
-
-Window_propagation& Window_propagation::back() const
-{
-  if(!m_search.windows)
-    m_search.windows.reset(new Window_propagation(m_triangles, m_is_pseudo_source));
-  return *m_search.windows;
-}
-
-// Sends windows back to where the goal was reached before, as far as they may be on a shortest path:
-// as a goal's site is not nearer to its sources than the distance there, a window that is too far
-// from it is late.
-const Window_propagation::Meeting& Window_propagation::search(const Window_propagation& goal,
-                                                              const Location& from)
-{
-  const Glued_triangles& t = *m_triangles;
-  clear();
-  m_goal = &goal;
-  m_meeting = Meeting{};
-  m_maximum = infinity;
-  for(const Index triangle : triangles_at(t, from))
-    meet_sources(triangle, unfolded_point(unfolded(t, triangle), *seen_from(t, triangle, from)));
-  m_lowest_offset = 0.;
-  start({{{from}, 0., 0}});
-  while(!m_queue.empty())
-  {
-    m_maximum = m_meeting.distance * (1. + rounding);
-    const Index item = m_queue.pop().site, sides = Index(t.corner.size());
-    if(item < sides)
-      cross(item);
-    else
-      leave(item - sides);
-  }
-  return m_meeting;
-}
-
-// Looks for sources of the goal next to where windows are sent back from.
-void Window_propagation::meet_sources(Index triangle, const Planar& place)
-{
-  const auto& pieces = m_goal->m_pieces_of;
-  for(auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(triangle, Index(0)));
-      i != pieces.end() && i->first == triangle; ++i)
-  {
-    const Piece& piece = m_goal->m_pieces[i->second];
-    const auto corners = unfolded(*m_triangles, triangle);
-    bool inside = false;
-    meet(piece,
-         foot(place, unfolded_point(corners, piece.begin), unfolded_point(corners, piece.end),
-              inside),
-         place, 0., Index(m_sites.size()));
-  }
-}
-
-// Looks for sources of the goal in a triangle that windows cross.
-void Window_propagation::meet_sources_behind(Index side)
-{
-  const Glued_triangles& t = *m_triangles;
-  const auto& pieces = m_goal->m_pieces_of;
-  const Index triangle = side / 3;
-  auto i = std::lower_bound(pieces.begin(), pieces.end(), std::pair(triangle, Index(0)));
-  if(i == pieces.end() || i->first != triangle)
-    return;
-  const auto corners = unfolded(t, triangle);
-  const Planar begin = corners[side % 3];
-  const Planar axis = (1. / t.length[side]) * (corners[next_side(side) % 3] - begin);
-  bool inside = false;
-  for(; i != pieces.end() && i->first == triangle; ++i)
-  {
-    const Piece& piece = m_goal->m_pieces[i->second];
-    const Planar p = unfolded_point(corners, piece.begin), q = unfolded_point(corners, piece.end);
-    for(std::size_t k = 1; k < m_windows.size(); ++k)
-    {
-      const Window& w = m_windows[k];
-      const Planar source = begin + turned(w.source, axis), nearest = foot(source, p, q, inside);
-      const Planar seen = turned_back(nearest - begin, axis);
-      const auto is_right = [&](double place) {
-        return internal::cross(Planar{place, 0.} - w.source, seen - w.source) >= 0.;
-      };
-      if(!is_right(w.begin) && is_right(w.end))
-      {
-        meet(piece, nearest, source, w.offset, w.origin);
-        continue;
-      }
-      for(const double place : {w.begin, w.end})
-      {
-        const Planar end = begin + place * axis;
-        const Index origin = place <= 0.               ? t.corner[side]
-                             : place >= t.length[side] ? t.corner[next_side(side)]
-                                                       : w.origin;
-        meet(piece, foot(end, p, q, inside), end, w.distance(place), origin);
-      }
-    }
-  }
-}
-
-void Window_propagation::meet(const Piece& piece, const Planar& place, const Planar& from,
-                              double distance, Index origin)
-{
-  const double total = piece.offset + norm(from - place) + distance;
-  if(!(total < m_meeting.distance))
-    return;
-  const auto corners = unfolded(*m_triangles, piece.triangle);
-  const Planar begin = unfolded_point(corners, piece.begin);
-  const double size = norm(unfolded_point(corners, piece.end) - begin);
-  const double share = size > 0. ? norm(place - begin) / size : 0.;
-  m_meeting = {total, none, {piece.triangle, none, {}}, from - place, norm(from - place), origin};
-  for(int k = 0; k < 3; ++k)
-    m_meeting.place.barycentric[k] = (1. - share) * piece.begin[k] + share * piece.end[k];
-}
-
-std::vector<Location> Window_propagation::path(const Location& from) const
-{
-  const Glued_triangles& t = *m_triangles;
-  std::vector<Location> path;
-  double length = 0.;
-  Index site = site_of(t, from);
-  if(site == none)
-  {
-    const std::lock_guard lock(m_search.mutex);
-    Window_propagation& windows = back();
-    const Meeting& meeting = windows.search(*this, from);
-    if(!(meeting.distance < infinity))
-      return {};
-    site = meeting.site;
-    if(site == none)
-    {
-      path.push_back(cleaned(t, meeting.place));
-      length +=
-          windows.append_line(meeting.place, meeting.way, meeting.length, meeting.origin, path);
-    }
-    else
-      path.push_back(at_site(t, site));
-    if(const Index origin = site == none ? meeting.origin : site; origin < m_sites.size())
-      length += windows.append_chain(origin, path);
-    std::reverse(path.begin(), path.end());
-  }
-  else if(m_sites[site].distance < infinity)
-    path.push_back(at_site(t, site));
-  else
-    return {};
-  if(site != none)
-    length += append_chain(site, path);
-  for(std::size_t i = 1; i < path.size(); ++i)
-    if(common_triangle(t, path[i - 1], path[i]) == none)
-      return {};
-  const Straight_path result = straighten(t, path);
-  return result.length <= length + 1e-9 * (length + m_longest * rounding) ? result.locations
-                                                                          : std::vector<Location>();
-}
-
-Departure Window_propagation::departure(const Location& to) const
-{
-  const Glued_triangles& t = *m_triangles;
-  const std::vector<Location> path = this->path(to);
-  Departure result;
-  if(path.empty())
-    return result;
-  result.from = path.back();
-  result.length = path_length(t, path);
-  if(path.size() == 1)
-    return result;
-  const Location& next = path[path.size() - 2];
-  const Index triangle = common_triangle(t, path.back(), next);
-  const auto corners = unfolded(t, triangle);
-  const auto here = *seen_from(t, triangle, path.back());
-  const Planar way =
-      unfolded_point(corners, *seen_from(t, triangle, next)) - unfolded_point(corners, here);
-  result.from = {triangle, none, here};
-  result.angle = std::atan2(way[1], way[0]);
-  result.polar_angle = result.angle;
-  if(const Index corner = corner_of(result.from); corner != none)
-  {
-    const Planar side = corners[next_side(corner) % 3] - corners[corner % 3];
-    result.polar_angle = std::atan2(std::max(0., internal::cross(side, way)), dot(side, way));
-    for(Index i = t.first[t.corner[corner]]; t.star[i] != corner; ++i)
-      result.polar_angle += interior_angle(t, t.star[i]);
-  }
-  return result;
-}
-
-// Appends the way from a site to the source that its windows came from, without the site itself, and
-// returns its length.
-double Window_propagation::append_chain(Index site, std::vector<Location>& path) const
-{
-  const Glued_triangles& t = *m_triangles;
-  double length = 0.;
-  while(site < m_sites.size() && m_sites[site].corner != none)
-  {
-    const Site& at = m_sites[site];
-    const auto corners = unfolded(t, at.corner / 3);
-    const Planar side = corners[next_side(at.corner) % 3] - corners[at.corner % 3];
-    const double size = norm(side);
-    const double gain =
-        at.distance - (at.origin < m_sites.size() ? m_sites[at.origin].distance
-                                                  : m_pieces[at.origin - m_sites.size()].offset);
-    length += append_line({at.corner / 3, none, at_corner(at.corner)},
-                          turned(at.direction, size > 0. ? (1. / size) * side : Planar{1., 0.}),
-                          gain, at.origin, path);
-    site = at.origin;
-  }
-  return length;
-}
-
-// Appends the straight line to the site or the piece of a source that is seen in a direction of the
-// layout of a triangle.
-double Window_propagation::append_line(const Location& from, const Planar& way, double length,
-                                       Index origin, std::vector<Location>& path) const
-{
-  const Glued_triangles& t = *m_triangles;
-  const Location first = path.back();
-  const double angle = std::atan2(way[1], way[0]);
-  for(const Location& on : straightest(t, from, angle, std::max(length, 0.)).locations)
-    if(const Location location = cleaned(t, on); !is_same_point(t, path.back(), location))
-      path.push_back(location);
-  Location end;
-  if(origin < m_sites.size())
-    end = at_site(t, origin);
-  else
-  {
-    const Piece& piece = m_pieces[origin - m_sites.size()];
-    end = {piece.triangle, none, piece.begin};
-    if(const auto last = seen_from(t, piece.triangle, path.back());
-       last && piece.begin != piece.end)
-    {
-      const auto corners = unfolded(t, piece.triangle);
-      const Planar p = unfolded_point(corners, piece.begin), q = unfolded_point(corners, piece.end);
-      bool inside = false;
-      const double share =
-          norm(foot(unfolded_point(corners, *last), p, q, inside) - p) / norm(q - p);
-      for(int k = 0; k < 3; ++k)
-        end.barycentric[k] = (1. - share) * piece.begin[k] + share * piece.end[k];
-    }
-    end = cleaned(t, end);
-  }
-  // Rounding may have led it past the end by a triangle or two.
-  while(path.size() > 1 && common_triangle(t, path.back(), end) == none &&
-        !is_same_point(t, path.back(), first))
-    path.pop_back();
-  if(!is_same_point(t, path.back(), end))
-    path.push_back(end);
-  return length;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -142,6 +142,7 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   m_queue.clear();
   m_corrected.clear();
   m_forgotten = 0;
+  m_maximum = limits.maximum_distance;
   m_slowness = limits.slowness;
   // A Euclidean front with speeds is a planar one.
   if(m_slowness && m_kind == Front_kind::euclidean && !m_has_splits)
@@ -526,15 +527,14 @@ void Front::spread_planar(Index index)
   for(Index i = s.first[index][1]; i < s.first[index + 1][1]; ++i)
   {
     const Spokes::Split& split = s.splits[i];
-    const Index target = t.corner[split.corner];
-    if(is_final(target) || !is_final(split.along))
+    if(is_final(split.target) || !is_final(split.along))
       continue;
     bool is_nearer_to_along;
     const double slowness = m_slowness ? (*m_slowness)[split.corner / 3] : 1.;
     const double offered =
         cross_planar(index, split.along, split.base, split.apex, slowness, is_nearer_to_along);
-    if(offered < m_sites[target].distance)
-      offer(target, {offered, {1., 0.}, split.neighbour, 0, 0.}, source);
+    if(offered < m_sites[split.target].distance)
+      offer(split.target, {offered, {1., 0.}, split.neighbour, 0, 0.}, source);
   }
 }
 
@@ -868,7 +868,7 @@ double Front::distance(const Location& location) const
   double result = infinity;
   for(const Index triangle : triangles_at(*m_triangles, location))
     result = std::min(result, distance_in(triangle, *seen_from(*m_triangles, triangle, location)));
-  return result;
+  return result <= m_maximum ? result : infinity;
 }
 
 // The distance of a place in a triangle, as the front comes through it.

@@ -124,6 +124,28 @@ TYPED_TEST(Geodesic_distance_solver, is_right_at_targets)
   }
 }
 
+TYPED_TEST(Geodesic_distance_solver, keeps_its_limit_in_faces)
+{
+  using Solver = typename TestFixture::Solver;
+  Solver solver(this->domain), full(this->domain);
+  std::mt19937 random(2);
+  full.compute(Vertex(3));
+  solver.compute(Vertex(3), GP::parameters::maximum_distance(0.5));
+  for(int i = 0; i < 200; ++i)
+  {
+    const auto place = random_location_of(this->mesh, random);
+    const double known = full.distance(place);
+    if(known > 0.5 + 1e-8) // the front's least gain
+    {
+      EXPECT_EQ(solver.distance(place), infinity);
+    }
+    else if(known < 0.4) // inside, all corners are within the limit
+    {
+      EXPECT_NEAR(solver.distance(place), known, 1e-8);
+    }
+  }
+}
+
 TYPED_TEST(Geodesic_distance_solver, tells_that_it_was_cancelled)
 {
   using Solver = typename TestFixture::Solver;
@@ -167,6 +189,63 @@ TYPED_TEST(Geodesic_distance_solver, has_continuous_distances)
       EXPECT_NEAR(solver.distance({f, middle}), solver.distance({other, seen}), 1e-12);
     }
   }
+}
+
+TEST(Exact_geodesic_distance_solver, knows_all_shortest_paths)
+{
+  // Around a pipe, both ways to the place opposite.
+  const Mesh mesh = mesh_of(cylinder(16, 8, 1., 2.));
+  GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
+  solver.compute(Vertex(16 * 3));
+  const auto both = solver.shortest_paths(Vertex(16 * 3 + 8));
+  ASSERT_EQ(both.size(), 2u);
+  const double half = 16. * std::sin(pi / 16.); // of the circumference of the polygon
+  for(const auto& path : both)
+  {
+    EXPECT_NEAR(path.length, half, 1e-12);
+    EXPECT_NEAR(path.front_distance, half, 1e-12);
+    EXPECT_LT(distance(to_array(path.points.front()), to_array(mesh.point(Vertex(16 * 3 + 8)))),
+              1e-12);
+    EXPECT_LT(distance(to_array(path.points.back()), to_array(mesh.point(Vertex(16 * 3)))), 1e-12);
+  }
+  EXPECT_EQ(solver.shortest_paths(Vertex(16 * 3 + 7)).size(), 1u);
+  EXPECT_EQ(solver.shortest_paths(location_of(7, {0.2, 0.3, 0.5})).size(), 1u);
+}
+
+TEST(Exact_geodesic_distance_solver, knows_how_paths_depart)
+{
+  const Triangulation plane = square(16, 0.24);
+  const Mesh mesh = mesh_of(plane);
+  GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
+  std::mt19937 random(1);
+  const auto place = location_of(300, {0.2, 0.3, 0.5});
+  const std::vector<GP::Source<Mesh>> sources = {{Vertex(8 * 17 + 8)}, {place, 0.3}};
+  for(const auto& source : sources)
+  {
+    solver.compute(source);
+    const Point from = source.offset() == 0. ? plane.points[8 * 17 + 8] : point_of(mesh, place);
+    const double first = solver.departure(Vertex(0)).polar_angle -
+                         std::atan2(plane.points[0][1] - from[1], plane.points[0][0] - from[0]);
+    for(int i = 0; i < 20; ++i)
+    {
+      const auto to = random_location_of(mesh, random);
+      const Point p = point_of(mesh, to);
+      const auto departure = solver.departure(to);
+      EXPECT_NEAR(departure.length, distance(from, p), 1e-12);
+      EXPECT_LT(distance(point_of(mesh, departure.from), from), 1e-12);
+      // Directions of the first parts of paths, which may be short.
+      EXPECT_NEAR(departure.direction.x() * departure.length, p[0] - from[0], 1e-8);
+      EXPECT_NEAR(departure.direction.y() * departure.length, p[1] - from[1], 1e-8);
+      EXPECT_NEAR(
+          std::remainder(departure.polar_angle - first - std::atan2(p[1] - from[1], p[0] - from[0]),
+                         2. * pi),
+          0., 1e-8);
+    }
+  }
+  solver.compute(Vertex(0), GP::parameters::maximum_distance(0.1));
+  const auto none = solver.departure(Vertex(200));
+  EXPECT_EQ(none.length, infinity);
+  EXPECT_EQ(none.direction, CGAL::NULL_VECTOR);
 }
 
 } // namespace

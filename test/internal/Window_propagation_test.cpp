@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <numeric>
 #include <thread>
 
@@ -519,6 +520,189 @@ TEST(Window_propagation, departures_go_around_their_site)
     EXPECT_NEAR(windows.departure(to).polar_angle, turned < 0. ? turned + 2. * pi : turned, 1e-8);
   }
   EXPECT_EQ(windows.departure(surface.at(center)).length, 0.);
+}
+
+TEST(Window_propagation, departures_go_around_a_place_on_a_side)
+{
+  // Counterclockwise seen from above, from one direction along the side or the other.
+  const Triangulation plane = square(16, 0.24);
+  const Glued_surface surface(plane);
+  const Glued_triangles& t = *surface.triangles();
+  const Location on = surface.on(250, 1, 0.3);
+  const Index corner = 3 * on.triangle + 1;
+  const Point p = point_at(t, on), a = plane.points[surface.point_of_site(t.corner[corner])];
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(on)}));
+  double first = std::atan2(p[1] - a[1], p[0] - a[0]);
+  if(t.twin[corner] < corner)
+    first += pi;
+  std::mt19937 random(1);
+  for(int i = 0; i < 40; ++i)
+  {
+    const Location to = random_location(t, random);
+    const Point q = point_at(t, to);
+    const double turned = std::atan2(q[1] - p[1], q[0] - p[0]) - first;
+    EXPECT_NEAR(std::remainder(windows.departure(to).polar_angle - turned, 2. * pi), 0., 1e-8);
+  }
+}
+
+// The lengths of all shortest paths, whether they are paths from one end to the other, and all apart.
+std::size_t number_of_paths(const Glued_surface& surface, const Window_propagation& windows,
+                            const Location& from, double offset = 0.)
+{
+  const Glued_triangles& t = *surface.triangles();
+  const double shortest = windows.distance(from) - offset;
+  const auto paths = windows.paths(from, 1e-9);
+  for(const auto& path : paths)
+  {
+    // The tolerance, and rounding.
+    EXPECT_NEAR(path_length(t, path), shortest, 2e-9 * shortest);
+    EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
+    for(const auto& other : paths)
+      EXPECT_EQ(&other == &path,
+                other.size() == path.size() && std::equal(path.begin(), path.end(), other.begin(),
+                                                          [&](const Location& p, const Location& q)
+                                                          { return is_same_point(t, p, q); }));
+  }
+  return paths.size();
+}
+
+// Each triangle cut into four, the surface unchanged; its own points come first.
+Triangulation cut(const Triangulation& surface)
+{
+  Triangulation result{surface.points, {}};
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b)
+  {
+    const auto [place, is_new] = middles.emplace(std::minmax(a, b), Index(result.points.size()));
+    if(is_new)
+    {
+      const Point &p = surface.points[a], &q = surface.points[b];
+      result.points.push_back({(p[0] + q[0]) / 2., (p[1] + q[1]) / 2., (p[2] + q[2]) / 2.});
+    }
+    return place->second;
+  };
+  for(std::size_t c = 0; c < surface.corners.size(); c += 3)
+  {
+    const Index *k = &surface.corners[c],
+                m[] = {middle(k[0], k[1]), middle(k[1], k[2]), middle(k[2], k[0])};
+    for(const Index corner :
+        {k[0], m[0], m[2], m[0], k[1], m[1], m[2], m[1], k[2], m[0], m[1], m[2]})
+      result.corners.push_back(corner);
+  }
+  return result;
+}
+
+TEST(Window_propagation, finds_all_shortest_paths_on_solids)
+{
+  const Triangulation octahedron{
+      {{1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}, {0., 0., 1.}, {0., 0., -1.}},
+      {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5}};
+  const Triangulation cube{{{0., 0., 0.},
+                            {1., 0., 0.},
+                            {1., 1., 0.},
+                            {0., 1., 0.},
+                            {0., 0., 1.},
+                            {1., 0., 1.},
+                            {1., 1., 1.},
+                            {0., 1., 1.}},
+                           {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                            1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7}};
+  // Down the middle of each of four faces, over each of six edges.
+  struct Case
+  {
+    Triangulation surface;
+    Index from, to;
+    std::size_t paths;
+    double length;
+  };
+  std::vector<Case> cases = {{octahedron, 4, 5, 4, std::sqrt(6.)}, {cube, 0, 6, 6, std::sqrt(5.)}};
+  for(int level = 0; level < 3; ++level)
+    for(Case& solid : cases)
+    {
+      const Glued_surface surface(solid.surface);
+      Window_propagation windows(surface.triangles());
+      ASSERT_TRUE(windows.run({surface.source(solid.from)}));
+      EXPECT_NEAR(surface.scale() * windows.distance(surface.site(solid.to)), solid.length,
+                  rounding);
+      EXPECT_EQ(number_of_paths(surface, windows, surface.at(solid.to)), solid.paths);
+      solid.surface = cut(solid.surface);
+    }
+}
+
+TEST(Window_propagation, finds_the_ways_around_a_hole_and_to_both_ends)
+{
+  // A square ring: up and down are equally long around its hole.
+  const std::size_t n = 12;
+  Triangulation ring = square(n);
+  std::vector<Index> corners;
+  for(std::size_t f = 0; 3 * f < ring.corners.size(); ++f)
+  {
+    const std::size_t column = f / 2 % n, row = f / 2 / n;
+    if(column < 4 || column >= 8 || row < 4 || row >= 8)
+      corners.insert(corners.end(), &ring.corners[3 * f], &ring.corners[3 * f] + 3);
+  }
+  ring.corners = corners;
+  const Glued_surface surface(ring);
+  const auto at = [&](std::size_t column, std::size_t row)
+  { return Index(column + (n + 1) * row); };
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(at(6, 0))}));
+  EXPECT_NEAR(surface.scale() * windows.distance(surface.site(at(6, 12))),
+              1. / 3. + 2. * std::hypot(1. / 6., 1. / 3.), rounding);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 12))), 2u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(5, 12))), 1u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 0))), 1u); // of one point
+  // Sources at places, on both sides of the hole; and two lines, each of which has one nearest point.
+  ASSERT_TRUE(windows.run({surface.source(at(0, 6)), surface.source(at(12, 6))}));
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 12))), 2u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 10))), 2u);
+  std::vector<Index> left, right;
+  for(std::size_t row = 0; row <= n; ++row)
+  {
+    left.push_back(at(0, row));
+    right.push_back(at(12, row));
+  }
+  ASSERT_TRUE(windows.run({surface.line(left), surface.line(right)}));
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 10))), 2u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(5, 10))), 1u);
+}
+
+TEST(Window_propagation, finds_one_shortest_path_off_the_cut_locus)
+{
+  // Random places are not on it, nor are vertices without a symmetry.  Around a pipe the places
+  // opposite to the source are.
+  for(const Triangulation& shape :
+      {square(12, 0.24), shaken(icosphere(3), 0.02), shaken(cone(12, 6, 5.), 0.02),
+       shaken(cone(12, 6, 8.), 0.02), hills(12, 0.2)})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    std::mt19937 random(1);
+    Window_propagation windows(surface.triangles());
+    for(const auto& source : {surface.source(surface.size() / 3), surface.source(0, 0.7),
+                              surface.source(random_location(t, random))})
+    {
+      ASSERT_TRUE(windows.run({source}));
+      for(int i = 0; i < 20; ++i)
+      {
+        EXPECT_EQ(number_of_paths(surface, windows, random_location(t, random), source.offset), 1u);
+        EXPECT_EQ(
+            number_of_paths(surface, windows, surface.at(random() % surface.size()), source.offset),
+            1u);
+      }
+    }
+  }
+  const Triangulation pipe = rings(
+      16, 8, [](double) { return 1.; }, [](double s) { return 2. * s; }, 0.);
+  const Glued_surface surface(pipe);
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(Index(16 * 2))}));
+  for(const Index ring : {0, 1, 3, 5, 8})
+  {
+    EXPECT_EQ(number_of_paths(surface, windows, surface.at(16 * ring + 8)), 2u);
+    EXPECT_EQ(number_of_paths(surface, windows, surface.at(16 * ring + 7)), 1u);
+  }
 }
 
 TEST(Window_propagation, passes_a_pinched_site)

@@ -5,16 +5,37 @@
 
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/internal/limits.h>
 #include <CGAL/Geodesic_processing/internal/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
-#include <functional>
+#include <CGAL/Origin.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingPaths
+/// how the shortest path to a place leaves its source: where the place lies on the exact logarithmic map.
+template <typename Surface>
+struct Geodesic_departure
+{
+  using Location = typename internal::Surface_traits<Surface>::Location;
+  using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
+
+  Location from;                    ///< where on the source
+  Vector_3 direction = NULL_VECTOR; ///< a unit vector; zero where there is no path or no way to go
+  /// of the direction around `from`, in radians, counterclockwise from a direction that all departures
+  /// from there have in common.
+  double polar_angle = 0.;
+  /// without the source's offset; infinite where there is no path.
+  double length = internal::infinity;
+};
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
@@ -75,21 +96,7 @@ public:
   template <typename Sources, typename NamedParameters = internal::Default_parameters>
   bool compute(const Sources& sources, const NamedParameters& np = NamedParameters())
   {
-    const internal::Index none = internal::none;
-    internal::Front_limits limits;
-    const double maximum =
-        internal::parameter(np, internal_np::maximum_distance, internal::infinity);
-    if(!(maximum >= 0.))
-      throw Invalid_argument_error("The maximum distance is negative or not a number.");
-    limits.maximum_distance = maximum / scale();
-    limits.callback =
-        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::targets_t>)
-      limits.targets =
-          internal::locations(m_domain, internal::parameter(np, internal_np::targets, none));
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::speed_map_t>)
-      limits.slowness = std::make_shared<const std::vector<double>>(
-          m_domain.slowness(internal::parameter(np, internal_np::speed_map, none)));
+    const internal::Front_limits limits = internal::limits(m_domain, np);
     m_labels.clear();
     m_sources = internal::sources(m_domain, sources, m_labels);
     return m_engine.run(m_sources, limits);
@@ -137,6 +144,42 @@ public:
                                       [&](internal::Index i) { return m_engine.predecessor(i); },
                                       [&](internal::Index i) { return m_engine.source(i); }),
                                   distance);
+  }
+
+  /// returns all shortest paths from a site or a location to the sources, two or more on the cut locus;
+  /// at most 64.  Only with `Exact`.
+  ///
+  /// \param tolerance paths longer by this part of the distance count as shortest; far smaller than an
+  ///        edge, it makes up for rounding.
+  template <typename Place>
+  std::vector<Surface_path<Surface>> shortest_paths(const Place& from,
+                                                    double tolerance = 1e-9) const
+  {
+    static_assert(std::is_same_v<Method, Exact>, "All shortest paths are known to Exact alone.");
+    const internal::Location inner = internal::location(m_domain, from);
+    const double distance = scale() * m_engine.distance(inner);
+    std::vector<Surface_path<Surface>> result;
+    for(const auto& path : m_engine.paths(inner, tolerance))
+      result.push_back(internal::surface_path(m_domain, path, distance));
+    return result;
+  }
+  /// returns how the shortest path to a site or a location leaves its source.  Only with `Exact`.
+  template <typename Place>
+  Geodesic_departure<Surface> departure(const Place& to) const
+  {
+    static_assert(std::is_same_v<Method, Exact>, "Departures are known to Exact alone.");
+    const internal::Departure found = m_engine.departure(internal::location(m_domain, to));
+    Geodesic_departure<Surface> result;
+    if(!(found.length < internal::infinity))
+      return result;
+    result.from = m_domain.outer(found.from);
+    result.polar_angle = found.polar_angle;
+    result.length = scale() * found.length;
+    const auto way = m_domain.point(found.next) - m_domain.point(found.from);
+    const double x = to_double(way.x()), y = to_double(way.y()), z = to_double(way.z());
+    if(const double size = std::hypot(x, y, z); size > 0.)
+      result.direction = typename Domain::Vector_3(x / size, y / size, z / size);
+    return result;
   }
 
   template <typename DistanceMap>

@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/internal/planar.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -22,10 +23,11 @@ namespace CGAL::Geodesic_processing::internal {
 // How the shortest path to a place leaves its source: the exact logarithmic map.
 struct Departure
 {
-  Location from;            // where on the source
-  double angle = 0.;        // in the plane of the triangle of `from`, as straightest() takes it
-  double polar_angle = 0.;  // around a site, counterclockwise from the side that leaves the first
-                            //   corner of its star; elsewhere the angle
+  Location from, next; // where on the source, and where the path's first segment ends
+  double angle = 0.;   // in the plane of the triangle of `from`, as straightest() takes it
+  // Counterclockwise: around a site from the side that leaves the first corner of its star, on a side
+  // from that of the two that comes first; elsewhere the angle.
+  double polar_angle = 0.;
   double length = infinity; // without the source's offset; infinite where there is no path
 };
 
@@ -61,7 +63,10 @@ public:
   // The shortest path from a location to the nearest source, as straighten() leaves it.  Empty where
   // no source reaches, or where triangles without area let it lose its way.
   std::vector<Location> path(const Location& from) const;
-  // How that path leaves the source, the other way.
+  // All paths from there that are not longer than the shortest by more than this part of it, which is
+  // far smaller than a side; at most 64.
+  std::vector<std::vector<Location>> paths(const Location& from, double tolerance) const;
+  // How the shortest path leaves the source, the other way.
   Departure departure(const Location& to) const;
 
 private:
@@ -75,14 +80,24 @@ private:
     Index origin;      // the site that is the source, or #sites + the piece of a source
     float weight;      // 1, or 0 of a straight front: source / weight in homogeneous coordinates
 
-    double distance(double place) const;
+    double distance(double place) const
+    {
+      if(weight == 0.f)
+        return offset - place * source[0];
+      const double x = place - source[0];
+      return offset + std::sqrt(x * x + source[1] * source[1]);
+    }
   };
-  struct Site
+  // How a path comes to a site.
+  struct Arrival
   {
     double distance = infinity;  // above the lowest offset
     Planar direction = {1., 0.}; // unit vector back to the source, in the plane of the triangle of
     Index corner = none;         //   this corner, whose side lies on the first axis
     Index origin = none;         // of the window that came, or the site at the other end of a side
+  };
+  struct Site : Arrival
+  {
     Index source = none;
     Index state = 0;
   };
@@ -126,12 +141,17 @@ private:
   Window_propagation(std::shared_ptr<const Glued_triangles> triangles,
                      std::shared_ptr<const std::vector<bool>> is_pseudo_source);
   const Meeting& search(const Window_propagation& goal, const Location& from);
+  void search_all(const Window_propagation& goal, const Location& from, double maximum);
+  void send_back(const Window_propagation& goal, const Location& from);
   Window_propagation& back() const;
-  void meet_sources(Index triangle, const Planar& place);
+  void meet_sources(Index triangle, const Planar& place, Index origin);
   void meet_sources_behind(Index side);
   void meet(const Piece& piece, const Planar& place, const Planar& from, double distance,
             Index origin);
   double append_chain(Index site, std::vector<Location>& path) const;
+  void branch(Index site, const std::vector<Location>& path,
+              std::vector<std::vector<Location>>& paths) const;
+  double append_arrival(const Arrival& arrival, std::vector<Location>& path) const;
   double append_line(const Location& from, const Planar& way, double length, Index origin,
                      std::vector<Location>& path) const;
 
@@ -139,8 +159,8 @@ private:
   void start(const std::vector<Source>& sources);
   void start_at_point(const Location& location, Index source, double offset);
   void start_along(const Piece& piece);
-  bool offer(Index site, double distance, Index corner, const Planar& direction, Index origin,
-             Index source);
+  bool offer(Index site, const Arrival& arrival, Index source);
+  void keep(Index site, const Arrival& arrival);
   void keep_targets_only(const std::vector<Location>& targets);
 
   void leave(Index site);
@@ -183,6 +203,9 @@ private:
   std::vector<std::pair<Index, Index>> m_pieces_of; // triangle, piece; sorted
   const Window_propagation* m_goal = nullptr;       // of windows that are sent back
   Meeting m_meeting;
+  bool m_keeps_all = false; // ways back, as far as the meeting's distance:
+  std::vector<Meeting> m_meetings;
+  std::unordered_map<Index, std::vector<Arrival>> m_arrivals; // by site
   mutable Search m_search;
 };
 

@@ -127,6 +127,7 @@ private:
   std::vector<std::pair<Index, Source>> m_started_in; // sorted: triangle, its part of a source
   std::vector<double> m_offsets;                      // #sources
   double m_lowest_offset = 0.;
+  double m_maximum = infinity;
   bool m_is_single = false; // one source only
 };
 

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_DISTANCE_MATRIX_H
+#define CGAL_GEODESIC_PROCESSING_GEODESIC_DISTANCE_MATRIX_H
+
+#include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/rows.h>
+#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/tags.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <limits>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+template <typename Concurrency_tag, typename NamedParameters>
+unsigned threads(const NamedParameters& np)
+{
+  if constexpr(std::is_same_v<Concurrency_tag, Sequential_tag>)
+    return 1;
+  else
+    return parameter(np, internal_np::threads, (std::max)(1u, std::thread::hardware_concurrency()));
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDistances
+///
+/// computes the distance from each of several sources, alone, to each of several places.
+///
+/// \tparam Method as for `geodesic_distances()`
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several sources at
+///         a time, each thread with a solver of its own.  The result is the same to the last bit.
+/// \param surface as for `geodesic_distances()`
+/// \param sources a site, a location, a `Source`, or a range of one of these, not empty
+/// \param np what `make_domain()` takes, and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{targets}
+///     \cgalParamDescription{a site, a location, or a range of them: the columns}
+///     \cgalParamDefault{the sources, which are sites or locations then} \cgalParamNEnd
+///   \cgalParamNBegin{maximum_distance}
+///     \cgalParamDescription{places farther away are not reached} \cgalParamDefault{infinity}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{threads}
+///     \cgalParamDescription{how many, with `Parallel_tag`}
+///     \cgalParamDefault{as many as there are processors} \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done, by one thread
+///       at a time, and cancels by returning false} \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// and `speed_map` as for `Geodesic_distance_solver::compute()`.
+///
+/// \returns a matrix of one row per source and one column per target, +infinity where a source does not
+///          reach; an empty one when the callback cancelled it.  Of the approximate methods it is
+///          symmetric only up to their errors.
+/// \throws as `Geodesic_distance_solver::compute()`
+template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
+          typename Surface, typename Sources,
+          typename NamedParameters = internal::Default_parameters>
+Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& sources,
+                                         const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  std::vector<std::size_t> labels;
+  const auto from = internal::sources(domain, sources, labels);
+  internal::Front_limits limits = internal::limits(domain, np);
+  if constexpr(!internal::has_parameter<NamedParameters, internal_np::targets_t>)
+    limits.targets = internal::locations(domain, sources);
+  const std::vector<internal::Location> to = limits.targets;
+  // As many as there are sites limit nothing.
+  if(to.size() >= domain.number_of_sites())
+    limits.targets.clear();
+  const double scale = domain.triangles()->scale;
+
+  Eigen::MatrixXd result(from.size(), to.size());
+  const internal::Engine<Method> engine(domain.triangles());
+  const bool is_complete = internal::for_each_row(
+      engine, from, limits, internal::threads<Concurrency_tag>(np),
+      [&](std::size_t row, const internal::Engine<Method>& found)
+      {
+        for(std::size_t column = 0; column < to.size(); ++column)
+          result(Eigen::Index(row), Eigen::Index(column)) =
+              scale * (to[column].triangle == internal::none ? found.distance(to[column].site)
+                                                             : found.distance(to[column]));
+      });
+  return is_complete ? result : Eigen::MatrixXd();
+}
+
+/// \ingroup PkgGeodesicProcessingDistances
+///
+/// computes the distances of all pairs of sites that are not farther apart than a bound.
+///
+/// \tparam Method as for `geodesic_distances()`
+/// \tparam Concurrency_tag as for `geodesic_distance_matrix()`
+/// \param surface as for `geodesic_distances()`
+/// \param sites a range of sites, each once: row and column `i` belong to the `i`-th
+/// \param maximum_distance not negative
+/// \param np what `make_domain()` takes, `threads` and `callback` as for `geodesic_distance_matrix()`
+/// \returns a compressed matrix, whose rows are sorted, with an entry for each pair within the bound, also
+///          where the distance is 0; an empty one when the callback cancelled it
+/// \throws Invalid_argument_error when the bound is negative or not a number, when a site comes twice, or
+///         when there are more than 2<SUP>31</SUP> pairs
+///
+/// Time and memory are in proportion to what the fronts visit.
+template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
+          typename Surface, typename Sites, typename NamedParameters = internal::Default_parameters>
+Eigen::SparseMatrix<double, Eigen::RowMajor>
+sparse_geodesic_distance_matrix(const Surface& surface, const Sites& sites, double maximum_distance,
+                                const NamedParameters& np = NamedParameters())
+{
+  using internal::Index;
+  using Entry = std::pair<Index, double>; // column, distance
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  const auto domain = make_domain(surface, np);
+  const auto limits =
+      internal::limits(domain, internal::chain(np).maximum_distance(maximum_distance));
+  std::vector<internal::Source> from;
+  std::vector<Index> column_of(domain.number_of_sites(), internal::none);
+  for(const auto& one : sites)
+  {
+    const internal::Location site = domain.inner_site(one);
+    if(column_of[site.site] != internal::none)
+      throw Invalid_argument_error("A site comes twice.");
+    column_of[site.site] = Index(from.size());
+    from.push_back({{site}, 0., Index(from.size())});
+  }
+  const double scale = domain.triangles()->scale;
+
+  std::vector<std::vector<Entry>> rows(from.size());
+  const internal::Engine<Method> engine(domain.triangles());
+  if(!internal::for_each_row(engine, from, limits, internal::threads<Concurrency_tag>(np),
+                             [&](std::size_t i, const internal::Engine<Method>& found)
+                             {
+                               for(const Index site : found.reached())
+                                 if(column_of[site] != internal::none)
+                                   rows[i].emplace_back(column_of[site],
+                                                        scale * found.distance(site));
+                               std::sort(rows[i].begin(), rows[i].end());
+                             }))
+    return Matrix();
+
+  Matrix result(Eigen::Index(from.size()), Eigen::Index(from.size()));
+  std::size_t entries = 0;
+  for(std::size_t i = 0; i < rows.size(); ++i)
+    result.outerIndexPtr()[i + 1] = static_cast<int>(entries += rows[i].size());
+  if(entries > std::size_t((std::numeric_limits<int>::max)()))
+    throw Invalid_argument_error("More than 2^31 pairs of sites are within the maximum distance.");
+  result.resizeNonZeros(Eigen::Index(entries));
+  for(std::size_t i = 0; i < rows.size(); ++i)
+  {
+    int place = result.outerIndexPtr()[i];
+    for(const auto& [column, distance] : rows[i])
+    {
+      result.innerIndexPtr()[place] = static_cast<int>(column);
+      result.valuePtr()[place++] = distance;
+    }
+    std::vector<Entry>().swap(rows[i]);
+  }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_GEODESIC_DISTANCE_MATRIX_H
