@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi and path.  Whatever is
-# in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
+# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, path and matrix.
+# Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
 set -u
 
 program=$(realpath "$1") jobs=$2
@@ -16,7 +16,7 @@ check()
   local file=$1 command=$2 out limit=10 status sentence
   shift 2
   out=$(mktemp -p "$folder")
-  [ "$command" != distance ] || set -- "$@" --values "$out.values"
+  case $command in distance | matrix) set -- "$@" --values "$out.values" ;; esac
   # 10 s each up to 50,000 vertices and 60 s above: about 40 bytes a vertex and its two faces.
   [ "$(stat -c %s "$file")" -lt 2000000 ] || limit=60
   timeout -k 5 $limit "$program" "$command" "$file" "$@" --json --quiet >"$out" 2>"$out.err"
@@ -43,13 +43,16 @@ check_all()
   check "$file" distance --source 0 || failed=1
   check "$file" voronoi --number 3 || failed=1
   check "$file" path --from 0 --to 1 || failed=1
+  check "$file" distance --source 0 --method exact || failed=1
+  check "$file" path --from 0 --to 1 --method exact || failed=1
+  check "$file" matrix --number 5 --method exact || failed=1
   return $failed
 }
 
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 4 commands each: no crash, no hang, no NaN"
+  echo "$# files, 7 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

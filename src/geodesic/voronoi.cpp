@@ -4,18 +4,15 @@
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
+#include "farthest_vertices.h"
 #include "queries.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <random>
 
 namespace program {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Voronoi_options
 {
@@ -31,50 +28,6 @@ struct Result
   std::vector<std::uint32_t> triangles; // of a cloud, for the picture
 };
 
-// Vertices of the surface that lie in a triangle, or surfels.
-std::vector<bool> candidates(const Surface& surface)
-{
-  std::vector<bool> result(surface.file.points.size(), !surface.is_mesh());
-  for(const std::uint32_t corner : surface.file.corners)
-    result[corner] = true;
-  return result;
-}
-
-// Each seed is as far as can be from those before it; where some part is not reached, in that.
-// Fewer than asked for when no vertex is left at a distance.
-template <typename Solver, typename Surface_type>
-std::vector<std::size_t> farthest_vertices(Solver& solver, std::size_t number,
-                                           const std::vector<bool>& candidate, unsigned seed,
-                                           const std::function<bool(double)>& progress)
-{
-  std::vector<double> cover(candidate.size());
-  for(std::size_t i = 0; i < cover.size(); ++i)
-    cover[i] = candidate[i] ? infinity : 0.;
-  // The first one at random, so that another seed gives another choice.
-  std::mt19937 random(seed);
-  std::size_t next = random() % cover.size();
-  while(!candidate[next])
-    next = (next + 1) % cover.size();
-
-  std::vector<std::size_t> seeds;
-  for(double radius = infinity; seeds.size() < number && radius > 0.; radius = cover[next])
-  {
-    seeds.push_back(next);
-    // Beyond the radius every vertex has a nearer seed.
-    solver.compute(site<Surface_type>(next), GP::parameters::maximum_distance(radius));
-    for(const auto& reached : solver.reached())
-    {
-      double& distance = cover[static_cast<std::size_t>(reached)];
-      distance = std::min(distance, solver.distance(reached));
-    }
-    cover[next] = 0.;
-    next = static_cast<std::size_t>(std::max_element(cover.begin(), cover.end()) - cover.begin());
-    if(progress)
-      progress(static_cast<double>(seeds.size()) / static_cast<double>(number));
-  }
-  return seeds;
-}
-
 // The library's part: seeds, and the nearest one of each vertex.
 template <typename Surface_type>
 Result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
@@ -86,8 +39,7 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
   if(!options.seeds.empty())
     result.seeds = parse_integers(options.seeds, "--seeds");
   else
-    result.seeds = farthest_vertices<decltype(solver), Surface_type>(
-        solver, options.number, candidates(job.surface()), job.seed(), job.progress("seeds"));
+    result.seeds = farthest_vertices(solver, options.number, job);
 
   std::vector<GP::Source<Surface_type>> sources;
   for(const std::size_t seed : result.seeds)

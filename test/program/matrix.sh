@@ -16,23 +16,25 @@ trap 'rm -rf "$work"' EXIT
 # attempt FILE LIMIT COMMAND ARGUMENTS...
 attempt()
 {
-  local file=$1 limit=$2 here status complaint=
+  local file=$1 limit=$2 here result status complaint=
   shift 2
   here=$(mktemp -d -p "$work")
+  result=$here/result.vtp
+  [ "$1" != matrix ] || result=$here/result.mtx
   timeout -k 5 "$limit" "$program" "$1" "$file" "${@:2}" --values "$here/values" \
-    -o "$here/result.vtp" --json --quiet >"$here/out" 2>"$here/err"
+    -o "$result" --json --quiet >"$here/out" 2>"$here/err"
   status=$?
   case $status in
     0)
       if grep -qiE '(^|[^a-z])-?nan([^a-z]|$)' "$here/out" "$here/values"; then
         complaint="a NaN in the result"
-      elif ! timeout 60 "$program" info "$here/result.vtp" --quiet 2>"$here/err"; then
+      elif [ "$1" != matrix ] && ! timeout 60 "$program" info "$result" --quiet 2>"$here/err"; then
         complaint="its result cannot be read again"
       fi ;;
     2)
       if [ "$(grep -c . "$here/err")" -ne 1 ] || ! grep -qF "$file: " "$here/err"; then
         complaint="not one sentence that names the file"
-      elif [ -e "$here/values" ] || [ -e "$here/result.vtp" ]; then
+      elif [ -e "$here/values" ] || [ -e "$result" ]; then
         complaint="a result in spite of the error"
       fi ;;
     124 | 137) complaint="no end after $limit s" ;;
@@ -52,9 +54,10 @@ all_of_a_file()
   # About 40 bytes a vertex with its faces.
   [ "$(stat -c %s "$file")" -lt 2000000 ] || limit=60
   attempt "$file" $limit info || failed=1
-  for method in euclidean fast-marching dijkstra heat; do
+  for method in euclidean exact fast-marching dijkstra heat; do
     attempt "$file" $limit distance --source 0 --method $method || failed=1
     attempt "$file" $limit path --from 0 --to-at 0.3,0.2,0.1 --method $method || failed=1
+    attempt "$file" $limit matrix --number 5 --method $method || failed=1
   done
   attempt "$file" $limit distance --source 0,1,2 --source-at 0.1,0.2,0.3 || failed=1
   attempt "$file" $limit distance --source-at 0,0,0 --limit 0.1 || failed=1
@@ -63,6 +66,7 @@ all_of_a_file()
   attempt "$file" $limit path --from 1 --to-at 0.3,0.2,0.1 || failed=1
   attempt "$file" $limit voronoi --number 10 || failed=1
   attempt "$file" $limit voronoi --seeds 0,1 || failed=1
+  attempt "$file" $limit matrix --sources 0,1,2 --limit 0.1 || failed=1
   return $failed
 }
 

@@ -177,16 +177,28 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("info square.ply --property distance", 1, "--picture");
   expect_failure("voronoi square.ply", 1, "--number");
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
+  expect_failure("matrix square.ply", 1, "--limit");
+  expect_failure("matrix square.ply --limit inf", 1, "--limit");
+  expect_failure("matrix square.ply --number 0", 1, "at least one row");
+  expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
+  expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 comes twice");
+  expect_failure("matrix square.ply --number 2 --limit -1", 1, "--limit");
+  expect_failure("matrix square.ply --number 2 --limit nan", 1, "--limit");
+  expect_failure("matrix square.ply --number 2 --method biharmonic", 1, "not available yet");
+  expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
 }
 
 TEST_F(Program, bad_input_is_2_and_names_the_file)
 {
   expect_failure("info nowhere.ply", 2, "nowhere.ply: there is no such file");
   write("cut.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
-  for(const char* const command : {"info cut.off", "distance cut.off --source 0",
-                                   "path cut.off --from 0 --to 1", "voronoi cut.off --number 1"})
+  for(const char* const command :
+      {"info cut.off", "distance cut.off --source 0", "path cut.off --from 0 --to 1",
+       "voronoi cut.off --number 1", "matrix cut.off --number 1"})
     expect_failure(command, 2, "cut.off: ");
   expect_failure("distance square.ply --source 81", 2, "square.ply: there is no vertex 81");
+  expect_failure("matrix square.ply --sources 3,81", 2, "square.ply: there is no vertex 81");
+  expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "need a mesh");
   expect_failure("distance square.ply --source 0 --speed wind", 2, "only double_speed");
   expect_failure("distance closed.off --source-border", 2, "no border");
   expect_failure("distance cloud.xyz --source-border", 2, "no border");
@@ -200,9 +212,11 @@ TEST_F(Program, what_cannot_be_written_is_3)
 {
   expect_failure("info square.ply -o none/a.ply", 3, "none");
   expect_failure("distance square.ply --source 0 --values none/a.txt", 3, "none");
+  expect_failure("matrix square.ply --number 2 -o none/a.mtx", 3, "none");
   if(!fs::exists("/dev/full"))
     return;
   EXPECT_EQ(run("distance square.ply --source 0 --values /dev/full").code, 3);
+  EXPECT_EQ(run("matrix square.ply --number 2 --values /dev/full").code, 3);
   EXPECT_EQ(run("info square.ply --json > /dev/full").code, 3);
   EXPECT_EQ(run("--help > /dev/full").code, 3);
 }
@@ -226,13 +240,15 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
+  expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
+  expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
 }
 
 TEST_F(Program, json_alone_is_on_standard_output)
 {
   for(const char* const command :
       {"info quads.off", "distance quads.off --source 0", "path quads.off --from 0 --to 5",
-       "voronoi quads.off --number 2"})
+       "voronoi quads.off --number 2", "matrix quads.off --sources 0,5"})
   {
     const Outcome outcome = run(std::string(command) + " --json");
     EXPECT_EQ(outcome.code, 0);
@@ -270,8 +286,10 @@ TEST_F(Program, info_counts_the_parts_of_a_cloud)
 
 TEST_F(Program, threads_change_no_result)
 {
-  for(const char* const command : {"distance cloud.xyz --source 5", "voronoi cloud.xyz --number 4",
-                                   "path cloud.xyz --from 0 --to 143"})
+  for(const char* const command :
+      {"distance cloud.xyz --source 5", "voronoi cloud.xyz --number 4",
+       "path cloud.xyz --from 0 --to 143", "matrix cloud.xyz --number 9",
+       "matrix cloud.xyz --limit 0.2", "matrix square.ply --number 9 --method exact"})
   {
     EXPECT_EQ(run(std::string(command) + " --threads 1 --values one.txt").code, 0);
     for(const char* const threads : {"0", "2", "7"})
@@ -487,6 +505,117 @@ TEST_F(Program, farthest_seeds_are_far_apart)
   }
 }
 
+TEST_F(Program, a_matrix_has_the_distances_of_all_pairs)
+{
+  const std::vector<int> vertices = {80, 3, 40, 11};
+  for(const char* const method : {"euclidean", "exact", "fast-marching", "dijkstra", "heat"})
+  {
+    const nlohmann::json result = json(
+        std::string("matrix square.ply --sources 80,3,40,11 --values m.txt -o m.mtx --method ") +
+        method);
+    EXPECT_EQ(result["rows"], 4);
+    EXPECT_EQ(result["entries"], 16);
+    EXPECT_EQ(result["sources"], nlohmann::json(vertices));
+    const std::string text = content(m_folder / "m.txt");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+    const std::vector<double> values = numbers("m.txt");
+    ASSERT_EQ(values.size(), 16u);
+    // As in distances_of_a_flat_square_are_straight.
+    const double tolerance = std::string(method)[0] == 'e' ? 1e-12 : 0.12;
+    for(std::size_t i = 0; i < 4; ++i)
+      for(std::size_t j = 0; j < 4; ++j)
+      {
+        const int p = vertices[i], q = vertices[j];
+        EXPECT_NEAR(values[4 * i + j], std::hypot(p % 9 - q % 9, p / 9 - q / 9) / 8., tolerance)
+            << method << ' ' << p << ' ' << q;
+      }
+
+    // The same numbers, column by column.
+    std::istringstream market(content(m_folder / "m.mtx"));
+    std::string head;
+    std::getline(market, head);
+    EXPECT_EQ(head, "%%MatrixMarket matrix array real general");
+    std::size_t rows = 0, columns = 0;
+    market >> rows >> columns;
+    EXPECT_EQ(rows, 4u);
+    EXPECT_EQ(columns, 4u);
+    for(std::size_t j = 0; j < 4; ++j)
+      for(std::size_t i = 0; i < 4; ++i)
+      {
+        double value = -1.;
+        market >> value;
+        EXPECT_EQ(value, values[4 * i + j]);
+      }
+    EXPECT_TRUE(market);
+  }
+}
+
+TEST_F(Program, a_matrix_with_a_limit_has_the_near_pairs)
+{
+  for(const char* const method : {"euclidean", "exact"})
+  {
+    const nlohmann::json result = json(
+        std::string("matrix square.ply --limit 0.3 --values m.txt -o m.mtx --method ") + method);
+    EXPECT_EQ(result["rows"], 81);
+    const std::vector<double> values = numbers("m.txt");
+    ASSERT_EQ(values.size(), 3 * result["entries"].get<std::size_t>());
+    // A row, a column and a distance for each pair that is near, in order.
+    auto value = values.begin();
+    for(int i = 0; i < 81; ++i)
+      for(int j = 0; j < 81; ++j)
+      {
+        const double straight = std::hypot(i % 9 - j % 9, i / 9 - j / 9) / 8.;
+        if(straight > 0.3)
+          continue;
+        ASSERT_GE(values.end() - value, 3);
+        EXPECT_EQ(*value++, i);
+        EXPECT_EQ(*value++, j);
+        EXPECT_NEAR(*value++, straight, 1e-12);
+      }
+    EXPECT_EQ(value, values.end());
+
+    std::istringstream market(content(m_folder / "m.mtx"));
+    std::string head;
+    std::getline(market, head);
+    EXPECT_EQ(head, "%%MatrixMarket matrix coordinate real general");
+    std::size_t rows = 0, columns = 0, entries = 0;
+    market >> rows >> columns >> entries;
+    EXPECT_EQ(rows, 81u);
+    EXPECT_EQ(columns, 81u);
+    EXPECT_EQ(entries, result["entries"].get<std::size_t>());
+    for(std::size_t i = 0; i < entries; ++i)
+    {
+      double row = 0., column = 0., distance = -1.;
+      market >> row >> column >> distance;
+      EXPECT_EQ(row, values[3 * i] + 1.);
+      EXPECT_EQ(column, values[3 * i + 1] + 1.);
+      EXPECT_EQ(distance, values[3 * i + 2]);
+    }
+    EXPECT_TRUE(market);
+  }
+  // Rows and columns are numbered in the order of the sources.
+  EXPECT_EQ(json("matrix square.ply --sources 80,0,1 --limit 0.3 --values m.txt")["entries"], 5);
+  EXPECT_EQ(numbers("m.txt"),
+            (std::vector<double>{0, 0, 0, 1, 1, 0, 1, 2, 0.125, 2, 1, 0.125, 2, 2, 0}));
+}
+
+TEST_F(Program, a_matrix_says_what_no_path_joins)
+{
+  EXPECT_EQ(json("matrix apart.off --sources 0,1,3,6 --values m.txt")["entries"], 6);
+  EXPECT_EQ(numbers("m.txt"),
+            (std::vector<double>{0, 1, INFINITY, INFINITY, 1, 0, INFINITY, INFINITY, INFINITY,
+                                 INFINITY, 0, INFINITY, INFINITY, INFINITY, INFINITY, 0}));
+  // Near pairs alone: three by three in both triangles, and the isolated vertex with itself.
+  EXPECT_EQ(json("matrix apart.off --limit 10")["entries"], 19);
+}
+
+TEST_F(Program, a_matrix_and_cells_choose_the_same_vertices)
+{
+  for(const char* const name : {"square.ply", "cloud.xyz", "apart.off"})
+    EXPECT_EQ(json(std::string("matrix ") + name + " --number 5 --seed 7")["sources"],
+              json(std::string("voronoi ") + name + " --number 5 --seed 7")["seeds"]);
+}
+
 TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
 {
   const Outcome outcome = run("distance square.ply --source 0 --picture a.png --quiet");
@@ -495,7 +624,9 @@ TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
     EXPECT_EQ(content(m_folder / "a.png").substr(1, 3), "PNG");
     for(const char* const command :
         {"voronoi square.ply --number 3", "path square.ply --from 0 --to 80", "info cloud.xyz",
-         "distance cloud.xyz --source 0", "voronoi cloud.xyz --number 3"})
+         "distance cloud.xyz --source 0", "voronoi cloud.xyz --number 3",
+         "matrix square.ply --number 3", "matrix square.ply --limit 0.2",
+         "matrix cloud.xyz --sources 0,7 --limit 0.2"})
     {
       EXPECT_EQ(run(std::string(command) + " --picture b.png --quiet").code, 0) << command;
       EXPECT_GT(fs::file_size(m_folder / "b.png"), 1000u) << command;
