@@ -24,14 +24,17 @@ constexpr Index blind_flag = 8;   // it was reached along a side although the fr
 constexpr Index flat_flag = 16;   // its source is a segment: the front may be a straight line
 constexpr Index arrival_flags = origin_flag | blind_flag | flat_flag;
 constexpr Index one_correction = 32;
-constexpr Index most_corrections = 512; // most sites need none, in a web of needles some need
-                                        //   hundreds; a bound for inputs that contradict themselves
+constexpr Index most_corrections = 4096; // most sites need none, in webs of needles some need
+    //   thousands; a bound for inputs that contradict themselves
 
 // A final site is corrected, and what others took from it is taken back, when its distance falls by
 // more than this fraction: a front fitted to a distance too long bends too much, and gives what later
 // offers cannot undo, distances too short.  On an irregular square 1e-8 left errors of 2e-4 where
 // 1e-12 leaves rounding, at the same cost.
 constexpr double worth_a_correction = 1e-12;
+// Offers to a site that waits count when they are smaller by more than this fraction: the least of many
+// that differ by their roundings is too small, and the more so the farther the front goes.
+constexpr double worth_an_offer = 1e-14;
 // What is taken back in all, as a multiple of the sites reached: scans need 0.2, webs of needles one,
 // and where sheets of needles fold over each other (a lantern of Schwarz) it has no end.  From there
 // on a site is corrected a few times only.
@@ -236,14 +239,16 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
 
 void Front::prefetch_around(Index site) const
 {
-  prefetch(m_triangles->star.data() + m_triangles->first[site]);
-  if(!m_directions.empty())
-    prefetch(&m_directions[site]);
   if(!m_spokes)
-    return;
+    return prefetch(m_triangles->star.data() + m_triangles->first[site]);
+  const Spokes::First& first = m_spokes->first[site];
+  if(!m_directions.empty())
+  {
+    prefetch(m_triangles->star.data() + first.star);
+    prefetch(&m_directions[site]);
+  }
   // Four lines of memory hold the spokes of a site of six neighbours.
-  const char* const spokes =
-      reinterpret_cast<const char*>(m_spokes->spokes.data() + m_spokes->first[site][0]);
+  const char* const spokes = reinterpret_cast<const char*>(m_spokes->spokes.data() + first.spoke);
   for(const int line : {0, 64, 128, 192})
     prefetch(spokes + line);
 }
@@ -391,7 +396,7 @@ void Front::retract()
   std::vector<Index> forgotten;
   const auto forget_around = [&](Index from)
   {
-    for(Index i = s.first[from][0]; i < s.first[from + 1][0]; ++i)
+    for(Index i = s.first[from].spoke; i < s.first[from + 1].spoke; ++i)
     {
       const Index index = s.spokes[i].end;
       Site& site = m_sites[index];
@@ -410,7 +415,7 @@ void Front::retract()
     forget_around(forgotten[i]);
   m_forgotten += forgotten.size();
   for(const Index site : forgotten)
-    for(Index i = s.first[site][0]; i < s.first[site + 1][0]; ++i)
+    for(Index i = s.first[site].spoke; i < s.first[site + 1].spoke; ++i)
       if(const Index end = s.spokes[i].end; m_sites[end].state & final_flag)
         m_queue.push(end, m_sites[end].distance);
 }
@@ -426,8 +431,8 @@ void Front::offer_along(Index site, const Spoke_place& place, Index flags)
   // At the far end the side leaves its corner in the triangle before the spoke; at a border, it
   // arrives at the corner in the triangle after it.
   Arrival arrival = {distance, {1., 0.}, none, flags, flags & blind_flag ? spoke.length : 0.};
-  const bool has_before =
-      place.spoke > m_spokes->first[site][0] && ((&spoke)[-1].flags & Spokes::Spoke::has_triangle);
+  const bool has_before = place.spoke > m_spokes->first[site].spoke &&
+                          ((&spoke)[-1].flags & Spokes::Spoke::has_triangle);
   if(has_before)
     arrival.corner = previous_side(t.star[place.star - 1]);
   else if(const Index corner = t.star[place.star]; t.twin[corner] != none)
@@ -442,8 +447,8 @@ void Front::offer_along(Index site, const Spoke_place& place, Index flags)
 
 void Front::offer_along_all(Index site, Index flags)
 {
-  Spoke_place place = {m_spokes->first[site][0], m_triangles->first[site]};
-  for(; place.spoke < m_spokes->first[site + 1][0]; ++place.spoke)
+  Spoke_place place = {m_spokes->first[site].spoke, m_spokes->first[site].star};
+  for(; place.spoke < m_spokes->first[site + 1].spoke; ++place.spoke)
   {
     offer_along(site, place, flags);
     if(m_spokes->spokes[place.spoke].flags & Spokes::Spoke::has_triangle)
@@ -492,7 +497,7 @@ void Front::spread_planar(Index index)
   // The star holds the triangles that the spokes have, in the same order.
   const Index* triangle = m_slowness ? t.star.data() + t.first[index] : nullptr;
   double before = infinity; // slowness of the triangle before the spoke
-  for(Index i = s.first[index][0]; i < s.first[index + 1][0]; ++i)
+  for(Index i = s.first[index].spoke; i < s.first[index + 1].spoke; ++i)
   {
     const Spokes::Spoke& spoke = s.spokes[i];
     double after = infinity;
@@ -524,7 +529,7 @@ void Front::spread_planar(Index index)
     before = after;
   }
 
-  for(Index i = s.first[index][1]; i < s.first[index + 1][1]; ++i)
+  for(Index i = s.first[index].split; i < s.first[index + 1].split; ++i)
   {
     const Spokes::Split& split = s.splits[i];
     if(is_final(split.target) || !is_final(split.along))
@@ -583,12 +588,12 @@ bool Front::spread_all_around(Index index)
   // Triangles are known by the spokes that they follow; those of the fan are begin .. end - 1.
   const Spoke_place entry = place_of(*m_triangles, s, index, from.corner);
   Index begin = entry.spoke, end = entry.spoke + 1;
-  while(begin > s.first[index][0] && (s.spokes[begin - 1].flags & Spokes::Spoke::has_triangle))
+  while(begin > s.first[index].spoke && (s.spokes[begin - 1].flags & Spokes::Spoke::has_triangle))
     --begin;
   while(s.spokes[end].flags & Spokes::Spoke::has_triangle)
     ++end;
   const bool is_closed = s.spokes[end].flags & Spokes::Spoke::is_repeated;
-  const bool is_only_fan = end - begin == m_triangles->first[index + 1] - m_triangles->first[index];
+  const bool is_only_fan = end - begin == s.first[index + 1].star - s.first[index].star;
   const auto place = [&](Index spoke) {
     return Spoke_place{spoke, entry.star + spoke - entry.spoke};
   };
@@ -662,19 +667,25 @@ void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
     return;
   const double base = near.length;
   const Planar y = far.length * opening;
-  // However the front bends, it gains no less than a straight one.
-  if(x.distance - dot(y, {angle[0], -angle[1]}) >= m_sites[far.end].distance)
-    return;
-  // A front on a polyhedron bends at least as much as one that has come straight all the way.
+  // A front on a polyhedron bends at least as much as one that has come straight all the way, and so
+  // gains at least as much: |y - r u| - r with r = 1 / curvature.
   const Index flags = (x.state | z.state) & flat_flag;
   double curvature = flags ? 0. : least_curvature;
+  const Planar source = {angle[0], -angle[1]};
+  const Site& target = m_sites[far.end];
+  double most = target.distance - x.distance; // that is worth it
+  if(!(target.state & blind_flag) && target.distance < infinity)
+    most -= (target.state & final_flag ? worth_a_correction : worth_an_offer) *
+            (target.distance - m_lowest_offset);
+  if(curvature * (far.length - most) * (far.length + most) >= 2. * (most + dot(y, source)))
+    return;
   // Fronts of two sources are never mixed.
   if(is_same_front(index, near.end))
     curvature =
         bent(curvature, base, z.distance - x.distance, angle[0], x.distance - offset_at(index));
   double gain;
   Planar back;
-  if(!pass({{angle[0], -angle[1]}, curvature}, base, y, gain, back))
+  if(!pass({source, curvature}, base, y, gain, back))
     return;
   const double distance = x.distance + gain;
   if(!(distance < m_sites[far.end].distance))
@@ -706,8 +717,8 @@ void Front::spread_blindly(Index index)
   const Site from = m_sites[index];
   offer_along_all(index, blind_flag | (from.state & flat_flag));
   const double curvature = 1. / (from.distance - offset_at(index));
-  Spoke_place place = {s.first[index][0], m_triangles->first[index]};
-  for(; place.spoke < s.first[index + 1][0]; ++place.spoke)
+  Spoke_place place = {s.first[index].spoke, s.first[index].star};
+  for(; place.spoke < s.first[index + 1].spoke; ++place.spoke)
   {
     const Spokes::Spoke& right = s.spokes[place.spoke];
     if(!(right.flags & Spokes::Spoke::has_triangle))

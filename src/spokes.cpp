@@ -62,7 +62,7 @@ void add_spokes(const Glued_triangles& t, Spokes& s)
   s.spokes.reserve(t.star.size() + n);
   for(Index site = 0; site < n; ++site)
   {
-    s.first[site] = {static_cast<Index>(s.spokes.size()), 0};
+    s.first[site] = {static_cast<Index>(s.spokes.size()), 0, t.first[site]};
     std::size_t fan = s.spokes.size(); // where it begins
     for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
     {
@@ -81,7 +81,7 @@ void add_spokes(const Glued_triangles& t, Spokes& s)
       fan = s.spokes.size();
     }
   }
-  s.first[n] = {static_cast<Index>(s.spokes.size()), 0};
+  s.first[n] = {static_cast<Index>(s.spokes.size()), 0, t.first[n]};
 }
 
 void add_splits(const Glued_triangles& t, Spokes& s)
@@ -122,14 +122,14 @@ void add_splits(const Glued_triangles& t, Spokes& s)
     }
   };
   for_each_view([&](const Behind&, Index site, Index, Index, double, double, double)
-                { ++s.first[site + 1][1]; });
+                { ++s.first[site + 1].split; });
   for(std::size_t site = 1; site < s.first.size(); ++site)
-    s.first[site][1] += s.first[site - 1][1];
-  s.splits.resize(s.first.back()[1]);
+    s.first[site].split += s.first[site - 1].split;
+  s.splits.resize(s.first.back().split);
   std::vector<Index> end;
   end.reserve(s.first.size());
-  for(const auto& [spoke, split] : s.first)
-    end.push_back(split);
+  for(const Spokes::First& first : s.first)
+    end.push_back(first.split);
   for_each_view(
       [&](const Behind& found, Index site, Index along, Index neighbour, double base,
           double to_site, double to_along)

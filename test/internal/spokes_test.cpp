@@ -31,7 +31,7 @@ TEST(Spokes, are_the_sides_around_a_site_and_the_triangles_between_them)
     {
       // The triangles of the star, in its order.
       Index i = t.first[site];
-      for(Index j = s.first[site][0]; j < s.first[site + 1][0]; ++j)
+      for(Index j = s.first[site].spoke; j < s.first[site + 1].spoke; ++j)
       {
         if(!(s.spokes[j].flags & Spokes::Spoke::has_triangle))
           continue;
@@ -48,7 +48,7 @@ TEST(Spokes, are_the_sides_around_a_site_and_the_triangles_between_them)
       EXPECT_EQ(i, t.first[site + 1]);
       if(i == t.first[site])
         continue;
-      EXPECT_FALSE(s.spokes[s.first[site + 1][0] - 1].flags & Spokes::Spoke::has_triangle);
+      EXPECT_FALSE(s.spokes[s.first[site + 1].spoke - 1].flags & Spokes::Spoke::has_triangle);
     }
   }
 }
@@ -69,7 +69,7 @@ TEST(Spokes, split_obtuse_corners_of_the_plane_into_acute_ones)
   // Each split is seen from both ends of the bases of its two halves.
   std::vector<int> views(t.corner.size(), 0);
   for(Index site = 0; site < t.number_of_sites(); ++site)
-    for(Index i = s.first[site][1]; i < s.first[site + 1][1]; ++i)
+    for(Index i = s.first[site].split; i < s.first[site + 1].split; ++i)
     {
       const Spokes::Split& split = s.splits[i];
       ++views[split.corner];
@@ -104,7 +104,7 @@ TEST(Spokes, split_obtuse_corners_of_the_plane_into_acute_ones)
   for(Index site = 0; site < t.number_of_sites(); ++site)
   {
     Index i = t.first[site];
-    for(Index j = s.first[site][0]; j < s.first[site + 1][0]; ++j)
+    for(Index j = s.first[site].spoke; j < s.first[site + 1].spoke; ++j)
       if(const Index flags = s.spokes[j].flags; flags & Spokes::Spoke::has_triangle)
       {
         const Index corner = t.star[i++];

@@ -32,7 +32,7 @@ struct Fast_marching
 /// vertex knows the direction.
 ///
 /// Exact to rounding where the surface between the source and a vertex unfolds to a plane, also through
-/// needles; elsewhere of second order, with errors of some hundredths of a percent on common meshes, up
+/// needles (among hundreds of thousands of them a few vertices may be off by a thousandth); elsewhere of second order, with errors of some hundredths of a percent on common meshes, up
 /// to a few tenths on rough scans.  After Reimers's idea of circular fronts \cgalCite{cgal:r-tvs-04},
 /// with the curvature of the circle fitted to a direction and two distances instead of assumed.  With
 /// a speed the front is that of `Fast_marching`.

@@ -43,7 +43,13 @@ struct Spokes
     Planar apex;     // where the corner lies when the base runs from this end along the first axis
   };
 
-  std::vector<std::array<Index, 2>> first; // #sites + 1: where each site's begin, as in a CSR
+  // Where the spokes and the splits of a site begin, and its star: as in a CSR.
+  struct First
+  {
+    Index spoke, split, star;
+  };
+
+  std::vector<First> first;  // #sites + 1
   std::vector<Spoke> spokes; // of each fan counterclockwise; the first one again ends a closed fan
   std::vector<Split> splits;
 };
@@ -62,7 +68,7 @@ struct Spoke_place
 inline Spoke_place place_of(const Glued_triangles& triangles, const Spokes& spokes, Index site,
                             Index corner)
 {
-  Spoke_place place = {spokes.first[site][0], triangles.first[site]};
+  Spoke_place place = {spokes.first[site].spoke, spokes.first[site].star};
   for(; triangles.star[place.star] != corner; ++place.star, ++place.spoke)
     if(!(spokes.spokes[place.spoke + 1].flags & Spokes::Spoke::has_triangle))
       ++place.spoke;
