@@ -147,6 +147,8 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   m_forgotten = 0;
   m_maximum = limits.maximum_distance;
   m_slowness = limits.slowness;
+  m_known = limits.known;
+  m_improves = true;
   // A Euclidean front with speeds is a planar one.
   if(m_slowness && m_kind == Front_kind::euclidean && !m_has_splits)
   {
@@ -202,6 +204,9 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
       prefetch_around(m_queue.front().site);
     Site& site = m_sites[entry.site];
     site.state |= final_flag;
+    m_improves = !m_known || (m_kind != Front_kind::arcs && site.distance < (*m_known)[entry.site]);
+    if(!m_improves && !may_improve_around(entry.site))
+      continue;
     switch(m_kind)
     {
     case Front_kind::arcs:
@@ -346,6 +351,8 @@ Planar Front::in_corner(const Planar& vector, const std::array<Planar, 3>& corne
 
 bool Front::offer(Index index, const Arrival& arrival, Index source)
 {
+  if(!m_improves && !(arrival.distance < (*m_known)[index]))
+    return false;
   Site& site = m_sites[index];
   const bool is_final = site.state & final_flag;
   if(is_final)
@@ -378,6 +385,19 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   // what comes through a triangle, as it should, comes first.
   m_queue.push(index, arrival.distance + arrival.wait);
   return true;
+}
+
+// Whether a site that does not improve what is known has a neighbour where its front still may.
+bool Front::may_improve_around(Index site) const
+{
+  if(!m_spokes)
+    return true;
+  const double distance = m_sites[site].distance;
+  for(Index i = m_spokes->first[site].spoke; i < m_spokes->first[site + 1].spoke; ++i)
+    if(const Index end = m_spokes->spokes[i].end;
+       distance < (*m_known)[end] && distance < m_sites[end].distance)
+      return true;
+  return false;
 }
 
 bool Front::can_retract() const

@@ -982,4 +982,58 @@ TEST(Front, does_nothing_without_sources)
   }
 }
 
+TEST(Front, goes_on_only_where_it_improves_what_is_known)
+{
+  const Triangulation plane = square(30, 0.2, 3);
+  const Glued_surface surface(plane);
+  const Glued_triangles& t = surface.t();
+  for(const Kind kind : all_kinds)
+  {
+    Front front(surface.triangles(), kind);
+    front.run({surface.source(0)});
+    std::vector<double> known(surface.size());
+    for(Index site = 0; site < surface.size(); ++site)
+      known[site] = front.distance(site);
+    front.run({surface.source(960)});
+    std::vector<double> alone(surface.size());
+    for(Index site = 0; site < surface.size(); ++site)
+      alone[site] = front.distance(site);
+
+    Front_limits limits;
+    limits.known = &known;
+    EXPECT_TRUE(front.run({surface.source(960)}, limits));
+    // Both are straight in the plane; the sites halfway may be told by other triangles.
+    double worst = 0.;
+    std::vector<bool> is_near(surface.size(), false);
+    for(Index f = 0; f < t.number_of_triangles(); ++f)
+    {
+      bool has_improved = false;
+      for(Index k = 0; k < 3; ++k)
+        has_improved =
+            has_improved || front.distance(t.corner[3 * f + k]) < known[t.corner[3 * f + k]];
+      for(Index k = 0; k < 3; ++k)
+        if(has_improved)
+        {
+          is_near[t.corner[3 * f + k]] = true;
+          // The ring beyond is known, but for chains of arcs that need none.
+          if(kind != Kind::arcs)
+          {
+            EXPECT_LT(front.distance(t.corner[3 * f + k]), infinity);
+          }
+        }
+    }
+    for(Index site = 0; site < surface.size(); ++site)
+    {
+      worst = std::max(worst, std::min(front.distance(site), known[site]) -
+                                  std::min(alone[site], known[site]));
+      if(!is_near[site])
+      {
+        EXPECT_EQ(front.distance(site), infinity);
+      }
+    }
+    // A side is 1/30, in units of the domain.
+    EXPECT_LE(worst, kind == Kind::arcs ? 0. : 0.02 / 30. / surface.scale());
+  }
+}
+
 } // namespace

@@ -31,6 +31,10 @@ struct Front_limits
   std::vector<Location> targets;      // the front may stop when all of them are final
   // #triangles: 1 / speed, infinite at an obstacle; null where it is 1
   std::shared_ptr<const std::vector<double>> slowness;
+  // #sites: what is known already.  The front goes on only where it improves that, and reaches one
+  // site beyond: fronts that meet in a triangle need it at all of its corners.  Without that ring the
+  // mean error of what is known afterwards is 20 to 1,000 times larger on scans and parts.
+  const std::vector<double>* known = nullptr;
   std::function<bool(double)> callback; // told the fraction done; false cancels
 };
 
@@ -81,6 +85,7 @@ private:
   void start_in_triangle(Index triangle, const Location& begin, const Location& end, double offset,
                          Index source);
   bool offer(Index site, const Arrival& arrival, Index source);
+  bool may_improve_around(Index site) const;
   bool can_retract() const;
   void retract();
 
@@ -129,6 +134,8 @@ private:
   double m_lowest_offset = 0.;
   double m_maximum = infinity;
   bool m_is_single = false; // one source only
+  const std::vector<double>* m_known = nullptr;
+  bool m_improves = true; // the site that spreads may reach others which it does not improve
 };
 
 } // namespace CGAL::Geodesic_processing::internal
