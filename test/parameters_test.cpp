@@ -47,6 +47,9 @@ TEST(Parameters, all_have_their_own_place)
                       .predecessor_map(5)
                       .radius_map(6)
                       .threads(7)
+                      .covering_radius(16)
+                      .covering_radius_output(17)
+                      .first_samples(18)
                       .callback(8)
                       .random_seed(9)
                       .vertex_point_map(10)
@@ -64,6 +67,9 @@ TEST(Parameters, all_have_their_own_place)
   EXPECT_EQ(GP::internal::parameter(np, ours::predecessor_map, 0), 5);
   EXPECT_EQ(GP::internal::parameter(np, ours::radius_map, 0), 6);
   EXPECT_EQ(GP::internal::parameter(np, ours::threads, 0), 7);
+  EXPECT_EQ(GP::internal::parameter(np, ours::covering_radius, 0), 16);
+  EXPECT_EQ(GP::internal::parameter(np, ours::covering_radius_output, 0), 17);
+  EXPECT_EQ(GP::internal::parameter(np, ours::first_samples, 0), 18);
   EXPECT_EQ(GP::internal::parameter(np, theirs::callback, 0), 8);
   EXPECT_EQ(GP::internal::parameter(np, theirs::random_seed, 0), 9);
   EXPECT_EQ(GP::internal::parameter(np, theirs::vertex_point, 0), 10);

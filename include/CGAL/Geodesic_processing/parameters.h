@@ -40,6 +40,18 @@ enum threads_t
 {
   threads
 };
+enum covering_radius_t
+{
+  covering_radius
+};
+enum covering_radius_output_t
+{
+  covering_radius_output
+};
+enum first_samples_t
+{
+  first_samples
+};
 
 } // namespace internal_np
 
@@ -75,6 +87,9 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, predecessor_map_t, predecessor_map)                       \
   LINK(Geodesic_processing::internal_np, radius_map_t, radius_map)                                 \
   LINK(Geodesic_processing::internal_np, threads_t, threads)                                       \
+  LINK(Geodesic_processing::internal_np, covering_radius_t, covering_radius)                       \
+  LINK(Geodesic_processing::internal_np, covering_radius_output_t, covering_radius_output)         \
+  LINK(Geodesic_processing::internal_np, first_samples_t, first_samples)                           \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \
   LINK(CGAL::internal_np, vertex_point_t, vertex_point_map)                                        \

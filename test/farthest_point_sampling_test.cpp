@@ -1,0 +1,275 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/farthest_point_sampling.h>
+
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include "Glued_surface.h"
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <set>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using GP::internal::operator*;
+using Samples = std::vector<GP::Location<Mesh>>;
+using Radii = std::vector<double>;
+
+const std::size_t all = std::numeric_limits<std::size_t>::max();
+
+Samples sampled(const Mesh& mesh, std::size_t number)
+{
+  Samples samples;
+  GP::farthest_point_sampling(mesh, number, std::back_inserter(samples));
+  return samples;
+}
+
+TEST(Farthest_point_sampling, begins_with_the_corners_of_a_square)
+{
+  const Mesh mesh = mesh_of(square(20, 0.2));
+  std::set<Point> corners;
+  for(const auto& sample : sampled(mesh, 4))
+    corners.insert(point_of(mesh, sample));
+  EXPECT_EQ(corners, (std::set<Point>{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {1., 1., 0.}}));
+}
+
+TEST(Farthest_point_sampling, is_antipodal_on_a_sphere)
+{
+  const Mesh mesh = mesh_of(icosphere(4));
+  const Samples samples = sampled(mesh, 2);
+  ASSERT_EQ(samples.size(), 2u);
+  // The longest side of this icosphere.
+  EXPECT_LT(distance(point_of(mesh, samples[0]), -1. * point_of(mesh, samples[1])), 0.0812);
+}
+
+TEST(Farthest_point_sampling, covers_and_packs)
+{
+  Mesh mesh = mesh_of(square(30, 0.2));
+  std::vector<Vertex> sites;
+  Radii radii;
+  auto label = vertex_map<std::size_t>(mesh);
+  GP::farthest_site_sampling(mesh, 60, std::back_inserter(sites),
+                             GP::parameters::covering_radius_output(std::back_inserter(radii))
+                                 .random_seed(3)
+                                 .source_label_map(label));
+  ASSERT_EQ(sites.size(), 60u);
+  ASSERT_EQ(radii.size(), 60u);
+  EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
+  // Where cells meet a distance may be too long by a tenth of a side.
+  const double error = 0.1 / 30.;
+  const auto between = [&](Vertex a, Vertex b)
+  { return std::sqrt(CGAL::squared_distance(mesh.point(a), mesh.point(b))); };
+  for(std::size_t i = 1; i < 60; ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      EXPECT_GE(between(sites[i], sites[j]), radii[i - 1] - error);
+  for(const Vertex v : mesh.vertices())
+  {
+    double nearest = GP::internal::infinity;
+    for(const Vertex site : sites)
+      nearest = std::min(nearest, between(site, v));
+    EXPECT_LE(nearest, radii.back() + error);
+    ASSERT_LT(get(label, v), 60u);
+    EXPECT_LE(between(sites[get(label, v)], v), nearest + error);
+  }
+}
+
+TEST(Farthest_point_sampling, stops_at_a_covering_radius)
+{
+  const Mesh mesh = mesh_of(square(20, 0.2));
+  Samples samples;
+  Radii radii;
+  GP::farthest_point_sampling(
+      mesh, all, std::back_inserter(samples),
+      GP::parameters::covering_radius(0.15).covering_radius_output(std::back_inserter(radii)));
+  EXPECT_LE(radii.back(), 0.15);
+  EXPECT_GT(radii[radii.size() - 2], 0.15);
+  // Discs of half the radius do not overlap, those of the radius cover: between 1 / (pi r^2) and the
+  // number of discs of radius r / 2 in the square widened by as much.
+  EXPECT_GT(samples.size(), 1. / (pi * 0.15 * 0.15));
+  EXPECT_LT(samples.size(), 1.15 * 1.15 / (pi * 0.075 * 0.075));
+}
+
+TEST(Farthest_point_sampling, goes_on_from_first_samples)
+{
+  Mesh mesh = mesh_of(square(20, 0.2));
+  Samples samples;
+  auto label = vertex_map<std::size_t>(mesh);
+  GP::farthest_point_sampling(
+      mesh, 1, std::back_inserter(samples),
+      GP::parameters::first_samples(std::vector<Vertex>{Vertex(0), Vertex(20), Vertex(420)})
+          .source_label_map(label));
+  ASSERT_EQ(samples.size(), 1u);
+  EXPECT_EQ(point_of(mesh, samples[0]), (Point{1., 1., 0.}));
+  EXPECT_EQ(get(label, Vertex(0)), 0u);
+  EXPECT_EQ(get(label, Vertex(20)), 1u);
+  EXPECT_EQ(get(label, Vertex(440)), 3u);
+
+  // In two goes or in one.
+  Samples two = sampled(mesh, 5);
+  const Samples one = sampled(mesh, 12);
+  GP::farthest_point_sampling(mesh, 7, std::back_inserter(two),
+                              GP::parameters::first_samples(Samples(two)));
+  EXPECT_EQ(two, one);
+}
+
+TEST(Farthest_point_sampling, is_denser_where_it_is_slow)
+{
+  Mesh mesh = mesh_of(square(30, 0.2));
+  const auto speed = mesh.add_property_map<Face, double>("f:speed", 1.).first;
+  for(const Face f : mesh.faces())
+    if(point_of(mesh, GP::Location<Mesh>(f, {1. / 3., 1. / 3., 1. / 3.}))[0] < 0.5)
+      put(speed, f, 0.2);
+  Samples samples;
+  GP::farthest_point_sampling(mesh, 104, std::back_inserter(samples),
+                              GP::parameters::speed_map(speed));
+  const auto left =
+      std::count_if(samples.begin(), samples.end(),
+                    [&](const auto& sample) { return point_of(mesh, sample)[0] < 0.5; });
+  // 25 parts of 26, and what the borders take: within a tenth.
+  EXPECT_NEAR(double(left), 100., 10.);
+}
+
+TEST(Farthest_point_sampling, depends_on_seed_and_method_only)
+{
+  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
+  const auto with = [&](unsigned seed)
+  {
+    Samples samples;
+    GP::farthest_point_sampling(mesh, 20, std::back_inserter(samples),
+                                GP::parameters::random_seed(seed));
+    return samples;
+  };
+  EXPECT_EQ(with(1), with(1));
+  EXPECT_NE(with(1), with(2));
+  EXPECT_EQ(with(0), sampled(mesh, 20));
+  std::vector<Vertex> chains, straight;
+  GP::farthest_site_sampling<GP::Dijkstra>(mesh, 20, std::back_inserter(chains));
+  GP::farthest_site_sampling<GP::Fast_marching>(mesh, 20, std::back_inserter(straight));
+  EXPECT_EQ(chains.size(), 20u);
+  EXPECT_EQ(straight.size(), 20u);
+  EXPECT_NE(chains, straight);
+}
+
+TEST(Farthest_point_sampling, does_not_depend_on_scale)
+{
+  for(const double scale : {1e-6, 1e6})
+  {
+    Triangulation plane = square(20, 0.2), scaled = plane;
+    for(Point& p : scaled.points)
+      p = scale * p;
+    const Mesh mesh = mesh_of(plane), large = mesh_of(scaled);
+    Radii radii, large_radii;
+    std::vector<Vertex> sites;
+    GP::farthest_site_sampling(mesh, 30, std::back_inserter(sites),
+                               GP::parameters::covering_radius_output(std::back_inserter(radii)));
+    GP::farthest_site_sampling(
+        large, 30, std::back_inserter(sites),
+        GP::parameters::covering_radius_output(std::back_inserter(large_radii)));
+    // Rounding may choose another of two sites that are as far; radii differ by no more than it.
+    for(std::size_t i = 0; i < 30; ++i)
+      EXPECT_NEAR(large_radii[i], scale * radii[i], 1e-9 * scale);
+  }
+}
+
+TEST(Farthest_point_sampling, reaches_components_and_leaves_out_isolated_vertices)
+{
+  Triangulation parts = apart(icosphere(2), apart(square(4), tetrahedron()));
+  parts.points.push_back({5., 5., 5.});
+  const Mesh mesh = mesh_of(parts);
+  std::vector<Vertex> sites;
+  Radii radii;
+  GP::farthest_site_sampling(mesh, all, std::back_inserter(sites),
+                             GP::parameters::covering_radius_output(std::back_inserter(radii)));
+  EXPECT_EQ(sites.size(), parts.points.size() - 1);
+  EXPECT_EQ(radii[1], GP::internal::infinity);
+  EXPECT_LT(radii[2], GP::internal::infinity);
+  EXPECT_EQ(radii.back(), 0.);
+}
+
+TEST(Farthest_point_sampling, takes_other_meshes_and_domains)
+{
+  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
+  Polyhedron polyhedron;
+  CGAL::make_icosahedron<Polyhedron, Polyhedron::Point_3>(polyhedron);
+  std::vector<GP::Location<Polyhedron>> samples;
+  GP::farthest_point_sampling(polyhedron, 2, std::back_inserter(samples));
+  EXPECT_EQ(samples.size(), 2u);
+
+  const Mesh mesh = mesh_of(square(10));
+  Samples again;
+  GP::farthest_point_sampling(GP::make_domain(mesh), 9, std::back_inserter(again));
+  EXPECT_EQ(again, sampled(mesh, 9));
+}
+
+TEST(Farthest_point_sampling, of_a_cloud_is_of_surfels)
+{
+  const Surfels surfels = sphere_surfels(4);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  std::vector<GP::Location<Surfels>> samples;
+  Radii radii;
+  GP::farthest_point_sampling(surfels, 50, std::back_inserter(samples),
+                              maps.covering_radius_output(std::back_inserter(radii)));
+  ASSERT_EQ(samples.size(), 50u);
+  const auto point = [&](std::size_t i)
+  {
+    EXPECT_EQ(samples[i].offset, (std::array<double, 2>{0., 0.}));
+    return to_array(surfels[samples[i].surfel].first);
+  };
+  // Within a side of the icosphere.
+  EXPECT_LT(distance(point(0), -1. * point(1)), 0.0812);
+  EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
+  // A front on a cloud is wrong by a percent or two here, most where cells meet.
+  for(std::size_t i = 1; i < 50; ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      EXPECT_GE(great_circle(point(i), point(j)), 0.97 * radii[i - 1]);
+  for(const auto& surfel : surfels)
+  {
+    double nearest = GP::internal::infinity;
+    for(std::size_t i = 0; i < 50; ++i)
+      nearest = std::min(nearest, great_circle(point(i), to_array(surfel.first)));
+    EXPECT_LE(nearest, 1.03 * radii.back());
+  }
+
+  CGAL::Point_set_3<Kernel::Point_3> set(true);
+  for(const auto& [p, n] : surfels)
+    set.insert(p, n);
+  std::vector<std::size_t> sites;
+  GP::farthest_site_sampling(set, 50, std::back_inserter(sites));
+  for(std::size_t i = 0; i < 50; ++i)
+    EXPECT_EQ(sites[i], samples[i].surfel);
+}
+
+TEST(Farthest_point_sampling, says_what_it_cannot_use)
+{
+  const Mesh mesh = mesh_of(square(4));
+  Samples samples;
+  const auto with = [&](const auto& np)
+  { GP::farthest_point_sampling(mesh, 3, std::back_inserter(samples), np); };
+  EXPECT_THROW(with(GP::parameters::covering_radius(-1.)), GP::Invalid_argument_error);
+  EXPECT_THROW(with(GP::parameters::covering_radius(std::nan(""))), GP::Invalid_argument_error);
+  EXPECT_THROW(with(GP::parameters::first_samples(Vertex(100))), GP::Invalid_argument_error);
+  EXPECT_TRUE(samples.empty());
+  EXPECT_TRUE(sampled(mesh, 0).empty());
+  EXPECT_TRUE(sampled(Mesh(), 3).empty());
+}
+
+TEST(Farthest_point_sampling, can_be_cancelled)
+{
+  const Mesh mesh = mesh_of(square(20));
+  Samples samples;
+  GP::farthest_point_sampling(mesh, 100, std::back_inserter(samples),
+                              GP::parameters::callback(std::function<bool(double)>(
+                                  [](double done) { return done < 0.1; })));
+  EXPECT_EQ(samples.size(), 10u);
+}
+
+} // namespace
