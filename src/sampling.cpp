@@ -160,17 +160,30 @@ Location Sampling::beside(Index site) const
      !(third.key < infinity) || !(slowness(triangle) < infinity))
     return at_site;
 
-  Location result = {triangle, none, {0., 0., 0.}};
-  for(Index k = 0; k < 3; ++k)
+  // At a border fronts meet along it.
+  std::vector<Index> sides;
+  for(Index side = 3 * triangle; side < 3 * triangle + 3; ++side)
   {
-    const Index side = 3 * triangle + k;
+    const std::array<Index, 2> ends = {t.corner[side], t.corner[next_side(side)]};
+    const bool joins = (ends[0] == site && ends[1] == neighbour.site) ||
+                       (ends[1] == site && ends[0] == neighbour.site);
+    if(joins && t.twin[side] == none)
+      sides = {side};
+  }
+  if(sides.empty())
+    sides = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+
+  Location result = {triangle, none, {0., 0., 0.}};
+  for(const Index side : sides)
+  {
     const double width = slowness(triangle) * t.length[side];
     const double rise = m_distances[t.corner[next_side(side)]] - m_distances[t.corner[side]];
     const double share = width > 0. ? std::clamp(0.5 + 0.5 * rise / width, 0., 1.) : 0.5;
     const auto meeting = on_side(side, share);
     for(int j = 0; j < 3; ++j)
-      result.barycentric[j] += meeting[j] / 3.;
+      result.barycentric[j] += meeting[j] / double(sides.size());
   }
+  result = cleaned(t, result);
   // Where one front came to all three of them, at a border or around a tip, they do not meet.
   return distance_in(triangle, result.barycentric) > m_distances[site] ? result : at_site;
 }

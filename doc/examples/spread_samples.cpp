@@ -35,11 +35,11 @@ int main()
       mesh, std::numeric_limits<std::size_t>::max(), std::back_inserter(samples),
       GP::parameters::covering_radius(5.).covering_radius_output(std::back_inserter(radii)));
 
-  std::cout << samples.size() << " samples, the first ones at\n";
+  std::cout << samples.size() << " samples, the first four at\n";
   for(std::size_t i = 0; i < 4; ++i)
     std::cout << PMP::construct_point(samples[i], mesh) << '\n';
 
-  // The first four are the corners, and radii never grow.
+  // Farthest from any vertex is a corner; and radii never grow.
   const Point first = PMP::construct_point(samples[0], mesh);
   const bool is_corner =
       (first.x() == 0. || first.x() == 40.) && (first.y() == 0. || first.y() == 30.);
