@@ -105,7 +105,8 @@ picture()
   fi
 }
 
-# program NAME ARGUMENTS...: a demo program; its question is the first line of its source.
+# program NAME ARGUMENTS...: a demo program; its question is the first line of its source.  A
+# result that it leaves, the last argument then, is shown by its distances.
 program()
 {
   local name=$1 question answer picture=''
@@ -114,6 +115,11 @@ program()
   printf '\n%s\n' "$question"
   if answer=$("$build/demo/$name" "$@" 2>&1); then
     printf '%s\n' "$answer"
+    rm -f "$gallery/$name.png"
+    if [[ ${!#} == *.ply ]] && "$build/geodesic" info "${!#}" --property distance --quiet \
+         --picture "$gallery/$name.png" >>$log 2>&1; then
+      picture="<img src=\"$name.png\" alt=\"\">"
+    fi
     printf '<figure>%s<figcaption><p>%s</p><pre>%s</pre><code>%s</code></figcaption></figure>\n' \
       "$picture" "$(printf '%s' "$question" | escape)" "$(printf '%s' "$answer" | escape)" \
       "$(shown "$name" "$@")" >>$page
@@ -141,6 +147,7 @@ picture cloud-path "A shortest path on points." path "$scan" --from 0 --to 2000
 
 echo '</main><h2>The demo programs</h2><main>' >>$page
 program farthest_vertex "$animal" $build/farthest.ply
+program cut_locus "$animal" $build/cut_locus.ply
 program methods_compared "$small"
 program mesh_or_cloud "$animal" $build/cloud.ply
 program nearest_of_many "$bear" $build/lands.ply

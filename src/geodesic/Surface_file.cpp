@@ -77,6 +77,11 @@ void check(const Surface_file& surface, const std::string& name)
     if(corner >= surface.points.size())
       fail(name, "a face names vertex " + std::to_string(corner) + ", but there are only " +
                      std::to_string(surface.points.size()));
+  for(const auto& edge : surface.edges)
+    for(const std::uint32_t end : edge)
+      if(end >= surface.points.size())
+        fail(name, "an edge names vertex " + std::to_string(end) + ", but there are only " +
+                       std::to_string(surface.points.size()));
 }
 
 void check_can_write(const std::string& filename)

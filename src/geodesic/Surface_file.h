@@ -23,6 +23,7 @@ struct Surface_file
   std::vector<std::size_t> first = {0};  // #polygons + 1: where each polygon begins in `corners`
   std::vector<Point> normals;            // empty or #points
   std::vector<std::array<double, 2>> uv; // empty or #points
+  std::vector<std::array<std::uint32_t, 2>> edges;       // lines between points, of PLY alone
   std::vector<std::vector<Point>> polylines;             // written, never read
   std::map<std::string, std::vector<double>> properties; // each #points
 
@@ -35,8 +36,8 @@ struct Surface_file
 // Throws Input_error with a sentence that names the file and the reason.
 Surface_file read_surface_file(const std::string& filename);
 
-// Throws Input_error where there are no points, a coordinate is not finite, or a face names a point
-// that is not there.
+// Throws Input_error where there are no points, a coordinate is not finite, or a face or an edge
+// names a point that is not there.
 void check(const Surface_file& surface, const std::string& name);
 
 // Each parses the bytes of one format; `name` stands for the file in sentences.
@@ -52,7 +53,7 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name);
 void check_can_write(const std::string& filename);
 
 // Writes the file completely or not at all: first beside it, then renamed.
-// PLY (binary) and VTP carry normals, properties and polylines; OBJ carries texture coordinates,
+// PLY (binary) and VTP carry normals, properties and polylines, PLY edges too; OBJ carries texture coordinates,
 // normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
 // Throws Output_error when it cannot be written.
 void write_surface_file(const std::string& filename, const Surface_file& surface,

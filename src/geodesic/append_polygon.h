@@ -10,11 +10,15 @@
 namespace program {
 
 // A negative index, or one beyond 32 bits, becomes the largest index, which no vertex has.
-inline void append_corner(Surface_file& surface, double index)
+inline std::uint32_t to_index(double index)
 {
   constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
-  const bool valid = index >= 0. && index < no_vertex;
-  surface.corners.push_back(valid ? static_cast<std::uint32_t>(index) : no_vertex);
+  return index >= 0. && index < no_vertex ? static_cast<std::uint32_t>(index) : no_vertex;
+}
+
+inline void append_corner(Surface_file& surface, double index)
+{
+  surface.corners.push_back(to_index(index));
 }
 
 inline void end_polygon(Surface_file& surface) { surface.first.push_back(surface.corners.size()); }

@@ -173,6 +173,8 @@ void run_info(Job& job, const std::string& wanted)
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, {}, "", regions.labels, {}, {}, regions.triangles};
+    for(const auto& [a, b] : surface.file.edges)
+      picture.polylines.push_back({surface.file.points[a], surface.file.points[b]});
     if(!wanted.empty())
     {
       picture.values = property(surface, wanted);

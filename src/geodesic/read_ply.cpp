@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 namespace program {
@@ -272,6 +273,27 @@ void read_vertices(Body& body, const Element& element, const std::string& name,
     }
 }
 
+// Edges without one of their ends are none.
+void read_edges(Body& body, const Element& element, Surface_file& surface)
+{
+  std::vector<double> skipped;
+  for(std::size_t i = 0; i < element.count; ++i)
+  {
+    std::optional<std::uint32_t> ends[2];
+    for(const Property& property : element.properties)
+      if(property.count)
+        body.list(property, skipped);
+      else
+      {
+        const double value = body.value(property.type);
+        if(property.name == "vertex1" || property.name == "vertex2")
+          ends[property.name == "vertex2"] = to_index(value);
+      }
+    if(ends[0] && ends[1])
+      surface.edges.push_back({*ends[0], *ends[1]});
+  }
+}
+
 void read_others(Body& body, const Element& element, Surface_file& surface)
 {
   const bool faces = element.name == "face", strips = element.name == "tristrips";
@@ -316,6 +338,8 @@ Surface_file read_ply(std::string_view bytes, const std::string& name)
       fail(name, "it has two elements 'vertex'");
     if(element.name == "vertex")
       read_vertices(body, element, name, surface);
+    else if(element.name == "edge")
+      read_edges(body, element, surface);
     else
       read_others(body, element, surface);
   }

@@ -6,7 +6,7 @@ namespace program {
 
 std::string to_ply(const Surface_file& surface)
 {
-  std::size_t polyline_points = 0, edges = 0;
+  std::size_t polyline_points = 0, edges = surface.edges.size();
   for(const std::vector<Point>& polyline : surface.polylines)
   {
     polyline_points += polyline.size();
@@ -53,6 +53,9 @@ std::string to_ply(const Surface_file& surface)
     for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
       append_little_endian(bytes, surface.corners[c]);
   }
+  for(const auto& edge : surface.edges)
+    for(const std::uint32_t end : edge)
+      append_little_endian(bytes, end);
   std::size_t begin = surface.points.size();
   for(const std::vector<Point>& polyline : surface.polylines)
   {

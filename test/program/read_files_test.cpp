@@ -137,6 +137,33 @@ TEST(Read_ply, triangle_strips)
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 2, 1, 0}));
 }
 
+TEST(Read_ply, edges)
+{
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(program::read_ply(ply_header +
+                                  "element edge 2\nproperty int vertex2\n"
+                                  "property float length\nproperty int vertex1\n"
+                                  "end_header\n" +
+                                  body + "0 1.5 2\n1 1 0\n",
+                              "")
+                .edges,
+            (std::vector<std::array<std::uint32_t, 2>>{{2, 0}, {0, 1}}));
+  // Of another kind, they are passed over.
+  EXPECT_TRUE(program::read_ply(ply_header +
+                                    "element edge 1\nproperty int v0\nproperty int v1\n"
+                                    "end_header\n" +
+                                    body + "0 1\n",
+                                "")
+                  .edges.empty());
+  for(const char* const end : {"3", "-1", "nan", "1e30"})
+    expect_complaint(program::read_ply,
+                     ply_header +
+                         "element edge 1\nproperty int vertex1\n"
+                         "property int vertex2\nend_header\n" +
+                         body + "0 " + end + '\n',
+                     "an edge names vertex");
+}
+
 TEST(Read_ply, says_what_is_wrong)
 {
   const Reader read = program::read_ply;

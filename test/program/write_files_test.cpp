@@ -99,6 +99,14 @@ TEST(Write_files, polylines_follow_the_points)
   EXPECT_EQ(program::read_ply(program::to_ply(surface), "").points, surface.polylines[0]);
 }
 
+TEST(Write_files, ply_keeps_edges)
+{
+  Surface_file surface;
+  surface.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+  surface.edges = {{2, 0}, {1, 2}};
+  EXPECT_EQ(program::read_ply(program::to_ply(surface), "").edges, surface.edges);
+}
+
 TEST(Write_files, all_or_nothing)
 {
   const Folder folder;

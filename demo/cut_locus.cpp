@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where does a second way from the first vertex become as short as the first?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <vector>
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || is_empty(mesh))
+  {
+    std::cerr << "usage: cut_locus MESH RESULT.ply\n";
+    return EXIT_FAILURE;
+  }
+
+  GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
+  solver.compute(Vertex(0));
+  solver.write_distances(mesh.add_property_map<Vertex, double>("v:distance").first);
+  std::vector<GP::Geodesic_departure<Mesh>> ways;
+  for(Vertex v : mesh.vertices())
+    ways.push_back(solver.departure(v));
+
+  // The ways to the ends of an edge set out much as in a plane, unless the cut locus lies between.
+  for(Mesh::Edge_index e : mesh.edges())
+  {
+    const auto &to_a = ways[mesh.vertex(e, 0)], &to_b = ways[mesh.vertex(e, 1)];
+    const Mesh::Point a = mesh.point(mesh.vertex(e, 0)), b = mesh.point(mesh.vertex(e, 1));
+    const double apart = (to_a.direction - to_b.direction).squared_length();
+    const double length = (std::min)(to_a.length, to_b.length);
+    if(!mesh.is_border(e) && apart * length * length > 25. * CGAL::squared_distance(a, b))
+      for(auto h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
+        mesh.add_vertex(CGAL::centroid(a, b, mesh.point(mesh.target(mesh.next(h)))));
+  }
+  // The pieces of the line join the new vertices by twos.
+  std::ostringstream ply;
+  CGAL::IO::write_PLY(ply, mesh);
+  std::string text = ply.str();
+  const std::size_t first = ways.size(), edges = (mesh.number_of_vertices() - first) / 2;
+  text.insert(text.find("end_header"), "element edge " + std::to_string(edges) +
+                                           "\nproperty int vertex1\nproperty int vertex2\n");
+  for(std::size_t i = 0; i < 2 * edges; ++i)
+    text += std::to_string(first + i) + (i % 2 == 0 ? ' ' : '\n');
+  std::cout << "The cut locus crosses " << edges << " of " << mesh.number_of_edges() << " edges.\n";
+  return std::ofstream(argv[2]) << text ? EXIT_SUCCESS : EXIT_FAILURE;
+}
