@@ -50,6 +50,8 @@ TEST(Parameters, all_have_their_own_place)
                       .covering_radius(16)
                       .covering_radius_output(17)
                       .first_samples(18)
+                      .face_label_map(19)
+                      .bisector_output(20)
                       .callback(8)
                       .random_seed(9)
                       .vertex_point_map(10)
@@ -70,6 +72,8 @@ TEST(Parameters, all_have_their_own_place)
   EXPECT_EQ(GP::internal::parameter(np, ours::covering_radius, 0), 16);
   EXPECT_EQ(GP::internal::parameter(np, ours::covering_radius_output, 0), 17);
   EXPECT_EQ(GP::internal::parameter(np, ours::first_samples, 0), 18);
+  EXPECT_EQ(GP::internal::parameter(np, ours::face_label_map, 0), 19);
+  EXPECT_EQ(GP::internal::parameter(np, ours::bisector_output, 0), 20);
   EXPECT_EQ(GP::internal::parameter(np, theirs::callback, 0), 8);
   EXPECT_EQ(GP::internal::parameter(np, theirs::random_seed, 0), 9);
   EXPECT_EQ(GP::internal::parameter(np, theirs::vertex_point, 0), 10);

@@ -15,6 +15,7 @@
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
+#include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>

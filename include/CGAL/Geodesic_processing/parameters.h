@@ -52,6 +52,14 @@ enum first_samples_t
 {
   first_samples
 };
+enum face_label_map_t
+{
+  face_label_map
+};
+enum bisector_output_t
+{
+  bisector_output
+};
 
 } // namespace internal_np
 
@@ -90,6 +98,8 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, covering_radius_t, covering_radius)                       \
   LINK(Geodesic_processing::internal_np, covering_radius_output_t, covering_radius_output)         \
   LINK(Geodesic_processing::internal_np, first_samples_t, first_samples)                           \
+  LINK(Geodesic_processing::internal_np, face_label_map_t, face_label_map)                         \
+  LINK(Geodesic_processing::internal_np, bisector_output_t, bisector_output)                       \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \
   LINK(CGAL::internal_np, vertex_point_t, vertex_point_map)                                        \

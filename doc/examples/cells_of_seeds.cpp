@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The cells of seeds, and the lines between them.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // A sheet of 30 by 20, with a seed in the middle of each short side.
+  Mesh mesh;
+  CGAL::make_grid(
+      30, 20, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
+  const std::vector<Vertex> seeds = {Vertex(10 * 31), Vertex(10 * 31 + 30)};
+
+  auto cell = mesh.add_property_map<Vertex, std::size_t>("v:cell").first;
+  std::vector<GP::Voronoi_bisector<Mesh>> bisectors;
+  GP::geodesic_voronoi_diagram(mesh, seeds, cell,
+                               GP::parameters::bisector_output(std::back_inserter(bisectors)));
+
+  // One line, x = 15, from border to border.
+  bool right = bisectors.size() == 1;
+  for(const Point& p : bisectors[0].points)
+    right = right && std::abs(p.x() - 15.) < 1e-9;
+  std::cout << "from " << bisectors[0].points.front() << " to " << bisectors[0].points.back()
+            << '\n';
+  for(Vertex v : mesh.vertices())
+    right = right && (mesh.point(v).x() == 15. || cell[v] == (mesh.point(v).x() < 15. ? 0u : 1u));
+  return right ? EXIT_SUCCESS : EXIT_FAILURE;
+}

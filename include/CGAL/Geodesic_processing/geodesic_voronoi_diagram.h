@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
+#define CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
+
+#include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/voronoi.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/tags.h>
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingSampling
+/// part of the line between two cells of a geodesic Voronoi diagram: from one place where three cells
+/// meet, or from where the surface ends, to the next; or closed, then its last location is the first.
+template <typename Surface>
+struct Voronoi_bisector
+{
+  using Location = typename internal::Surface_traits<Surface>::Location;
+  using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
+
+  std::size_t left;                ///< the label of the cell on the left, seen from outside
+  std::size_t right;               ///< the label of the cell on the right
+  std::vector<Location> locations; ///< consecutive ones lie in a common face
+  std::vector<Point_3> points;     ///< the same in space
+};
+
+/// \ingroup PkgGeodesicProcessingSampling
+///
+/// finds the cells of a geodesic Voronoi diagram: which of several seeds is nearest.
+///
+/// Each face is divided by what is known of the distances at its corners: differences of squared
+/// distances, linear where fronts are circles about their sources. The line between two cells is exact
+/// wherever the way to both seeds unfolds to a plane, and of second order elsewhere. Cells are told
+/// apart by vertices: one that comes to no vertex of a face is not seen in it, and where three cells meet
+/// is known to within a face; for n vertices there should not be more than n/4 seeds.
+///
+/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
+/// \param surface as for `geodesic_distances()`; on a cloud there are labels of surfels only
+/// \param seeds a site, a location, a `Source`, or a range of one of these, not empty; those of one label
+///        have a cell together
+/// \param label_map receives for each site the label of its nearest seed, by default its position in the
+///        range; the largest `std::size_t` where none reaches
+/// \param np what `make_domain()` takes, `maximum_distance`, `speed_map` and `callback` as
+///        `Geodesic_distance_solver::compute()`, and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{face_label_map}
+///     \cgalParamDescription{receives for each face the label of the cell that its centre lies in; the
+///       largest `std::size_t` unless all of its vertices are reached} \cgalParamNEnd
+///   \cgalParamNBegin{bisector_output}
+///     \cgalParamDescription{an output iterator that takes `Voronoi_bisector`: all lines between cells}
+///     \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \returns false if the callback cancelled it; then cells are too small
+/// \throws as `Geodesic_distance_solver::compute()`
+///
+/// O(n log n): one front over the whole surface, and one over each cell and what is next to it.
+template <typename Method = Euclidean_front, typename Surface, typename Seeds, typename LabelMap,
+          typename NamedParameters = internal::Default_parameters>
+bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelMap label_map,
+                              const NamedParameters& np = NamedParameters())
+{
+  using internal::Index;
+  static_assert(std::is_base_of_v<internal::Front, internal::Engine<Method>>,
+                "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+  const auto domain = make_domain(surface, np);
+  using Domain_surface = typename std::decay_t<decltype(domain)>::Surface;
+
+  const internal::Front_limits limits = internal::limits(domain, np);
+  std::vector<std::size_t> labels;
+  std::vector<internal::Source> sources = internal::sources(domain, seeds, labels);
+  // Cells have numbers, in the order of their labels.
+  std::vector<std::size_t> cells = labels;
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  for(std::size_t i = 0; i < sources.size(); ++i)
+    sources[i].label =
+        Index(std::lower_bound(cells.begin(), cells.end(), labels[i]) - cells.begin());
+  const auto label = [&](Index cell)
+  { return cell == internal::none ? (std::numeric_limits<std::size_t>::max)() : cells[cell]; };
+
+  const internal::Voronoi voronoi(domain.triangles(), internal::Engine<Method>(domain.triangles()),
+                                  sources, Index(cells.size()), limits);
+  domain.write([&](Index site) { return label(voronoi.labels()[site]); }, label_map);
+
+  constexpr bool has_face_labels =
+      internal::has_parameter<NamedParameters, internal_np::face_label_map_t>;
+  constexpr bool has_bisectors =
+      internal::has_parameter<NamedParameters, internal_np::bisector_output_t>;
+  static_assert(!internal::Is_cloud<Domain_surface>::value || !(has_face_labels || has_bisectors),
+                "A surfel cloud has no faces, and no lines between cells: its triangles overlap.");
+  if constexpr(has_face_labels)
+  {
+    auto face_label_map = internal::parameter(np, internal_np::face_label_map, 0);
+    for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
+      put(face_label_map, domain.face(f), label(voronoi.label_of_triangle(f)));
+  }
+  if constexpr(has_bisectors)
+  {
+    auto out = internal::parameter(np, internal_np::bisector_output, 0);
+    for(const internal::Voronoi::Bisector& line : voronoi.bisectors())
+    {
+      Voronoi_bisector<Domain_surface> bisector{label(line.left), label(line.right), {}, {}};
+      for(const internal::Location& place : line.line)
+      {
+        bisector.locations.push_back(domain.outer(place));
+        bisector.points.push_back(domain.point(place));
+      }
+      *out++ = std::move(bisector);
+    }
+  }
+  return voronoi.is_finished();
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
