@@ -4,7 +4,7 @@
 // How far from the truth are the methods, and how fast does the error fall?
 #include <CGAL/Geodesic_processing.h>
 
-#include "Convergence_plot.h"
+#include "Error_plot.h"
 #include "Heat_peer.h"
 #include "models.h"
 #include "report.h"
@@ -197,7 +197,7 @@ public:
 
   Panel panel(const std::string& title) const
   {
-    Panel result{title, {}};
+    Panel result{title, "mean length of the edges", {}};
     for(const auto& [method, points] : m_points)
       result.series.push_back({methods[method], method, order(method), points});
     return result;
@@ -315,7 +315,7 @@ int main(int argc, char* argv[])
     std::vector<Panel> panels = {on_sphere.panel("Unit sphere, against great circles")};
     if(found > 0)
       panels.push_back(on_scan.panel("Scan, cut once and twice, against exact distances"));
-    if(!write_convergence_plot(plot, panels))
+    if(!write_error_plot(plot, panels))
     {
       std::fprintf(stderr, "accuracy: cannot write %s\n", plot.c_str());
       return EXIT_FAILURE;

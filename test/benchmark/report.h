@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_BENCHMARK_REPORT_H
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -27,6 +28,15 @@ double seconds(Function f)
   const std::clock_t begin = std::clock();
   f();
   return double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+// The time on a watch, which is what threads shorten.
+template <typename Function>
+double seconds_on_a_watch(Function f)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 inline double median(std::vector<double> values)

@@ -2,11 +2,13 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds and runs the benchmarks; prints tables, ends with the plot of
-# convergence.  Takes about ten minutes on one processor; best with nothing else running.
-#   --quick      small meshes only, half a minute
+# Installs what is missing, builds and runs the benchmarks; prints tables, and leaves two plots.
+# Takes about a quarter of an hour; best with nothing else running.
+#   --quick      small meshes only, a minute
+#   --patient    CGAL's exact distances also where they take minutes
 #   accuracy     only this one
 #   speed        only this one
+#   exact        only this one
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -14,15 +16,16 @@ set -u -o pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
 . cmake/install_packages.sh
 
-quick=() programs=()
+options=() patient=() programs=()
 for argument in "$@"; do
   case $argument in
-    --quick) quick=(--quick) ;;
-    accuracy | speed) programs+=("$argument") ;;
-    *) sed -n '5,11s/^# \{0,1\}//p' "$0"; exit 1 ;;
+    --quick) options=(--quick) ;;
+    --patient) patient=(--patient) ;;
+    accuracy | speed | exact) programs+=("$argument") ;;
+    *) sed -n '5,13s/^# \{0,1\}//p' "$0"; exit 1 ;;
   esac
 done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed)
+[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
@@ -40,8 +43,11 @@ mkdir -p "$build"
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 grep -m 1 'model name' /proc/cpuinfo
 for program in "${programs[@]}"; do
-  arguments=("${quick[@]}")
-  [ "$program" = speed ] || arguments+=("$build/convergence.svg")
+  arguments=("${options[@]}")
+  case $program in
+    accuracy) arguments+=("$build/convergence.svg") ;;
+    exact) arguments+=("${patient[@]}" "$build/trade_off.svg") ;;
+  esac
   printf '\n'
   "$build/test/benchmark/$program" "${arguments[@]}" || exit 1
 done

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_BENCHMARK_CONVERGENCE_PLOT_H
-#define CGAL_GEODESIC_PROCESSING_BENCHMARK_CONVERGENCE_PLOT_H
+#ifndef CGAL_GEODESIC_PROCESSING_BENCHMARK_ERROR_PLOT_H
+#define CGAL_GEODESIC_PROCESSING_BENCHMARK_ERROR_PLOT_H
 
 #include "report.h"
 
@@ -22,24 +22,28 @@ struct Series
   std::string name;
   std::size_t style; // one colour and one mark for each method
   double order;
-  std::vector<std::array<double, 2>> points; // length of the edges, relative error
+  std::vector<std::array<double, 2>> points; // length of the edges, or seconds; relative error
 };
 
 struct Panel
 {
-  std::string title;
+  std::string title, axis; // what the errors stand over
   std::vector<Series> series;
 };
 
-// Draws errors over lengths of edges, both logarithmic, panels side by side, as SVG.
+// Draws errors over something else, both logarithmic, panels side by side, as SVG.
 // False when the file cannot be written.
-inline bool write_convergence_plot(const std::string& file, const std::vector<Panel>& panels)
+inline bool write_error_plot(const std::string& file, const std::vector<Panel>& panels)
 {
   // Colours that also those who see few of them can tell apart (Okabe and Ito 2008).
-  constexpr std::array<const char*, 5> colors = {"#888888", "#D55E00", "#0072B2", "#009E73",
-                                                 "#CC79A7"};
+  constexpr std::array<const char*, 7> colors = {"#888888", "#D55E00", "#0072B2", "#009E73",
+                                                 "#CC79A7", "#E69F00", "#56B4E9"};
   constexpr double width = 400., height = 380., left = 70., right = 14., top = 30., bottom = 44.;
-  constexpr double legend_row = 17., legend = 5 * legend_row + 8.;
+  constexpr double legend_row = 17.;
+  std::size_t rows = 0;
+  for(const Panel& panel : panels)
+    rows = std::max(rows, panel.series.size());
+  const double legend = double(rows) * legend_row + 8.;
   const double total = height + legend;
 
   std::ofstream out(file);
@@ -78,8 +82,15 @@ inline bool write_convergence_plot(const std::string& file, const std::vector<Pa
     case 3:
       out << "<path d=\"M" << x << ' ' << y - 5 << "l5 8h-10z\" fill=\"" << color << "\"/>\n";
       break;
-    default:
+    case 4:
       out << "<path d=\"M" << x << ' ' << y - 5 << "l5 5l-5 5l-5 -5z\" fill=\"white\" stroke=\""
+          << color << "\" stroke-width=\"1.5\"/>\n";
+      break;
+    case 5:
+      out << "<path d=\"M" << x << ' ' << y + 5 << "l5 -8h-10z\" fill=\"" << color << "\"/>\n";
+      break;
+    default:
+      out << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"4\" fill=\"white\" stroke=\""
           << color << "\" stroke-width=\"1.5\"/>\n";
     }
   };
@@ -110,7 +121,7 @@ inline bool write_convergence_plot(const std::string& file, const std::vector<Pa
     out << "<rect x=\"" << begin << "\" y=\"" << top << "\" width=\"" << end - begin
         << "\" height=\"" << height - bottom - top << "\" fill=\"none\" stroke=\"#444\"/>\n";
     text((begin + end) / 2., top - 10., "middle", panel.title);
-    text((begin + end) / 2., height - 10., "middle", "mean length of the edges");
+    text((begin + end) / 2., height - 10., "middle", panel.axis);
     for(int decade = int(y0); decade <= int(y1); ++decade)
     {
       line(begin, at_y(decade), end, at_y(decade), "stroke=\"#ddd\"");
@@ -124,7 +135,9 @@ inline bool write_convergence_plot(const std::string& file, const std::vector<Pa
         if(x < x0 || x > x1)
           continue;
         line(at_x(x), top, at_x(x), height - bottom, "stroke=\"#ddd\"");
-        text(at_x(x), height - bottom + 16., "middle", digits(std::pow(10., x)));
+        // Over many decades there is room for one number each.
+        if(digit == 1. || x1 - x0 < 2.)
+          text(at_x(x), height - bottom + 16., "middle", digits(std::pow(10., x)));
       }
     for(std::size_t s = 0; s < panel.series.size(); ++s)
     {
@@ -150,4 +163,4 @@ inline bool write_convergence_plot(const std::string& file, const std::vector<Pa
 
 } // namespace benchmarks
 
-#endif // CGAL_GEODESIC_PROCESSING_BENCHMARK_CONVERGENCE_PLOT_H
+#endif // CGAL_GEODESIC_PROCESSING_BENCHMARK_ERROR_PLOT_H

@@ -1,0 +1,353 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What do exact distances cost, beside CGAL's and beside approximate ones?
+#include <CGAL/Geodesic_processing.h>
+
+#include "Error_plot.h"
+#include "Heat_peer.h"
+#include "models.h"
+#include "report.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <random>
+
+namespace {
+
+using namespace benchmarks;
+namespace GP = CGAL::Geodesic_processing;
+
+template <typename Method>
+using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
+
+// CGAL's exact algorithm takes seconds on models of 40,000 vertices, and minutes with gigabytes on
+// larger meshes.
+enum class Peer
+{
+  beside,
+  if_patient,
+  left_out
+};
+
+struct Named_mesh
+{
+  std::string name;
+  std::function<std::optional<Mesh>()> make;
+  Peer peer;
+};
+
+std::optional<Mesh> cut(const std::string& name, unsigned times)
+{
+  auto mesh = model(name);
+  for(unsigned i = 0; mesh && i < times; ++i)
+    mesh = refined(*mesh);
+  return mesh;
+}
+
+// A sphere pressed flat: triangles up to eight times as long as wide.
+Mesh pressed_sphere(unsigned level)
+{
+  auto surface = CGAL::Geodesic_processing::test::icosphere(level);
+  for(auto& p : surface.points)
+    p[2] /= 8.;
+  return mesh_of(surface);
+}
+
+std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number)
+{
+  std::mt19937 random(1);
+  std::vector<Vertex> result;
+  for(std::size_t i = 0; i < number; ++i)
+    result.push_back(Vertex(Mesh::size_type(random() % num_vertices(mesh))));
+  return result;
+}
+
+struct Cost
+{
+  std::vector<double> times;
+  double peak = 0.; // bytes above what there was
+};
+
+// Calls f, and keeps what it costs.
+template <typename Function>
+void measure(Cost& cost, Function f)
+{
+  forget_peak();
+  const double before = peak_bytes();
+  cost.times.push_back(seconds(f));
+  cost.peak = std::max(cost.peak, peak_bytes() - before);
+}
+
+// One source, from the mesh to the distances of all vertices, set-up included.
+class Single_source_table
+{
+public:
+  void add(const std::string& name, const Mesh& mesh, bool with_peer)
+  {
+    Cost front, exact, peer;
+    double difference = with_peer ? 0. : std::nan("");
+    // In turns, so that whatever else the machine does falls on all alike.
+    for(const Vertex source : three_sources(num_vertices(mesh)))
+    {
+      measure(front, [&] { Solver<GP::Euclidean_front>(mesh).compute(source); });
+      std::vector<double> ours(num_vertices(mesh)), theirs;
+      measure(exact,
+              [&]
+              {
+                Solver<GP::Exact> solver(mesh);
+                solver.compute(source);
+                for(const Vertex v : mesh.vertices())
+                  ours[std::size_t(v)] = solver.distance(v);
+              });
+      if(!with_peer)
+        continue;
+      measure(peer, [&] { theirs = exact_distances(mesh, source); });
+      for(std::size_t i = 0; i < ours.size(); ++i)
+        if(theirs[i] > 0.)
+          difference = std::max(difference, std::fabs(ours[i] / theirs[i] - 1.));
+    }
+    const auto megabytes = [](const Cost& cost)
+    { return cost.times.empty() ? "-" : number(cost.peak / 1e6, 0); };
+    m_table.add({name, std::to_string(num_vertices(mesh)), number(median(front.times), 3),
+                 number(median(exact.times), 3), number(median(peer.times), 2),
+                 number(median(exact.times) / median(front.times), 1),
+                 number(median(peer.times) / median(exact.times), 1), megabytes(exact),
+                 megabytes(peer), digits(difference)});
+  }
+  void print() const
+  {
+    std::printf("One source to all vertices, set-up included: seconds, megabytes at most\n");
+    m_table.print();
+    std::printf("Bar: CGAL/Exact at least 30 at 35,000 to 400,000 vertices.\n\n");
+  }
+
+private:
+  Table m_table{{"mesh", "vertices", "Euclidean [s]", "Exact [s]", "CGAL exact [s]",
+                 "Exact/Euclidean", "CGAL/Exact", "Exact [MB]", "CGAL [MB]", "largest difference"}};
+};
+
+// Many sources, by one thread and by two.
+template <typename Method>
+void add_parallel(Table& table, const std::string& name, const Mesh& mesh, std::size_t sources,
+                  bool to_all)
+{
+  const auto domain = GP::make_domain(mesh);
+  const auto places = random_vertices(mesh, sources);
+  const std::vector<Vertex> targets =
+      to_all ? std::vector<Vertex>(mesh.vertices().begin(), mesh.vertices().end()) : places;
+  std::vector<double> one, two;
+  for(int i = 0; i < 3; ++i)
+    for(const unsigned threads : {1u, 2u})
+      (threads == 1 ? one : two)
+          .push_back(seconds_on_a_watch(
+              [&]
+              {
+                GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
+                    domain, places, GP::parameters::threads(threads).targets(targets));
+              }));
+  // The shortest times: the others had less of the machine.
+  const double alone = *std::min_element(one.begin(), one.end());
+  const double together = *std::min_element(two.begin(), two.end());
+  table.add({name, std::to_string(sources), std::to_string(targets.size()), number(alone, 2),
+             number(together, 2), number(alone / together, 2)});
+}
+
+// Sources of which each reaches what is nearer than 18 edges: about a thousand vertices of a plane.
+void add_bounded(Table& table, const std::string& name, const Mesh& mesh)
+{
+  const auto domain = GP::make_domain(mesh);
+  Solver<GP::Exact> exact(domain);
+  Solver<GP::Euclidean_front> front(domain);
+  const double bound = 18. * mean_edge(mesh);
+  std::vector<double> windows, circles, reached;
+  for(const Vertex source : random_vertices(mesh, 101))
+  {
+    circles.push_back(
+        seconds([&] { front.compute(source, GP::parameters::maximum_distance(bound)); }));
+    windows.push_back(
+        seconds([&] { exact.compute(source, GP::parameters::maximum_distance(bound)); }));
+    reached.push_back(double(exact.reached().size()));
+  }
+  table.add({name, std::to_string(num_vertices(mesh)), number(median(reached), 0),
+             number(1000. * median(circles), 2), number(1000. * median(windows), 2),
+             number(1000. * *std::max_element(windows.begin(), windows.end()), 2)});
+}
+
+// Errors of the methods over their times: that of a query, and that of the first with its set-up.
+class Trade_off
+{
+public:
+  Trade_off(const std::string& name, Mesh& mesh)
+      : m_panel{name + ", " + std::to_string(num_vertices(mesh)) + " vertices",
+                "seconds for a source: prepared, and with its set-up",
+                {}},
+        m_mesh(mesh)
+  {
+    m_sources = three_sources(num_vertices(mesh));
+    std::vector<double> times;
+    for(const Vertex source : m_sources)
+      times.push_back(seconds([&] { m_known.push_back(exact_distances(mesh, source)); }));
+    add_method<GP::Dijkstra>("Dijkstra");
+    add_method<GP::Fast_marching>("Fast_marching");
+    add_method<GP::Euclidean_front>("Euclidean_front");
+    add_method<GP::Heat>("Heat");
+    std::unique_ptr<Heat_peer> heat;
+    add(
+        "CGAL heat", [&] { heat = std::make_unique<Heat_peer>(mesh); },
+        [&](Vertex source) { heat->compute(source); }, [&](Vertex v) { return heat->distance(v); });
+    add_method<GP::Exact>("Exact");
+    add_point("CGAL exact", median(times), 0., 0.);
+  }
+
+  const Panel& panel() const { return m_panel; }
+  void print() const
+  {
+    std::printf("%s\n", m_panel.title.c_str());
+    m_table.print();
+  }
+
+private:
+  // A logarithmic axis has no place for zero: what is exact is drawn here.
+  static constexpr double rounding = 1e-6;
+
+  template <typename Method>
+  void add_method(const char* name)
+  {
+    std::unique_ptr<Solver<Method>> solver;
+    add(
+        name, [&] { solver = std::make_unique<Solver<Method>>(m_mesh); },
+        [&](Vertex source) { solver->compute(source); },
+        [&](Vertex v) { return solver->distance(v); });
+  }
+
+  template <typename Prepare, typename Compute, typename Distance>
+  void add(const char* name, Prepare prepare, Compute compute, Distance distance)
+  {
+    const double setup = seconds(prepare);
+    std::vector<double> times;
+    double sum = 0.;
+    std::size_t count = 0;
+    for(int round = 0; round < 2; ++round) // the first warms up
+      for(std::size_t s = 0; s < m_sources.size(); ++s)
+      {
+        times.push_back(seconds([&] { compute(m_sources[s]); }));
+        const double nearest = 0.05 * *std::max_element(m_known[s].begin(), m_known[s].end());
+        for(const Vertex v : m_mesh.vertices())
+          if(const double known = m_known[s][std::size_t(v)]; known >= nearest)
+          {
+            sum += std::fabs(distance(v) / known - 1.);
+            ++count;
+          }
+      }
+    add_point(name, median(times), setup, sum / double(count));
+  }
+
+  void add_point(const char* name, double query, double setup, double error)
+  {
+    const double shown = std::max(error, rounding);
+    m_panel.series.push_back(
+        {name, m_panel.series.size(), std::nan(""), {{query, shown}, {query + setup, shown}}});
+    m_table.add({name, number(setup, 3), number(query, 3), digits(100. * error)});
+  }
+
+  Panel m_panel;
+  Mesh& m_mesh;
+  std::vector<Vertex> m_sources;
+  std::vector<std::vector<double>> m_known;
+  Table m_table{{"method", "set-up [s]", "query [s]", "mean error %"}};
+};
+
+} // namespace
+
+// exact [--quick] [--patient] [PLOT.svg]
+int main(int argc, char* argv[])
+{
+  bool quick = false, patient = false;
+  std::string plot;
+  for(int i = 1; i < argc; ++i)
+    if(std::strcmp(argv[i], "--quick") == 0)
+      quick = true;
+    else if(std::strcmp(argv[i], "--patient") == 0)
+      patient = true;
+    else
+      plot = argv[i];
+
+  std::printf("Exact distances: processor time, medians, of three sources.\n\n");
+  std::vector<Named_mesh> meshes = {
+      {"icosphere 4", [] { return icosphere(4); }, Peer::beside},
+      {"elephant_2k8", [] { return model("elephant_2k8"); }, Peer::beside},
+  };
+  if(!quick)
+    meshes = {
+        {"bunny_37k", [] { return model("bunny_37k"); }, Peer::beside},
+        {"nefertiti_35k", [] { return model("nefertiti_35k"); }, Peer::beside},
+        {"icosphere 6", [] { return icosphere(6); }, Peer::if_patient},
+        {"square 201^2", [] { return jittered_square(201); }, Peer::if_patient},
+        {"pressed sphere 6", [] { return pressed_sphere(6); }, Peer::if_patient},
+        {"bunny_37k once", [] { return cut("bunny_37k", 1); }, Peer::if_patient},
+        {"icosphere 7", [] { return icosphere(7); }, Peer::left_out},
+        {"pressed sphere 7", [] { return pressed_sphere(7); }, Peer::left_out},
+        {"square 631^2", [] { return jittered_square(631); }, Peer::left_out},
+    };
+  Single_source_table single;
+  for(const Named_mesh& named : meshes)
+    if(const auto mesh = named.make())
+      single.add(named.name, *mesh,
+                 named.peer == Peer::beside || (patient && named.peer == Peer::if_patient));
+  single.print();
+
+  // A model, or a sphere where there is none.
+  const auto model_or_sphere = [&]
+  {
+    auto mesh = model(quick ? "elephant_2k8" : "bunny_37k");
+    return mesh ? *mesh : icosphere(quick ? 4 : 6);
+  };
+  Mesh mesh = model_or_sphere();
+
+  std::printf("Several sources by two threads: seconds on a watch, which wants an idle machine\n");
+  Table parallel({"Distances", "sources", "targets", "one thread [s]", "two [s]", "speed-up"});
+  add_parallel<GP::Exact>(parallel, "Exact, all pairs", mesh, 24, false);
+  add_parallel<GP::Exact>(parallel, "Exact, to all", mesh, 8, true);
+  add_parallel<GP::Euclidean_front>(parallel, "Euclidean_front, all pairs", mesh, 100, false);
+  add_parallel<GP::Euclidean_front>(parallel, "Euclidean_front, to all", mesh, 32, true);
+  parallel.print();
+  std::printf("Bar: at least 1.7 on two processors.\n\n");
+
+  std::printf(
+      "What is nearer than 18 edges, from random vertices; the surface cut finer and finer\n");
+  Table bounded(
+      {"Bounded query", "vertices", "reached", "Euclidean [ms]", "Exact [ms]", "slowest [ms]"});
+  Mesh finer = mesh;
+  for(const std::string times : {"uncut", "cut once", "cut twice"})
+  {
+    add_bounded(bounded, times, finer);
+    if(times != "cut twice")
+      finer = refined(finer);
+  }
+  bounded.print();
+  std::printf("Bar: as long on a large mesh as on a small one, when as many are reached.\n\n");
+
+  std::vector<Panel> panels;
+  const auto compare = [&panels](const std::string& name, Mesh& surface)
+  {
+    const Trade_off trade_off(name, surface);
+    trade_off.print();
+    panels.push_back(trade_off.panel());
+  };
+  std::printf("Errors over times, relative to CGAL's exact distances\n");
+  Mesh sphere = icosphere(quick ? 4 : 5);
+  compare(model(quick ? "elephant_2k8" : "bunny_37k") ? "Scan" : "Sphere", mesh);
+  compare("Sphere", sphere);
+  if(!plot.empty())
+  {
+    if(!write_error_plot(plot, panels))
+    {
+      std::fprintf(stderr, "exact: cannot write %s\n", plot.c_str());
+      return EXIT_FAILURE;
+    }
+    std::printf("The plot of errors over times is in %s\n", plot.c_str());
+  }
+}
