@@ -25,12 +25,11 @@ void expect_values(const NamedParameters& np)
 
 TEST(Parameters, chain_with_those_of_cgal_in_any_order)
 {
-  using namespace GP::parameters;
   const std::string points = "points";
-  expect_values(maximum_distance(0.5).vertex_point_map(points).threads(3u));
-  expect_values(maximum_distance(0.5).threads(3u).vertex_point_map(points));
+  expect_values(GP::parameters::maximum_distance(0.5).vertex_point_map(points).threads(3u));
+  expect_values(GP::parameters::maximum_distance(0.5).threads(3u).vertex_point_map(points));
   expect_values(GP::parameters::vertex_point_map(points).maximum_distance(0.5).threads(3u));
-  expect_values(threads(3u).vertex_point_map(points).maximum_distance(0.5));
+  expect_values(GP::parameters::threads(3u).vertex_point_map(points).maximum_distance(0.5));
   // A chain that CGAL began goes on with ours once it is one of ours.
   expect_values(GP::internal::chain(CGAL::parameters::vertex_point_map(points))
                     .maximum_distance(0.5)
@@ -39,8 +38,7 @@ TEST(Parameters, chain_with_those_of_cgal_in_any_order)
 
 TEST(Parameters, all_have_their_own_place)
 {
-  using namespace GP::parameters;
-  const auto np = maximum_distance(1)
+  const auto np = GP::parameters::maximum_distance(1)
                       .targets(2)
                       .speed_map(3)
                       .source_label_map(4)
@@ -52,6 +50,7 @@ TEST(Parameters, all_have_their_own_place)
                       .first_samples(18)
                       .face_label_map(19)
                       .bisector_output(20)
+                      .ball_radius(21)
                       .callback(8)
                       .random_seed(9)
                       .vertex_point_map(10)
@@ -74,6 +73,7 @@ TEST(Parameters, all_have_their_own_place)
   EXPECT_EQ(GP::internal::parameter(np, ours::first_samples, 0), 18);
   EXPECT_EQ(GP::internal::parameter(np, ours::face_label_map, 0), 19);
   EXPECT_EQ(GP::internal::parameter(np, ours::bisector_output, 0), 20);
+  EXPECT_EQ(GP::internal::parameter(np, ours::ball_radius, 0), 21);
   EXPECT_EQ(GP::internal::parameter(np, theirs::callback, 0), 8);
   EXPECT_EQ(GP::internal::parameter(np, theirs::random_seed, 0), 9);
   EXPECT_EQ(GP::internal::parameter(np, theirs::vertex_point, 0), 10);
@@ -86,7 +86,6 @@ TEST(Parameters, all_have_their_own_place)
 
 TEST(Parameters, keep_functions)
 {
-  using namespace GP::parameters;
   bool was_called = false;
   const auto np = GP::parameters::callback(std::function<bool(double)>(
                                                [&](double)

@@ -19,6 +19,7 @@
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/principal_curvatures.h>
 #include <CGAL/Geodesic_processing/straightest_geodesic.h>
 #include <CGAL/Geodesic_processing/tags.h>
 

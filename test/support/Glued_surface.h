@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_GLUED_SURFACE_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include "triangulations.h"
 
@@ -15,6 +16,7 @@
 
 namespace CGAL::Geodesic_processing::test {
 
+using internal::dot;
 using internal::infinity;
 
 // A triangulation as the kernels see it, and their answers in its own numbers and unit.
@@ -121,11 +123,6 @@ double mean_relative_error(const std::vector<double>& value, double least, const
       ++count;
     }
   return sum / double(count);
-}
-
-inline double dot(const Point& p, const Point& q)
-{
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
 }
 
 // Along the great circle of the unit sphere.

@@ -16,25 +16,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <thread>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
-
-namespace internal {
-
-template <typename Concurrency_tag, typename NamedParameters>
-unsigned threads(const NamedParameters& np)
-{
-  if constexpr(std::is_same_v<Concurrency_tag, Sequential_tag>)
-    return 1;
-  else
-    return parameter(np, internal_np::threads, (std::max)(1u, std::thread::hardware_concurrency()));
-}
-
-} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
@@ -86,15 +71,16 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
   const double scale = domain.triangles()->scale;
 
   Eigen::MatrixXd result(from.size(), to.size());
-  const internal::Engine<Method> engine(domain.triangles());
+  using Engine = internal::Engine<Method>;
   const bool is_complete = internal::for_each_row(
-      engine, from, limits, internal::threads<Concurrency_tag>(np),
-      [&](std::size_t row, const internal::Engine<Method>& found)
+      Engine(domain.triangles()), from.size(), limits, internal::threads<Concurrency_tag>(np),
+      [&](std::size_t row, Engine& engine, const internal::Front_limits& row_limits)
       {
+        engine.run({from[row]}, row_limits);
         for(std::size_t column = 0; column < to.size(); ++column)
           result(Eigen::Index(row), Eigen::Index(column)) =
-              scale * (to[column].triangle == internal::none ? found.distance(to[column].site)
-                                                             : found.distance(to[column]));
+              scale * (to[column].triangle == internal::none ? engine.distance(to[column].site)
+                                                             : engine.distance(to[column]));
       });
   return is_complete ? result : Eigen::MatrixXd();
 }
@@ -141,16 +127,18 @@ sparse_geodesic_distance_matrix(const Surface& surface, const Sites& sites, doub
   const double scale = domain.triangles()->scale;
 
   std::vector<std::vector<Entry>> rows(from.size());
-  const internal::Engine<Method> engine(domain.triangles());
-  if(!internal::for_each_row(engine, from, limits, internal::threads<Concurrency_tag>(np),
-                             [&](std::size_t i, const internal::Engine<Method>& found)
-                             {
-                               for(const Index site : found.reached())
-                                 if(column_of[site] != internal::none)
-                                   rows[i].emplace_back(column_of[site],
-                                                        scale * found.distance(site));
-                               std::sort(rows[i].begin(), rows[i].end());
-                             }))
+  using Engine = internal::Engine<Method>;
+  const bool is_complete = internal::for_each_row(
+      Engine(domain.triangles()), from.size(), limits, internal::threads<Concurrency_tag>(np),
+      [&](std::size_t i, Engine& engine, const internal::Front_limits& row_limits)
+      {
+        engine.run({from[i]}, row_limits);
+        for(const Index site : engine.reached())
+          if(column_of[site] != internal::none)
+            rows[i].emplace_back(column_of[site], scale * engine.distance(site));
+        std::sort(rows[i].begin(), rows[i].end());
+      });
+  if(!is_complete)
     return Matrix();
 
   Matrix result(Eigen::Index(from.size()), Eigen::Index(from.size()));

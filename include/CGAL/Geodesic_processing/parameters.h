@@ -60,6 +60,10 @@ enum bisector_output_t
 {
   bisector_output
 };
+enum ball_radius_t
+{
+  ball_radius
+};
 
 } // namespace internal_np
 
@@ -100,6 +104,7 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, first_samples_t, first_samples)                           \
   LINK(Geodesic_processing::internal_np, face_label_map_t, face_label_map)                         \
   LINK(Geodesic_processing::internal_np, bisector_output_t, bisector_output)                       \
+  LINK(Geodesic_processing::internal_np, ball_radius_t, ball_radius)                               \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \
   LINK(CGAL::internal_np, vertex_point_t, vertex_point_map)                                        \

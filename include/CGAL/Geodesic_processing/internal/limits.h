@@ -8,8 +8,13 @@
 #include <CGAL/Geodesic_processing/internal/sources.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
+#include <CGAL/tags.h>
+
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -30,6 +35,16 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
     result.slowness = std::make_shared<const std::vector<double>>(
         domain.slowness(parameter(np, internal_np::speed_map, none)));
   return result;
+}
+
+// How many threads a tag and named parameters ask for.
+template <typename Concurrency_tag, typename NamedParameters>
+unsigned threads(const NamedParameters& np)
+{
+  if constexpr(std::is_same_v<Concurrency_tag, Sequential_tag>)
+    return 1;
+  else
+    return parameter(np, internal_np::threads, (std::max)(1u, std::thread::hardware_concurrency()));
 }
 
 } // namespace CGAL::Geodesic_processing::internal
