@@ -135,6 +135,7 @@ picture heat "The same by the flow of heat." distance "$animal" --source 0 --met
 picture near "Only what is near is visited when there is a limit." \
   distance "$runner" --source 100 --limit 0.3
 picture border "How deep in the surface, seen from its borders?" distance "$holes" --source-border
+picture sample "Which places cover a surface evenly?" sample "$animal" --number 300
 picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
   voronoi "$bear" --number 60
 picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40

@@ -4,7 +4,6 @@
 #include "Picture.h"
 #include "commands.h"
 #include "errors.h"
-#include "farthest_vertices.h"
 #include "queries.h"
 
 #include <algorithm>
@@ -78,10 +77,7 @@ Result find_matrix(const Surface_type& surface, const Matrix_options& options, J
   if(!options.sources.empty())
     result.vertices = parse_integers(options.sources, "--sources");
   else if(options.number)
-  {
-    GP::Geodesic_distance_solver<Surface_type> solver(domain);
-    result.vertices = farthest_vertices(solver, *options.number, job);
-  }
+    result.vertices = farthest_vertices(domain, *options.number, job);
   else
   {
     result.vertices.resize(job.surface().file.points.size());

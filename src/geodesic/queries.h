@@ -7,6 +7,7 @@
 
 #include <CGAL/Geodesic_processing.h>
 
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -85,6 +86,21 @@ std::vector<std::uint32_t> picture_triangles([[maybe_unused]] const Domain& doma
     if(!job.picture().empty())
       return picture_triangles(domain.surfels());
   return {};
+}
+
+// Vertices that lie in a triangle, or surfels, each as far as can be from those before it.  Fewer than
+// asked for when no vertex is left at a distance.
+template <typename Domain>
+std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t number, Job& job)
+{
+  std::vector<typename Domain::Site> sites;
+  GP::farthest_site_sampling(
+      domain, number, std::back_inserter(sites),
+      GP::parameters::random_seed(job.seed()).callback(job.progress("farthest vertices")));
+  std::vector<std::size_t> result;
+  for(const auto& one : sites)
+    result.push_back(static_cast<std::size_t>(one));
+  return result;
 }
 
 // A property of the file, read like a map of the library.

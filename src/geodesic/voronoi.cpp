@@ -4,11 +4,9 @@
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
-#include "farthest_vertices.h"
 #include "queries.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace program {
 
@@ -24,38 +22,59 @@ struct Result
 {
   std::vector<std::size_t> seeds;
   std::vector<long long> labels; // #vertices: the place of the nearest seed, -1 where none reaches
-  std::vector<double> values;    // #vertices: its distance
-  std::vector<std::uint32_t> triangles; // of a cloud, for the picture
+  // For the picture:
+  std::vector<std::vector<Point>> lines; // between the cells of a mesh
+  std::vector<std::uint32_t> triangles;  // of a cloud
 };
 
-// The library's part: seeds, and the nearest one of each vertex.
+// Labels as the library writes them, at vertices by their numbers.
+template <typename Site>
+struct Label_map
+{
+  using key_type = Site;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::writable_property_map_tag;
+
+  std::vector<long long>* labels;
+  // The largest number, which stands for no label, becomes -1.
+  friend void put(const Label_map& map, const Site& site, std::size_t label)
+  {
+    (*map.labels)[static_cast<std::size_t>(site)] = static_cast<long long>(label);
+  }
+};
+
+// The library's part: seeds, the nearest one of each vertex, and the lines between.
 template <typename Surface_type>
 Result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  GP::Geodesic_distance_solver<Surface_type> solver(domain);
+  using Site = typename std::decay_t<decltype(domain)>::Site;
   job.stage("query");
   Result result;
-  if(!options.seeds.empty())
-    result.seeds = parse_integers(options.seeds, "--seeds");
-  else
-    result.seeds = farthest_vertices(solver, options.number, job);
-
-  std::vector<GP::Source<Surface_type>> sources;
+  result.seeds = options.seeds.empty() ? farthest_vertices(domain, options.number, job)
+                                       : parse_integers(options.seeds, "--seeds");
+  std::vector<Site> seeds;
   for(const std::size_t seed : result.seeds)
-    sources.emplace_back(site<Surface_type>(seed));
-  solver.compute(sources);
-  result.triangles = picture_triangles(domain, job);
-  const std::size_t n = job.surface().file.points.size();
-  result.labels.resize(n);
-  result.values.resize(n);
-  for(std::size_t i = 0; i < n; ++i)
+    seeds.push_back(site<Surface_type>(seed));
+  result.labels.assign(job.surface().file.points.size(), -1);
+  const Label_map<Site> labels{&result.labels};
+  const auto progress = GP::parameters::callback(job.progress("cells"));
+  if constexpr(is_mesh<Surface_type>)
   {
-    result.values[i] = solver.distance(site<Surface_type>(i));
-    result.labels[i] = std::isfinite(result.values[i])
-                           ? static_cast<long long>(solver.source_label(site<Surface_type>(i)))
-                           : -1;
+    std::vector<GP::Voronoi_bisector<Surface_type>> lines;
+    GP::geodesic_voronoi_diagram(domain, seeds, labels,
+                                 progress.bisector_output(std::back_inserter(lines)));
+    for(const auto& line : lines)
+    {
+      result.lines.emplace_back();
+      for(const auto& p : line.points)
+        result.lines.back().push_back({p.x(), p.y(), p.z()});
+    }
   }
+  else
+    GP::geodesic_voronoi_diagram(domain, seeds, labels, progress);
+  result.triangles = picture_triangles(domain, job);
   return result;
 }
 
@@ -92,7 +111,7 @@ void run_voronoi(Job& job, const Voronoi_options& options)
   }
   if(!job.picture().empty())
   {
-    Picture picture{&surface.file, {}, "", result.labels, {}, {}, result.triangles};
+    Picture picture{&surface.file, {}, "", result.labels, result.lines, {}, result.triangles};
     for(const std::size_t seed : result.seeds)
       picture.markers.push_back(surface.file.points[seed]);
     draw(job.picture(), picture);

@@ -178,6 +178,11 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("voronoi square.ply", 1, "--number");
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
   expect_failure("matrix square.ply", 1, "--limit");
+  expect_failure("sample square.ply", 1, "--number");
+  expect_failure("sample square.ply --number 2 --spacing 1", 1, "--spacing");
+  expect_failure("sample square.ply --spacing -1", 1, "--spacing");
+  expect_failure("sample square.ply --spacing inf", 1, "--spacing");
+  expect_failure("sample square.ply --number 2 --speed slow", 2, "slow");
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
   expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
@@ -240,15 +245,16 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
+  expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
   expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
 }
 
 TEST_F(Program, json_alone_is_on_standard_output)
 {
-  for(const char* const command :
-      {"info quads.off", "distance quads.off --source 0", "path quads.off --from 0 --to 5",
-       "voronoi quads.off --number 2", "matrix quads.off --sources 0,5"})
+  for(const char* const command : {"info quads.off", "distance quads.off --source 0",
+                                   "path quads.off --from 0 --to 5", "voronoi quads.off --number 2",
+                                   "sample quads.off --number 2", "matrix quads.off --sources 0,5"})
   {
     const Outcome outcome = run(std::string(command) + " --json");
     EXPECT_EQ(outcome.code, 0);
@@ -284,12 +290,47 @@ TEST_F(Program, info_counts_the_parts_of_a_cloud)
   EXPECT_EQ(json("info two.xyz")["components"], 2);
 }
 
+TEST_F(Program, samples_cover)
+{
+  // The corners of a square of nine by nine vertices, which the file numbers in rows.
+  const nlohmann::json four = json("sample square.ply --number 4 --values s.txt -o s.ply");
+  EXPECT_EQ(four["samples"], 4);
+  // Half of the diagonal.
+  EXPECT_NEAR(four["covering_radius"].get<double>(), std::sqrt(0.5), 1e-12);
+  std::istringstream lines(content(m_folder / "s.txt"));
+  std::set<std::size_t> corners;
+  for(std::string line; std::getline(lines, line);)
+  {
+    std::istringstream words(line);
+    std::size_t vertex[3];
+    double share[3];
+    words >> vertex[0] >> vertex[1] >> vertex[2] >> share[0] >> share[1] >> share[2];
+    ASSERT_TRUE(words);
+    for(int k = 0; k < 3; ++k)
+      if(share[k] == 1.)
+        corners.insert(vertex[k]);
+  }
+  EXPECT_EQ(corners, (std::set<std::size_t>{0, 8, 72, 80}));
+  EXPECT_EQ(json("info s.ply")["vertices"], 4);
+  EXPECT_EQ(json("info s.ply")["bounding_box"], nlohmann::json::parse("[[0,0,0],[1,1,0]]"));
+
+  const nlohmann::json spaced = json("sample square.ply --spacing 0.3");
+  EXPECT_LE(spaced["covering_radius"].get<double>(), 0.3);
+  EXPECT_GT(spaced["samples"], 4);
+  EXPECT_EQ(json("sample apart.off --number 1")["covering_radius"], nullptr); // a part has none
+
+  EXPECT_EQ(json("sample cloud.xyz --number 5 --values s.txt -o s.ply")["samples"], 5);
+  EXPECT_EQ(numbers("s.txt").size(), 5u); // surfels
+  EXPECT_EQ(json("info s.ply")["vertices"], 5);
+}
+
 TEST_F(Program, threads_change_no_result)
 {
   for(const char* const command :
       {"distance cloud.xyz --source 5", "voronoi cloud.xyz --number 4",
-       "path cloud.xyz --from 0 --to 143", "matrix cloud.xyz --number 9",
-       "matrix cloud.xyz --limit 0.2", "matrix square.ply --number 9 --method exact"})
+       "sample cloud.xyz --number 4", "path cloud.xyz --from 0 --to 143",
+       "matrix cloud.xyz --number 9", "matrix cloud.xyz --limit 0.2",
+       "matrix square.ply --number 9 --method exact"})
   {
     EXPECT_EQ(run(std::string(command) + " --threads 1 --values one.txt").code, 0);
     for(const char* const threads : {"0", "2", "7"})

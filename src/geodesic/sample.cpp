@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Picture.h"
+#include "commands.h"
+#include "errors.h"
+#include "queries.h"
+
+#include <cmath>
+#include <limits>
+
+namespace program {
+
+namespace {
+
+struct Sample_options
+{
+  std::size_t number = 0;
+  double spacing = 0.;
+  std::string speed;
+};
+
+struct Result
+{
+  std::vector<Point> points;
+  std::vector<Point> normals;           // of a cloud's
+  std::vector<double> radii;            // the covering radius after each
+  std::vector<std::string> text;        // where each is, as --values shows it
+  std::vector<std::uint32_t> triangles; // of a cloud, for the picture
+};
+
+// A surfel by its place in the file; a place in a triangle by its vertices and their shares.
+template <typename Surface_type, typename Location>
+std::string place_text([[maybe_unused]] const Surface_type& surface, const Location& place)
+{
+  if constexpr(is_mesh<Surface_type>)
+  {
+    const auto h = surface.halfedge(place.first);
+    std::string text;
+    for(const auto vertex : {surface.source(h), surface.target(h), surface.target(surface.next(h))})
+      text += std::to_string(std::size_t(vertex)) + ' ';
+    for(std::size_t k = 0; k < 3; ++k)
+      text += (k > 0 ? " " : "") + number_text(place.second[k]);
+    return text;
+  }
+  else
+    return std::to_string(std::size_t(place.surfel));
+}
+
+// The library's part: the samples.
+template <typename Surface_type>
+Result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Domain = std::decay_t<decltype(domain)>;
+  job.stage("query");
+  Result result;
+  std::vector<typename Domain::Location> samples;
+  const auto goal = GP::parameters::random_seed(job.seed())
+                        .covering_radius(options.spacing)
+                        .covering_radius_output(std::back_inserter(result.radii))
+                        .callback(job.progress("samples"));
+  const std::size_t number =
+      options.number > 0 ? options.number : std::numeric_limits<std::size_t>::max();
+  if(options.speed.empty())
+    GP::farthest_point_sampling(domain, number, std::back_inserter(samples), goal);
+  else
+  {
+    const Property_map<typename Domain::Site> speeds{&property(job.surface(), options.speed)};
+    GP::farthest_point_sampling(domain, number, std::back_inserter(samples),
+                                goal.speed_map(speeds));
+  }
+  result.triangles = picture_triangles(domain, job);
+  for(const auto& sample : samples)
+  {
+    const auto p = domain.point(domain.inner(sample));
+    result.points.push_back({p.x(), p.y(), p.z()});
+    result.text.push_back(place_text(surface, sample));
+    if constexpr(!is_mesh<Surface_type>)
+      result.normals.push_back(job.surface().file.normals[std::size_t(sample.surfel)]);
+  }
+  return result;
+}
+
+void run_sample(Job& job, const Sample_options& options)
+{
+  if((options.number == 0) == (options.spacing == 0.))
+    throw Usage_error("sample: give either --number, at least 1, or --spacing, above 0.");
+  if(!(options.spacing >= 0.) || std::isinf(options.spacing))
+    throw Usage_error("--spacing: a distance is finite and not negative.");
+  const Surface& surface = job.read();
+  if(!options.speed.empty())
+    property(surface, options.speed);
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface, [&](const auto& mesh_or_cloud)
+             { result = find_samples(mesh_or_cloud, options, job); });
+  const double radius =
+      result.radii.empty() ? std::numeric_limits<double>::infinity() : result.radii.back();
+  job.result()["samples"] = result.points.size();
+  job.result()["covering_radius"] = json_number(radius);
+  job.say("samples          " + std::to_string(result.points.size()));
+  job.say("covering radius  " + readable(radius));
+
+  job.stage("write");
+  if(!job.values().empty())
+  {
+    std::string text;
+    for(const std::string& line : result.text)
+      text += line + '\n';
+    job.write_values(text);
+  }
+  if(!job.picture().empty())
+  {
+    Picture picture{&surface.file};
+    picture.markers = result.points;
+    picture.triangles = result.triangles;
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+  {
+    Surface_file file;
+    file.points = result.points;
+    file.normals = result.normals;
+    file.properties["covering_radius"] = result.radii;
+    write_surface_file(job.output(), file, "covering_radius");
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_sample(CLI::App& program)
+{
+  CLI::App* const command =
+      program.add_subcommand("sample", "points that cover the surface evenly");
+  const auto job = std::make_shared<Job>(*command);
+  const auto options = std::make_shared<Sample_options>();
+  command->add_option("--number", options->number, "how many")->type_name("N");
+  command->add_option("--spacing", options->spacing, "no vertex is farther from all of them")
+      ->type_name("D");
+  command
+      ->add_option("--speed", options->speed,
+                   "a property of the vertices: points are denser where it is lower")
+      ->type_name("PROPERTY");
+  command->callback([job, options] { run_sample(*job, *options); });
+}
+
+} // namespace program
