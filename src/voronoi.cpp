@@ -258,7 +258,10 @@ std::vector<Voronoi::Bisector> Voronoi::bisectors() const
     for(Index side = 0; side < t.corner.size(); ++side)
       if(!trace.is_done[side] && number_of_labels(side / 3) > 0 && is_crossed(side) &&
          (is_loop || trace.across(side) == none))
+      {
         begin_inwards(side);
+        result.back().is_closed = is_loop;
+      }
   return result;
 }
 

@@ -33,12 +33,13 @@ public:
   Index label_of_triangle(Index triangle) const;
 
   // Part of the line between two cells, from one place where three meet, or from a border, to the
-  // next, or closed: then its last location is the first one.  Consecutive locations lie in a common
+  // next, or closed.  Consecutive locations lie in a common
   // triangle; inside it the line is straight.
   struct Bisector
   {
     Index left, right; // the cells on either side
     std::vector<Location> line;
+    bool is_closed = false; // the last location is the first one
   };
   // On a mesh.
   std::vector<Bisector> bisectors() const;

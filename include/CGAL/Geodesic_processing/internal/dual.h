@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H
+
+#include <CGAL/Geodesic_processing/internal/voronoi.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// The triangles between the cells of a Voronoi diagram on a mesh, and what keeps them from being a
+// surface like the mesh: the closed ball property asks that each cell is a disc, that two cells meet in
+// one arc if at all, and three in one place; and that what a cell has of the border is one arc
+// (Edelsbrunner and Shah 1997).
+struct Dual
+{
+  std::vector<std::array<Index, 3>> triangles; // cells around each place of three, counterclockwise
+
+  // All sorted, each once.
+  std::vector<Index> no_discs;                 // cells, those without a site as well
+  std::vector<Index> torn_borders;             // cells that meet the border in more than an arc
+  std::vector<std::array<Index, 2>> torn_arcs; // cells that meet in more than an arc
+  std::vector<std::array<Index, 3>> repeated_places; // cells that meet in more than one place
+
+  bool is_closed_ball() const
+  {
+    return no_discs.empty() && torn_borders.empty() && torn_arcs.empty() && repeated_places.empty();
+  }
+};
+
+// O(n log n).  Sites that no source reaches are no part of it.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Dual dual(const Glued_triangles& triangles, const Voronoi& voronoi, Index number_of_cells);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/dual.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Parts of a cell, and its Euler characteristic: sites and sides of one label, and triangles.  A cell,
+// which reaches a little into the triangles around them, has the same.
+class Parts
+{
+public:
+  Parts(const std::vector<Index>& labels, Index number_of_cells)
+      : m_labels(labels), m_up(labels.size()), m_parts(number_of_cells, 0),
+        m_characteristic(number_of_cells, 0)
+  {
+    std::iota(m_up.begin(), m_up.end(), Index(0));
+  }
+
+  void add_site(Index site)
+  {
+    ++m_parts[m_labels[site]];
+    ++m_characteristic[m_labels[site]];
+  }
+  void add_side(Index x, Index z)
+  {
+    --m_characteristic[m_labels[x]];
+    x = root(x);
+    z = root(z);
+    if(x == z)
+      return;
+    m_up[std::max(x, z)] = std::min(x, z);
+    --m_parts[m_labels[x]];
+  }
+  void add_triangle(Index label) { ++m_characteristic[label]; }
+
+  bool is_empty(Index cell) const { return m_parts[cell] == 0; }
+  // One part without holes.
+  bool is_contractible(Index cell) const
+  {
+    return m_parts[cell] == 1 && m_characteristic[cell] == 1;
+  }
+
+private:
+  Index root(Index site)
+  {
+    while(m_up[site] != site)
+      site = m_up[site] = m_up[m_up[site]];
+    return site;
+  }
+
+  const std::vector<Index>& m_labels;
+  std::vector<Index> m_up; // #sites: towards the root of its part
+  std::vector<std::ptrdiff_t> m_parts, m_characteristic;
+};
+
+// The elements that come more than once, each once.
+template <typename T>
+std::vector<T> repeated(std::vector<T> elements)
+{
+  std::sort(elements.begin(), elements.end());
+  std::vector<T> result;
+  for(std::size_t i = 1; i < elements.size(); ++i)
+    if(elements[i] == elements[i - 1] && (result.empty() || result.back() != elements[i]))
+      result.push_back(elements[i]);
+  return result;
+}
+
+} // namespace
+
+Dual dual(const Glued_triangles& t, const Voronoi& voronoi, Index number_of_cells)
+{
+  const std::vector<Index>& labels = voronoi.labels();
+  Dual result;
+
+  Parts inside(labels, number_of_cells), border(labels, number_of_cells);
+  std::vector<bool> is_on_border(labels.size(), false);
+  for(Index side = 0; side < t.corner.size(); ++side)
+    if(t.twin[side] == none)
+      is_on_border[t.corner[side]] = is_on_border[t.corner[next_side(side)]] = true;
+  for(Index site = 0; site < labels.size(); ++site)
+    if(labels[site] != none)
+    {
+      inside.add_site(site);
+      if(is_on_border[site])
+        border.add_site(site);
+    }
+  for(Index side = 0; side < t.corner.size(); ++side)
+  {
+    const Index x = t.corner[side], z = t.corner[next_side(side)];
+    const bool is_first = t.twin[side] == none || t.twin[side] > side;
+    if(!is_first || labels[x] != labels[z] || labels[x] == none)
+      continue;
+    inside.add_side(x, z);
+    if(t.twin[side] == none)
+      border.add_side(x, z);
+  }
+  std::vector<std::array<Index, 3>> places;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    std::array<Index, 3> cells;
+    for(Index k = 0; k < 3; ++k)
+      cells[k] = labels[t.corner[3 * f + k]];
+    if(std::find(cells.begin(), cells.end(), none) != cells.end())
+      continue;
+    if(cells[0] == cells[1] && cells[1] == cells[2])
+      inside.add_triangle(cells[0]);
+    if(cells[0] == cells[1] || cells[1] == cells[2] || cells[2] == cells[0])
+      continue;
+    result.triangles.push_back(cells);
+    std::sort(cells.begin(), cells.end());
+    places.push_back(cells);
+  }
+  result.repeated_places = repeated(std::move(places));
+  for(Index cell = 0; cell < number_of_cells; ++cell)
+  {
+    if(!inside.is_contractible(cell))
+      result.no_discs.push_back(cell);
+    if(!border.is_empty(cell) && !border.is_contractible(cell))
+      result.torn_borders.push_back(cell);
+  }
+
+  std::vector<std::array<Index, 2>> arcs;
+  for(const Voronoi::Bisector& line : voronoi.bisectors())
+  {
+    const std::array<Index, 2> cells = {std::min(line.left, line.right),
+                                        std::max(line.left, line.right)};
+    arcs.push_back(cells);
+    // A loop is no arc.
+    if(line.is_closed)
+      arcs.push_back(cells);
+  }
+  result.torn_arcs = repeated(std::move(arcs));
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
