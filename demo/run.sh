@@ -148,6 +148,7 @@ picture cloud-path "A shortest path on points." path "$scan" --from 0 --to 2000
 
 echo '</main><h2>The demo programs</h2><main>' >>$page
 program farthest_vertex "$animal" $build/farthest.ply
+program covering_radius "$animal" $build/covering.ply
 program cut_locus "$animal" $build/cut_locus.ply
 program methods_compared "$small"
 program mesh_or_cloud "$animal" $build/cloud.ply
