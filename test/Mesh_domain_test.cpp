@@ -224,6 +224,14 @@ TEST(Mesh_domain, refuses_locations_outside_of_faces)
     EXPECT_THROW(domain.inner(Location{mesh.faces[0], bad}), Invalid_argument_error);
   EXPECT_THROW(domain.inner(Location{Surface_mesh::null_face(), {1., 0., 0.}}),
                Invalid_argument_error);
+  using Face = Surface_mesh::Face_index;
+  using Vertex = Surface_mesh::Vertex_index;
+  EXPECT_THROW(domain.inner(Location{Face(1000), {1., 0., 0.}}), Invalid_argument_error);
+  EXPECT_THROW(domain.inner_site(Vertex(1000)), Invalid_argument_error);
+  const Surface_mesh nothing;
+  EXPECT_THROW(Mesh_domain<Surface_mesh>(nothing).inner_site(Vertex(0)), Invalid_argument_error);
+  EXPECT_THROW(Mesh_domain<Surface_mesh>(nothing).inner(Location{Face(0), {1., 0., 0.}}),
+               Invalid_argument_error);
   // What rounding does is mended.
   EXPECT_NO_THROW(domain.inner(Location{mesh.faces[0], {0.5, 0.5 + 1e-12, -1e-12}}));
 }

@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -105,7 +106,16 @@ private:
     Map<Face, dynamic_face_property_t<internal::Index>> triangle_of_face;
     std::vector<Site> vertices; // #sites
     std::vector<Face> faces;    // #triangles
+    // The least and the greatest descriptors: maps must not be asked about others.
+    std::pair<Site, Site> vertex_range;
+    std::pair<Face, Face> face_range;
   };
+  template <typename Descriptor>
+  static bool is_within(const Descriptor& descriptor,
+                        const std::pair<Descriptor, Descriptor>& range)
+  {
+    return !(descriptor < range.first) && !(range.second < descriptor);
+  }
   std::shared_ptr<const internal::Glued_triangles> m_triangles;
   std::shared_ptr<const Data> m_data;
 };
@@ -170,6 +180,17 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
       throw Unsupported_surface_error("A face of the mesh is not a triangle.");
   }
 
+  if(!read_vertices.empty())
+  {
+    const auto [least, greatest] = std::minmax_element(read_vertices.begin(), read_vertices.end());
+    data->vertex_range = {*least, *greatest};
+  }
+  if(!read_faces.empty())
+  {
+    const auto [least, greatest] = std::minmax_element(read_faces.begin(), read_faces.end());
+    data->face_range = {*least, *greatest};
+  }
+
   internal::Glued_mesh glued = internal::glue(std::move(coordinates), corners, twins);
   corners = {};
   twins = {};
@@ -192,7 +213,8 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
 template <typename TriangleMesh>
 internal::Location Mesh_domain<TriangleMesh>::inner_site(Site vertex) const
 {
-  if(vertex != Graph::null_vertex())
+  if(vertex != Graph::null_vertex() && number_of_sites() > 0 &&
+     is_within(vertex, m_data->vertex_range))
   {
     const internal::Index i = index(vertex);
     if(i < number_of_sites() && site(i) == vertex)
@@ -206,8 +228,12 @@ internal::Location Mesh_domain<TriangleMesh>::inner(const Location& location) co
 {
   if(location.first == Graph::null_face())
     throw Invalid_argument_error("A location has no face.");
-  return internal::checked(*m_triangles,
-                           {triangle(location.first), internal::none, location.second});
+  const internal::Index f = m_data->faces.empty() || !is_within(location.first, m_data->face_range)
+                                ? internal::none
+                                : triangle(location.first);
+  if(f >= m_data->faces.size() || face(f) != location.first)
+    throw Invalid_argument_error("A face is none of the mesh's.");
+  return internal::checked(*m_triangles, {f, internal::none, location.second});
 }
 
 template <typename TriangleMesh>
