@@ -33,7 +33,7 @@ struct Front_limits
   std::shared_ptr<const std::vector<double>> slowness;
   // #sites: what is known already.  The front goes on only where it improves that, and reaches one
   // site beyond: fronts that meet in a triangle need it at all of its corners.  Without that ring the
-  // mean error of what is known afterwards is 20 to 1,000 times larger on scans and parts.
+  // mean error of what is known afterwards is 20 to 2,000 times larger on scans and parts.
   const std::vector<double>* known = nullptr;
   std::function<bool(double)> callback; // told the fraction done; false cancels
 };
