@@ -18,6 +18,12 @@ namespace {
 // otherwise pass it on the side that rounding chooses.
 constexpr double hit_tolerance = 1e-12;
 
+// The same direction as an angle as near as can be to the middle of a corner.
+double near_middle(double angle, double corner)
+{
+  return std::remainder(angle - corner / 2., 2. * pi) + corner / 2.;
+}
+
 Planar unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 class Walk
@@ -180,7 +186,7 @@ private:
   void leave_corner(Index corner, double angle)
   {
     double whole = interior_angle(t, corner);
-    angle = std::remainder(angle - whole / 2., 2. * pi) + whole / 2.;
+    angle = near_middle(angle, whole);
     // Every triangle around the site takes its share of the angle, once around at most.
     std::size_t turns = t.first[t.corner[corner] + 1] - t.first[t.corner[corner]] + 1;
     while((angle < 0. || angle > whole) && turns-- > 0)
@@ -218,11 +224,12 @@ private:
   void pass_corner(Index corner)
   {
     add(m_triangle, at_corner(corner));
-    // The way back, counterclockwise from the side that leaves the corner.
+    // The way back, counterclockwise from the side that leaves the corner.  It lies in another
+    // triangle where the path came into this one so near to the corner that it has hit it since.
     const double whole = interior_angle(t, corner);
     const Planar side = vector(corner), back = -1. * m_direction;
     const double way_back =
-        std::clamp(std::atan2(internal::cross(side, back), dot(side, back)), 0., whole);
+        near_middle(std::atan2(internal::cross(side, back), dot(side, back)), whole);
 
     // Angles on the right of the path (counterclockwise from the way back) and on its left.
     double right = whole - way_back, left = way_back;

@@ -474,6 +474,24 @@ TEST(Window_propagation, paths_are_as_long_as_their_distances)
   }
 }
 
+TEST(Window_propagation, paths_pass_the_sites_of_a_lattice)
+{
+  const std::size_t n = 200;
+  const Glued_surface surface(square(n));
+  Window_propagation windows(surface.triangles());
+  // Half of the lines from there to other sites meet sites on their way, after up to a hundred sides.
+  ASSERT_TRUE(windows.run({surface.source(Index((n + 1) * 192 + 121))}));
+  std::mt19937 random(1);
+  for(int i = 0; i < 200; ++i)
+  {
+    const Location from = surface.at(Index(random() % surface.size()));
+    const auto path = windows.path(from);
+    ASSERT_FALSE(path.empty());
+    const double expected = windows.distance(from);
+    EXPECT_NEAR(path_length(*surface.triangles(), path), expected, 1e-12 * expected);
+  }
+}
+
 TEST(Window_propagation, departures_are_where_straight_lines_arrive)
 {
   // On convex surfaces, where no shortest path bends.

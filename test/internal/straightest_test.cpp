@@ -99,6 +99,32 @@ TEST(Straightest, passes_the_sites_of_a_lattice)
   }
 }
 
+TEST(Straightest, goes_straight_on_past_sites_that_it_nearly_hits)
+{
+  const std::size_t n = 16;
+  const Surface surface(square(n));
+  std::mt19937 random(1);
+  for(int i = 0; i < 2000; ++i)
+  {
+    const Location from = random_location(surface.t(), random);
+    const Location at =
+        surface.at(Index((n + 1) * (1 + random() % (n - 1)) + 1 + random() % (n - 1)));
+    const Point p = point_at(surface.t(), from), q = point_at(surface.t(), at);
+    // Around the distance at which a site counts as hit: one of the sides there may tell that it is
+    // hit, and the other one that it is not.
+    const double aside = (i % 41 - 20) * 1e-13 / n;
+    const Point way = {q[0] - p[0] - aside * (q[1] - p[1]), q[1] - p[1] + aside * (q[0] - p[0]),
+                       0.};
+    const Point end = {p[0] + 1.8 * way[0], p[1] + 1.8 * way[1], 0.};
+    if(std::min({end[0], end[1], 1. - end[0], 1. - end[1]}) < 1e-9)
+      continue;
+    const auto path = checked(surface, from, surface.angle_of(from, way),
+                              1.8 * std::hypot(way[0], way[1]) / surface.scale());
+    ASSERT_EQ(path.end, Straightest_end::length);
+    EXPECT_NEAR(distance(point_at(surface.t(), path.locations.back()), end), 0., rounding);
+  }
+}
+
 TEST(Straightest, winds_around_a_prism_as_when_unrolled)
 {
   const std::size_t n = 9;
