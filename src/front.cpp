@@ -109,6 +109,25 @@ Spatial turned_into(const Spatial& v, const Spatial& from, const Spatial& to)
   return v - (dot(v, axis) / (1. + std::abs(cosine))) * (from + axis);
 }
 
+// The sites of targets, and how far past each the front must be before it is final: by the longest
+// side around it, as no triangle can then give it a smaller distance.
+std::vector<std::pair<Index, double>> waits(const Glued_triangles& t,
+                                            const std::vector<Location>& targets)
+{
+  std::vector<std::pair<Index, double>> result;
+  for(const Location& target : targets)
+    for(int k = 0; k < (target.triangle == none ? 1 : 3); ++k)
+    {
+      const Index site = target.triangle == none ? target.site : t.corner[3 * target.triangle + k];
+      double longest = 0.;
+      for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+        for(const Index side : {t.star[i], next_side(t.star[i]), previous_side(t.star[i])})
+          longest = std::max(longest, t.length[side]);
+      result.emplace_back(site, longest);
+    }
+  return result;
+}
+
 } // namespace
 
 // What comes to a site.
@@ -157,19 +176,7 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   }
   start(sources);
 
-  // A target is final once the front is past it by the longest side around it: no triangle can
-  // then give it a smaller distance.
-  std::vector<std::pair<Index, double>> targets;
-  for(const Location& target : limits.targets)
-    for(int k = 0; k < (target.triangle == none ? 1 : 3); ++k)
-    {
-      const Index site = target.triangle == none ? target.site : t.corner[3 * target.triangle + k];
-      double longest = 0.;
-      for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-        for(const Index side : {t.star[i], next_side(t.star[i]), previous_side(t.star[i])})
-          longest = std::max(longest, t.length[side]);
-      targets.emplace_back(site, longest);
-    }
+  std::vector<std::pair<Index, double>> targets = waits(t, limits.targets);
   const bool has_targets = !targets.empty();
 
   bool is_finished = true;
@@ -183,14 +190,11 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
       m_queue.pop();
       continue;
     }
-    if(has_targets)
-    {
-      while(!targets.empty() &&
-            (m_sites[targets.back().first].distance + targets.back().second < entry.key))
-        targets.pop_back();
-      if(targets.empty())
-        break;
-    }
+    while(!targets.empty() &&
+          m_sites[targets.back().first].distance + targets.back().second < entry.key)
+      targets.pop_back();
+    if(has_targets && targets.empty())
+      break;
     if(limits.callback && visits % 4096 == 0 &&
        !limits.callback(std::min(1., double(visits) / double(m_sites.size()))))
     {
