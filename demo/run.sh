@@ -139,6 +139,8 @@ picture sample "Which places cover a surface evenly?" sample "$animal" --number 
 picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
   voronoi "$bear" --number 60
 picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40
+picture remesh "The same surface in 1,000 vertices, with even triangles." \
+  remesh "$animal" --number 1000 --lloyd 10
 picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
 picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
@@ -155,6 +157,7 @@ program mesh_or_cloud "$animal" $build/cloud.ply
 program nearest_of_many "$bear" $build/lands.ply
 program many_paths "$animal"
 program neighbourhoods "$animal"
+program remeshing "$animal" $build/remeshed.off
 echo '</main></body></html>' >>$page
 
 echo

@@ -27,36 +27,6 @@ using Aabb_tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Kernel::Point_3 to_point(const Spatial& p) { return {p[0], p[1], p[2]}; }
 
-// Barycentric coordinates of the point of a triangle with area that is nearest to p.
-std::array<double, 3> nearest_in_triangle(const Spatial& a, const Spatial& b, const Spatial& c,
-                                          const Spatial& p)
-{
-  const Spatial ab = b - a, ac = c - a, normal = cross(ab, ac);
-  const double square = dot(normal, normal);
-  const double v = dot(cross(p - a, ac), normal) / square,
-               w = dot(cross(ab, p - a), normal) / square;
-  if(v >= 0. && w >= 0. && v + w <= 1.)
-    return {1. - v - w, v, w};
-  // Outside: the nearest point on a side.
-  const std::array<Spatial, 3> corners = {a, b, c};
-  std::array<double, 3> result{};
-  double least = infinity;
-  for(int k = 0; k < 3; ++k)
-  {
-    const Spatial side = corners[(k + 1) % 3] - corners[k];
-    const double share = std::clamp(dot(p - corners[k], side) / dot(side, side), 0., 1.);
-    const double distance = norm(p - corners[k] - share * side);
-    if(distance < least)
-    {
-      least = distance;
-      result = {0., 0., 0.};
-      result[k] = 1. - share;
-      result[(k + 1) % 3] = share;
-    }
-  }
-  return result;
-}
-
 } // namespace
 
 struct Triangle_tree::Tree

@@ -71,23 +71,88 @@ std::vector<T> repeated(std::vector<T> elements)
   return result;
 }
 
+// How the lines between cells end, followed across sides from triangle to triangle.
+class Arcs
+{
+public:
+  Arcs(const Glued_triangles& t, const std::vector<Index>& labels)
+      : m_triangles(t), m_labels(labels), m_is_done(t.corner.size(), false)
+  {
+    for(Index side = 0; side < t.corner.size(); ++side)
+      if(is_crossed(side) && !m_is_done[side])
+        add(side);
+  }
+
+  // The cells that meet in more than one arc, or in one that ends at no third cell.
+  std::vector<std::array<Index, 2>> torn() const { return repeated(m_arcs); }
+
+private:
+  bool is_crossed(Index side) const
+  {
+    const Index a = m_labels[m_triangles.corner[side]],
+                b = m_labels[m_triangles.corner[next_side(side)]];
+    return a != b && a != none && b != none;
+  }
+  void mark(Index side)
+  {
+    m_is_done[side] = true;
+    if(m_triangles.twin[side] != none)
+      m_is_done[m_triangles.twin[side]] = true;
+  }
+  void add(Index side)
+  {
+    const Index a = m_labels[m_triangles.corner[side]],
+                b = m_labels[m_triangles.corner[next_side(side)]];
+    mark(side);
+    const bool begins = meets_third(m_triangles.twin[side]), ends = meets_third(side);
+    m_arcs.push_back({std::min(a, b), std::max(a, b)});
+    if(!begins && !ends)
+      m_arcs.push_back(m_arcs.back());
+  }
+  // Whether the line through a side's triangle comes to a third cell; not when it comes to where the
+  // surface ends, or back.
+  bool meets_third(Index side)
+  {
+    while(side != none)
+    {
+      const Index third = m_labels[m_triangles.corner[previous_side(side)]];
+      const Index a = m_labels[m_triangles.corner[side]];
+      if(third != a && third != m_labels[m_triangles.corner[next_side(side)]])
+        return third != none;
+      side = third == a ? next_side(side) : previous_side(side);
+      if(m_is_done[side])
+        return false;
+      mark(side);
+      side = m_triangles.twin[side];
+    }
+    return false;
+  }
+
+  const Glued_triangles& m_triangles;
+  const std::vector<Index>& m_labels;
+  std::vector<bool> m_is_done;
+  std::vector<std::array<Index, 2>> m_arcs;
+};
+
 } // namespace
 
-Dual dual(const Glued_triangles& t, const Voronoi& voronoi, Index number_of_cells)
+Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index number_of_cells,
+          const std::vector<bool>& is_border)
 {
-  const std::vector<Index>& labels = voronoi.labels();
   Dual result;
 
   Parts inside(labels, number_of_cells), border(labels, number_of_cells);
-  std::vector<bool> is_on_border(labels.size(), false);
+  const auto is_on_border = [&](Index side)
+  { return is_border.empty() ? t.twin[side] == none : bool(is_border[side]); };
+  std::vector<bool> is_border_site(labels.size(), false);
   for(Index side = 0; side < t.corner.size(); ++side)
-    if(t.twin[side] == none)
-      is_on_border[t.corner[side]] = is_on_border[t.corner[next_side(side)]] = true;
+    if(is_on_border(side))
+      is_border_site[t.corner[side]] = is_border_site[t.corner[next_side(side)]] = true;
   for(Index site = 0; site < labels.size(); ++site)
     if(labels[site] != none)
     {
       inside.add_site(site);
-      if(is_on_border[site])
+      if(is_border_site[site])
         border.add_site(site);
     }
   for(Index side = 0; side < t.corner.size(); ++side)
@@ -97,7 +162,7 @@ Dual dual(const Glued_triangles& t, const Voronoi& voronoi, Index number_of_cell
     if(!is_first || labels[x] != labels[z] || labels[x] == none)
       continue;
     inside.add_side(x, z);
-    if(t.twin[side] == none)
+    if(is_on_border(side))
       border.add_side(x, z);
   }
   std::vector<std::array<Index, 3>> places;
@@ -124,18 +189,7 @@ Dual dual(const Glued_triangles& t, const Voronoi& voronoi, Index number_of_cell
     if(!border.is_empty(cell) && !border.is_contractible(cell))
       result.torn_borders.push_back(cell);
   }
-
-  std::vector<std::array<Index, 2>> arcs;
-  for(const Voronoi::Bisector& line : voronoi.bisectors())
-  {
-    const std::array<Index, 2> cells = {std::min(line.left, line.right),
-                                        std::max(line.left, line.right)};
-    arcs.push_back(cells);
-    // A loop is no arc.
-    if(line.is_closed)
-      arcs.push_back(cells);
-  }
-  result.torn_arcs = repeated(std::move(arcs));
+  result.torn_arcs = Arcs(t, labels).torn();
   return result;
 }
 

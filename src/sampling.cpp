@@ -47,20 +47,27 @@ Sampling::Sampling(std::shared_ptr<const Glued_triangles> triangles, Front front
       m_sites.push_back(site);
 }
 
-bool Sampling::add(const Location& sample, const std::function<bool(double)>& callback)
+bool Sampling::add(const std::vector<Location>& samples,
+                   const std::function<bool(double)>& callback)
 {
   m_limits.known = &m_distances;
   m_limits.callback = callback;
-  const bool is_finished = m_front.run({{{sample}, 0., 0}}, m_limits);
-  const Index label = Index(m_samples.size());
-  m_samples.push_back(sample);
-  if(!m_is_taken.empty() && sample.triangle != none)
-    m_is_taken[sample.triangle] = true;
+  std::vector<Source> sources;
+  for(const Location& sample : samples)
+    sources.push_back({{sample}, 0., 0});
+  const bool is_finished = m_front.run(sources, m_limits);
+  const Index first = Index(m_samples.size());
+  for(const Location& sample : samples)
+  {
+    m_samples.push_back(sample);
+    if(!m_is_taken.empty() && sample.triangle != none)
+      m_is_taken[sample.triangle] = true;
+  }
   for(const Index site : m_front.reached())
     if(const double distance = m_front.distance(site); distance < m_distances[site])
     {
       m_distances[site] = distance;
-      m_labels[site] = label;
+      m_labels[site] = first + m_front.source(site);
     }
   return is_finished;
 }

@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, path and
-# matrix.  Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time,
+# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path
+# and matrix.  Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time,
 # without a NaN.
 set -u
 
@@ -44,6 +44,7 @@ check_all()
   check "$file" distance --source 0 || failed=1
   check "$file" voronoi --number 3 || failed=1
   check "$file" sample --number 20 || failed=1
+  check "$file" remesh --number 20 || failed=1
   check "$file" path --from 0 --to 1 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
@@ -54,7 +55,7 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 8 times each: no crash, no hang, no NaN"
+  echo "$# files, 9 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -55,6 +55,8 @@ void draw(const std::string& filename, const Picture&)
 #  include <cmath>
 #  include <map>
 #  include <random>
+#  include <set>
+#  include <utility>
 
 namespace program {
 
@@ -170,6 +172,19 @@ vtkSmartPointer<vtkPolyData> lines_of(const std::vector<std::vector<Point>>& pol
   const auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(to_vtk(points));
   result->SetLines(cells);
+  return result;
+}
+
+// The sides of triangles, those that two share once.
+std::vector<std::vector<Point>> sides_of(const std::vector<Point>& points,
+                                         const std::vector<std::uint32_t>& corners)
+{
+  std::set<std::pair<std::uint32_t, std::uint32_t>> ends;
+  for(std::size_t c = 0; c < corners.size(); ++c)
+    ends.insert(std::minmax(corners[c], corners[c % 3 == 2 ? c - 2 : c + 1]));
+  std::vector<std::vector<Point>> result;
+  for(const auto& [a, b] : ends)
+    result.push_back({points[a], points[b]});
   return result;
 }
 
@@ -659,6 +674,8 @@ void draw(const std::string& filename, const Picture& picture)
     if(!range.empty())
       lines = add_isolines(renderer, points, triangles, picture.values, range);
   }
+  if(picture.with_sides)
+    add_tubes(renderer, lines_of(sides_of(points, triangles)), thin, dark);
   add_tubes(renderer, lines_of(polylines), thick, red);
   const bool has_regions = !picture.labels.empty();
   for(const Point& marker : markers)

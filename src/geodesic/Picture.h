@@ -20,6 +20,7 @@ struct Picture
   std::vector<std::vector<Point>> polylines = {};
   std::vector<Point> markers = {};           // sources, seeds, ends of paths
   std::vector<std::uint32_t> triangles = {}; // of a cloud: corners of those that carry its lines
+  bool with_sides = false;                   // of a mesh's triangles
 };
 
 // Draws a PNG file off screen.  A Display must exist.  Throws Output_error.

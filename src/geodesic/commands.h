@@ -15,6 +15,7 @@ void add_path(CLI::App& program);
 void add_matrix(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);
+void add_remesh(CLI::App& program);
 
 } // namespace program
 

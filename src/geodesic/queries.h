@@ -4,6 +4,7 @@
 #define GEODESIC_PROGRAM_QUERIES_H
 
 #include "Job.h"
+#include "Output_file.h"
 
 #include <CGAL/Geodesic_processing.h>
 
@@ -101,6 +102,24 @@ std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t num
   for(const auto& one : sites)
     result.push_back(static_cast<std::size_t>(one));
   return result;
+}
+
+// A surfel by its place in the file; a place in a triangle by its vertices and their shares.
+template <typename Surface_type, typename Location>
+std::string place_text([[maybe_unused]] const Surface_type& surface, const Location& place)
+{
+  if constexpr(is_mesh<Surface_type>)
+  {
+    const auto h = surface.halfedge(place.first);
+    std::string text;
+    for(const auto vertex : {surface.source(h), surface.target(h), surface.target(surface.next(h))})
+      text += std::to_string(std::size_t(vertex)) + ' ';
+    for(std::size_t k = 0; k < 3; ++k)
+      text += (k > 0 ? " " : "") + number_text(place.second[k]);
+    return text;
+  }
+  else
+    return std::to_string(std::size_t(place.surfel));
 }
 
 // A property of the file, read like a map of the library.

@@ -52,6 +52,7 @@ int run(int argc, char** argv)
   add_matrix(program);
   add_sample(program);
   add_voronoi(program);
+  add_remesh(program);
   try
   {
     program.parse(argc, argv);

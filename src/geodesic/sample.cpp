@@ -29,24 +29,6 @@ struct Result
   std::vector<std::uint32_t> triangles; // of a cloud, for the picture
 };
 
-// A surfel by its place in the file; a place in a triangle by its vertices and their shares.
-template <typename Surface_type, typename Location>
-std::string place_text([[maybe_unused]] const Surface_type& surface, const Location& place)
-{
-  if constexpr(is_mesh<Surface_type>)
-  {
-    const auto h = surface.halfedge(place.first);
-    std::string text;
-    for(const auto vertex : {surface.source(h), surface.target(h), surface.target(surface.next(h))})
-      text += std::to_string(std::size_t(vertex)) + ' ';
-    for(std::size_t k = 0; k < 3; ++k)
-      text += (k > 0 ? " " : "") + number_text(place.second[k]);
-    return text;
-  }
-  else
-    return std::to_string(std::size_t(place.surfel));
-}
-
 // The library's part: the samples.
 template <typename Surface_type>
 Result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/dual.h>
 
 #include <CGAL/Geodesic_processing/internal/sampling.h>
+#include <CGAL/Geodesic_processing/internal/voronoi.h>
 
 #include "Glued_surface.h"
 
@@ -16,21 +17,6 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-Triangulation torus(Index n, Index m)
-{
-  Triangulation result;
-  for(Index j = 0; j < m; ++j)
-    for(Index i = 0; i < n; ++i)
-    {
-      const double u = 2. * pi * i / n, v = 2. * pi * j / m, r = 1. + 0.4 * std::cos(v);
-      result.points.push_back({r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v)});
-      const Index a = i + n * j, b = (i + 1) % n + n * j, c = i + n * ((j + 1) % m),
-                  d = (i + 1) % n + n * ((j + 1) % m);
-      result.corners.insert(result.corners.end(), {a, b, d, a, d, c});
-    }
-  return result;
-}
-
 Voronoi voronoi(const Glued_surface& surface, const std::vector<Location>& seeds)
 {
   std::vector<internal::Source> sources;
@@ -42,7 +28,7 @@ Voronoi voronoi(const Glued_surface& surface, const std::vector<Location>& seeds
 
 Dual dual_of(const Glued_surface& surface, const std::vector<Location>& seeds)
 {
-  return dual(surface.t(), voronoi(surface, seeds), Index(seeds.size()));
+  return dual(surface.t(), voronoi(surface, seeds).labels(), Index(seeds.size()));
 }
 
 std::vector<Location> spread(const Glued_surface& surface, std::size_t number)
@@ -155,7 +141,11 @@ TEST(Dual, sees_rings_and_borders)
       dual_of(strip, {strip.at(3 * 61), strip.at(3 * 61 + 30), strip.at(3 * 61 + 60)});
   EXPECT_TRUE(strips.no_discs.empty());
   EXPECT_EQ(strips.torn_borders, (std::vector<Index>{1}));
-  EXPECT_TRUE(strips.torn_arcs.empty());
+  // No third cell is where two meet.
+  EXPECT_EQ(strips.torn_arcs, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}}));
+  const Dual two = dual_of(strip, {strip.at(3 * 61), strip.at(3 * 61 + 60)});
+  EXPECT_TRUE(two.torn_borders.empty());
+  EXPECT_EQ(two.torn_arcs, (std::vector<std::array<Index, 2>>{{0, 1}}));
 
   // A seed that is nearest to no site.
   const Glued_surface plane(square(4));

@@ -183,6 +183,11 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("sample square.ply --spacing -1", 1, "--spacing");
   expect_failure("sample square.ply --spacing inf", 1, "--spacing");
   expect_failure("sample square.ply --number 2 --speed slow", 2, "slow");
+  expect_failure("remesh square.ply", 1, "--number");
+  expect_failure("remesh square.ply --number -1", 1, "--number");
+  expect_failure("remesh square.ply --number 9 --lloyd -1", 1, "--lloyd");
+  expect_failure("remesh square.ply --number 1000000000", 2, "2^31");
+  expect_failure("remesh square.ply --number 9 --speed slow", 2, "slow");
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
   expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
@@ -199,11 +204,12 @@ TEST_F(Program, bad_input_is_2_and_names_the_file)
   write("cut.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   for(const char* const command :
       {"info cut.off", "distance cut.off --source 0", "path cut.off --from 0 --to 1",
-       "voronoi cut.off --number 1", "matrix cut.off --number 1"})
+       "voronoi cut.off --number 1", "matrix cut.off --number 1", "remesh cut.off --number 1"})
     expect_failure(command, 2, "cut.off: ");
   expect_failure("distance square.ply --source 81", 2, "square.ply: there is no vertex 81");
   expect_failure("matrix square.ply --sources 3,81", 2, "square.ply: there is no vertex 81");
   expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "need a mesh");
+  expect_failure("remesh cloud.xyz --number 9", 2, "needs a mesh");
   expect_failure("distance square.ply --source 0 --speed wind", 2, "only double_speed");
   expect_failure("distance closed.off --source-border", 2, "no border");
   expect_failure("distance cloud.xyz --source-border", 2, "no border");
@@ -246,15 +252,17 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
+  expect_keys("remesh square.ply --number 20", {"vertices_out", "faces_out", "added"});
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
   expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
 }
 
 TEST_F(Program, json_alone_is_on_standard_output)
 {
-  for(const char* const command : {"info quads.off", "distance quads.off --source 0",
-                                   "path quads.off --from 0 --to 5", "voronoi quads.off --number 2",
-                                   "sample quads.off --number 2", "matrix quads.off --sources 0,5"})
+  for(const char* const command :
+      {"info quads.off", "distance quads.off --source 0", "path quads.off --from 0 --to 5",
+       "voronoi quads.off --number 2", "sample quads.off --number 2", "remesh quads.off --number 9",
+       "matrix quads.off --sources 0,5"})
   {
     const Outcome outcome = run(std::string(command) + " --json");
     EXPECT_EQ(outcome.code, 0);
@@ -324,13 +332,36 @@ TEST_F(Program, samples_cover)
   EXPECT_EQ(json("info s.ply")["vertices"], 5);
 }
 
+TEST_F(Program, a_square_is_a_square_when_remeshed)
+{
+  for(const char* const options : {"", " --lloyd 3", " --speed double_speed"})
+    for(const int number : {4, 30, 200})
+    {
+      const nlohmann::json result = json("remesh square.ply -o r.ply --values r.txt --number " +
+                                         std::to_string(number) + options);
+      const std::size_t vertices = result["vertices_out"];
+      EXPECT_EQ(vertices, number + result["added"].get<std::size_t>());
+      const nlohmann::json shape = json("info r.ply");
+      EXPECT_EQ(shape["vertices"], vertices);
+      EXPECT_EQ(shape["faces"], result["faces_out"]);
+      EXPECT_EQ(shape["boundary_loops"], 1);
+      EXPECT_EQ(shape["genus"], 0);
+      EXPECT_NEAR(shape["area"].get<double>(), 1., 1e-9); // with its corners
+      EXPECT_EQ(numbers("r.txt").size(), 6 * vertices);   // three vertices of a face, three shares
+    }
+  // No closed surface has fewer than four vertices; parts without a face are left out.
+  EXPECT_GE(json("remesh closed.off --number 0")["vertices_out"], 4);
+  EXPECT_GE(json("remesh apart.off --number 6 -o a.off")["vertices_out"], 6);
+  EXPECT_EQ(json("info a.off")["components"], 2);
+}
+
 TEST_F(Program, threads_change_no_result)
 {
   for(const char* const command :
       {"distance cloud.xyz --source 5", "voronoi cloud.xyz --number 4",
        "sample cloud.xyz --number 4", "path cloud.xyz --from 0 --to 143",
        "matrix cloud.xyz --number 9", "matrix cloud.xyz --limit 0.2",
-       "matrix square.ply --number 9 --method exact"})
+       "matrix square.ply --number 9 --method exact", "remesh square.ply --number 30 --lloyd 2"})
   {
     EXPECT_EQ(run(std::string(command) + " --threads 1 --values one.txt").code, 0);
     for(const char* const threads : {"0", "2", "7"})

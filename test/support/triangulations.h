@@ -231,6 +231,57 @@ inline Triangulation icosphere(unsigned level)
   return result;
 }
 
+// The surface of unit cubes, those of `is_full`, out of nx by ny by nz: of any genus.  Cubes that meet
+// in a line or a point alone make it pinch there.
+inline Triangulation blocks(int nx, int ny, int nz,
+                            const std::function<bool(int, int, int)>& is_full)
+{
+  Triangulation result;
+  std::map<std::array<int, 3>, Index> index;
+  const auto corner = [&](const std::array<int, 3>& p)
+  {
+    const auto [place, is_new] = index.try_emplace(p, Index(result.points.size()));
+    if(is_new)
+      result.points.push_back({double(p[0]), double(p[1]), double(p[2])});
+    return place->second;
+  };
+  const auto full = [&](const std::array<int, 3>& p)
+  {
+    return p[0] >= 0 && p[0] < nx && p[1] >= 0 && p[1] < ny && p[2] >= 0 && p[2] < nz &&
+           is_full(p[0], p[1], p[2]);
+  };
+  for(int k = 0; k < nz; ++k)
+    for(int j = 0; j < ny; ++j)
+      for(int i = 0; i < nx; ++i)
+        for(int axis = 0; axis < 3 && full({i, j, k}); ++axis)
+          for(const int end : {0, 1})
+          {
+            std::array<int, 3> p = {i, j, k}, next = p;
+            next[axis] += 2 * end - 1;
+            if(full(next))
+              continue;
+            p[axis] += end;
+            // Along the two other axes, in the order that turns around the outward one.
+            const int u = (axis + (end == 1 ? 1 : 2)) % 3, v = 3 - axis - u;
+            auto q = p, r = p, s = p;
+            ++q[u];
+            ++r[u];
+            ++r[v];
+            ++s[v];
+            const Index a = corner(p), b = corner(q), c = corner(r), d = corner(s);
+            result.corners.insert(result.corners.end(), {a, b, c, a, c, d});
+          }
+  return result;
+}
+
+// A plate with two square holes: of genus 2.
+inline Triangulation double_ring(int size = 4)
+{
+  return blocks(5 * size, 3 * size, size,
+                [=](int i, int j, int)
+                { return j / size != 1 || (i / size != 1 && i / size != 3); });
+}
+
 // Moves each point by up to `amount` in each coordinate.
 inline Triangulation shaken(Triangulation surface, double amount, unsigned seed = 1)
 {
@@ -240,6 +291,22 @@ inline Triangulation shaken(Triangulation surface, double amount, unsigned seed 
     for(double& x : p)
       x += offset(random);
   return surface;
+}
+
+// Radii 1 and 0.4; n points around the axis, m around the ring.
+inline Triangulation torus(Index n, Index m)
+{
+  Triangulation result;
+  for(Index j = 0; j < m; ++j)
+    for(Index i = 0; i < n; ++i)
+    {
+      const double u = 2. * pi * i / n, v = 2. * pi * j / m, r = 1. + 0.4 * std::cos(v);
+      result.points.push_back({r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v)});
+      const Index a = i + n * j, b = (i + 1) % n + n * j, c = i + n * ((j + 1) % m),
+                  d = (i + 1) % n + n * ((j + 1) % m);
+      result.corners.insert(result.corners.end(), {a, b, d, a, d, c});
+    }
+  return result;
 }
 
 // Two surfaces that do not touch.

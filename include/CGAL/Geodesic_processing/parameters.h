@@ -64,6 +64,22 @@ enum ball_radius_t
 {
   ball_radius
 };
+enum too_few_samples_t
+{
+  too_few_samples
+};
+enum number_of_relaxation_steps_t
+{
+  number_of_relaxation_steps
+};
+enum location_map_t
+{
+  location_map
+};
+enum edge_path_output_t
+{
+  edge_path_output
+};
 
 } // namespace internal_np
 
@@ -105,6 +121,10 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, face_label_map_t, face_label_map)                         \
   LINK(Geodesic_processing::internal_np, bisector_output_t, bisector_output)                       \
   LINK(Geodesic_processing::internal_np, ball_radius_t, ball_radius)                               \
+  LINK(Geodesic_processing::internal_np, too_few_samples_t, too_few_samples)                       \
+  LINK(Geodesic_processing::internal_np, number_of_relaxation_steps_t, number_of_relaxation_steps) \
+  LINK(Geodesic_processing::internal_np, location_map_t, location_map)                             \
+  LINK(Geodesic_processing::internal_np, edge_path_output_t, edge_path_output)                     \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \
   LINK(CGAL::internal_np, vertex_point_t, vertex_point_map)                                        \

@@ -3,17 +3,17 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H
 
-#include <CGAL/Geodesic_processing/internal/voronoi.h>
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 
 #include <array>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The triangles between the cells of a Voronoi diagram on a mesh, and what keeps them from being a
-// surface like the mesh: the closed ball property asks that each cell is a disc, that two cells meet in
-// one arc if at all, and three in one place; and that what a cell has of the border is one arc
-// (Edelsbrunner and Shah 1997).
+// The triangles between cells of sites on a mesh, those of a Voronoi diagram for example, and what
+// keeps them from being a surface like the mesh: the closed ball property asks that each cell is a
+// disc, that two cells meet in one arc if at all, and three in one place; and that what a cell has of
+// the border is one arc (Edelsbrunner and Shah 1997).
 struct Dual
 {
   std::vector<std::array<Index, 3>> triangles; // cells around each place of three, counterclockwise
@@ -21,7 +21,7 @@ struct Dual
   // All sorted, each once.
   std::vector<Index> no_discs;                 // cells, those without a site as well
   std::vector<Index> torn_borders;             // cells that meet the border in more than an arc
-  std::vector<std::array<Index, 2>> torn_arcs; // cells that meet in more than an arc
+  std::vector<std::array<Index, 2>> torn_arcs; // cells that meet in more than an arc, or alone
   std::vector<std::array<Index, 3>> repeated_places; // cells that meet in more than one place
 
   bool is_closed_ball() const
@@ -30,9 +30,13 @@ struct Dual
   }
 };
 
-// O(n log n).  Sites that no source reaches are no part of it.
+// O(n log n).
+// labels: #sites, the cell of each, below number_of_cells; sites of none are no part of it
+// is_border: #sides, with other sides that cells are to meet as they meet the border: twins alike.
+// Empty: the border alone.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Dual dual(const Glued_triangles& triangles, const Voronoi& voronoi, Index number_of_cells);
+Dual dual(const Glued_triangles& triangles, const std::vector<Index>& labels, Index number_of_cells,
+          const std::vector<bool>& is_border = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -31,8 +31,13 @@ public:
   Sampling(std::shared_ptr<const Glued_triangles> triangles, Front front, Sample_place place,
            std::shared_ptr<const std::vector<double>> slowness = nullptr);
 
-  // False when the callback cancelled it: then some distances are too long.
-  bool add(const Location& sample, const std::function<bool(double)>& callback = {});
+  // Several come at once, by one front.  False when the callback cancelled it: then some distances
+  // are too long.
+  bool add(const std::vector<Location>& samples, const std::function<bool(double)>& callback = {});
+  bool add(const Location& sample, const std::function<bool(double)>& callback = {})
+  {
+    return add(std::vector<Location>{sample}, callback);
+  }
 
   // The site that is farthest from all samples, one where none reaches before all others; none when
   // each one holds a sample.

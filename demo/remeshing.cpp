@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How many samples does the topology of a surface take, and how even are its triangles?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+double mean_of_smallest_angles(const Mesh& mesh)
+{
+  double sum = 0.;
+  for(const auto f : mesh.faces())
+  {
+    double smallest = 180.;
+    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+      smallest = std::min(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)),
+                                                            mesh.point(mesh.target(h)),
+                                                            mesh.point(mesh.target(mesh.next(h)))));
+    sum += smallest;
+  }
+  return sum / double(mesh.number_of_faces());
+}
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh, coarse, even;
+  if(argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+  {
+    std::cerr << "usage: remeshing MESH RESULT.ply\n";
+    return EXIT_FAILURE;
+  }
+
+  GP::geodesic_delaunay_remeshing(mesh, 0, coarse);
+  std::cout << coarse.number_of_vertices() << " vertices were enough for the topology of "
+            << mesh.number_of_vertices() << ".\n";
+
+  for(const std::size_t steps : {0, 10})
+  {
+    even.clear();
+    GP::geodesic_delaunay_remeshing(mesh, 2000, even,
+                                    GP::parameters::number_of_relaxation_steps(steps));
+    std::cout << even.number_of_vertices() << " after " << steps
+              << " steps: the smallest angles of faces have a mean of "
+              << mean_of_smallest_angles(even) << " degrees.\n";
+  }
+  return CGAL::IO::write_polygon_mesh(argv[2], even) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

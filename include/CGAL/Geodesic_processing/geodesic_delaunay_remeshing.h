@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_DELAUNAY_REMESHING_H
+#define CGAL_GEODESIC_PROCESSING_GEODESIC_DELAUNAY_REMESHING_H
+
+#include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/remeshing.h>
+#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingRemeshing
+/// what to do when so many samples cannot make a surface like the mesh.
+enum class Too_few_samples
+{
+  refine,   ///< add some where they are missing
+  are_wrong ///< throw `Invalid_argument_error`, which says how many it takes
+};
+
+/// \ingroup PkgGeodesicProcessingRemeshing
+/// what became of a remeshing.
+struct Remeshing_result
+{
+  std::size_t added = 0;   ///< vertices beyond the number asked for
+  bool is_finished = true; ///< false when the callback cancelled it; then the output is untouched
+};
+
+/// \ingroup PkgGeodesicProcessingRemeshing
+///
+/// covers a mesh with samples and joins them by the geodesic Delaunay triangulation: a coarser, or a
+/// finer, mesh of the same surface, of even triangles. \cgalCite{cgal:pc-grfp-03}
+///
+/// Vertices lie on the input: samples spread as by `farthest_point_sampling()`, and along its borders
+/// at equal steps and at their corners, if these are not nearer to each other than half of a step. They
+/// have an edge where their Voronoi cells meet, and a face where three of these do. The result has the
+/// topology of the input, component by component: genus, borders, orientation; no two faces have the
+/// same vertices. Isolated vertices are left out, and where the input pinches at a vertex it is taken
+/// apart there.
+///
+/// Cells that are not discs, or meet in more than an arc, get more samples until the result is that
+/// surface. Where the input has too few vertices to tell cells apart, its edges are halved, as often as
+/// it takes; the surface stays the same.
+///
+/// \param surface a model of `FaceListGraph`, all of whose faces are triangles, or its domain
+/// \param number of vertices; 0 asks for as few as it takes
+/// \param output any model of `MutableFaceGraph`, to which the vertices and faces are added
+/// \param np what `make_domain()` takes, and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{too_few_samples}
+///     \cgalParamDescription{a `Too_few_samples`}
+///     \cgalParamDefault{`Too_few_samples::refine`} \cgalParamNEnd
+///   \cgalParamNBegin{first_samples}
+///     \cgalParamDescription{a vertex, a location, or a range of them: the first of the samples}
+///     \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{speed_map}
+///     \cgalParamDescription{as for `geodesic_distances()`, but positive: triangles are smaller where
+///       the speed is lower}
+///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
+///   \cgalParamNBegin{number_of_relaxation_steps}
+///     \cgalParamDescription{how often samples move to the centres of their cells, which makes triangles
+///       more even; each takes as long as a front over the whole surface. First samples and those on borders stay.}
+///     \cgalParamDefault{0} \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{of the vertex from which the first sample is farthest}
+///     \cgalParamDefault{0} \cgalParamNEnd
+///   \cgalParamNBegin{location_map}
+///     \cgalParamDescription{receives for each vertex of the output its `Location<Surface>`}
+///     \cgalParamNEnd
+///   \cgalParamNBegin{edge_path_output}
+///     \cgalParamDescription{an output iterator that takes, for each edge of the output, a pair of it and
+///       a `Surface_path` from its source to its target: a geodesic, straight in every face}
+///     \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels
+///       by returning false} \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \throws Invalid_argument_error when a location or a speed is not usable, or the samples are too few
+///         and that is wrong; the output is untouched
+///
+/// Takes about as long as the sampling.
+template <typename Surface, typename OutputMesh,
+          typename NamedParameters = internal::Default_parameters>
+Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t number,
+                                             OutputMesh& output,
+                                             const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  using Domain_surface = typename std::decay_t<decltype(domain)>::Surface;
+  static_assert(!internal::Is_cloud<Domain_surface>::value,
+                "Cells of a surfel cloud have no triangles between them: they overlap.");
+  const internal::Glued_triangles& t = *domain.triangles();
+
+  internal::Remeshing_goal goal;
+  goal.number = number;
+  goal.relaxation_steps =
+      internal::parameter(np, internal_np::number_of_relaxation_steps, std::size_t(0));
+  goal.seed = static_cast<unsigned>(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
+  const internal::Front_limits limits = internal::limits(domain, np);
+  goal.callback = limits.callback;
+  goal.slowness = limits.slowness;
+  if(goal.slowness && std::any_of(goal.slowness->begin(), goal.slowness->end(),
+                                  [](double s) { return !(s < internal::infinity); }))
+    throw Invalid_argument_error(
+        "A speed is zero: a surface cannot be remeshed where no front goes.");
+  if constexpr(internal::has_parameter<NamedParameters, internal_np::first_samples_t>)
+    for(const internal::Location& sample :
+        internal::locations(domain, internal::parameter(np, internal_np::first_samples, 0)))
+    {
+      goal.first_samples.push_back(internal::cleaned(t, sample));
+      if(goal.first_samples.back().triangle == internal::none)
+        throw Invalid_argument_error("A first sample is an isolated vertex.");
+    }
+
+  const internal::Remeshing found = internal::remeshing(domain.triangles(), goal);
+  Remeshing_result result;
+  result.is_finished = found.is_finished;
+  if(!found.is_finished)
+    return result;
+  result.added = found.samples.size() - (std::min)(number, found.samples.size());
+  if(result.added > 0 && internal::parameter(np, internal_np::too_few_samples,
+                                             Too_few_samples::refine) != Too_few_samples::refine)
+    throw Invalid_argument_error(std::to_string(number) +
+                                 " samples are too few for the topology of the mesh: it takes " +
+                                 std::to_string(found.samples.size()) + ".");
+
+  using Graph = boost::graph_traits<OutputMesh>;
+  using Vertex = typename Graph::vertex_descriptor;
+  const auto points = get(CGAL::vertex_point, output);
+  using Point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
+  std::vector<Vertex> vertices;
+  for(const internal::Location& sample : found.samples)
+  {
+    const auto p = internal::coordinates(t, sample);
+    vertices.push_back(add_vertex(output));
+    put(points, vertices.back(), Point(p[0], p[1], p[2]));
+    if constexpr(internal::has_parameter<NamedParameters, internal_np::location_map_t>)
+      put(internal::parameter(np, internal_np::location_map, 0), vertices.back(),
+          domain.outer(sample));
+  }
+  std::vector<std::array<Vertex, 3>> faces;
+  for(const auto& f : found.triangles)
+    faces.push_back({vertices[f[0]], vertices[f[1]], vertices[f[2]]});
+  CGAL::Euler::add_faces(faces, output);
+
+  if constexpr(internal::has_parameter<NamedParameters, internal_np::edge_path_output_t>)
+  {
+    auto out = internal::parameter(np, internal_np::edge_path_output, 0);
+    Geodesic_path_finder<Domain_surface> path(domain);
+    for(std::size_t i = 0; i < found.triangles.size(); ++i)
+      for(int k = 0; k < 3; ++k)
+      {
+        const internal::Index a = found.triangles[i][k], b = found.triangles[i][(k + 1) % 3];
+        const auto h = halfedge(vertices[a], vertices[b], output).first;
+        // Once for both faces.
+        if(a < b || is_border(opposite(h, output), output))
+        {
+          const auto e = edge(h, output);
+          const bool is_forward = source(halfedge(e, output), output) == vertices[a];
+          *out++ = std::make_pair(e, path(domain.outer(found.samples[is_forward ? a : b]),
+                                          domain.outer(found.samples[is_forward ? b : a])));
+        }
+      }
+  }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_GEODESIC_DELAUNAY_REMESHING_H

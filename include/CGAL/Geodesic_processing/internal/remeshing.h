@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+struct Remeshing_goal
+{
+  std::size_t number = 0;              // of samples, if these are enough
+  std::vector<Location> first_samples; // of them, clean
+  // #triangles: as in Front_limits, but finite: there are no obstacles
+  std::shared_ptr<const std::vector<double>> slowness;
+  // #sides, twins alike: curves to be kept, the border among them; empty: the border alone
+  std::vector<bool> is_curve;
+  std::size_t relaxation_steps = 0;     // that move samples which are not on curves, or first ones
+  unsigned seed = 0;                    // as in Sampling_goal
+  std::function<bool(double)> callback; // told the fraction done; false cancels
+};
+
+struct Remeshing
+{
+  std::vector<Location> samples;               // clean
+  std::vector<std::array<Index, 3>> triangles; // of samples, counterclockwise
+  bool is_finished = true;                     // else there are no triangles
+};
+
+// The geodesic Delaunay triangulation of samples on a mesh (Peyré and Cohen 2003, section 3): a
+// surface with the components, the genus and the borders of the mesh, without the sites that have no
+// triangle.  More samples than asked for come where it takes them: as long as the cells are no closed
+// balls, the sites of those that are not that are farthest from their samples.
+//
+// Cells are told apart by sites: where the mesh has not enough for so many samples its sides are
+// halved.  In the worst case each site of such a finer mesh is a sample, and the result is that mesh,
+// so that it always ends.
+//
+// Throws Invalid_argument_error when a mesh of so many vertices has more than 2^31 half-edges.
+// About the time of sampling, and O(n log n) for each of some rounds of checking.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Remeshing remeshing(const std::shared_ptr<const Glued_triangles>& triangles,
+                    const Remeshing_goal& goal);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_H

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/curves.h>
+
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/planar.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/unfold.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// A side in one of its directions: backwards where there is no twin.
+struct Step
+{
+  Index side = none;
+  bool is_backwards = false;
+};
+
+class Curves
+{
+public:
+  Curves(const Glued_triangles& t, const std::vector<bool>& is_curve, double spacing,
+         const std::vector<double>* slowness)
+      : m_triangles(t), m_is_curve(is_curve), m_spacing(spacing), m_slowness(slowness),
+        m_steps(t.number_of_sites()), m_is_done(t.corner.size(), false)
+  {
+    for(Index side = 0; side < t.corner.size(); ++side)
+      if(m_is_curve[side])
+      {
+        m_steps[t.corner[side]].push_back({side, false});
+        if(t.twin[side] == none)
+          m_steps[t.corner[next_side(side)]].push_back({side, true});
+      }
+  }
+
+  std::vector<Location> spread()
+  {
+    for(const bool is_loop : {false, true})
+      for(Index site = 0; site < m_steps.size(); ++site)
+        if(m_steps[site].size() != 2 || is_loop)
+        {
+          if(!m_steps[site].empty() && !is_loop)
+            m_result.push_back(at_site(m_triangles, site));
+          for(const Step& step : m_steps[site])
+            if(!m_is_done[step.side])
+              spread_on(chain(step), is_loop);
+        }
+    return std::move(m_result);
+  }
+
+private:
+  Index begin_of(const Step& step) const
+  {
+    return m_triangles.corner[step.is_backwards ? next_side(step.side) : step.side];
+  }
+  Index end_of(const Step& step) const
+  {
+    return m_triangles.corner[step.is_backwards ? step.side : next_side(step.side)];
+  }
+  double time(Index side) const
+  {
+    const auto slowness = [&](Index s) { return m_slowness ? (*m_slowness)[s / 3] : 1.; };
+    const Index twin = m_triangles.twin[side];
+    return m_triangles.length[side] *
+           (twin == none ? slowness(side) : std::min(slowness(side), slowness(twin)));
+  }
+  Spatial direction(const Step& step) const
+  {
+    return unit(m_triangles.point[end_of(step)] - m_triangles.point[begin_of(step)]);
+  }
+  void mark(Index side)
+  {
+    m_is_done[side] = true;
+    if(m_triangles.twin[side] != none)
+      m_is_done[m_triangles.twin[side]] = true;
+  }
+
+  // From a step on while there is one way to go.
+  std::vector<Step> chain(Step step)
+  {
+    std::vector<Step> result;
+    for(;;)
+    {
+      mark(step.side);
+      result.push_back(step);
+      const std::vector<Step>& next = m_steps[end_of(step)];
+      if(next.size() != 2)
+        return result;
+      const auto open = std::find_if(next.begin(), next.end(),
+                                     [&](const Step& one) { return !m_is_done[one.side]; });
+      if(open == next.end())
+        return result;
+      step = *open;
+    }
+  }
+
+  void spread_on(std::vector<Step> steps, bool is_loop)
+  {
+    // How sharply the chain turns where each step begins; a closed one starts where it does most.
+    const std::size_t n = steps.size();
+    std::vector<double> turn(n, 0.);
+    for(std::size_t i = is_loop ? 0 : 1; i < n; ++i)
+    {
+      const Spatial before = direction(steps[(i + n - 1) % n]), after = direction(steps[i]);
+      turn[i] = std::atan2(norm(cross(before, after)), dot(before, after));
+    }
+    if(is_loop)
+    {
+      const auto sharpest = std::max_element(turn.begin(), turn.end()) - turn.begin();
+      std::rotate(turn.begin(), turn.begin() + sharpest, turn.end());
+      std::rotate(steps.begin(), steps.begin() + sharpest, steps.end());
+    }
+    std::vector<double> begin = {0.};
+    for(const Step& step : steps)
+      begin.push_back(begin.back() + time(step.side));
+
+    std::vector<std::size_t> sharp;
+    for(std::size_t i = 1; i < n; ++i)
+      if(turn[i] > pi / 3.)
+        sharp.push_back(i);
+    std::stable_sort(sharp.begin(), sharp.end(),
+                     [&](std::size_t i, std::size_t j) { return turn[i] > turn[j]; });
+    std::set<double> corners = {0., begin.back()};
+    for(const std::size_t i : sharp)
+    {
+      const auto above = corners.lower_bound(begin[i]);
+      if(*above - begin[i] >= m_spacing / 2. && begin[i] - *std::prev(above) >= m_spacing / 2.)
+        corners.insert(begin[i]);
+    }
+
+    if(is_loop)
+      m_result.push_back(at_site(m_triangles, begin_of(steps[0])));
+    const bool is_closed = is_loop || begin_of(steps[0]) == end_of(steps[n - 1]);
+    const std::size_t pieces = corners.size() - 1;
+    const double least = is_closed && pieces < 3 ? std::ceil(3. / double(pieces)) : 1.;
+    std::size_t i = 0;
+    for(auto from = corners.begin(), to = std::next(from); to != corners.end(); ++from, ++to)
+    {
+      const double number = std::max(least, std::round((*to - *from) / m_spacing));
+      const bool is_last = std::next(to) == corners.end();
+      for(double k = 1.; k <= number - (is_last ? 1. : 0.); ++k)
+      {
+        const double place = k == number ? *to : *from + k / number * (*to - *from);
+        while(i + 1 < n && begin[i + 1] <= place)
+          ++i;
+        const double share = std::clamp((place - begin[i]) / (begin[i + 1] - begin[i]), 0., 1.);
+        const Step& step = steps[i];
+        m_result.push_back(
+            cleaned(m_triangles, {step.side / 3, none,
+                                  on_side(step.side, step.is_backwards ? 1. - share : share)}));
+      }
+    }
+  }
+
+  const Glued_triangles& m_triangles;
+  const std::vector<bool>& m_is_curve;
+  double m_spacing;
+  const std::vector<double>* m_slowness;
+  std::vector<std::vector<Step>> m_steps; // #sites: the curves' steps that leave each
+  std::vector<bool> m_is_done;            // #sides
+  std::vector<Location> m_result;
+};
+
+} // namespace
+
+std::vector<Location> spread_on_curves(const Glued_triangles& triangles,
+                                       const std::vector<bool>& is_curve, double spacing,
+                                       const std::vector<double>* slowness)
+{
+  return Curves(triangles, is_curve, spacing, slowness).spread();
+}
+
+std::vector<bool> border_and_sharp_sides(const Glued_triangles& t, double angle)
+{
+  std::vector<Spatial> normal(angle < 180. ? t.number_of_triangles() : 0);
+  for(Index f = 0; f < normal.size(); ++f)
+  {
+    const Spatial origin = t.point[t.corner[3 * f]];
+    normal[f] =
+        unit(cross(t.point[t.corner[3 * f + 1]] - origin, t.point[t.corner[3 * f + 2]] - origin));
+  }
+  std::vector<bool> result(t.corner.size(), false);
+  for(Index side = 0; side < t.corner.size(); ++side)
+    if(t.twin[side] == none)
+      result[side] = true;
+    else if(!normal.empty())
+    {
+      const Spatial &u = normal[side / 3], &v = normal[t.twin[side] / 3];
+      result[side] = norm(u) > 0. && norm(v) > 0. &&
+                     std::atan2(norm(cross(u, v)), dot(u, v)) >= angle * pi / 180.;
+    }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Picture.h"
+#include "Scanner.h"
+#include "commands.h"
+#include "errors.h"
+#include "queries.h"
+
+#include <algorithm>
+
+namespace program {
+
+namespace {
+
+struct Remesh_options
+{
+  std::size_t number = 0;
+  std::size_t lloyd = 0;
+  std::string speed;
+};
+
+struct Result
+{
+  Surface_file file;
+  std::vector<std::string> text; // where each vertex is, as --values shows it
+  std::size_t added = 0;
+};
+
+// The library's part: the mesh, and where its vertices lie.
+Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  job.stage("query");
+  Mesh mesh;
+  const auto locations =
+      mesh.add_property_map<Mesh::Vertex_index, GP::Location<Mesh>>("v:location").first;
+  const auto np = GP::parameters::random_seed(job.seed())
+                      .number_of_relaxation_steps(options.lloyd)
+                      .location_map(locations)
+                      .callback(job.progress("vertices"));
+  Result result;
+  if(options.speed.empty())
+    result.added = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np).added;
+  else
+  {
+    const Property_map<Mesh::Vertex_index> speeds{&property(job.surface(), options.speed)};
+    result.added =
+        GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np.speed_map(speeds)).added;
+  }
+  for(const auto v : mesh.vertices())
+  {
+    const auto& p = mesh.point(v);
+    result.file.points.push_back({p.x(), p.y(), p.z()});
+    result.text.push_back(place_text(surface, get(locations, v)));
+  }
+  for(const auto f : mesh.faces())
+  {
+    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      result.file.corners.push_back(v);
+    result.file.first.push_back(result.file.corners.size());
+  }
+  return result;
+}
+
+void run_remesh(Job& job, const Remesh_options& options)
+{
+  const Surface& surface = job.read();
+  if(!surface.is_mesh())
+    fail(surface.name, "a cloud cannot be remeshed, that needs a mesh");
+  if(!options.speed.empty())
+    property(surface, options.speed);
+
+  job.stage("prepare");
+  const Result result = find_mesh(make_mesh(surface), options, job);
+  job.result()["vertices_out"] = result.file.points.size();
+  job.result()["faces_out"] = result.file.number_of_polygons();
+  job.result()["added"] = result.added;
+  job.say("vertices        " + std::to_string(result.file.points.size()));
+  job.say("faces           " + std::to_string(result.file.number_of_polygons()));
+  if(result.added > 0)
+    job.say("added           " + std::to_string(result.added));
+
+  job.stage("write");
+  if(!job.values().empty())
+  {
+    std::string text;
+    for(const std::string& line : result.text)
+      text += line + '\n';
+    job.write_values(text);
+  }
+  if(!job.picture().empty())
+  {
+    Picture picture{&result.file};
+    picture.with_sides = true;
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+    write_surface_file(job.output(), result.file);
+  job.finish();
+}
+
+} // namespace
+
+void add_remesh(CLI::App& program)
+{
+  CLI::App* const command =
+      program.add_subcommand("remesh", "a mesh of the same surface with even triangles");
+  const auto job = std::make_shared<Job>(*command);
+  const auto options = std::make_shared<Remesh_options>();
+  command->add_option("--number", options->number, "of vertices; more come where it takes them")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->required();
+  command
+      ->add_option("--lloyd", options->lloyd,
+                   "how often vertices move to the middle of their cells")
+      ->type_name("K")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--speed", options->speed,
+                   "a property of the vertices: triangles are smaller where it is lower")
+      ->type_name("PROPERTY");
+  command->callback([job, options] { run_remesh(*job, *options); });
+}
+
+} // namespace program

@@ -1,0 +1,482 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/remeshing.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/centroids.h>
+#include <CGAL/Geodesic_processing/internal/curves.h>
+#include <CGAL/Geodesic_processing/internal/dual.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/refinement.h>
+#include <CGAL/Geodesic_processing/internal/sampling.h>
+#include <CGAL/Geodesic_processing/internal/unfold.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Sides longer than this part of the spacing of samples are halved: then a cell has four sites and
+// more.
+constexpr double longest_part = 0.5;
+// But not beyond so many sites for each there was and for each sample: webs of needles would become
+// webs of longer ones.
+constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
+
+// The cells of samples, numbered: those that come to a site.
+struct Cells
+{
+  std::vector<Index> labels;  // #sites: the cell of each, none where there is no triangle
+  std::vector<Index> samples; // #cells: the sample of each
+};
+
+// The cells that a sampling knows, each in one part: where fronts were wrong by a rounding, or came
+// around others, sites go over to a cell next to them.
+Cells connected_cells(const Glued_triangles& t, const Sampling& sampling)
+{
+  const std::vector<double>& distances = sampling.distances();
+  std::vector<Index> nearest(sampling.samples().size(), none); // the site of each sample
+  for(const Index site : sampling.sites())
+    if(Index& known = nearest[sampling.labels()[site]];
+       known == none || distances[site] < distances[known])
+      known = site;
+
+  Cells result;
+  result.labels.assign(t.number_of_sites(), none);
+  std::vector<Index> reached;
+  for(Index sample = 0; sample < nearest.size(); ++sample)
+  {
+    if(nearest[sample] == none)
+      continue;
+    const Index cell = Index(result.samples.size());
+    result.samples.push_back(sample);
+    reached = {nearest[sample]};
+    result.labels[nearest[sample]] = cell;
+    while(!reached.empty())
+    {
+      const Index site = reached.back();
+      reached.pop_back();
+      for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+        for(const Index corner : {next_side(t.star[i]), previous_side(t.star[i])})
+          if(const Index next = t.corner[corner];
+             result.labels[next] == none && sampling.labels()[next] == sample)
+          {
+            result.labels[next] = cell;
+            reached.push_back(next);
+          }
+    }
+  }
+
+  std::vector<Index> apart;
+  for(const Index site : sampling.sites())
+    if(result.labels[site] == none)
+      apart.push_back(site);
+  while(!apart.empty())
+  {
+    std::vector<std::pair<Index, Index>> found; // site and cell
+    std::vector<Index> left;
+    for(const Index site : apart)
+    {
+      Index best = none;
+      double least = infinity;
+      const auto reach = [&](Index next, double length)
+      {
+        if(result.labels[next] != none && distances[next] + length < least)
+        {
+          best = result.labels[next];
+          least = distances[next] + length;
+        }
+      };
+      for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+      {
+        const Index corner = t.star[i], previous = previous_side(corner);
+        reach(t.corner[next_side(corner)], t.length[corner]);
+        reach(t.corner[previous], t.length[previous]);
+      }
+      if(best == none)
+        left.push_back(site);
+      else
+        found.emplace_back(site, best);
+    }
+    for(const auto& [site, cell] : found)
+      result.labels[site] = cell;
+    apart = std::move(left);
+  }
+  return result;
+}
+
+class Remesher
+{
+public:
+  Remesher(const std::shared_ptr<const Glued_triangles>& triangles, const Remeshing_goal& goal)
+      : m_goal(goal),
+        m_coarse_curves(goal.is_curve.empty() ? border_and_sharp_sides(*triangles) : goal.is_curve)
+  {
+    use(refinement(triangles));
+  }
+
+  Remeshing run()
+  {
+    set_spacing();
+    refine();
+    begin();
+    if(sample() && relax() && complete())
+      return std::move(m_result);
+    return {{}, {}, false};
+  }
+
+private:
+  const Glued_triangles& t() const { return *m_surface.triangles; }
+  double slowness(Index triangle) const { return m_slowness ? (*m_slowness)[triangle] : 1.; }
+  // The size of our unit in that of the coarse triangles: a power of two.
+  double unit_size() const { return t().scale / m_surface.coarse->scale; }
+  bool tell(double done) const { return !m_goal.callback || m_goal.callback(done); }
+
+  void use(Refinement surface)
+  {
+    m_surface = std::move(surface);
+    // Where all sites are one point no site is farther than others: any lengths will do.
+    if(std::all_of(t().length.begin(), t().length.end(), [](double l) { return l == 0.; }))
+    {
+      Glued_triangles spread = t();
+      std::fill(spread.length.begin(), spread.length.end(), 1.);
+      m_surface.triangles = std::make_shared<const Glued_triangles>(std::move(spread));
+    }
+    m_is_curve = sides_on(m_surface, m_coarse_curves);
+    m_is_curve_site.assign(t().number_of_sites(), false);
+    for(Index side = 0; side < m_is_curve.size(); ++side)
+      if(m_is_curve[side])
+        for(const Index corner : {side, next_side(side)})
+          m_is_curve_site[t().corner[corner]] = true;
+    m_slowness = m_goal.slowness;
+    if(m_slowness && !m_surface.parent.empty())
+    {
+      std::vector<double> slownesses;
+      for(const Index parent : m_surface.parent)
+        slownesses.push_back((*m_goal.slowness)[parent]);
+      m_slowness = std::make_shared<const std::vector<double>>(std::move(slownesses));
+    }
+  }
+
+  // Of a honeycomb of so many cells, those at the border halved by it, that covers as much.
+  void set_spacing()
+  {
+    double area = 0., border = 0.;
+    for(Index f = 0; f < t().number_of_triangles(); ++f)
+    {
+      const double* const l = &t().length[3 * std::size_t(f)];
+      area += 0.5 * slowness(f) * slowness(f) * twice_area(l[0], l[1], l[2]);
+      for(Index side = 3 * f; side < 3 * f + 3; ++side)
+        if(t().twin[side] == none)
+          border += slowness(f) * t().length[side];
+    }
+    const double n = double(std::max<std::size_t>(m_goal.number, 1));
+    const double quarter = border / 4.;
+    m_spacing = std::max(
+        (quarter + std::sqrt(quarter * quarter + 2. / std::sqrt(3.) * area * n)) / n, border / n);
+    m_spacing *= unit_size();
+  }
+
+  void refine()
+  {
+    const std::size_t most =
+        most_for_a_site * t().number_of_sites() + most_for_a_sample * m_goal.number;
+    for(;;)
+    {
+      const double longest = longest_part * m_spacing / unit_size();
+      std::vector<bool> is_long(t().corner.size(), false);
+      bool is_fine = true;
+      for(Index side = 0; side < is_long.size(); ++side)
+        if(slowness(side / 3) * t().length[side] > longest)
+        {
+          is_fine = false;
+          is_long[side] = true;
+          if(t().twin[side] != none)
+            is_long[t().twin[side]] = true;
+        }
+      if(is_fine || t().number_of_sites() >= most)
+        return;
+      use(halved(m_surface, is_long));
+    }
+  }
+
+  void begin()
+  {
+    m_front.emplace(m_surface.triangles, Front_kind::euclidean);
+    m_sampling.emplace(m_surface.triangles, *m_front, Sample_place::triangle, m_slowness);
+  }
+
+  bool sample()
+  {
+    std::vector<Location> first = to_fine(m_surface, m_goal.first_samples);
+    const std::vector<Location> on_curves =
+        spread_on_curves(t(), m_is_curve, m_spacing / unit_size(), m_slowness.get());
+    first.insert(first.end(), on_curves.begin(), on_curves.end());
+    m_number_of_fixed = first.size();
+    if(!first.empty())
+      m_sampling->add(first);
+    return add_farthest(m_goal.number - std::min(m_goal.number, first.size()), 0., 0.4);
+  }
+
+  // Adds so many, and more where no sample has come yet.
+  bool add_farthest(std::size_t number, double begin, double end)
+  {
+    Sampling_goal goal;
+    goal.seed = m_goal.seed;
+    goal.number = number;
+    if(m_goal.callback)
+      goal.callback = [&](double done) { return m_goal.callback(begin + (end - begin) * done); };
+    const auto nothing = [](double) {};
+    if(number > 0 && !sample_farthest(*m_sampling, goal, nothing))
+      return false;
+    goal.number = 1;
+    while(m_sampling->covering_radius() == infinity)
+      if(!sample_farthest(*m_sampling, goal, nothing))
+        return false;
+    return true;
+  }
+
+  // Moves samples to the centroids of their cells.
+  bool relax()
+  {
+    if(m_goal.relaxation_steps == 0)
+      return true;
+    std::vector<Location> samples = m_sampling->samples();
+    std::vector<Index> labels(t().number_of_sites());
+    Front_limits limits;
+    limits.slowness = m_slowness;
+    for(std::size_t step = 0; step < m_goal.relaxation_steps; ++step)
+    {
+      if(!tell(0.4 + 0.4 * double(step) / double(m_goal.relaxation_steps)))
+        return false;
+      std::vector<Source> sources;
+      for(const Location& sample : samples)
+        sources.push_back({{sample}, 0., 0});
+      m_front->run(sources, limits);
+      for(Index site = 0; site < labels.size(); ++site)
+        labels[site] = m_front->source(site);
+      const std::vector<Location> moved = centroids(t(), labels, samples, m_slowness.get());
+      for(std::size_t i = m_number_of_fixed; i < samples.size(); ++i)
+        if(!is_on_curve(samples[i]))
+          samples[i] = moved[i];
+    }
+    begin();
+    m_sampling->add(samples);
+    return true;
+  }
+
+  bool is_on_curve(const Location& sample) const
+  {
+    const Location clean = cleaned(t(), sample);
+    if(const Index site = site_of(t(), clean); site != none)
+      return m_is_curve_site[site];
+    const Index side = side_of(clean);
+    return side != none && m_is_curve[side];
+  }
+
+  bool complete()
+  {
+    for(;;)
+    {
+      if(!tell(0.9))
+        return false;
+      const Cells cells = connected_cells(t(), *m_sampling);
+      // Some samples came to no site.
+      if(cells.samples.size() < m_goal.number && m_sampling->covering_radius() > 0.)
+      {
+        if(!add_farthest(m_goal.number - cells.samples.size(), 0.8, 0.9))
+          return false;
+        continue;
+      }
+      Dual found = dual(t(), cells.labels, Index(cells.samples.size()), m_is_curve);
+      const std::vector<Index> strays = cells_off_curves(cells);
+      if(found.is_closed_ball() && strays.empty())
+      {
+        finish(cells, std::move(found.triangles));
+        return true;
+      }
+      m_is_touched.assign(cells.samples.size(), false);
+      m_stuck.clear();
+      const std::vector<Location> more = places_to_add(cells, found, strays);
+      if(!more.empty())
+        m_sampling->add(more);
+      else
+        refine_around(cells);
+    }
+  }
+
+  // Cells that come to a curve, on which their sample is not.
+  std::vector<Index> cells_off_curves(const Cells& cells) const
+  {
+    std::vector<Index> result;
+    for(Index site = 0; site < cells.labels.size(); ++site)
+      if(m_is_curve_site[site] && cells.labels[site] != none)
+        result.push_back(cells.labels[site]);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    const auto has_sample_there = [&](Index cell)
+    { return is_on_curve(m_sampling->samples()[cells.samples[cell]]); };
+    result.erase(std::remove_if(result.begin(), result.end(), has_sample_there), result.end());
+    return result;
+  }
+
+  // Samples at the farthest sites where something is wrong, if they are not samples already; one for
+  // several faults next to each other.
+  std::vector<Location> places_to_add(const Cells& cells, const Dual& found,
+                                      const std::vector<Index>& strays)
+  {
+    const std::size_t n = cells.samples.size();
+    const std::vector<double>& distances = m_sampling->distances();
+    std::vector<Index> farthest(n, none), on_curve(n, none), nearest_on_curve(n, none);
+    const auto raise = [&](Index& best, Index site)
+    {
+      if(best == none || distances[site] > distances[best])
+        best = site;
+    };
+    for(Index site = 0; site < cells.labels.size(); ++site)
+      if(const Index cell = cells.labels[site]; cell != none)
+      {
+        raise(farthest[cell], site);
+        if(!m_is_curve_site[site])
+          continue;
+        raise(on_curve[cell], site);
+        Index& nearest = nearest_on_curve[cell];
+        if(nearest == none || distances[site] < distances[nearest])
+          nearest = site;
+      }
+    std::vector<Index> at_arc(found.torn_arcs.size(), none),
+        at_place(found.repeated_places.size(), none);
+    std::vector<bool> is_torn(n, false), is_repeated(n, false);
+    for(const auto& cells_of_arc : found.torn_arcs)
+      for(const Index cell : cells_of_arc)
+        is_torn[cell] = true;
+    for(const auto& cells_of_place : found.repeated_places)
+      for(const Index cell : cells_of_place)
+        is_repeated[cell] = true;
+    const auto is_in = [](const auto& list, const auto& element)
+    {
+      const auto place = std::lower_bound(list.begin(), list.end(), element);
+      return place != list.end() && *place == element ? std::size_t(place - list.begin())
+                                                      : list.size();
+    };
+    for(Index side = 0; side < t().corner.size(); ++side)
+    {
+      const Index x = t().corner[side], z = t().corner[next_side(side)];
+      const Index a = cells.labels[x], b = cells.labels[z];
+      if(a == b || !is_torn[a] || !is_torn[b])
+        continue;
+      const auto i = is_in(found.torn_arcs, std::array<Index, 2>{std::min(a, b), std::max(a, b)});
+      if(i < at_arc.size())
+      {
+        raise(at_arc[i], x);
+        raise(at_arc[i], z);
+      }
+    }
+    for(Index f = 0; f < t().number_of_triangles() && !at_place.empty(); ++f)
+    {
+      std::array<Index, 3> around;
+      for(Index k = 0; k < 3; ++k)
+        around[k] = cells.labels[t().corner[3 * f + k]];
+      if(!is_repeated[around[0]] || !is_repeated[around[1]] || !is_repeated[around[2]])
+        continue;
+      std::sort(around.begin(), around.end());
+      if(const auto i = is_in(found.repeated_places, around); i < at_place.size())
+        for(Index k = 0; k < 3; ++k)
+          raise(at_place[i], t().corner[3 * f + k]);
+    }
+
+    std::vector<Location> result;
+    const auto add = [&](std::initializer_list<Index> around, Index site)
+    {
+      if(std::any_of(around.begin(), around.end(), [&](Index c) { return m_is_touched[c]; }))
+        return;
+      // Else anywhere in these cells.
+      for(const Index cell : around)
+        if(distances[site] == 0.)
+          site = farthest[cell];
+      for(const Index cell : around)
+        m_is_touched[cell] = true;
+      if(distances[site] > 0.)
+        result.push_back({none, site, {}});
+      else
+        m_stuck.insert(m_stuck.end(), around);
+    };
+    for(const Index cell : found.torn_borders)
+      add({cell}, on_curve[cell]);
+    for(const Index cell : strays)
+      add({cell}, nearest_on_curve[cell]);
+    for(const Index cell : found.no_discs)
+      add({cell}, farthest[cell]);
+    for(std::size_t i = 0; i < at_arc.size(); ++i)
+      add({found.torn_arcs[i][0], found.torn_arcs[i][1]}, at_arc[i]);
+    for(std::size_t i = 0; i < at_place.size(); ++i)
+      add({found.repeated_places[i][0], found.repeated_places[i][1], found.repeated_places[i][2]},
+          at_place[i]);
+    return result;
+  }
+
+  // Where each site is a sample and the triangles are no surface of their own yet: two that share
+  // their corners.
+  void refine_around(const Cells& cells)
+  {
+    std::vector<bool> is_stuck(cells.samples.size(), false), is_halved(t().corner.size(), false);
+    for(const Index cell : m_stuck)
+      is_stuck[cell] = true;
+    for(Index f = 0; f < t().number_of_triangles(); ++f)
+      for(Index k = 0; k < 3; ++k)
+        if(is_stuck[cells.labels[t().corner[3 * f + k]]])
+          for(Index side = 3 * f; side < 3 * f + 3; ++side)
+          {
+            is_halved[side] = true;
+            if(t().twin[side] != none)
+              is_halved[t().twin[side]] = true;
+          }
+    std::vector<Location> samples;
+    for(const Location& sample : m_sampling->samples())
+      samples.push_back(to_coarse(m_surface, sample));
+    use(halved(m_surface, is_halved));
+    begin();
+    m_sampling->add(to_fine(m_surface, samples));
+  }
+
+  void finish(const Cells& cells, std::vector<std::array<Index, 3>> triangles)
+  {
+    for(const Index sample : cells.samples)
+      m_result.samples.push_back(
+          cleaned(*m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[sample])));
+    m_result.triangles = std::move(triangles);
+  }
+
+  const Remeshing_goal& m_goal;
+  std::vector<bool> m_coarse_curves;
+  double m_spacing = 0.; // in the unit of the coarse triangles
+
+  Refinement m_surface;
+  std::vector<bool> m_is_curve, m_is_curve_site; // #sides, #sites
+  std::shared_ptr<const std::vector<double>> m_slowness;
+  std::optional<Front> m_front;
+  std::optional<Sampling> m_sampling;
+  std::size_t m_number_of_fixed = 0; // samples, the first ones
+  Remeshing m_result;
+
+  // Of a round
+  std::vector<bool> m_is_touched; // #cells
+  std::vector<Index> m_stuck;     // cells that have a fault and no site left
+};
+
+} // namespace
+
+Remeshing remeshing(const std::shared_ptr<const Glued_triangles>& triangles,
+                    const Remeshing_goal& goal)
+{
+  // Each vertex has six of them.
+  if(goal.number > (std::size_t(1) << 31) / 6)
+    throw Invalid_argument_error("A mesh of so many vertices has more than 2^31 half-edges.");
+  return Remesher(triangles, goal).run();
+}
+
+} // namespace CGAL::Geodesic_processing::internal

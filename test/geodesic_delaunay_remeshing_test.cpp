@@ -1,0 +1,263 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/generators.h>
+
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+#  if defined(__GNUC__) && !defined(__clang__)
+// OpenMesh's properties push back a T() that this compiler takes for uninitialized.
+#    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#  endif
+#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#  include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#endif
+
+#include "Glued_surface.h"
+#include "Mesh_of.h"
+#include "topology.h"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+using namespace GP::test;
+
+// The corners of a mesh's faces, vertices numbered in their order.
+template <typename AnyMesh>
+std::vector<Index> corners_of(const AnyMesh& mesh)
+{
+  std::map<typename boost::graph_traits<AnyMesh>::vertex_descriptor, Index> number;
+  for(const auto v : vertices(mesh))
+    number.emplace(v, Index(number.size()));
+  std::vector<Index> result;
+  for(const auto f : faces(mesh))
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      result.push_back(number.at(source(h, mesh)));
+  return result;
+}
+
+template <typename Output>
+void expect_remeshes_sphere()
+{
+  const Mesh sphere = mesh_of(icosphere(3));
+  Output output;
+  EXPECT_EQ(GP::geodesic_delaunay_remeshing(sphere, 100, output).added, 0u);
+  EXPECT_EQ(num_vertices(output), 100u);
+  EXPECT_EQ(num_faces(output), 196u);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(output));
+  EXPECT_TRUE(CGAL::is_closed(output));
+  EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{2, 0}}}));
+  const auto points = get(CGAL::vertex_point, output);
+  // On a side or a face of the icosphere, whose faces are at a distance of at least 0.995.
+  for(const auto v : vertices(output))
+  {
+    const double radius = distance(to_array(get(points, v)), {0., 0., 0.});
+    EXPECT_GE(radius, 0.99);
+    EXPECT_LE(radius, 1. + 1e-6); // OpenMesh's coordinates have single precision
+  }
+}
+
+TEST(Geodesic_delaunay_remeshing, makes_any_mesh)
+{
+  expect_remeshes_sphere<Mesh>();
+  expect_remeshes_sphere<CGAL::Polyhedron_3<Kernel>>();
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  expect_remeshes_sphere<OpenMesh::TriMesh_ArrayKernelT<>>();
+#endif
+}
+
+TEST(Geodesic_delaunay_remeshing, takes_any_mesh_and_domains)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  Polyhedron polyhedron;
+  CGAL::make_icosahedron<Polyhedron, Polyhedron::Point_3>(polyhedron);
+  Mesh output;
+  GP::geodesic_delaunay_remeshing(polyhedron, 50, output);
+  EXPECT_EQ(num_vertices(output), 50u);
+  EXPECT_TRUE(CGAL::is_closed(output));
+  EXPECT_TRUE(PMP::is_outward_oriented(output));
+
+  Mesh again;
+  GP::geodesic_delaunay_remeshing(GP::make_domain(polyhedron), 50, again);
+  EXPECT_EQ(corners_of(again), corners_of(output));
+}
+
+TEST(Geodesic_delaunay_remeshing, adds_what_it_takes_or_says_so)
+{
+  const Mesh torus_mesh = mesh_of(torus(40, 16));
+  Mesh output;
+  const auto result = GP::geodesic_delaunay_remeshing(torus_mesh, 5, output);
+  EXPECT_TRUE(result.is_finished);
+  // No torus has fewer than seven vertices.
+  EXPECT_GE(result.added, 2u);
+  EXPECT_EQ(num_vertices(output), 5 + result.added);
+  EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 0}}}));
+
+  Mesh none;
+  const auto strictly = GP::parameters::too_few_samples(GP::Too_few_samples::are_wrong);
+  EXPECT_THROW(GP::geodesic_delaunay_remeshing(torus_mesh, 5, none, strictly),
+               GP::Invalid_argument_error);
+  EXPECT_TRUE(is_empty(none));
+  EXPECT_EQ(GP::geodesic_delaunay_remeshing(torus_mesh, 200, none, strictly).added, 0u);
+}
+
+TEST(Geodesic_delaunay_remeshing, tells_where_vertices_lie)
+{
+  const Mesh plane = mesh_of(square(20, 0.2));
+  Mesh output;
+  const auto locations = output.add_property_map<Vertex, GP::Location<Mesh>>("v:location").first;
+  GP::geodesic_delaunay_remeshing(plane, 80, output, GP::parameters::location_map(locations));
+  double area = 0.;
+  for(const Vertex v : output.vertices())
+    // A few roundings.
+    EXPECT_LT(distance(point_of(plane, get(locations, v)), to_array(output.point(v))), 1e-14);
+  for(const Face f : output.faces())
+    area += PMP::face_area(f, output);
+  EXPECT_NEAR(area, 1., 1e-12); // a sum of 150 terms
+}
+
+TEST(Geodesic_delaunay_remeshing, traces_edges)
+{
+  const Mesh sphere = mesh_of(icosphere(4));
+  Mesh output;
+  using Edge = boost::graph_traits<Mesh>::edge_descriptor;
+  std::vector<std::pair<Edge, GP::Surface_path<Mesh>>> paths;
+  GP::geodesic_delaunay_remeshing(sphere, 60, output,
+                                  GP::parameters::edge_path_output(std::back_inserter(paths)));
+  std::set<Edge> edges;
+  for(const auto& [e, path] : paths)
+  {
+    edges.insert(e);
+    ASSERT_FALSE(path.empty());
+    const Point p = to_array(output.point(source(e, output))),
+                q = to_array(output.point(target(e, output)));
+    EXPECT_LT(distance(to_array(path.points.front()), p), 1e-14);
+    EXPECT_LT(distance(to_array(path.points.back()), q), 1e-14);
+    // Within a hundredth of the great circle: the icosphere is 0.3 percent too small.
+    EXPECT_NEAR(path.length, 2. * std::asin(0.5 * distance(p, q)), 0.01 * path.length);
+  }
+  EXPECT_EQ(edges.size(), num_edges(output));
+  EXPECT_EQ(paths.size(), num_edges(output));
+
+  const Mesh plane = mesh_of(square(10));
+  Mesh flat;
+  paths.clear();
+  GP::geodesic_delaunay_remeshing(plane, 30, flat,
+                                  GP::parameters::edge_path_output(std::back_inserter(paths)));
+  EXPECT_EQ(paths.size(), num_edges(flat));
+}
+
+TEST(Geodesic_delaunay_remeshing, adds_to_the_output)
+{
+  Mesh output = mesh_of(tetrahedron());
+  GP::geodesic_delaunay_remeshing(mesh_of(square(10)), 30, output);
+  EXPECT_EQ(num_vertices(output), 34u);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(output));
+  EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{1, 1}, {2, 0}}}));
+}
+
+TEST(Geodesic_delaunay_remeshing, does_not_depend_on_scale)
+{
+  const Triangulation ring = annulus(60, 12, 0.5, 1.);
+  Mesh output;
+  GP::geodesic_delaunay_remeshing(mesh_of(ring), 100, output);
+  for(const double scale : {0x1p-40, 0x1p40}) // powers of two change no digit
+  {
+    Triangulation scaled = ring;
+    for(Point& p : scaled.points)
+      for(double& x : p)
+        x *= scale;
+    Mesh large;
+    GP::geodesic_delaunay_remeshing(mesh_of(scaled), 100, large);
+    EXPECT_EQ(corners_of(large), corners_of(output));
+  }
+}
+
+TEST(Geodesic_delaunay_remeshing, is_denser_where_it_is_slow_and_relaxes)
+{
+  Mesh plane = mesh_of(square(30, 0.2));
+  const auto speed = plane.add_property_map<Vertex, double>("v:speed").first;
+  for(const Vertex v : plane.vertices())
+    put(speed, v, plane.point(v).x() < 0.5 ? 0.25 : 1.);
+  Mesh output;
+  GP::geodesic_delaunay_remeshing(
+      plane, 170, output,
+      GP::parameters::speed_map(speed).number_of_relaxation_steps(std::size_t(2)).random_seed(2));
+  const auto left = std::count_if(output.vertices().begin(), output.vertices().end(),
+                                  [&](Vertex v) { return output.point(v).x() < 0.5; });
+  // 16 parts of 17, and what the borders take.
+  EXPECT_GT(left, 140);
+  EXPECT_LT(left, 170);
+}
+
+TEST(Geodesic_delaunay_remeshing, of_the_shared_models)
+{
+  bool any = false;
+  for(const std::string name : {"pig_468", "joint_221", "spool_649", "bones_26comp_2k",
+                                "knot2_2comp_6k", "mech_holes_shark_5k", "cow_2k9"})
+  {
+    const std::string file = model("meshes/" + name + ".off");
+    if(file.empty())
+      continue;
+    any = true;
+    const Triangulation surface = read_off(file);
+    ASSERT_FALSE(surface.points.empty());
+    const Mesh mesh = mesh_of(surface);
+    for(const std::size_t number : {200u, 1000u})
+    {
+      Mesh output;
+      GP::geodesic_delaunay_remeshing(mesh, number, output);
+      EXPECT_TRUE(CGAL::is_valid_polygon_mesh(output));
+      EXPECT_EQ(topology(corners_of(output)), topology(surface.corners)) << name;
+      EXPECT_GE(num_vertices(output), number);
+    }
+  }
+  if(!any)
+    GTEST_SKIP() << "The shared models are not there.";
+}
+
+TEST(Geodesic_delaunay_remeshing, says_what_it_cannot_use)
+{
+  Triangulation parts = square(4);
+  parts.points.push_back({5., 5., 5.});
+  Mesh plane = mesh_of(parts), output;
+  const auto with = [&](const auto& np) { GP::geodesic_delaunay_remeshing(plane, 10, output, np); };
+  EXPECT_THROW(with(GP::parameters::first_samples(Vertex(100))), GP::Invalid_argument_error);
+  EXPECT_THROW(with(GP::parameters::first_samples(Vertex(25))), GP::Invalid_argument_error);
+  const auto speed = plane.add_property_map<Face, double>("f:speed", 1.).first;
+  put(speed, Face(3), 0.);
+  EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
+  put(speed, Face(3), std::nan(""));
+  EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
+  EXPECT_TRUE(is_empty(output));
+  GP::geodesic_delaunay_remeshing(Mesh(), 10, output);
+  EXPECT_TRUE(is_empty(output));
+  with(GP::parameters::first_samples(Vertex(12)));
+  EXPECT_EQ(to_array(output.point(Vertex(0))), to_array(plane.point(Vertex(12))));
+}
+
+TEST(Geodesic_delaunay_remeshing, can_be_cancelled)
+{
+  const Mesh sphere = mesh_of(icosphere(3));
+  Mesh output;
+  const auto result =
+      GP::geodesic_delaunay_remeshing(sphere, 100, output,
+                                      GP::parameters::callback(std::function<bool(double)>(
+                                          [](double done) { return done < 0.2; })));
+  EXPECT_FALSE(result.is_finished);
+  EXPECT_TRUE(is_empty(output));
+}
+
+} // namespace

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/centroids.h>
+
+#include <CGAL/Geodesic_processing/internal/front.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// Of sums over some hundred triangles.
+constexpr double rounding = 1e-13;
+
+std::vector<Index> labels_of(const Glued_surface& surface, const std::vector<Location>& samples)
+{
+  Front front(surface.triangles(), Front_kind::euclidean);
+  std::vector<Source> sources;
+  for(const Location& sample : samples)
+    sources.push_back({{sample}, 0., 0});
+  front.run(sources);
+  std::vector<Index> result;
+  for(Index site = 0; site < surface.size(); ++site)
+    result.push_back(front.source(site));
+  return result;
+}
+
+Point moved(const Glued_surface& surface, const std::vector<Location>& samples, std::size_t i)
+{
+  return coordinates(surface.t(), centroids(surface.t(), labels_of(surface, samples), samples)[i]);
+}
+
+TEST(Centroids, of_a_square_and_of_its_halves)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Triangulation plane = square(10, 0.2);
+    for(Point& p : plane.points)
+      p = scale * p;
+    const Glued_surface surface(plane);
+    EXPECT_LT(distance(moved(surface, {surface.at(0)}, 0), {scale / 2., scale / 2., 0.}),
+              rounding * scale);
+    // Divided by the middle, which crosses triangles.
+    const std::vector<Location> two = {surface.at(5 * 11), surface.at(5 * 11 + 10)};
+    EXPECT_LT(distance(moved(surface, two, 0), {scale / 4., scale / 2., 0.}), rounding * scale);
+    EXPECT_LT(distance(moved(surface, two, 1), {3. * scale / 4., scale / 2., 0.}),
+              rounding * scale);
+  }
+  // Quarters by both diagonals, which four cells meet in a site of: the centroid of a triangle.
+  const Glued_surface regular(square(10));
+  const std::vector<Location> four = {regular.at(5), regular.at(5 * 11), regular.at(5 * 11 + 10),
+                                      regular.at(115)};
+  EXPECT_LT(distance(moved(regular, four, 0), {0.5, 1. / 6., 0.}), rounding);
+}
+
+TEST(Centroids, lie_where_it_is_dense)
+{
+  const Glued_surface surface(square(10));
+  std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
+  for(Index f = 0; f < slowness.size(); ++f)
+    if(coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.5)
+      slowness[f] = 2.;
+  const std::vector<Index> labels(surface.size(), 0);
+  const Point p =
+      coordinates(surface.t(), centroids(surface.t(), labels, {surface.at(0)}, &slowness)[0]);
+  // 16 times as much on the left.
+  EXPECT_NEAR(p[0], (16. * 0.25 + 0.75) / 17., rounding);
+  EXPECT_NEAR(p[1], 0.5, rounding);
+}
+
+TEST(Centroids, are_put_back_on_the_surface)
+{
+  const Triangulation sphere = icosphere(3);
+  const Glued_surface surface(sphere);
+  std::vector<Location> samples;
+  for(Index i = 0; i < 12; ++i)
+    samples.push_back(surface.at(i));
+  const std::vector<Location> found = centroids(surface.t(), labels_of(surface, samples), samples);
+  ASSERT_EQ(found.size(), 12u);
+  for(Index i = 0; i < 12; ++i)
+  {
+    EXPECT_NE(found[i].triangle, none);
+    // The corners of an icosahedron are the centroids of their cells, but what is nearest to the
+    // centre of mass below is the foot on one of the triangles around: within a tenth of a side.
+    EXPECT_LT(distance(coordinates(surface.t(), found[i]), sphere.points[i]), 0.016);
+  }
+}
+
+TEST(Centroids, stay_where_there_is_no_area)
+{
+  // Two triangles without area beside one with it.
+  Triangulation surface{{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0.5, 0., 0.}, {2., 0., 0.}},
+                        {0, 1, 2, 1, 0, 3, 3, 4, 1}};
+  const Glued_surface glued(surface);
+  std::vector<Index> labels(5, 0);
+  labels[glued.site(4)] = 1;
+  labels[glued.site(3)] = 1;
+  const std::vector<Location> samples = {glued.at(0), glued.at(4)};
+  const std::vector<Location> found = centroids(glued.t(), labels, samples);
+  for(const Location& location : found)
+    for(const double x : coordinates(glued.t(), location))
+      EXPECT_TRUE(std::isfinite(x));
+  // A cell that comes to no site, and sites of no cell.
+  EXPECT_EQ(centroids(glued.t(), std::vector<Index>(5, none), samples)[1].barycentric,
+            cleaned(glued.t(), samples[1]).barycentric);
+}
+
+} // namespace

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TOPOLOGY_H
+#define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TOPOLOGY_H
+
+#include "triangulations.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <ostream>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::test {
+
+// What a set of triangles is as a surface, found from its corners alone.
+struct Topology
+{
+  bool is_simple = true; // each corner of a triangle, each side in each direction, and each set of
+                         //   three corners is there once, and around each point there is one fan
+  // Of each component, sorted: Euler characteristic and number of borders.
+  std::vector<std::pair<std::ptrdiff_t, std::size_t>> components;
+
+  bool operator==(const Topology& other) const
+  {
+    return is_simple == other.is_simple && components == other.components;
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Topology& topology)
+  {
+    out << (topology.is_simple ? "simple" : "not simple");
+    for(const auto& [characteristic, borders] : topology.components)
+      out << ", " << characteristic << " with " << borders << " borders";
+    return out;
+  }
+};
+
+// Points without a triangle are no part of it.
+inline Topology topology(const std::vector<Index>& corners)
+{
+  Topology result;
+  std::map<std::pair<Index, Index>, Index> third; // of each side's triangle
+  std::set<std::array<Index, 3>> triangles;
+  std::map<Index, Index> up; // towards the root of each component
+  const auto root = [&](Index p)
+  {
+    up.try_emplace(p, p);
+    while(up[p] != p)
+      p = up[p] = up[up[p]];
+    return p;
+  };
+  for(std::size_t f = 0; f < corners.size(); f += 3)
+  {
+    std::array<Index, 3> sorted = {corners[f], corners[f + 1], corners[f + 2]};
+    for(int k = 0; k < 3; ++k)
+    {
+      const Index a = sorted[k], b = sorted[(k + 1) % 3];
+      result.is_simple =
+          result.is_simple && a != b && third.try_emplace({a, b}, sorted[(k + 2) % 3]).second;
+      up[root(a)] = root(b);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    result.is_simple = triangles.insert(sorted).second && result.is_simple;
+  }
+  if(!result.is_simple)
+    return result;
+
+  std::map<Index, std::pair<std::ptrdiff_t, std::size_t>> components;
+  std::map<Index, std::size_t> degree; // triangles around each point
+  std::map<Index, Index> next;         // on the border
+  for(const auto& [p, to] : up)
+    ++components[root(p)].first;
+  for(const auto& [side, opposite] : third)
+  {
+    const auto& [a, b] = side;
+    ++degree[a];
+    const bool is_border = third.count({b, a}) == 0;
+    if(is_border || a < b)
+      --components[root(a)].first;
+    if(is_border)
+      result.is_simple = next.try_emplace(a, b).second && result.is_simple;
+  }
+  for(const auto& f : triangles)
+    ++components[root(f[0])].first;
+
+  // One fan around each point: turning from any side, or from the border, comes by all of them.
+  for(const auto& [p, number] : degree)
+  {
+    const auto begin = third.lower_bound({p, 0});
+    Index from = begin->first.second;
+    for(Index back = from; third.count({back, p}) > 0;)
+    {
+      back = third[{back, p}];
+      from = back;
+      if(back == begin->first.second)
+        break;
+    }
+    std::size_t turned = 0;
+    for(Index at = from; third.count({p, at}) > 0;)
+    {
+      ++turned;
+      at = third[{p, at}];
+      if(at == from)
+        break;
+    }
+    result.is_simple = result.is_simple && turned == number;
+  }
+  std::set<Index> open;
+  for(const auto& [a, b] : next)
+    open.insert(a);
+  while(!open.empty() && result.is_simple)
+  {
+    ++components[root(*open.begin())].second;
+    for(Index p = *open.begin(); open.erase(p) > 0;)
+      p = next[p];
+  }
+  for(const auto& [p, component] : components)
+    result.components.push_back(component);
+  std::sort(result.components.begin(), result.components.end());
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::test
+
+#endif // CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TOPOLOGY_H
