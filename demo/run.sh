@@ -141,6 +141,8 @@ picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
 picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40
 picture remesh "The same surface in 1,000 vertices, with even triangles." \
   remesh "$animal" --number 1000 --lloyd 10
+picture remesh-part "Sharp edges are kept on request." \
+  remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40
 picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
 picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0

@@ -70,7 +70,7 @@ struct Labels
 
 std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Index>& labels,
                                 const std::vector<Location>& samples,
-                                const std::vector<double>* slowness)
+                                const std::vector<double>* slowness, double way)
 {
   std::vector<Spatial> centre;
   for(const Location& sample : samples)
@@ -94,7 +94,7 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Inde
   }
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)
-      centre[i] = (1. / mass[i].mass) * mass[i].moment;
+      centre[i] = (1. - way) * centre[i] + (way / mass[i].mass) * mass[i].moment;
 
   std::vector<Location> result = samples;
   std::vector<double> least(samples.size(), infinity);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
@@ -159,6 +159,63 @@ TEST(Geodesic_delaunay_remeshing, traces_edges)
   EXPECT_EQ(paths.size(), num_edges(flat));
 }
 
+// The length of the edges at which a mesh bends by more than 45 degrees.
+double length_of_sharp_edges(const Mesh& mesh)
+{
+  double result = 0.;
+  for(const auto e : mesh.edges())
+  {
+    const auto h = mesh.halfedge(e);
+    const auto normal = [&](Face f) { return PMP::compute_face_normal(f, mesh); };
+    if(!mesh.is_border(e) &&
+       normal(mesh.face(h)) * normal(mesh.face(mesh.opposite(h))) < std::sqrt(0.5))
+      result += PMP::edge_length(e, mesh);
+  }
+  return result;
+}
+
+TEST(Geodesic_delaunay_remeshing, keeps_sharp_edges)
+{
+  const int size = 6;
+  const Mesh ring = mesh_of(double_ring(size));
+  for(const std::size_t number : {50u, 300u, 2000u})
+  {
+    Mesh output;
+    GP::geodesic_delaunay_remeshing(ring, number, output, GP::parameters::sharp_angle(60.));
+    EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{-2, 0}}}));
+    // Sums of some hundred terms.
+    EXPECT_NEAR(length_of_sharp_edges(output), length_of_sharp_edges(ring), 1e-9);
+    EXPECT_NEAR(PMP::area(output), PMP::area(ring), 1e-9);
+  }
+}
+
+TEST(Geodesic_delaunay_remeshing, keeps_constrained_edges)
+{
+  Mesh plane = mesh_of(square(20));
+  const auto is_kept =
+      plane.add_property_map<boost::graph_traits<Mesh>::edge_descriptor, bool>("e:kept", false)
+          .first;
+  // The middle line from side to side.
+  const auto is_in_the_middle = [&](const Point& p) { return std::abs(p[1] - 0.5) < 1e-12; };
+  for(const auto e : plane.edges())
+    put(is_kept, e,
+        is_in_the_middle(to_array(plane.point(source(e, plane)))) &&
+            is_in_the_middle(to_array(plane.point(target(e, plane)))));
+  for(const std::size_t number : {20u, 100u, 500u})
+  {
+    Mesh output;
+    GP::geodesic_delaunay_remeshing(
+        plane, number, output,
+        GP::parameters::edge_is_constrained_map(is_kept).number_of_relaxation_steps(2));
+    double length = 0.;
+    for(const auto e : output.edges())
+      if(is_in_the_middle(to_array(output.point(source(e, output)))) &&
+         is_in_the_middle(to_array(output.point(target(e, output)))))
+        length += PMP::edge_length(e, output);
+    EXPECT_NEAR(length, 1., 1e-12); // a sum of some ten terms
+  }
+}
+
 TEST(Geodesic_delaunay_remeshing, adds_to_the_output)
 {
   Mesh output = mesh_of(tetrahedron());
@@ -241,6 +298,8 @@ TEST(Geodesic_delaunay_remeshing, says_what_it_cannot_use)
   EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
   put(speed, Face(3), std::nan(""));
   EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
+  EXPECT_THROW(with(GP::parameters::sharp_angle(-1.)), GP::Invalid_argument_error);
+  EXPECT_THROW(with(GP::parameters::sharp_angle(std::nan(""))), GP::Invalid_argument_error);
   EXPECT_TRUE(is_empty(output));
   GP::geodesic_delaunay_remeshing(Mesh(), 10, output);
   EXPECT_TRUE(is_empty(output));

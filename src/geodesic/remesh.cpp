@@ -17,6 +17,7 @@ struct Remesh_options
 {
   std::size_t number = 0;
   std::size_t lloyd = 0;
+  double sharp_angle = 180.;
   std::string speed;
 };
 
@@ -37,6 +38,7 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
       mesh.add_property_map<Mesh::Vertex_index, GP::Location<Mesh>>("v:location").first;
   const auto np = GP::parameters::random_seed(job.seed())
                       .number_of_relaxation_steps(options.lloyd)
+                      .sharp_angle(options.sharp_angle)
                       .location_map(locations)
                       .callback(job.progress("vertices"));
   Result result;
@@ -117,6 +119,11 @@ void add_remesh(CLI::App& program)
                    "how often vertices move to the middle of their cells")
       ->type_name("K")
       ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--keep-sharp", options->sharp_angle,
+                   "edges at which the surface bends by so many degrees or more are kept")
+      ->type_name("ANGLE")
+      ->check(CLI::Range(0., 180.));
   command
       ->add_option("--speed", options->speed,
                    "a property of the vertices: triangles are smaller where it is lower")

@@ -58,6 +58,17 @@ TEST(Centroids, of_a_square_and_of_its_halves)
   EXPECT_LT(distance(moved(regular, four, 0), {0.5, 1. / 6., 0.}), rounding);
 }
 
+TEST(Centroids, can_be_gone_beyond)
+{
+  const Glued_surface surface(square(10));
+  const std::vector<Index> labels(surface.size(), 0);
+  for(const double way : {0., 0.5, 1.5})
+    EXPECT_LT(distance(coordinates(surface.t(), centroids(surface.t(), labels, {surface.at(0)},
+                                                          nullptr, way)[0]),
+                       {0.5 * way, 0.5 * way, 0.}),
+              rounding);
+}
+
 TEST(Centroids, lie_where_it_is_dense)
 {
   const Glued_surface surface(square(10));

@@ -187,6 +187,7 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("remesh square.ply --number -1", 1, "--number");
   expect_failure("remesh square.ply --number 9 --lloyd -1", 1, "--lloyd");
   expect_failure("remesh square.ply --number 1000000000", 2, "2^31");
+  expect_failure("remesh square.ply --number 9 --keep-sharp 181", 1, "--keep-sharp");
   expect_failure("remesh square.ply --number 9 --speed slow", 2, "slow");
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
@@ -334,7 +335,7 @@ TEST_F(Program, samples_cover)
 
 TEST_F(Program, a_square_is_a_square_when_remeshed)
 {
-  for(const char* const options : {"", " --lloyd 3", " --speed double_speed"})
+  for(const char* const options : {"", " --lloyd 3", " --speed double_speed", " --keep-sharp 30"})
     for(const int number : {4, 30, 200})
     {
       const nlohmann::json result = json("remesh square.ply -o r.ply --values r.txt --number " +

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_DELAUNAY_REMESHING_H
 
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/limits.h>
 #include <CGAL/Geodesic_processing/internal/remeshing.h>
 #include <CGAL/Geodesic_processing/internal/sources.h>
@@ -15,6 +16,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,35 @@ struct Remeshing_result
   bool is_finished = true; ///< false when the callback cancelled it; then the output is untouched
 };
 
+namespace internal {
+
+// The curves that a remeshing is to keep: borders, sharp edges and those that a map names.
+template <typename Surface, typename Domain, typename NamedParameters>
+std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const Domain& domain,
+                                 const NamedParameters& np)
+{
+  const double angle = parameter(np, internal_np::sharp_angle, 180.);
+  if(!(angle >= 0.))
+    throw Invalid_argument_error("The sharp angle is negative or not a number.");
+  std::vector<bool> result = border_and_sharp_sides(*domain.triangles(), angle);
+  if constexpr(has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>)
+  {
+    static_assert(std::is_same_v<Surface, typename Domain::Surface>,
+                  "Which edges are to be kept takes the mesh itself, not its domain.");
+    const auto is_kept = parameter(np, CGAL::internal_np::edge_is_constrained, 0);
+    for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
+    {
+      auto h = halfedge(domain.face(f), surface);
+      for(Index side = 3 * f; side < 3 * f + 3; ++side, h = next(h, surface))
+        if(get(is_kept, edge(h, surface)))
+          result[side] = true;
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
 /// covers a mesh with samples and joins them by the geodesic Delaunay triangulation: a coarser, or a
@@ -47,6 +78,8 @@ struct Remeshing_result
 /// topology of the input, component by component: genus, borders, orientation; no two faces have the
 /// same vertices. Isolated vertices are left out, and where the input pinches at a vertex it is taken
 /// apart there.
+///
+/// Where four cells almost meet in a place, edges are those that make the least angle larger.
 ///
 /// Cells that are not discs, or meet in more than an arc, get more samples until the result is that
 /// surface. Where the input has too few vertices to tell cells apart, its edges are halved, as often as
@@ -70,11 +103,21 @@ struct Remeshing_result
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_relaxation_steps}
 ///     \cgalParamDescription{how often samples move to the centres of their cells, which makes triangles
-///       more even; each takes as long as a front over the whole surface. First samples and those on borders stay.}
+///       more even; each takes as long as some three fronts over the whole surface. First samples and
+///       those on borders and kept edges stay.}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{of the vertex from which the first sample is farthest}
 ///     \cgalParamDefault{0} \cgalParamNEnd
+///   \cgalParamNBegin{sharp_angle}
+///     \cgalParamDescription{in degrees: edges at which the surface bends by at least as much are kept,
+///       and so are the chains that they form: each becomes a chain of edges, through samples at equal
+///       steps and at its corners}
+///     \cgalParamDefault{180: none is} \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{tells of each edge of the input whether it is kept likewise; with a mesh, not
+///       with its domain}
+///     \cgalParamDefault{no edge is} \cgalParamNEnd
 ///   \cgalParamNBegin{location_map}
 ///     \cgalParamDescription{receives for each vertex of the output its `Location<Surface>`}
 ///     \cgalParamNEnd
@@ -104,6 +147,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
 
   internal::Remeshing_goal goal;
   goal.number = number;
+  goal.is_curve = internal::curves_to_keep(surface, domain, np);
   goal.relaxation_steps =
       internal::parameter(np, internal_np::number_of_relaxation_steps, std::size_t(0));
   goal.seed = static_cast<unsigned>(internal::parameter(np, CGAL::internal_np::random_seed, 0u));

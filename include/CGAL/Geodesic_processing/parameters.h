@@ -72,6 +72,10 @@ enum number_of_relaxation_steps_t
 {
   number_of_relaxation_steps
 };
+enum sharp_angle_t
+{
+  sharp_angle
+};
 enum location_map_t
 {
   location_map
@@ -123,8 +127,10 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, ball_radius_t, ball_radius)                               \
   LINK(Geodesic_processing::internal_np, too_few_samples_t, too_few_samples)                       \
   LINK(Geodesic_processing::internal_np, number_of_relaxation_steps_t, number_of_relaxation_steps) \
+  LINK(Geodesic_processing::internal_np, sharp_angle_t, sharp_angle)                               \
   LINK(Geodesic_processing::internal_np, location_map_t, location_map)                             \
   LINK(Geodesic_processing::internal_np, edge_path_output_t, edge_path_output)                     \
+  LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \
   LINK(CGAL::internal_np, vertex_point_t, vertex_point_map)                                        \

@@ -14,11 +14,12 @@ namespace CGAL::Geodesic_processing::internal {
 // space.  With times in place of lengths cells are to be smaller in proportion to the slowness s, and
 // there are as many as a density of s^4 makes of them (Gersho 1979).  O(n).
 //
-// labels: #sites, the cell of each or none; samples: #cells; slowness: as in Front_limits, or null
+// labels: #sites, the cell of each or none; samples: #cells; slowness: as in Front_limits, or null;
+// way: how far to go on it to the centre of mass, 1 to go there
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Location> centroids(const Glued_triangles& triangles, const std::vector<Index>& labels,
                                 const std::vector<Location>& samples,
-                                const std::vector<double>* slowness = nullptr);
+                                const std::vector<double>* slowness = nullptr, double way = 1.);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -1,0 +1,292 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How good are remeshed surfaces, beside CGAL's isotropic remeshing, and is their topology kept?
+#include <CGAL/Geodesic_processing.h>
+
+#include "models.h"
+#include "report.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <cstring>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace {
+
+using namespace benchmarks;
+namespace GP = CGAL::Geodesic_processing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+std::vector<double> least_angles(const Mesh& mesh)
+{
+  std::vector<double> result;
+  for(const Face f : mesh.faces())
+  {
+    double least = 180.;
+    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+      least = std::min(least, CGAL::approximate_angle(mesh.point(mesh.source(h)),
+                                                      mesh.point(mesh.target(h)),
+                                                      mesh.point(mesh.target(mesh.next(h)))));
+    result.push_back(least);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+double mean(const std::vector<double>& values)
+{
+  double sum = 0.;
+  for(const double x : values)
+    sum += x;
+  return sum / double(values.size());
+}
+
+// From 100,000 random places of one mesh to another one.
+std::vector<double> distances(const Mesh& from, const Mesh& to)
+{
+  std::vector<Kernel::Point_3> places;
+  PMP::sample_triangle_mesh(from, std::back_inserter(places),
+                            CGAL::parameters::use_random_uniform_sampling(true)
+                                .number_of_points_on_faces(100000)
+                                .do_sample_vertices(false)
+                                .do_sample_edges(false)
+                                .random_seed(1));
+  Tree tree(faces(to).first, faces(to).second, to);
+  tree.accelerate_distance_queries();
+  std::vector<double> result;
+  for(const auto& p : places)
+    result.push_back(std::sqrt(tree.squared_distance(p)));
+  return result;
+}
+
+double diagonal(const Mesh& mesh)
+{
+  const auto box = PMP::bbox(mesh);
+  return std::sqrt(std::pow(box.xmax() - box.xmin(), 2) + std::pow(box.ymax() - box.ymin(), 2) +
+                   std::pow(box.zmax() - box.zmin(), 2));
+}
+
+std::size_t self_intersections(const Mesh& mesh)
+{
+  std::vector<std::pair<Face, Face>> pairs;
+  PMP::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+void add_quality(Table& table, const std::string& name, const Mesh& input, const Mesh& output,
+                 double time)
+{
+  const std::vector<double> angles = least_angles(output);
+  const double percent = 100. / diagonal(input);
+  std::vector<double> back = distances(input, output);
+  for(double& x : back)
+    x *= x;
+  table.add({name, std::to_string(num_vertices(output)), number(mean(angles), 1),
+             number(angles[angles.size() / 100], 1), number(angles.front(), 1),
+             number(percent * mean(distances(output, input)), 4),
+             number(percent * std::sqrt(mean(back)), 4), std::to_string(self_intersections(output)),
+             number(time, 2)});
+}
+
+// CGAL's with the length of edges that gives so many vertices, to within one percent.
+std::pair<Mesh, double> isotropic(const Mesh& input, std::size_t vertices)
+{
+  double length = std::sqrt(PMP::area(input) * 2. / std::sqrt(3.) / double(vertices));
+  std::pair<Mesh, double> result;
+  for(int attempt = 0; attempt < 6; ++attempt)
+  {
+    result.first = input;
+    result.second = seconds(
+        [&]
+        {
+          PMP::isotropic_remeshing(faces(result.first), length, result.first,
+                                   CGAL::parameters::number_of_iterations(3));
+        });
+    result.first.collect_garbage();
+    const double ratio = double(num_vertices(result.first)) / double(vertices);
+    if(std::fabs(ratio - 1.) < 0.01)
+      break;
+    length *= std::sqrt(ratio);
+  }
+  return result;
+}
+
+void compare_quality(bool quick)
+{
+  std::printf("Angles in degrees, distances in percent of the diagonal\n");
+  Table table({"Remeshing", "vertices", "mean", "1st percentile", "least", "mean to input",
+               "RMS from input", "self-intersections", "seconds"});
+  std::vector<std::string> names = {"elephant_2k8"};
+  if(!quick)
+    names = {"bunny_37k", "armadillo_26k", "fandisk_6k5",
+             "kitten_9k", "elephant_2k8",  "nefertiti_35k"};
+  for(const std::string& name : names)
+    for(const std::size_t vertices : {std::size_t(1000), std::size_t(5000)})
+    {
+      const auto input = model(name);
+      if(!input)
+        continue;
+      for(const std::size_t steps : {0, 10, 30})
+      {
+        Mesh output;
+        const double time = seconds(
+            [&]
+            {
+              GP::geodesic_delaunay_remeshing(*input, vertices, output,
+                                              GP::parameters::number_of_relaxation_steps(steps));
+            });
+        add_quality(table, name + ", " + std::to_string(steps) + " steps", *input, output, time);
+      }
+      const auto [output, time] = isotropic(*input, vertices);
+      add_quality(table, name + ", CGAL", *input, output, time);
+    }
+  table.print();
+  std::printf("Bar: angles and distances at least as good as CGAL's, in less time.\n\n");
+}
+
+struct Shape
+{
+  std::size_t components, borders;
+  std::ptrdiff_t characteristic;
+  bool operator==(const Shape& other) const
+  {
+    return components == other.components && borders == other.borders &&
+           characteristic == other.characteristic;
+  }
+};
+
+Shape shape_of(Mesh mesh)
+{
+  const auto isolated = std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                      [&](Vertex v) { return mesh.is_isolated(v); });
+  const auto component = mesh.add_property_map<Face, std::size_t>("f:component").first;
+  std::vector<boost::graph_traits<Mesh>::halfedge_descriptor> borders;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  return {PMP::connected_components(mesh, component), borders.size(),
+          std::ptrdiff_t(num_vertices(mesh) + num_faces(mesh)) - isolated -
+              std::ptrdiff_t(num_edges(mesh))};
+}
+
+bool has_repeated_faces(const Mesh& mesh)
+{
+  std::set<std::array<Vertex, 3>> seen;
+  for(const Face f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    std::array<Vertex, 3> corners = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+    std::sort(corners.begin(), corners.end());
+    if(!seen.insert(corners).second)
+      return true;
+  }
+  return false;
+}
+
+void check_topology(bool quick)
+{
+  std::printf(
+      "Topology: vertices beyond the number asked for, and pairs of faces that intersect\n");
+  Table table({"Mesh", "vertices", "genus", "components", "borders", "kept", "200: added",
+               "intersect", "1000: added", "intersect", "5000: added", "intersect", "seconds"});
+  std::set<std::filesystem::path> files;
+  const std::filesystem::path folder = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "meshes";
+  if(exists(folder))
+    for(const auto& entry : std::filesystem::directory_iterator(folder))
+      files.insert(entry.path());
+  for(const auto& file : files)
+  {
+    if(quick && file_size(file) > 300000)
+      continue;
+    const auto mesh = model(file.stem().string());
+    if(!mesh || !CGAL::is_triangle_mesh(*mesh))
+      continue;
+    const Shape shape = shape_of(*mesh);
+    const std::ptrdiff_t twice_genus =
+        2 * std::ptrdiff_t(shape.components) - std::ptrdiff_t(shape.borders) - shape.characteristic;
+    bool is_kept = true;
+    double time = 0.;
+    std::vector<std::string> found;
+    for(const std::size_t number_of_vertices : {200, 1000, 5000})
+    {
+      Mesh output;
+      GP::Remeshing_result result;
+      time += seconds(
+          [&] { result = GP::geodesic_delaunay_remeshing(*mesh, number_of_vertices, output); });
+      is_kept = is_kept && CGAL::is_valid_polygon_mesh(output) && shape_of(output) == shape &&
+                !has_repeated_faces(output);
+      found.push_back(std::to_string(result.added));
+      found.push_back(std::to_string(self_intersections(output)));
+    }
+    std::vector<std::string> row = {file.stem().string(),
+                                    std::to_string(num_vertices(*mesh)),
+                                    std::to_string(twice_genus / 2),
+                                    std::to_string(shape.components),
+                                    std::to_string(shape.borders),
+                                    is_kept ? "yes" : "NO"};
+    row.insert(row.end(), found.begin(), found.end());
+    row.push_back(number(time, 2));
+    table.add(row);
+  }
+  table.print();
+  std::printf("Bar: kept everywhere.\n\n");
+}
+
+void measure_time(bool quick)
+{
+  std::printf("Time\n");
+  Table table({"Remeshing", "vertices", "to", "one front [s]", "seconds", "per step [s]"});
+  const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t vertices)
+  {
+    GP::Geodesic_distance_solver<Mesh, GP::Euclidean_front> solver(mesh);
+    const double front = seconds([&] { solver.compute(Vertex(0)); });
+    const auto remesh = [&](std::size_t steps)
+    {
+      Mesh output;
+      return seconds(
+          [&]
+          {
+            GP::geodesic_delaunay_remeshing(mesh, vertices, output,
+                                            GP::parameters::number_of_relaxation_steps(steps));
+          });
+    };
+    const double none = remesh(0), five = remesh(5);
+    table.add({name, std::to_string(num_vertices(mesh)), std::to_string(vertices), number(front, 3),
+               number(none, 2), number((five - none) / 5., 3)});
+  };
+  add("Sphere", icosphere(quick ? 4 : 6), 1000);
+  for(const std::string name : {"nefertiti_35k", "bunny_37k"})
+    if(const auto mesh = quick ? std::nullopt : model(name))
+    {
+      add(name, *mesh, 5000);
+      if(name == "bunny_37k")
+        add(name + ", cut once", refined(*mesh), 5000);
+    }
+  table.print();
+  std::printf("Bar, without steps: 0.8 s from 43,000 vertices to 5,000, 2.5 s from 134,000.\n\n");
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  bool quick = false;
+  for(int i = 1; i < argc; ++i)
+    quick = quick || std::strcmp(argv[i], "--quick") == 0;
+  measure_time(quick);
+  compare_quality(quick);
+  check_topology(quick);
+}
