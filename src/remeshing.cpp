@@ -305,8 +305,15 @@ private:
       const std::vector<Index> strays = cells_off_curves(cells);
       if(found.is_closed_ball() && strays.empty())
       {
-        finish(cells, std::move(found.triangles));
-        return true;
+        const std::vector<Spatial> points = flip(cells, found.triangles);
+        const std::vector<Location> far = far_sites(cells, points, found.triangles);
+        if(far.empty())
+        {
+          finish(cells, std::move(found.triangles));
+          return true;
+        }
+        m_sampling->add(far);
+        continue;
       }
       m_is_touched.assign(cells.samples.size(), false);
       m_stuck.clear();
@@ -452,7 +459,8 @@ private:
     m_sampling->add(to_fine(m_surface, samples));
   }
 
-  void finish(const Cells& cells, std::vector<std::array<Index, 3>> triangles)
+  // Where four cells almost meet in one place, sites do not tell which two do.  Returns the samples.
+  std::vector<Spatial> flip(const Cells& cells, std::vector<std::array<Index, 3>>& triangles) const
   {
     std::vector<Spatial> points;
     std::vector<bool> is_kept;
@@ -461,10 +469,51 @@ private:
       const Location& sample = m_sampling->samples()[index];
       points.push_back(scaled_coordinates(t(), sample));
       is_kept.push_back(is_on_curve(sample));
-      m_result.samples.push_back(cleaned(*m_surface.coarse, to_coarse(m_surface, sample)));
     }
-    // Where four cells almost meet in one place, sites do not tell which two do.
     flip_to_larger_angles(points, is_kept, triangles);
+    return points;
+  }
+
+  // Of each cell the site that is farther from the triangles around its sample than it may be, and
+  // farthest of these.
+  std::vector<Location> far_sites(const Cells& cells, const std::vector<Spatial>& points,
+                                  const std::vector<std::array<Index, 3>>& triangles) const
+  {
+    std::vector<Location> result;
+    const double most = m_goal.maximum_deviation / unit_size();
+    if(!(most < infinity))
+      return result;
+    std::vector<std::vector<Index>> around(points.size());
+    for(Index f = 0; f < triangles.size(); ++f)
+      for(const Index cell : triangles[f])
+        around[cell].push_back(f);
+    std::vector<std::pair<double, Index>> farthest(points.size(), {most, none});
+    for(Index site = 0; site < cells.labels.size(); ++site)
+      if(const Index cell = cells.labels[site]; cell != none && m_sampling->distances()[site] > 0.)
+      {
+        const Spatial& p = t().point[site];
+        double least = infinity;
+        for(const Index f : around[cell])
+        {
+          const Spatial &a = points[triangles[f][0]], &b = points[triangles[f][1]],
+                        &c = points[triangles[f][2]];
+          const auto nearest = nearest_in_triangle(a, b, c, p);
+          least = std::min(least, norm(nearest[0] * a + nearest[1] * b + nearest[2] * c - p));
+        }
+        if(least > farthest[cell].first)
+          farthest[cell] = {least, site};
+      }
+    for(const auto& [deviation, site] : farthest)
+      if(site != none)
+        result.push_back({none, site, {}});
+    return result;
+  }
+
+  void finish(const Cells& cells, std::vector<std::array<Index, 3>> triangles)
+  {
+    for(const Index sample : cells.samples)
+      m_result.samples.push_back(
+          cleaned(*m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[sample])));
     m_result.triangles = std::move(triangles);
   }
 

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polyhedron_3.h>
@@ -216,6 +217,24 @@ TEST(Geodesic_delaunay_remeshing, keeps_constrained_edges)
   }
 }
 
+TEST(Geodesic_delaunay_remeshing, comes_as_near_as_it_is_to)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Triangulation torus_surface = torus(60, 24);
+    for(Point& p : torus_surface.points)
+      for(double& x : p)
+        x *= scale;
+    const Mesh mesh = mesh_of(torus_surface);
+    Mesh output;
+    GP::geodesic_delaunay_remeshing(mesh, 50, output,
+                                    GP::parameters::maximum_deviation(0.02 * scale));
+    EXPECT_GT(num_vertices(output), 50u);
+    EXPECT_LE(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), output),
+              0.02 * scale * (1. + 1e-9)); // roundings
+  }
+}
+
 TEST(Geodesic_delaunay_remeshing, adds_to_the_output)
 {
   Mesh output = mesh_of(tetrahedron());
@@ -299,6 +318,8 @@ TEST(Geodesic_delaunay_remeshing, says_what_it_cannot_use)
   put(speed, Face(3), std::nan(""));
   EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
   EXPECT_THROW(with(GP::parameters::sharp_angle(-1.)), GP::Invalid_argument_error);
+  for(const double deviation : {0., -1., std::nan("")})
+    EXPECT_THROW(with(GP::parameters::maximum_deviation(deviation)), GP::Invalid_argument_error);
   EXPECT_THROW(with(GP::parameters::sharp_angle(std::nan(""))), GP::Invalid_argument_error);
   EXPECT_TRUE(is_empty(output));
   GP::geodesic_delaunay_remeshing(Mesh(), 10, output);

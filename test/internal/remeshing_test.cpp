@@ -251,6 +251,41 @@ TEST(Remeshing, is_denser_where_it_is_slow)
   }
 }
 
+TEST(Remeshing, comes_as_near_as_it_is_to)
+{
+  for(const Triangulation& surface : {icosphere(4), double_ring(6), torus(60, 24)})
+    for(const double scale : {1e-6, 1.})
+    {
+      Triangulation scaled = surface;
+      for(Point& p : scaled.points)
+        p = scale * p;
+      const Glued_surface glued(scaled);
+      std::vector<std::size_t> numbers;
+      for(const double deviation : {0.1, 0.03, 0.01})
+      {
+        Remeshing_goal goal;
+        goal.number = 30;
+        goal.maximum_deviation = deviation * scale / glued.scale();
+        const Remeshing mesh = remeshing(glued.triangles(), goal);
+        expect_same_topology(glued, mesh, 30);
+        numbers.push_back(mesh.samples.size());
+        const std::vector<Point> points = points_of(glued, mesh);
+        for(const Point& p : scaled.points)
+        {
+          double least = infinity;
+          for(const auto& f : mesh.triangles)
+          {
+            const Point &a = points[f[0]], &b = points[f[1]], &c = points[f[2]];
+            const auto nearest = nearest_in_triangle(a, b, c, p);
+            least = std::min(least, distance(nearest[0] * a + nearest[1] * b + nearest[2] * c, p));
+          }
+          EXPECT_LE(least, deviation * scale * (1. + 1e-9)); // roundings
+        }
+      }
+      EXPECT_GT(numbers.back(), numbers.front());
+    }
+}
+
 TEST(Remeshing, keeps_first_samples)
 {
   const Glued_surface surface(icosphere(3));

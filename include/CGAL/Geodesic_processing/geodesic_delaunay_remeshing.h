@@ -109,6 +109,10 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{of the vertex from which the first sample is farthest}
 ///     \cgalParamDefault{0} \cgalParamNEnd
+///   \cgalParamNBegin{maximum_deviation}
+///     \cgalParamDescription{how far vertices of the input may be from the faces of the output: vertices
+///       are added where they are farther}
+///     \cgalParamDefault{infinite} \cgalParamNEnd
 ///   \cgalParamNBegin{sharp_angle}
 ///     \cgalParamDescription{in degrees: edges at which the surface bends by at least as much are kept,
 ///       and so are the chains that they form: each becomes a chain of edges, through samples at equal
@@ -147,6 +151,11 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
 
   internal::Remeshing_goal goal;
   goal.number = number;
+  const double deviation =
+      internal::parameter(np, internal_np::maximum_deviation, internal::infinity);
+  if(!(deviation > 0.))
+    throw Invalid_argument_error("The maximum deviation is not positive.");
+  goal.maximum_deviation = deviation / t.scale;
   goal.is_curve = internal::curves_to_keep(surface, domain, np);
   goal.relaxation_steps =
       internal::parameter(np, internal_np::number_of_relaxation_steps, std::size_t(0));

@@ -72,6 +72,10 @@ enum number_of_relaxation_steps_t
 {
   number_of_relaxation_steps
 };
+enum maximum_deviation_t
+{
+  maximum_deviation
+};
 enum sharp_angle_t
 {
   sharp_angle
@@ -127,6 +131,7 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, ball_radius_t, ball_radius)                               \
   LINK(Geodesic_processing::internal_np, too_few_samples_t, too_few_samples)                       \
   LINK(Geodesic_processing::internal_np, number_of_relaxation_steps_t, number_of_relaxation_steps) \
+  LINK(Geodesic_processing::internal_np, maximum_deviation_t, maximum_deviation)                   \
   LINK(Geodesic_processing::internal_np, sharp_angle_t, sharp_angle)                               \
   LINK(Geodesic_processing::internal_np, location_map_t, location_map)                             \
   LINK(Geodesic_processing::internal_np, edge_path_output_t, edge_path_output)                     \

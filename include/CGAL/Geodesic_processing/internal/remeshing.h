@@ -21,7 +21,9 @@ struct Remeshing_goal
   std::shared_ptr<const std::vector<double>> slowness;
   // #sides, twins alike: curves to be kept, the border among them; empty: the border alone
   std::vector<bool> is_curve;
-  std::size_t relaxation_steps = 0;     // that move samples which are not on curves, or first ones
+  std::size_t relaxation_steps = 0; // that move samples which are not on curves, or first ones
+  // How far sites may be from the triangles in space: samples are added where they are farther.
+  double maximum_deviation = infinity;
   unsigned seed = 0;                    // as in Sampling_goal
   std::function<bool(double)> callback; // told the fraction done; false cancels
 };
