@@ -202,8 +202,10 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
       break;
     }
     m_queue.pop();
-    // What comes next is mostly known already; what lies around it is on its way while this one
-    // spreads.
+    // What comes next is mostly known already, and what comes then is one of four: what lies around
+    // the one, and where that is for the others, is on its way while this one spreads.
+    if(m_spokes)
+      m_queue.for_each_second([&](Index second) { prefetch(&m_spokes->first[second]); });
     if(!m_queue.empty())
       prefetch_around(m_queue.front().site);
     Site& site = m_sites[entry.site];
@@ -251,15 +253,17 @@ void Front::prefetch_around(Index site) const
   if(!m_spokes)
     return prefetch(m_triangles->star.data() + m_triangles->first[site]);
   const Spokes::First& first = m_spokes->first[site];
-  if(!m_directions.empty())
+  // Lines of memory: four hold the spokes of a site of six neighbours, two hold three splits.
+  const auto prefetch_lines = [](const void* address, int number)
   {
-    prefetch(m_triangles->star.data() + first.star);
-    prefetch(&m_directions[site]);
-  }
-  // Four lines of memory hold the spokes of a site of six neighbours.
-  const char* const spokes = reinterpret_cast<const char*>(m_spokes->spokes.data() + first.spoke);
-  for(const int line : {0, 64, 128, 192})
-    prefetch(spokes + line);
+    for(int line = 0; line < number; ++line)
+      prefetch(static_cast<const char*>(address) + 64 * line);
+  };
+  prefetch_lines(m_spokes->spokes.data() + first.spoke, 4);
+  if(m_directions.empty())
+    return prefetch_lines(m_spokes->splits.data() + first.split, 2);
+  prefetch(m_triangles->star.data() + first.star);
+  prefetch(&m_directions[site]);
 }
 
 void Front::start(const std::vector<Source>& sources)

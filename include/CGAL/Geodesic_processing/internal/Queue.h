@@ -26,6 +26,13 @@ public:
   bool empty() const { return m_heap.empty(); }
   bool contains(Index site) const { return m_place[site] != none; }
   const Entry& front() const { return m_heap.front(); }
+  // Calls f(site) for those of which one comes after the front, if none is put in before.
+  template <typename Function>
+  void for_each_second(Function f) const
+  {
+    for(std::size_t i = 1; i < std::min<std::size_t>(5, m_heap.size()); ++i)
+      f(m_heap[i].site);
+  }
 
   // Puts a site in, or gives it another key.
   void push(Index site, double key)
