@@ -29,6 +29,9 @@ constexpr double longest_part = 0.65;
 // But not beyond so many sites for each there was and for each sample: webs of needles would become
 // webs of longer ones.
 constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
+// How often sides are halved where all sites are samples: once or twice is enough for two triangles of
+// the same corners.
+constexpr int most_refinements = 20;
 
 // Relaxation goes half as far again as to the centres of the cells, but in the last step: ten steps
 // become as good as fifteen.
@@ -439,6 +442,9 @@ private:
   // their corners.
   void refine_around(const Cells& cells)
   {
+    if(++m_number_of_refinements > most_refinements)
+      throw Unsupported_surface_error(
+          "The mesh folds onto itself so that samples cannot be joined.");
     std::vector<bool> is_stuck(cells.samples.size(), false), is_halved(t().corner.size(), false);
     for(const Index cell : m_stuck)
       is_stuck[cell] = true;
@@ -532,6 +538,7 @@ private:
   // Of a round
   std::vector<bool> m_is_touched; // #cells
   std::vector<Index> m_stuck;     // cells that have a fault and no site left
+  int m_number_of_refinements = 0;
 };
 
 } // namespace

@@ -135,17 +135,4 @@ TEST(Refinement, takes_pinched_sites_apart)
             surface.site(0));
 }
 
-TEST(Refinement, tells_two_triangles_of_the_same_corners_apart)
-{
-  Triangulation lens = one_triangle();
-  lens.corners.insert(lens.corners.end(), {0, 2, 1});
-  const Glued_surface surface(lens);
-  Refinement fine = refinement(surface.triangles());
-  EXPECT_FALSE(topology(fine.triangles->corner).is_simple);
-  // Once is not enough: the middles of the sides are the corners of two triangles still.
-  for(int i = 0; i < 2; ++i)
-    fine = halved(fine, std::vector<bool>(fine.triangles->corner.size(), true));
-  EXPECT_EQ(topology(fine.triangles->corner), (Topology{true, {{2, 0}}}));
-}
-
 } // namespace

@@ -42,9 +42,11 @@ struct Remeshing
 //
 // Cells are told apart by sites: where the mesh has not enough for so many samples its sides are
 // halved.  In the worst case each site of such a finer mesh is a sample, and the result is that mesh,
-// so that it always ends.
+// so that it ends; where that is no surface yet, two triangles have the same corners, its sides are
+// halved there.
 //
-// Throws Invalid_argument_error when a mesh of so many vertices has more than 2^31 half-edges.
+// Throws Invalid_argument_error when a mesh of so many vertices has more than 2^31 half-edges, and
+// Unsupported_surface_error when halving does not help.
 // About the time of sampling, and O(n log n) for each of some rounds of checking.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Remeshing remeshing(const std::shared_ptr<const Glued_triangles>& triangles,
