@@ -51,6 +51,7 @@ TEST(Parameters, all_have_their_own_place)
                       .face_label_map(19)
                       .bisector_output(20)
                       .ball_radius(21)
+                      .strength(22)
                       .callback(8)
                       .random_seed(9)
                       .vertex_point_map(10)
@@ -74,6 +75,7 @@ TEST(Parameters, all_have_their_own_place)
   EXPECT_EQ(GP::internal::parameter(np, ours::face_label_map, 0), 19);
   EXPECT_EQ(GP::internal::parameter(np, ours::bisector_output, 0), 20);
   EXPECT_EQ(GP::internal::parameter(np, ours::ball_radius, 0), 21);
+  EXPECT_EQ(GP::internal::parameter(np, ours::strength, 0), 22);
   EXPECT_EQ(GP::internal::parameter(np, theirs::callback, 0), 8);
   EXPECT_EQ(GP::internal::parameter(np, theirs::random_seed, 0), 9);
   EXPECT_EQ(GP::internal::parameter(np, theirs::vertex_point, 0), 10);

@@ -21,6 +21,7 @@
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/principal_curvatures.h>
+#include <CGAL/Geodesic_processing/speeds.h>
 #include <CGAL/Geodesic_processing/straightest_geodesic.h>
 #include <CGAL/Geodesic_processing/tags.h>
 

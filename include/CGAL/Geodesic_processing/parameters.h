@@ -88,6 +88,10 @@ enum edge_path_output_t
 {
   edge_path_output
 };
+enum strength_t
+{
+  strength
+};
 
 } // namespace internal_np
 
@@ -135,6 +139,7 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, sharp_angle_t, sharp_angle)                               \
   LINK(Geodesic_processing::internal_np, location_map_t, location_map)                             \
   LINK(Geodesic_processing::internal_np, edge_path_output_t, edge_path_output)                     \
+  LINK(Geodesic_processing::internal_np, strength_t, strength)                                     \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \

@@ -24,6 +24,20 @@ struct Principal_curvatures
   Vector_3 min_direction = NULL_VECTOR, max_direction = NULL_VECTOR;
 };
 
+namespace internal {
+
+// The radius of a ball that named parameters ask for; 0 when they leave it to the kernel.
+template <typename NamedParameters>
+double ball_radius(const NamedParameters& np)
+{
+  const double radius = parameter(np, internal_np::ball_radius, 0.);
+  if(!(radius >= 0.))
+    throw Invalid_argument_error("The radius of the ball is negative or not a number.");
+  return radius;
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeodesicProcessingCurvature
 ///
 /// estimates the principal curvatures and their directions at each site.
@@ -57,9 +71,7 @@ void principal_curvatures(const Surface& surface, CurvatureMap curvatures,
 {
   const auto domain = make_domain(surface, np);
   using Result = Principal_curvatures<typename decltype(domain)::Surface>;
-  const double radius = internal::parameter(np, internal_np::ball_radius, 0.);
-  if(!(radius >= 0.))
-    throw Invalid_argument_error("The radius of the ball is negative or not a number.");
+  const double radius = internal::ball_radius(np);
   const double scale = domain.triangles()->scale;
   const auto found = internal::curvatures(domain.triangles(), radius / scale,
                                           internal::threads<Concurrency_tag>(np));

@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/speeds.h>
+
+#include <CGAL/Geodesic_processing/farthest_point_sampling.h>
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iterator>
+#include <map>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using GP::internal::operator*;
+
+template <typename Speed = GP::Edge_attractive,
+          typename NamedParameters = GP::internal::Default_parameters>
+std::vector<double> speeds_of(const Triangulation& shape,
+                              const NamedParameters& np = NamedParameters())
+{
+  Mesh mesh = mesh_of(shape);
+  auto speed = vertex_map(mesh);
+  GP::curvature_speeds<Speed>(mesh, speed, np);
+  return values(mesh, speed);
+}
+
+TEST(Curvature_speeds, of_a_sphere_are_one_half_and_two_on_every_scale)
+{
+  for(const double scale : {1., 1e-6, 1e6})
+  {
+    Triangulation sphere = icosphere(4);
+    for(Point& p : sphere.points)
+      p = scale * p;
+    // Curvatures are within five percent, see the kernel's test, and are half of the sum here.
+    for(const double speed : speeds_of(sphere))
+      EXPECT_NEAR(speed, 0.5, 0.025 * 0.5);
+    for(const double speed : speeds_of<GP::Edge_repulsive>(sphere))
+      EXPECT_NEAR(speed, 2., 0.025 * 2.);
+  }
+}
+
+TEST(Curvature_speeds, change_with_their_strength_alone)
+{
+  const Triangulation shape = shaken(icosphere(2), 0.1);
+  for(const double speed : speeds_of(shape, GP::parameters::strength(0)))
+    EXPECT_EQ(speed, 1.);
+  const auto slow = speeds_of(shape, GP::parameters::strength(0.3)),
+             fast = speeds_of<GP::Edge_repulsive>(shape, GP::parameters::strength(0.3)),
+             faster = speeds_of<GP::Edge_repulsive>(shape, GP::parameters::strength(0.6));
+  for(std::size_t i = 0; i < slow.size(); ++i)
+  {
+    EXPECT_LT(slow[i], 1.);
+    EXPECT_NEAR(slow[i] * fast[i], 1., 1e-14); // rounding
+    EXPECT_NEAR(faster[i] - 1., 2. * (fast[i] - 1.), 1e-13 * faster[i]);
+  }
+  // Smoothed over a ball that holds most of it, it bends everywhere much the same.
+  const auto smooth = speeds_of(shape, GP::parameters::ball_radius(1.5).strength(0.3));
+  const auto spread = [](const std::vector<double>& x)
+  { return *std::max_element(x.begin(), x.end()) / *std::min_element(x.begin(), x.end()); };
+  EXPECT_LT(spread(smooth), spread(slow));
+}
+
+TEST(Curvature_speeds, are_the_same_on_every_kind_of_mesh_and_near_on_clouds)
+{
+  const Triangulation sphere = icosphere(4);
+  const auto on_mesh = speeds_of(sphere);
+  Numbered<CGAL::Polyhedron_3<Kernel>> polyhedron;
+  fill(polyhedron, sphere);
+  std::map<Numbered<CGAL::Polyhedron_3<Kernel>>::Vertex, double> on_polyhedron;
+  GP::curvature_speeds<GP::Edge_attractive, CGAL::Parallel_tag>(
+      polyhedron.mesh, boost::make_assoc_property_map(on_polyhedron), GP::parameters::threads(2));
+  for(Index i = 0; i < sphere.points.size(); ++i)
+    EXPECT_EQ(on_polyhedron[polyhedron.vertices[i]], on_mesh[i]);
+
+  const Surfels surfels = sphere_surfels(4);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  std::vector<double> on_cloud(surfels.size());
+  GP::curvature_speeds(surfels, CGAL::make_property_map(on_cloud), maps);
+  // A hundredth of the curvature is lost to the fit, and one of the area to local triangles.
+  for(const double speed : on_cloud)
+    EXPECT_NEAR(speed, 0.5, 0.01);
+}
+
+// How many of 120 samples of a sheet lie within 0.1 of the crease in its middle.
+template <typename SpeedMap>
+std::size_t samples_at_crease(const Mesh& mesh, SpeedMap speed)
+{
+  std::vector<GP::Location<Mesh>> samples;
+  GP::farthest_point_sampling(mesh, 120, std::back_inserter(samples),
+                              GP::parameters::speed_map(speed));
+  return std::count_if(samples.begin(), samples.end(),
+                       [&](const auto& sample)
+                       { return std::abs(point_of(mesh, sample)[0] - 0.5) < 0.1; });
+}
+
+TEST(Curvature_speeds, draw_samples_to_creases_or_drive_them_away)
+{
+  Mesh mesh = mesh_of(grid(40, 40,
+                           [](double u, double v) {
+                             return Point{u, v, std::abs(u - 0.5)};
+                           }));
+  auto speed = vertex_map(mesh);
+  GP::curvature_speeds(mesh, speed, GP::parameters::strength(0.));
+  const std::size_t plain = samples_at_crease(mesh, speed);
+  GP::curvature_speeds(mesh, speed);
+  EXPECT_GT(samples_at_crease(mesh, speed), 2 * plain);
+  GP::curvature_speeds<GP::Edge_repulsive>(mesh, speed);
+  EXPECT_LT(3 * samples_at_crease(mesh, speed), 2 * plain);
+}
+
+TEST(Image_speeds, of_linear_images_are_exact)
+{
+  Mesh mesh = mesh_of(square(10, 0.2));
+  auto speed = vertex_map(mesh), image = vertex_map(mesh);
+  auto colour = vertex_map<CGAL::IO::Color>(mesh);
+  for(const Vertex v : mesh.vertices())
+  {
+    put(image, v, 3. * mesh.point(v).x() + 4. * mesh.point(v).y() - 2.);
+    put(colour, v, CGAL::IO::Color(7, 7, 7));
+  }
+  for(const double strength : {0., 1., 20.})
+  {
+    GP::image_speeds(mesh, image, speed, GP::parameters::strength(strength));
+    for(const double x : values(mesh, speed))
+      EXPECT_NEAR(x, 1. / (1. + strength), 1e-12); // rounding
+  }
+  GP::image_speeds(mesh, colour, speed);
+  for(const double x : values(mesh, speed))
+    EXPECT_EQ(x, 1.);
+}
+
+TEST(Image_speeds, do_not_change_with_the_scale_of_surface_or_image)
+{
+  std::vector<std::vector<double>> all;
+  for(const double scale : {1., 1e-6, 1e6})
+  {
+    Triangulation sheet = square(20, 0.2);
+    for(Point& p : sheet.points)
+      p = scale * p;
+    Mesh mesh = mesh_of(sheet);
+    auto speed = vertex_map(mesh), image = vertex_map(mesh);
+    for(const Vertex v : mesh.vertices())
+      put(image, v, std::sin(6. * mesh.point(v).x() / scale) / scale);
+    GP::image_speeds(mesh, image, speed);
+    all.push_back(values(mesh, speed));
+  }
+  for(std::size_t i = 0; i < all[0].size(); ++i)
+    for(const std::size_t k : {1u, 2u})
+      EXPECT_NEAR(all[k][i], all[0][i], 1e-11); // rounding, in slopes of differences
+}
+
+TEST(Image_speeds, take_colours_and_clouds)
+{
+  // Black, then red: where it changes it is slow, by the strength that the change has.
+  const Surfels surfels = flat_surfels(2000);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  std::vector<CGAL::IO::Color> colour;
+  for(const auto& [point, normal] : surfels)
+    colour.emplace_back(point.x() < 0.5 ? 0 : 255, 0, 0);
+  std::vector<double> speed(surfels.size());
+  GP::image_speeds(surfels, CGAL::make_property_map(colour), CGAL::make_property_map(speed), maps);
+  EXPECT_NEAR(*std::min_element(speed.begin(), speed.end()), 1. / 21., 1e-12); // rounding
+  for(std::size_t i = 0; i < surfels.size(); ++i)
+    // Triangles of neighbours are smaller than this: there are about 45 surfels in a row.
+    if(std::abs(surfels[i].first.x() - 0.5) > 0.1)
+    {
+      EXPECT_EQ(speed[i], 1.);
+    }
+}
+
+TEST(Image_speeds, are_low_where_the_image_varies_on_meshes_of_other_kinds)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  Numbered<Polyhedron> polyhedron;
+  fill(polyhedron, square(10));
+  std::map<Numbered<Polyhedron>::Vertex, double> image, speed;
+  for(const auto v : polyhedron.vertices)
+    image[v] = std::max(0., v->point().x() - 0.5);
+  GP::image_speeds(polyhedron.mesh, boost::make_assoc_property_map(image),
+                   boost::make_assoc_property_map(speed), GP::parameters::strength(3.));
+  for(const auto v : polyhedron.vertices)
+    if(std::abs(v->point().x() - 0.5) > 0.01)
+    {
+      EXPECT_NEAR(speed[v], v->point().x() < 0.5 ? 1. : 0.25, 1e-12); // rounding
+    }
+}
+
+TEST(Speeds, refuse_what_they_cannot_use)
+{
+  Mesh mesh = mesh_of(tetrahedron());
+  auto speed = vertex_map(mesh), image = vertex_map(mesh);
+  for(const double wrong : {-1., std::nan(""), GP::internal::infinity})
+  {
+    EXPECT_THROW(GP::curvature_speeds(mesh, speed, GP::parameters::strength(wrong)),
+                 GP::Invalid_argument_error);
+    EXPECT_THROW(GP::image_speeds(mesh, image, speed, GP::parameters::strength(wrong)),
+                 GP::Invalid_argument_error);
+  }
+  EXPECT_THROW(GP::curvature_speeds(mesh, speed, GP::parameters::ball_radius(-1.)),
+               GP::Invalid_argument_error);
+  put(image, Vertex(2), std::nan(""));
+  EXPECT_THROW(GP::image_speeds(mesh, image, speed), GP::Invalid_argument_error);
+}
+
+} // namespace
