@@ -44,6 +44,7 @@ check_all()
   check "$file" distance --source 0 || failed=1
   check "$file" voronoi --number 3 || failed=1
   check "$file" sample --number 20 || failed=1
+  check "$file" sample --number 20 --speed curvature-attractive || failed=1
   check "$file" remesh --number 20 || failed=1
   check "$file" remesh --number 20 --keep-sharp 40 || failed=1
   check "$file" path --from 0 --to 1 || failed=1

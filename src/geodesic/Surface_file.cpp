@@ -5,6 +5,7 @@
 #include "Output_file.h"
 #include "Scanner.h"
 #include "errors.h"
+#include "read_bytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@
 #include <system_error>
 
 namespace program {
-
-namespace {
 
 std::string read_bytes(const std::string& filename)
 {
@@ -35,8 +34,6 @@ std::string read_bytes(const std::string& filename)
     fail(filename, "it cannot be read");
   return bytes;
 }
-
-} // namespace
 
 std::string ending(const std::string& filename)
 {

@@ -4,7 +4,7 @@
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
-#include "queries.h"
+#include "densities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Distance_options
   bool source_border = false;
   std::string method = "euclidean";
   double limit = std::numeric_limits<double>::infinity();
-  std::string speed;
+  Density_options densities;
 };
 
 struct Result
@@ -59,17 +59,13 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
   if(sources.empty())
     fail(job.input(), "it has no border");
 
+  const std::vector<double> speed = speeds(domain, options.densities, job);
   GP::Geodesic_distance_solver<Surface_type, Method> solver(domain);
   job.stage("query");
   const auto limits =
       GP::parameters::maximum_distance(options.limit).callback(job.progress("distance"));
-  if(options.speed.empty())
-    solver.compute(sources, limits);
-  else
-  {
-    const Property_map<typename Domain::Site> speeds{&property(job.surface(), options.speed)};
-    solver.compute(sources, limits.speed_map(speeds));
-  }
+  with_speeds<typename Domain::Site>(speed, limits,
+                                     [&](const auto& np) { solver.compute(sources, np); });
   result.triangles = picture_triangles(domain, job);
   result.values.resize(job.surface().file.points.size());
   for(std::size_t i = 0; i < result.values.size(); ++i)
@@ -88,10 +84,9 @@ void check(const Distance_options& options)
   check_method(options.method);
   if(!(options.limit >= 0.))
     throw Usage_error("--limit: a distance is not negative.");
-  if(options.speed == "curvature-attractive" || options.speed == "curvature-repulsive")
-    throw Usage_error("--speed " + options.speed +
-                      ": speeds from curvature are not available yet.");
-  if(!options.speed.empty() && options.method != "fast-marching" && options.method != "euclidean")
+  check(options.densities);
+  if(options.densities.are_given() && options.method != "fast-marching" &&
+     options.method != "euclidean")
     throw Usage_error("--speed: only the methods fast-marching and euclidean take speeds.");
 }
 
@@ -103,8 +98,6 @@ void run_distance(Job& job, const Distance_options& options)
   if(!options.source.empty())
     for(const std::size_t vertex : parse_integers(options.source, "--source"))
       check_vertex(surface, vertex);
-  if(!options.speed.empty())
-    property(surface, options.speed);
   if(options.source_border && !surface.is_mesh())
     fail(surface.name, "a cloud has no border");
 
@@ -165,8 +158,7 @@ void add_distance(CLI::App& program)
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--limit", options->limit, "go no farther")->type_name("D");
-  command->add_option("--speed", options->speed, "a property of the vertices: the front's speed")
-      ->type_name("PROPERTY");
+  add_density_options(*command, options->densities);
   command->callback([job, options] { run_distance(*job, *options); });
 }
 

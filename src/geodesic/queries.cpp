@@ -73,8 +73,11 @@ void write_result(const Job& job, const std::string& name, const std::vector<dou
   Surface_file file = job.surface().file;
   file.properties[name] = values;
   if(ending(job.output()) == "obj")
+  {
+    file.uv.clear();
     for(const double x : values)
       file.uv.push_back({std::isfinite(x) && size > 0. ? std::clamp(x / size, 0., 1.) : 0., 0.5});
+  }
   write_surface_file(job.output(), file, name);
 }
 

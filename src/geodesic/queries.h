@@ -89,15 +89,44 @@ std::vector<std::uint32_t> picture_triangles([[maybe_unused]] const Domain& doma
   return {};
 }
 
+// One value for each vertex, read like a map of the library.
+template <typename Key, typename Value = double>
+struct Property_map
+{
+  using key_type = Key;
+  using value_type = Value;
+  using reference = const Value&;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<Value>* values;
+  friend const Value& get(const Property_map& map, const Key& key)
+  {
+    return (*map.values)[static_cast<std::size_t>(key)];
+  }
+};
+
+// Calls f with named parameters, among them the speeds of the vertices where there are any.
+template <typename Site, typename NamedParameters, typename Function>
+void with_speeds(const std::vector<double>& speeds, const NamedParameters& np, Function f)
+{
+  if(speeds.empty())
+    f(np);
+  else
+    f(np.speed_map(Property_map<Site>{&speeds}));
+}
+
 // Vertices that lie in a triangle, or surfels, each as far as can be from those before it.  Fewer than
 // asked for when no vertex is left at a distance.
 template <typename Domain>
-std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t number, Job& job)
+std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t number, Job& job,
+                                           const std::vector<double>& speeds = {})
 {
-  std::vector<typename Domain::Site> sites;
-  GP::farthest_site_sampling(
-      domain, number, std::back_inserter(sites),
-      GP::parameters::random_seed(job.seed()).callback(job.progress("farthest vertices")));
+  using Site = typename Domain::Site;
+  std::vector<Site> sites;
+  with_speeds<Site>(
+      speeds, GP::parameters::random_seed(job.seed()).callback(job.progress("farthest vertices")),
+      [&](const auto& np)
+      { GP::farthest_site_sampling(domain, number, std::back_inserter(sites), np); });
   std::vector<std::size_t> result;
   for(const auto& one : sites)
     result.push_back(static_cast<std::size_t>(one));
@@ -121,22 +150,6 @@ std::string place_text([[maybe_unused]] const Surface_type& surface, const Locat
   else
     return std::to_string(std::size_t(place.surfel));
 }
-
-// A property of the file, read like a map of the library.
-template <typename Key>
-struct Property_map
-{
-  using key_type = Key;
-  using value_type = double;
-  using reference = double;
-  using category = boost::readable_property_map_tag;
-
-  const std::vector<double>* values;
-  friend double get(const Property_map& map, const Key& key)
-  {
-    return (*map.values)[static_cast<std::size_t>(key)];
-  }
-};
 
 // Throws Input_error, with the names that there are, when the file has no such property.
 const std::vector<double>& property(const Surface& surface, const std::string& name);

@@ -4,11 +4,35 @@
 #include "Surface_file.h"
 #include "append_polygon.h"
 
+#include <algorithm>
+#include <limits>
+#include <optional>
+
 namespace program {
+
+namespace {
+
+// The place in an image that a corner "v/vt" or "v/vt/vn" names, counted from 0 or, below it, from the
+// end of those so far; the largest number when there is none.
+std::size_t place_named(std::string_view word, std::size_t count)
+{
+  const std::size_t slash = std::min(word.find('/'), word.size() - 1);
+  const std::string_view rest = word.substr(slash + 1);
+  const long long index = to_integer(rest.substr(0, rest.find('/'))).value_or(0);
+  const bool is_there = index > 0 || index >= -static_cast<long long>(count);
+  return index == 0 || !is_there
+             ? std::numeric_limits<std::size_t>::max()
+             : static_cast<std::size_t>(index > 0 ? index - 1
+                                                  : static_cast<long long>(count) + index);
+}
+
+} // namespace
 
 Surface_file read_obj(std::string_view bytes, const std::string& name)
 {
   Surface_file surface;
+  std::vector<std::array<double, 2>> places; // in an image
+  std::vector<std::size_t> place_of;         // #corners: one of these, or a number beyond them
   Scanner scanner(bytes, name, '#');
   // A face may name vertices that follow it, so that ranges are checked when all are known.
   while(scanner.next_line())
@@ -19,6 +43,11 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
       Point& point = surface.points.emplace_back();
       for(double& x : point)
         x = scanner.coordinate(scanner.word());
+    }
+    else if(keyword == "vt")
+    {
+      const std::optional<double> u = to_number(scanner.word()), v = to_number(scanner.word());
+      places.push_back({u.value_or(0.), v.value_or(0.)});
     }
     else if(keyword == "f")
     {
@@ -36,9 +65,18 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
         if(index == 0 || index < -count)
           scanner.fail("a face names vertex " + std::to_string(index));
         append_corner(surface, static_cast<double>(index > 0 ? index - 1 : count + index));
+        place_of.push_back(place_named(word, places.size()));
       }
       end_polygon(surface);
     }
+  }
+  // A vertex has the place that its first face gives it; where one has none, the file has no places.
+  if(!place_of.empty() && *std::max_element(place_of.begin(), place_of.end()) < places.size())
+  {
+    surface.uv.resize(surface.points.size());
+    for(std::size_t c = place_of.size(); c-- > 0;)
+      if(surface.corners[c] < surface.uv.size())
+        surface.uv[surface.corners[c]] = places[place_of[c]];
   }
   return surface;
 }

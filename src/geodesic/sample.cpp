@@ -3,8 +3,8 @@
 #include "Output_file.h"
 #include "Picture.h"
 #include "commands.h"
+#include "densities.h"
 #include "errors.h"
-#include "queries.h"
 
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ struct Sample_options
 {
   std::size_t number = 0;
   double spacing = 0.;
-  std::string speed;
+  Density_options densities;
 };
 
 struct Result
@@ -35,6 +35,7 @@ Result find_samples(const Surface_type& surface, const Sample_options& options, 
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Domain = std::decay_t<decltype(domain)>;
+  const std::vector<double> speed = speeds(domain, options.densities, job);
   job.stage("query");
   Result result;
   std::vector<typename Domain::Location> samples;
@@ -44,14 +45,10 @@ Result find_samples(const Surface_type& surface, const Sample_options& options, 
                         .callback(job.progress("samples"));
   const std::size_t number =
       options.number > 0 ? options.number : std::numeric_limits<std::size_t>::max();
-  if(options.speed.empty())
-    GP::farthest_point_sampling(domain, number, std::back_inserter(samples), goal);
-  else
-  {
-    const Property_map<typename Domain::Site> speeds{&property(job.surface(), options.speed)};
-    GP::farthest_point_sampling(domain, number, std::back_inserter(samples),
-                                goal.speed_map(speeds));
-  }
+  with_speeds<typename Domain::Site>(
+      speed, goal,
+      [&](const auto& np)
+      { GP::farthest_point_sampling(domain, number, std::back_inserter(samples), np); });
   result.triangles = picture_triangles(domain, job);
   for(const auto& sample : samples)
   {
@@ -70,9 +67,8 @@ void run_sample(Job& job, const Sample_options& options)
     throw Usage_error("sample: give either --number, at least 1, or --spacing, above 0.");
   if(!(options.spacing >= 0.) || std::isinf(options.spacing))
     throw Usage_error("--spacing: a distance is finite and not negative.");
+  check(options.densities);
   const Surface& surface = job.read();
-  if(!options.speed.empty())
-    property(surface, options.speed);
 
   job.stage("prepare");
   Result result;
@@ -122,10 +118,7 @@ void add_sample(CLI::App& program)
   command->add_option("--number", options->number, "how many")->type_name("N");
   command->add_option("--spacing", options->spacing, "no vertex is farther from all of them")
       ->type_name("D");
-  command
-      ->add_option("--speed", options->speed,
-                   "a property of the vertices: points are denser where it is lower")
-      ->type_name("PROPERTY");
+  add_density_options(*command, options->densities);
   command->callback([job, options] { run_sample(*job, *options); });
 }
 

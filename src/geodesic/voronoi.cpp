@@ -4,7 +4,7 @@
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
-#include "queries.h"
+#include "densities.h"
 
 #include <algorithm>
 
@@ -16,6 +16,7 @@ struct Voronoi_options
 {
   std::size_t number = 0;
   std::string seeds; // "V,V,..."
+  Density_options densities;
 };
 
 struct Result
@@ -50,9 +51,10 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Site = typename std::decay_t<decltype(domain)>::Site;
+  const std::vector<double> speed = speeds(domain, options.densities, job);
   job.stage("query");
   Result result;
-  result.seeds = options.seeds.empty() ? farthest_vertices(domain, options.number, job)
+  result.seeds = options.seeds.empty() ? farthest_vertices(domain, options.number, job, speed)
                                        : parse_integers(options.seeds, "--seeds");
   std::vector<Site> seeds;
   for(const std::size_t seed : result.seeds)
@@ -63,8 +65,9 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
   if constexpr(is_mesh<Surface_type>)
   {
     std::vector<GP::Voronoi_bisector<Surface_type>> lines;
-    GP::geodesic_voronoi_diagram(domain, seeds, labels,
-                                 progress.bisector_output(std::back_inserter(lines)));
+    with_speeds<Site>(speed, progress.bisector_output(std::back_inserter(lines)),
+                      [&](const auto& np)
+                      { GP::geodesic_voronoi_diagram(domain, seeds, labels, np); });
     for(const auto& line : lines)
     {
       result.lines.emplace_back();
@@ -73,7 +76,9 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
     }
   }
   else
-    GP::geodesic_voronoi_diagram(domain, seeds, labels, progress);
+    with_speeds<Site>(speed, progress,
+                      [&](const auto& np)
+                      { GP::geodesic_voronoi_diagram(domain, seeds, labels, np); });
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -82,6 +87,7 @@ void run_voronoi(Job& job, const Voronoi_options& options)
 {
   if((options.number == 0) == options.seeds.empty())
     throw Usage_error("voronoi: give either --number, at least 1, or --seeds.");
+  check(options.densities);
   if(!options.seeds.empty())
     parse_integers(options.seeds, "--seeds");
   const Surface& surface = job.read();
@@ -136,6 +142,7 @@ void add_voronoi(CLI::App& program)
       ->type_name("N");
   command->add_option("--seeds", options->seeds, "vertices by their place in the file")
       ->type_name("V[,V...]");
+  add_density_options(*command, options->densities);
   command->callback([job, options] { run_voronoi(*job, *options); });
 }
 

@@ -67,6 +67,8 @@ all_of_a_file()
   attempt "$file" $limit voronoi --number 10 || failed=1
   attempt "$file" $limit voronoi --seeds 0,1 || failed=1
   attempt "$file" $limit sample --number 30 || failed=1
+  attempt "$file" $limit sample --number 30 --speed curvature-attractive || failed=1
+  attempt "$file" $limit voronoi --number 10 --speed curvature-repulsive || failed=1
   attempt "$file" $limit remesh --number 50 --lloyd 2 --keep-sharp 60 || failed=1
   attempt "$file" $limit matrix --sources 0,1,2 --limit 0.1 || failed=1
   return $failed

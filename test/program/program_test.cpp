@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -33,6 +34,45 @@ std::string content(const fs::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// A grey picture as a PNG file; `rows` holds a zero and then `width` bytes for each row.
+std::string png(unsigned width, const std::string& rows)
+{
+  const auto big_endian = [](std::uint32_t x)
+  {
+    return std::string{static_cast<char>(x >> 24), static_cast<char>(x >> 16),
+                       static_cast<char>(x >> 8), static_cast<char>(x)};
+  };
+  const auto chunk = [&](const std::string& bytes) // its name, and what is in it
+  {
+    std::uint32_t remainder = ~0u;
+    for(const unsigned char byte : bytes)
+    {
+      remainder ^= byte;
+      for(int bit = 0; bit < 8; ++bit)
+        remainder = remainder >> 1 ^ (remainder & 1 ? 0xedb88320u : 0u);
+    }
+    return big_endian(static_cast<std::uint32_t>(bytes.size() - 4)) + bytes +
+           big_endian(~remainder);
+  };
+  std::uint32_t a = 1, b = 0;
+  for(const unsigned char byte : rows)
+  {
+    a = (a + byte) % 65521;
+    b = (b + a) % 65521;
+  }
+  // One block that is not compressed.
+  const auto size = static_cast<std::uint16_t>(rows.size());
+  const auto low = [](unsigned x) { return static_cast<char>(x & 255); };
+  const std::string stored =
+      std::string{'\x78', '\x01', '\x01', low(size), low(size >> 8), low(~size), low(~size >> 8)} +
+      rows + big_endian(b << 16 | a);
+  const auto height = static_cast<std::uint32_t>(rows.size() / (width + 1));
+  return "\x89PNG\r\n\x1a\n" +
+         chunk("IHDR" + big_endian(width) + big_endian(height) +
+               std::string{'\x08', '\0', '\0', '\0', '\0'}) +
+         chunk("IDAT" + stored) + chunk("IEND");
 }
 
 // A fresh folder with some inputs, gone at the end.
@@ -165,7 +205,13 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("distance square.ply --source 0 --method spectral", 1, "not available yet");
   expect_failure("distance square.ply --source 0 --method fast", 1, "the methods are");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
-  expect_failure("distance square.ply --source 0 --speed curvature-attractive", 1, "not available");
+  expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
+  expect_failure("distance square.ply --source 0 --speed colours --strength nan", 1, "--strength");
+  expect_failure("sample square.ply --number 2 --speed double_speed --strength 1", 1, "--strength");
+  expect_failure("voronoi square.ply --number 2 --strength 1", 1, "--strength");
+  expect_failure("sample square.ply --number 2 --speed colours --density-image a.png", 1,
+                 "--speed");
+  expect_failure("distance square.ply --source 0 --method heat --density-image a.png", 1, "speeds");
   expect_failure("distance square.ply --source 0 --speed s --method heat", 1, "--speed");
   expect_failure("distance square.ply --source 0 -o a.xyz", 1, "a.xyz");
   expect_failure("distance square.ply --source 0 --picture a.jpg", 1, ".png");
@@ -212,6 +258,8 @@ TEST_F(Program, bad_input_is_2_and_names_the_file)
   expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "need a mesh");
   expect_failure("remesh cloud.xyz --number 9", 2, "needs a mesh");
   expect_failure("distance square.ply --source 0 --speed wind", 2, "only double_speed");
+  expect_failure("voronoi square.ply --number 2 --speed wind", 2, "only double_speed");
+  expect_failure("sample square.ply --number 2 --speed colours", 2, "no red, green and blue");
   expect_failure("distance closed.off --source-border", 2, "no border");
   expect_failure("distance cloud.xyz --source-border", 2, "no border");
   expect_failure("distance cloud.xyz --source 0 --method exact", 2, "need a mesh");
@@ -446,6 +494,117 @@ TEST_F(Program, twice_the_speed_is_half_the_time)
     for(std::size_t i = 0; i < 81; ++i)
       EXPECT_NEAR(2. * fast[i], plain[i], 1e-12) << method;
   }
+}
+
+TEST_F(Program, speeds_are_made_of_curvature)
+{
+  // A flat square has none: what is left is the front that takes speeds.
+  for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
+  {
+    json(std::string("distance square.ply --source 0 --values s.txt --strength 3 --speed ") +
+         speed);
+    json("distance square.ply --source 0 --values d.txt --method fast-marching");
+    const std::vector<double> bent = numbers("s.txt"), plain = numbers("d.txt");
+    for(std::size_t i = 0; i < 81; ++i)
+      EXPECT_NEAR(bent[i], plain[i], 1e-12); // rounding
+  }
+  // A square pipe of 12 by 24 vertices: on an edge speeds are low, or high.
+  std::ostringstream pipe;
+  pipe << "OFF\n288 552 0\n";
+  for(int j = 0; j < 24; ++j)
+    for(int i = 0; i < 12; ++i)
+    {
+      const int side = i / 3;
+      const double step = (i % 3 * 2 - 3) / 3.; // -1 at a corner
+      const double x[] = {step, 1., -step, -1.}, y[] = {-1., step, 1., -step};
+      pipe << x[side] << ' ' << y[side] << ' ' << j << '\n';
+    }
+  for(int j = 0; j < 23; ++j)
+    for(int i = 0; i < 12; ++i)
+    {
+      const int a = 12 * j + i, b = 12 * j + (i + 1) % 12, c = b + 12, d = a + 12;
+      pipe << "3 " << a << ' ' << b << ' ' << c << "\n3 " << a << ' ' << c << ' ' << d << '\n';
+    }
+  write("pipe.off", pipe.str());
+  const auto along_edge = [&](const std::string& speed)
+  {
+    json("distance pipe.off --source 0 --values d.txt" + speed);
+    return numbers("d.txt")[12 * 23];
+  };
+  const double plain = along_edge("");
+  EXPECT_GT(along_edge(" --speed curvature-attractive"), 1.2 * plain);
+  EXPECT_LT(along_edge(" --speed curvature-repulsive"), plain / 1.2);
+  EXPECT_GT(along_edge(" --speed curvature-attractive --strength 1"),
+            along_edge(" --speed curvature-attractive"));
+
+  for(const char* const command : {"sample pipe.off --number 12", "sample cloud.xyz --number 5",
+                                   "voronoi cloud.xyz --number 4", "voronoi pipe.off --number 4"})
+    for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
+      json(std::string(command) + " --speed " + speed);
+}
+
+TEST_F(Program, speeds_are_made_of_colours_and_images)
+{
+  // Red grows along x, so that the speed is the same everywhere.
+  std::string square = content(m_folder / "square.ply");
+  const std::string one = "property float double_speed\n";
+  square.replace(square.find(one), one.size(),
+                 "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  std::size_t line = square.find("end_header\n") + 11;
+  for(int i = 0; i < 81; ++i)
+  {
+    const std::size_t end = square.find('\n', line);
+    const std::string colour = std::to_string(30 * (i % 9)) + " 1 2";
+    square.replace(end - 1, 1, colour);
+    line = end + colour.size();
+  }
+  write("red.ply", square);
+  json("distance square.ply --source 0 --values d.txt --method fast-marching");
+  const std::vector<double> plain = numbers("d.txt");
+  for(const auto& [strength, factor] : {std::pair(" --strength 1", 2.), std::pair("", 21.)})
+  {
+    json(std::string("distance red.ply --source 0 --values s.txt --speed colours") + strength);
+    const std::vector<double> slow = numbers("s.txt");
+    for(std::size_t i = 0; i < 81; ++i)
+      EXPECT_NEAR(slow[i], factor * plain[i], 1e-11); // rounding
+  }
+
+  const Outcome refused = run("sample square.ply --number 9 --density-image nowhere.png");
+  if(refused.code == 1) // built without them
+  {
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "libpng", refused.err);
+    return;
+  }
+  expect_failure("sample square.ply --number 9 --density-image nowhere.png", 2, "no such file");
+  expect_failure("sample square.ply --number 9 --density-image square.ply", 2, ".png");
+  write("wrong.png", "\x89PNG\r\n\x1a\n no more");
+  expect_failure("sample square.ply --number 9 --density-image wrong.png", 2, "wrong.png");
+  // Black, and white from the middle on.
+  std::string rows;
+  for(int y = 0; y < 16; ++y)
+    rows += '\0' + std::string(8, '\0') + std::string(8, '\xff');
+  write("half.png", png(16, rows));
+  json("distance square.ply --source 0 --values s.txt --density-image half.png");
+  const std::vector<double> slow = numbers("s.txt");
+  // Along the lower side: as always up to the middle, then a step that takes longer.
+  EXPECT_NEAR(slow[2], 0.25, 1e-12);
+  EXPECT_GT(slow[8], 3.);
+  // What is seen of it through texture coordinates is black everywhere.
+  std::string lines = "vt 0.1 0.1\n";
+  std::istringstream obj((json("info square.ply -o plain.obj"), content(m_folder / "plain.obj")));
+  for(std::string word; std::getline(obj, word); lines += word + '\n')
+    if(word[0] == 'f')
+    {
+      std::istringstream corners(word.substr(1));
+      word = "f";
+      for(std::string corner; corners >> corner;)
+        word += ' ' + corner + "/1";
+    }
+  write("black.obj", lines);
+  json("distance black.obj --source 0 --values s.txt --density-image half.png");
+  const std::vector<double> black = numbers("s.txt");
+  for(std::size_t i = 0; i < 81; ++i)
+    EXPECT_NEAR(black[i], plain[i], 1e-12); // rounding
 }
 
 TEST_F(Program, other_components_and_isolated_vertices_are_unreached)

@@ -204,6 +204,20 @@ TEST(Read_obj, slashes_negative_indices_and_polygons)
   EXPECT_EQ(surface.first, (std::vector<std::size_t>{0, 4, 7}));
 }
 
+TEST(Read_obj, texture_coordinates_are_those_of_the_first_face)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  const std::string places = "vt 0 0\nvt 1 0 0\nvt 0.5\nvt 0.25 1\n";
+  using Places = std::vector<std::array<double, 2>>;
+  EXPECT_EQ(program::read_obj(points + places + "f 1/1 2/2 3/3\nf 3/-4 2/1 4/-1/7\n", "").uv,
+            (Places{{0., 0.}, {1., 0.}, {0.5, 0.}, {0.25, 1.}}));
+  // Not where a corner has none.
+  for(const char* const faces :
+      {"f 1/1 2/2 3\n", "f 1/1 2/2 3/9\n", "f 1/1 2/2 3/-9\n", "f 1 2 3\n", "f 1/1 2/2 3//1\n",
+       "f 1/1 2/2 3/x\n", "f 1/1 2/2 3/0\n", ""})
+    EXPECT_TRUE(program::read_obj(points + places + faces, "").uv.empty()) << faces;
+}
+
 TEST(Read_obj, says_what_is_wrong)
 {
   expect_complaint(program::read_obj, "v 0 0 0\nf 1 2 3\n", "there are only 1");

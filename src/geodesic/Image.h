@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_IMAGE_H
+#define GEODESIC_PROGRAM_IMAGE_H
+
+#include "colours.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace program {
+
+// Rows of pixels from the lowest one up.
+struct Image
+{
+  std::size_t width = 0, height = 0;
+  std::vector<Colour> pixels; // width * height, at least one
+
+  // Between the middles of four pixels; (0, 0) is the lower left corner and (1, 1) the upper right
+  // one.  Outside the image repeats.
+  Colour at(double u, double v) const;
+};
+
+// Reads a PNG file.  Throws Input_error, and Usage_error where this is not built in.
+Image read_image(const std::string& filename);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_IMAGE_H
