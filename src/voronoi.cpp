@@ -39,12 +39,14 @@ Voronoi::Voronoi(std::shared_ptr<const Glued_triangles> triangles, Front front,
     m_labels[site] = sources[front.source(site)].label;
   }
 
-  // Each cell's own front goes on beyond the cell as far as the sites that share triangles with it, by
-  // the ways that are shortest: these may be late, and so may what lies on them, by two sides.
+  // Where the fronts of two cells met, a circle may have been fitted to what came from both: each cell's
+  // own front knows better.  It goes on beyond the cell as far as the sites that share triangles with it,
+  // by the ways that are shortest: these may be late, and so may what lies on them, by two sides.
   std::vector<double> known = m_distances;
   for(Index site = 0; site < known.size(); ++site)
     known[site] += 2. * longest_around(site);
   bounded.known = &known;
+  std::vector<bool> is_own(known.size(), false);
   for(Index label = 0; label < number_of_cells && m_is_finished; ++label)
   {
     ++done;
@@ -52,16 +54,16 @@ Voronoi::Voronoi(std::shared_ptr<const Glued_triangles> triangles, Front front,
     for(const Index site : front.reached())
     {
       const double distance = front.distance(site);
-      if(m_labels[site] == label)
-        m_distances[site] = std::min(m_distances[site], distance);
-      else if(distance < m_distances[site])
+      if(is_own[site] && distance >= m_distances[site])
       {
-        m_others.push_back({site, m_labels[site], m_distances[site]});
-        m_distances[site] = distance;
-        m_labels[site] = label;
-      }
-      else
         m_others.push_back({site, label, distance});
+        continue;
+      }
+      if(is_own[site])
+        m_others.push_back({site, m_labels[site], m_distances[site]});
+      m_distances[site] = distance;
+      m_labels[site] = label;
+      is_own[site] = true;
     }
   }
   std::sort(m_others.begin(), m_others.end());
