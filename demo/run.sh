@@ -20,7 +20,7 @@ started=$SECONDS
 
 packages=(g++ cmake ninja-build ccache
   libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev
-  libcli11-dev nlohmann-json3-dev libvtk9-dev xvfb xauth)
+  libcli11-dev nlohmann-json3-dev libpng-dev libvtk9-dev xvfb xauth)
 
 install_packages "${packages[@]}" || exit 1
 
@@ -136,6 +136,12 @@ picture near "Only what is near is visited when there is a limit." \
   distance "$runner" --source 100 --limit 0.3
 picture border "How deep in the surface, seen from its borders?" distance "$holes" --source-border
 picture sample "Which places cover a surface evenly?" sample "$animal" --number 300
+picture sample-attracted "Samples of a part of a machine where creases attract them." \
+  sample "$part" --number 600 --speed curvature-attractive
+picture sample-repelled "The same number where creases repel them." \
+  sample "$part" --number 600 --speed curvature-repulsive
+picture sample-bent "Samples where curvature attracts them on a smooth surface." \
+  sample "$beast" --number 600 --speed curvature-attractive
 picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
   voronoi "$bear" --number 60
 picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40
@@ -153,6 +159,8 @@ picture cloud-path "A shortest path on points." path "$scan" --from 0 --to 2000
 echo '</main><h2>The demo programs</h2><main>' >>$page
 program farthest_vertex "$animal" $build/farthest.ply
 program covering_radius "$animal" $build/covering.ply
+program attracted_samples "$part" $build/attracted.ply
+program two_speeds $build/two_speeds.ply
 program cut_locus "$animal" $build/cut_locus.ply
 program methods_compared "$small"
 program mesh_or_cloud "$animal" $build/cloud.ply
