@@ -267,4 +267,66 @@ std::vector<Voronoi::Bisector> Voronoi::bisectors() const
   return result;
 }
 
+Voronoi::Cut Voronoi::cut() const
+{
+  const Glued_triangles& t = *m_triangles;
+  Cut result;
+  for(Index site = 0; site < m_labels.size(); ++site)
+    result.vertices.push_back({none, site, {}});
+  const auto add = [&](const Location& place)
+  {
+    result.vertices.push_back(place);
+    return Index(result.vertices.size() - 1);
+  };
+  std::vector<Index> middle(t.corner.size(), none); // of each side that is crossed
+  for(Index side = 0; side < t.corner.size(); ++side)
+    if(t.twin[side] < side)
+      middle[side] = middle[t.twin[side]];
+    else if(m_labels[t.corner[side]] != none && m_labels[t.corner[next_side(side)]] != none &&
+            is_crossed(side))
+      middle[side] = add(crossing(side));
+
+  const auto add_triangle = [&](Index a, Index b, Index c, Index label)
+  {
+    result.corners.insert(result.corners.end(), {a, b, c});
+    result.labels.push_back(label);
+  };
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    const int count = number_of_labels(f);
+    const Index centre = count == 3 ? add(triple_point(f)) : none;
+    bool is_whole = true;
+    for(Index right = 3 * f; right < 3 * f + 3; ++right)
+    {
+      // Counterclockwise from a corner, with the middles of its sides.
+      const Index left = previous_side(right);
+      const Index a = t.corner[right], b = t.corner[next_side(right)], c = t.corner[left];
+      const Index label = count > 0 ? m_labels[a] : none;
+      if(middle[right] == none)
+        continue;
+      is_whole = false;
+      if(count == 3)
+      {
+        add_triangle(a, middle[right], centre, label);
+        add_triangle(a, centre, middle[left], label);
+      }
+      else if(count == 0)
+      {
+        add_triangle(a, middle[right], c, none);
+        add_triangle(middle[right], b, c, none);
+      }
+      else if(middle[left] != none)
+      {
+        add_triangle(a, middle[right], middle[left], label);
+        add_triangle(middle[right], b, c, m_labels[b]);
+        add_triangle(middle[right], c, middle[left], m_labels[b]);
+      }
+    }
+    if(is_whole)
+      add_triangle(t.corner[3 * f], t.corner[3 * f + 1], t.corner[3 * f + 2],
+                   count > 0 ? m_labels[t.corner[3 * f]] : none);
+  }
+  return result;
+}
+
 } // namespace CGAL::Geodesic_processing::internal

@@ -5,8 +5,10 @@
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 
 #include <CGAL/Point_set_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include "Glued_surface.h"
 #include "Mesh_of.h"
@@ -15,6 +17,7 @@
 
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace {
 
@@ -165,6 +168,102 @@ TEST(Geodesic_voronoi_diagram, says_what_it_cannot_use_and_can_be_cancelled)
   EXPECT_FALSE(GP::geodesic_voronoi_diagram(
       mesh, Vertex(0), label,
       GP::parameters::callback(std::function<bool(double)>([](double) { return false; }))));
+}
+
+using Cells = std::map<std::size_t, double>; // their areas
+
+// What the cells of a cut mesh have of it.
+template <typename CutMesh, typename LabelMap>
+Cells areas(const CutMesh& cut, const LabelMap& label)
+{
+  Cells result;
+  for(const auto f : faces(cut))
+    result[get(label, f)] += CGAL::Polygon_mesh_processing::face_area(f, cut);
+  return result;
+}
+
+TEST(Geodesic_voronoi_cells, of_two_corners_are_the_halves_of_a_square)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Triangulation plane = square(20, 0.2);
+    for(Point& p : plane.points)
+      for(double& x : p)
+        x *= scale;
+    const Mesh mesh = mesh_of(plane);
+    Mesh cut;
+    const auto label = cut.add_property_map<Face, std::size_t>("f:label").first;
+    EXPECT_TRUE(
+        GP::geodesic_voronoi_cells(mesh, std::vector<Vertex>{Vertex(0), Vertex(440)}, cut, label));
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(cut));
+    EXPECT_TRUE(CGAL::is_triangle_mesh(cut));
+    const Cells found = areas(cut, label);
+    ASSERT_EQ(found.size(), 2u);
+    // As exact as the diagonal is, see above.
+    EXPECT_NEAR(found.at(0) / scale / scale, 0.5, 1e-9);
+    EXPECT_NEAR(found.at(1) / scale / scale, 0.5, 1e-9);
+    for(const Face f : cut.faces())
+      for(const Vertex v : vertices_around_face(cut.halfedge(f), cut))
+      {
+        const double sum = (cut.point(v).x() + cut.point(v).y()) / scale;
+        EXPECT_LT(get(label, f) == 0 ? sum : 2. - sum, 1. + 1e-9);
+      }
+  }
+}
+
+TEST(Geodesic_voronoi_cells, keep_the_shape_and_take_other_meshes)
+{
+  const Mesh mesh = mesh_of(apart(shaken(icosphere(3), 0.01), square(6, 0.2)));
+  std::vector<GP::Location<Mesh>> seeds;
+  GP::farthest_point_sampling(mesh, 20, std::back_inserter(seeds));
+  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
+  Polyhedron cut;
+  std::map<boost::graph_traits<Polyhedron>::face_descriptor, std::size_t> label;
+  GP::geodesic_voronoi_cells<GP::Fast_marching>(mesh, seeds, cut,
+                                                boost::make_assoc_property_map(label));
+  EXPECT_TRUE(cut.is_valid());
+  const Cells found = areas(cut, boost::make_assoc_property_map(label));
+  EXPECT_EQ(found.size(), 20u);
+  double sum = 0.;
+  for(const auto& [cell, area] : found)
+    sum += area;
+  const double whole = CGAL::Polygon_mesh_processing::area(mesh);
+  EXPECT_NEAR(sum, whole, 1e-12 * whole); // rounding
+  const auto euler = [](const auto& m)
+  { return long(num_vertices(m)) - long(num_edges(m)) + long(num_faces(m)); };
+  EXPECT_EQ(euler(cut), euler(mesh));
+
+  // Where nothing reaches there is no cell, and no gap.
+  Mesh near;
+  const auto near_label = near.add_property_map<Face, std::size_t>("f:label").first;
+  GP::geodesic_voronoi_cells(GP::make_domain(mesh), seeds[0], near, near_label,
+                             GP::parameters::maximum_distance(0.3));
+  EXPECT_EQ(near.number_of_faces(), mesh.number_of_faces());
+  std::set<std::size_t> labels;
+  for(const Face f : near.faces())
+    labels.insert(get(near_label, f));
+  EXPECT_EQ(labels, (std::set<std::size_t>{0, unreached}));
+  EXPECT_THROW(GP::geodesic_voronoi_cells(mesh, Vertex(100000), near, near_label),
+               GP::Invalid_argument_error);
+}
+
+TEST(Geodesic_voronoi_cells, of_a_pinched_mesh)
+{
+  // Two squares that share a corner.
+  Triangulation pair = square(4);
+  const Index shared = 24, first = Index(pair.points.size());
+  Triangulation other = square(4);
+  for(std::size_t i = 1; i < other.points.size(); ++i)
+    pair.points.push_back({other.points[i][0] + 1., other.points[i][1] + 1., 0.});
+  for(const Index corner : other.corners)
+    pair.corners.push_back(corner == 0 ? shared : first + corner - 1);
+  const Mesh mesh = mesh_of(pair);
+  Mesh cut;
+  const auto label = cut.add_property_map<Face, std::size_t>("f:label").first;
+  EXPECT_TRUE(
+      GP::geodesic_voronoi_cells(mesh, std::vector<Vertex>{Vertex(0), Vertex(48)}, cut, label));
+  const Cells found = areas(cut, label);
+  EXPECT_NEAR(found.at(0) + found.at(1), 2., 1e-12); // rounding
 }
 
 } // namespace

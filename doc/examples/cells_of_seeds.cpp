@@ -4,6 +4,7 @@
 // The cells of seeds, and the lines between them.
 #include <CGAL/Geodesic_processing.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -42,5 +43,15 @@ int main()
             << '\n';
   for(Vertex v : mesh.vertices())
     right = right && (mesh.point(v).x() == 15. || cell[v] == (mesh.point(v).x() < 15. ? 0u : 1u));
+
+  // Cut along it, the sheet has two halves.
+  Mesh cut;
+  auto cell_of_face = cut.add_property_map<Mesh::Face_index, std::size_t>("f:cell").first;
+  GP::geodesic_voronoi_cells(mesh, seeds, cut, cell_of_face);
+  double areas[] = {0., 0.};
+  for(Mesh::Face_index f : cut.faces())
+    areas[cell_of_face[f]] += CGAL::Polygon_mesh_processing::face_area(f, cut);
+  std::cout << "areas " << areas[0] << " and " << areas[1] << '\n';
+  right = right && std::abs(areas[0] - 300.) < 1e-9 && std::abs(areas[1] - 300.) < 1e-9;
   return right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

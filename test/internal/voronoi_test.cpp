@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/sampling.h>
 #include <CGAL/Geodesic_processing/internal/surfels.h>
+#include <CGAL/Geodesic_processing/internal/unfold.h>
 
 #include "Glued_surface.h"
 
@@ -292,6 +293,98 @@ TEST(Voronoi, moves_with_speed_and_with_offsets)
   limits.slowness = std::make_shared<const std::vector<double>>(slowness);
   // From the left 0.5 + 2 (x - 0.5), from the right 2 (1 - x); the planar front is off by a percent.
   EXPECT_NEAR(middle(voronoi(surface.triangles(), sources_at(ends), limits)), 0.625, 0.02);
+}
+
+// Of the triangle that holds a place, in the domain's scale.
+double area_of_cut(const Glued_triangles& t, const Voronoi::Cut& cut, std::size_t triangle)
+{
+  std::array<Spatial, 3> p;
+  for(std::size_t k = 0; k < 3; ++k)
+    p[k] = scaled_coordinates(t, cut.vertices[cut.corners[3 * triangle + k]]);
+  return 0.5 * norm(internal::cross(p[1] - p[0], p[2] - p[0]));
+}
+
+TEST(Voronoi, cut_has_the_area_and_the_shape_of_the_surface)
+{
+  const std::vector<Triangulation> surfaces = {square(20, 0.2, 4), shaken(icosphere(3), 0.01),
+                                               annulus(24, 5, 0.3, 1.)};
+  for(const Triangulation& triangulation : surfaces)
+    for(const std::size_t number : {2u, 9u, 40u})
+    {
+      const Glued_surface surface(triangulation);
+      const Glued_triangles& t = surface.t();
+      const Voronoi cells = voronoi(surface.triangles(), spread(surface.triangles(), number));
+      const Voronoi::Cut cut = cells.cut();
+      double whole = 0., parts = 0.;
+      for(Index f = 0; f < t.number_of_triangles(); ++f)
+        whole += 0.5 * twice_area(t.length[3 * f], t.length[3 * f + 1], t.length[3 * f + 2]);
+      for(std::size_t f = 0; f < cut.labels.size(); ++f)
+      {
+        parts += area_of_cut(t, cut, f);
+        ASSERT_LT(cut.labels[f], number);
+        // Sites belong to their own cells alone.
+        for(std::size_t k = 0; k < 3; ++k)
+          if(const Index site = cut.corners[3 * f + k]; site < surface.size())
+          {
+            EXPECT_EQ(cut.labels[f], cells.labels()[site]);
+          }
+      }
+      EXPECT_NEAR(parts, whole, 1e-12 * whole); // rounding
+
+      // As many borders as there were, each side twice at most and both ways,
+      // and Euler's number.
+      std::set<std::pair<Index, Index>> sides;
+      for(std::size_t c = 0; c < cut.corners.size(); ++c)
+        EXPECT_TRUE(sides.insert({cut.corners[c], cut.corners[next_side(Index(c))]}).second);
+      const auto euler = [](std::size_t vertices, std::size_t corners, std::size_t borders)
+      { return long(vertices) - long(corners + borders) / 2 + long(corners) / 3; };
+      std::size_t borders = 0, borders_before = 0, crossed = 0;
+      for(const auto& [a, b] : sides)
+        borders += sides.count({b, a}) == 0;
+      for(Index side = 0; side < t.corner.size(); ++side)
+        if(t.twin[side] == none)
+        {
+          ++borders_before;
+          crossed += cells.labels()[t.corner[side]] != cells.labels()[t.corner[next_side(side)]];
+        }
+      EXPECT_EQ(borders, borders_before + crossed);
+      EXPECT_EQ(euler(cut.vertices.size(), cut.corners.size(), borders),
+                euler(surface.size(), t.corner.size(), borders_before));
+    }
+}
+
+TEST(Voronoi, cut_of_a_square_has_its_two_halves)
+{
+  const Glued_surface surface(square(20, 0.2, 4));
+  const Voronoi cells = voronoi(surface.triangles(), sources_at({surface.at(0), surface.at(440)}));
+  const Voronoi::Cut cut = cells.cut();
+  double halves[2] = {0., 0.};
+  for(std::size_t f = 0; f < cut.labels.size(); ++f)
+    halves[cut.labels[f]] += area_of_cut(surface.t(), cut, f);
+  const double square_of_scale = surface.scale() * surface.scale();
+  EXPECT_NEAR(halves[0] * square_of_scale, 0.5,
+              1e-9); // as the line, in its own test
+  EXPECT_NEAR(halves[1] * square_of_scale, 0.5, 1e-9);
+}
+
+TEST(Voronoi, cut_has_no_gaps_where_fronts_end)
+{
+  const Glued_surface surface(square(30, 0.2, 4));
+  Front_limits limits;
+  limits.maximum_distance = 0.3 / surface.scale();
+  const Voronoi::Cut cut =
+      voronoi(surface.triangles(), sources_at({surface.at(15 * 31 + 12), surface.at(15 * 31 + 18)}),
+              limits)
+          .cut();
+  EXPECT_EQ(std::set<Index>(cut.labels.begin(), cut.labels.end()), (std::set<Index>{0, 1, none}));
+  std::set<std::pair<Index, Index>> sides;
+  for(std::size_t c = 0; c < cut.corners.size(); ++c)
+    EXPECT_TRUE(sides.insert({cut.corners[c], cut.corners[next_side(Index(c))]}).second);
+  // The border of the square alone has no other side.
+  std::size_t borders = 0;
+  for(const auto& [a, b] : sides)
+    borders += sides.count({b, a}) == 0;
+  EXPECT_EQ(borders, 120u);
 }
 
 TEST(Voronoi, does_not_depend_on_scale)

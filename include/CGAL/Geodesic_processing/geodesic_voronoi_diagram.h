@@ -9,7 +9,10 @@
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -31,6 +34,42 @@ struct Voronoi_bisector
   std::vector<Location> locations; ///< consecutive ones lie in a common face
   std::vector<Point_3> points;     ///< the same in space
 };
+
+namespace internal {
+
+// The cells of seeds, which have numbers in the order of their labels.
+struct Labelled_voronoi
+{
+  std::vector<std::size_t> labels; // #cells
+  Voronoi cells;
+
+  std::size_t label(Index cell) const
+  {
+    return cell == none ? (std::numeric_limits<std::size_t>::max)() : labels[cell];
+  }
+};
+
+template <typename Method, typename Domain, typename Seeds, typename NamedParameters>
+Labelled_voronoi labelled_voronoi(const Domain& domain, const Seeds& seeds,
+                                  const NamedParameters& np)
+{
+  static_assert(std::is_base_of_v<Front, Engine<Method>>,
+                "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+  const Front_limits asked = limits(domain, np);
+  std::vector<std::size_t> label_of_source;
+  std::vector<Source> from = sources(domain, seeds, label_of_source);
+  std::vector<std::size_t> labels = label_of_source;
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  for(std::size_t i = 0; i < from.size(); ++i)
+    from[i].label =
+        Index(std::lower_bound(labels.begin(), labels.end(), label_of_source[i]) - labels.begin());
+  Voronoi cells(domain.triangles(), Engine<Method>(domain.triangles()), from, Index(labels.size()),
+                asked);
+  return {std::move(labels), std::move(cells)};
+}
+
+} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingSampling
 ///
@@ -69,26 +108,11 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
                               const NamedParameters& np = NamedParameters())
 {
   using internal::Index;
-  static_assert(std::is_base_of_v<internal::Front, internal::Engine<Method>>,
-                "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
   const auto domain = make_domain(surface, np);
   using Domain_surface = typename std::decay_t<decltype(domain)>::Surface;
-
-  const internal::Front_limits limits = internal::limits(domain, np);
-  std::vector<std::size_t> labels;
-  std::vector<internal::Source> sources = internal::sources(domain, seeds, labels);
-  // Cells have numbers, in the order of their labels.
-  std::vector<std::size_t> cells = labels;
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  for(std::size_t i = 0; i < sources.size(); ++i)
-    sources[i].label =
-        Index(std::lower_bound(cells.begin(), cells.end(), labels[i]) - cells.begin());
-  const auto label = [&](Index cell)
-  { return cell == internal::none ? (std::numeric_limits<std::size_t>::max)() : cells[cell]; };
-
-  const internal::Voronoi voronoi(domain.triangles(), internal::Engine<Method>(domain.triangles()),
-                                  sources, Index(cells.size()), limits);
+  const auto found = internal::labelled_voronoi<Method>(domain, seeds, np);
+  const internal::Voronoi& voronoi = found.cells;
+  const auto label = [&](Index cell) { return found.label(cell); };
   domain.write([&](Index site) { return label(voronoi.labels()[site]); }, label_map);
 
   constexpr bool has_face_labels =
@@ -118,6 +142,61 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
     }
   }
   return voronoi.is_finished();
+}
+
+/// \ingroup PkgGeodesicProcessingSampling
+///
+/// cuts a mesh along the lines between the cells of `geodesic_voronoi_diagram()`: each face of the result
+/// lies in one cell.
+///
+/// Faces keep their orientation.  A cell is the mesh of its faces, for instance as a
+/// `CGAL::Face_filtered_graph`.  Where a line passes a vertex faces are without area.
+///
+/// \tparam Method as for `geodesic_voronoi_diagram()`
+/// \param mesh as for `geodesic_distances()`, no cloud
+/// \param seeds as for `geodesic_voronoi_diagram()`
+/// \param cells a model of `MutableFaceGraph` to which vertices and faces are added
+/// \param label_map receives for each new face the label of its cell; the largest `std::size_t` unless
+///        all corners of the face that it is part of are reached
+/// \param np what `make_domain()` takes, `maximum_distance`, `speed_map` and `callback` as
+///        `Geodesic_distance_solver::compute()`
+/// \returns false if the callback cancelled it; then cells are too small
+/// \throws Unsupported_surface_error when the faces around a vertex cannot be put together again
+/// \throws as `Geodesic_distance_solver::compute()`
+///
+/// O(n log n).
+template <typename Method = Euclidean_front, typename Surface, typename Seeds,
+          typename TriangleMesh, typename FaceLabelMap,
+          typename NamedParameters = internal::Default_parameters>
+bool geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMesh& cells,
+                            FaceLabelMap label_map, const NamedParameters& np = NamedParameters())
+{
+  using internal::Index;
+  const auto domain = make_domain(mesh, np);
+  static_assert(!internal::Is_cloud<typename std::decay_t<decltype(domain)>::Surface>::value,
+                "A surfel cloud has no faces to cut: its triangles overlap.");
+  const auto found = internal::labelled_voronoi<Method>(domain, seeds, np);
+  const internal::Voronoi::Cut cut = found.cells.cut();
+
+  auto points = get(vertex_point, cells);
+  using Point_3 = typename boost::property_traits<decltype(points)>::value_type;
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  for(const internal::Location& place : cut.vertices)
+  {
+    const auto p = domain.point(place);
+    vertices.push_back(add_vertex(cells));
+    put(points, vertices.back(), Point_3(p.x(), p.y(), p.z()));
+  }
+  for(std::size_t f = 0; f < cut.labels.size(); ++f)
+  {
+    const std::array corners = {vertices[cut.corners[3 * f]], vertices[cut.corners[3 * f + 1]],
+                                vertices[cut.corners[3 * f + 2]]};
+    const auto face = CGAL::Euler::add_face(corners, cells);
+    if(face == boost::graph_traits<TriangleMesh>::null_face())
+      throw Unsupported_surface_error("The faces around a vertex cannot be put together again.");
+    put(label_map, face, found.label(cut.labels[f]));
+  }
+  return found.cells.is_finished();
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -44,6 +44,18 @@ public:
   // On a mesh.
   std::vector<Bisector> bisectors() const;
 
+  // The mesh cut along the bisectors, so that each triangle lies in one cell.
+  struct Cut
+  {
+    // Sites first, then where bisectors cross sides, then where three meet.
+    std::vector<Location> vertices;
+    std::vector<Index> corners; // 3 #triangles
+    // #triangles: none unless all corners of the triangle that it is part of are reached.
+    std::vector<Index> labels;
+  };
+  // On a mesh.
+  Cut cut() const;
+
 private:
   // What a site knows of a cell other than its own.
   struct Other
