@@ -494,11 +494,13 @@ void Front::spread_along_arcs(Index index)
     if(distance + gain < m_sites[target].distance)
       offer(target, {distance + gain, {1., 0.}, index, 0, 0.}, source);
   };
-  // A speed belongs to triangles: arcs that are no sides of one have none.
-  if(t.is_cloud() && !m_slowness)
+  // A speed belongs to triangles: of arcs that are no sides of one, those from a surfel to its copies
+  // need none.
+  if(t.is_cloud())
     for(Index i = t.graph.first[index]; i < t.graph.first[index + 1]; ++i)
-      reach(t.graph.target[i], t.graph.length[i]);
-  else
+      if(!m_slowness || t.graph.length[i] == 0.)
+        reach(t.graph.target[i], t.graph.length[i]);
+  if(m_kind == Front_kind::arcs && (!t.is_cloud() || m_slowness))
     for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
     {
       const Index corner = t.star[i], previous = previous_side(corner);
@@ -516,7 +518,7 @@ void Front::spread_planar(Index index)
 {
   const Glued_triangles& t = *m_triangles;
   const Spokes& s = *m_spokes;
-  if(t.is_cloud() && !m_slowness)
+  if(t.is_cloud())
     spread_along_arcs(index);
   const auto is_final = [&](Index site) { return (m_sites[site].state & final_flag) != 0; };
   const double distance = m_sites[index].distance;

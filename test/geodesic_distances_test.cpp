@@ -291,6 +291,32 @@ TEST(Geodesic_distances, on_a_cloud_are_those_of_the_plane)
   EXPECT_LT(mean, 0.2 * mean_of_arcs);
 }
 
+TEST(Geodesic_distances, on_a_cloud_with_speeds_reach_the_copies_of_a_surfel)
+{
+  Surfels surfels = flat_surfels(300);
+  const Surfels once = surfels;
+  surfels.insert(surfels.end(), once.begin(), once.end());
+  std::vector<double> speed(surfels.size(), 2.), map(surfels.size());
+  const auto np = GP::parameters::point_map(Surfel_point_map())
+                      .normal_map(Surfel_normal_map())
+                      .speed_map(CGAL::make_property_map(speed));
+  const auto check = [&](auto method)
+  {
+    // A copy as the source, and a place that has one.
+    for(const std::size_t source : {std::size_t(7), once.size() + 7})
+    {
+      GP::geodesic_distances<decltype(method)>(surfels, source, CGAL::make_property_map(map), np);
+      for(std::size_t i = 0; i < once.size(); ++i)
+      {
+        EXPECT_LT(map[i], std::numeric_limits<double>::infinity());
+        EXPECT_EQ(map[i], map[once.size() + i]);
+      }
+    }
+  };
+  check(GP::Fast_marching());
+  check(GP::Euclidean_front());
+}
+
 TEST(Geodesic_distances, on_a_cloud_are_those_of_the_sphere)
 {
   const Surfels cloud = sphere_surfels(4);
