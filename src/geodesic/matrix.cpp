@@ -234,7 +234,8 @@ void add_matrix(CLI::App& program)
   command->add_option("--sources", options->sources, "vertices by their place in the file")
       ->type_name("V[,V...]");
   command->add_option("--number", options->number, "of vertices, spread by farthest vertices")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(not_negative());
   command
       ->add_option("--method", options->method, "dijkstra, fast-marching, euclidean, exact or heat")
       ->type_name("NAME")

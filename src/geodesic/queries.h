@@ -105,6 +105,14 @@ struct Property_map
   }
 };
 
+// Refuses a negative number, of which a count would become a large one.
+inline CLI::Validator not_negative()
+{
+  return CLI::Validator([](const std::string& text)
+                        { return text.rfind('-', 0) == 0 ? text + " is negative" : std::string(); },
+                        "");
+}
+
 // Calls f with named parameters, among them the speeds of the vertices where there are any.
 template <typename Site, typename NamedParameters, typename Function>
 void with_speeds(const std::vector<double>& speeds, const NamedParameters& np, Function f)

@@ -4,8 +4,8 @@
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
+#include "densities.h"
 #include "errors.h"
-#include "queries.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ struct Remesh_options
   std::size_t number = 0;
   std::size_t lloyd = 0;
   double sharp_angle = 180.;
-  std::string speed;
+  Density_options densities;
 };
 
 struct Result
@@ -32,24 +32,21 @@ struct Result
 Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const std::vector<double> speed = speeds(domain, options.densities, job);
   job.stage("query");
   Mesh mesh;
   const auto locations =
       mesh.add_property_map<Mesh::Vertex_index, GP::Location<Mesh>>("v:location").first;
-  const auto np = GP::parameters::random_seed(job.seed())
-                      .number_of_relaxation_steps(options.lloyd)
-                      .sharp_angle(options.sharp_angle)
-                      .location_map(locations)
-                      .callback(job.progress("vertices"));
+  const auto goal = GP::parameters::random_seed(job.seed())
+                        .number_of_relaxation_steps(options.lloyd)
+                        .sharp_angle(options.sharp_angle)
+                        .location_map(locations)
+                        .callback(job.progress("vertices"));
   Result result;
-  if(options.speed.empty())
-    result.added = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np).added;
-  else
-  {
-    const Property_map<Mesh::Vertex_index> speeds{&property(job.surface(), options.speed)};
-    result.added =
-        GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np.speed_map(speeds)).added;
-  }
+  with_speeds<Mesh::Vertex_index>(
+      speed, goal,
+      [&](const auto& np)
+      { result.added = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np).added; });
   for(const auto v : mesh.vertices())
   {
     const auto& p = mesh.point(v);
@@ -67,11 +64,10 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
 
 void run_remesh(Job& job, const Remesh_options& options)
 {
+  check(options.densities);
   const Surface& surface = job.read();
   if(!surface.is_mesh())
     fail(surface.name, "a cloud cannot be remeshed, that needs a mesh");
-  if(!options.speed.empty())
-    property(surface, options.speed);
 
   job.stage("prepare");
   const Result result = find_mesh(make_mesh(surface), options, job);
@@ -112,22 +108,19 @@ void add_remesh(CLI::App& program)
   const auto options = std::make_shared<Remesh_options>();
   command->add_option("--number", options->number, "of vertices; more come where it takes them")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->required();
   command
       ->add_option("--lloyd", options->lloyd,
                    "how often vertices move to the middle of their cells")
       ->type_name("K")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   command
       ->add_option("--keep-sharp", options->sharp_angle,
                    "edges at which the surface bends by so many degrees or more are kept")
       ->type_name("ANGLE")
       ->check(CLI::Range(0., 180.));
-  command
-      ->add_option("--speed", options->speed,
-                   "a property of the vertices: triangles are smaller where it is lower")
-      ->type_name("PROPERTY");
+  add_density_options(*command, options->densities);
   command->callback([job, options] { run_remesh(*job, *options); });
 }
 

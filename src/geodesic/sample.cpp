@@ -115,7 +115,9 @@ void add_sample(CLI::App& program)
       program.add_subcommand("sample", "points that cover the surface evenly");
   const auto job = std::make_shared<Job>(*command);
   const auto options = std::make_shared<Sample_options>();
-  command->add_option("--number", options->number, "how many")->type_name("N");
+  command->add_option("--number", options->number, "how many")
+      ->type_name("N")
+      ->check(not_negative());
   command->add_option("--spacing", options->spacing, "no vertex is farther from all of them")
       ->type_name("D");
   add_density_options(*command, options->densities);

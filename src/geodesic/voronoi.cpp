@@ -139,7 +139,8 @@ void add_voronoi(CLI::App& program)
   const auto job = std::make_shared<Job>(*command);
   const auto options = std::make_shared<Voronoi_options>();
   command->add_option("--number", options->number, "of seeds, spread by farthest vertices")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(not_negative());
   command->add_option("--seeds", options->seeds, "vertices by their place in the file")
       ->type_name("V[,V...]");
   add_density_options(*command, options->densities);

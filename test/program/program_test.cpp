@@ -225,6 +225,8 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
   expect_failure("matrix square.ply", 1, "--limit");
   expect_failure("sample square.ply", 1, "--number");
+  for(const char* const command : {"sample", "voronoi", "matrix"})
+    expect_failure(std::string(command) + " square.ply --number -1", 1, "--number");
   expect_failure("sample square.ply --number 2 --spacing 1", 1, "--spacing");
   expect_failure("sample square.ply --spacing -1", 1, "--spacing");
   expect_failure("sample square.ply --spacing inf", 1, "--spacing");
@@ -537,8 +539,9 @@ TEST_F(Program, speeds_are_made_of_curvature)
   EXPECT_GT(along_edge(" --speed curvature-attractive --strength 1"),
             along_edge(" --speed curvature-attractive"));
 
-  for(const char* const command : {"sample pipe.off --number 12", "sample cloud.xyz --number 5",
-                                   "voronoi cloud.xyz --number 4", "voronoi pipe.off --number 4"})
+  for(const char* const command :
+      {"sample pipe.off --number 12", "sample cloud.xyz --number 5", "voronoi cloud.xyz --number 4",
+       "voronoi pipe.off --number 4", "remesh pipe.off --number 30"})
     for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
       json(std::string(command) + " --speed " + speed);
 }
