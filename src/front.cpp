@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -253,11 +254,13 @@ void Front::prefetch_around(Index site) const
   if(!m_spokes)
     return prefetch(m_triangles->star.data() + m_triangles->first[site]);
   const Spokes::First& first = m_spokes->first[site];
-  // Lines of memory: four hold the spokes of a site of six neighbours, two hold three splits.
-  const auto prefetch_lines = [](const void* address, int number)
+  // Lines of memory: four hold the spokes of a site of six neighbours, two hold three splits.  They may
+  // lie behind what there is, where no pointer leads.
+  const auto prefetch_lines = [](const void* address, std::uintptr_t number)
   {
-    for(int line = 0; line < number; ++line)
-      prefetch(static_cast<const char*>(address) + 64 * line);
+    for(std::uintptr_t line = 0; line < number; ++line)
+      prefetch(
+          reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(address) + 64 * line));
   };
   prefetch_lines(m_spokes->spokes.data() + first.spoke, 4);
   if(m_directions.empty())
