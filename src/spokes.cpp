@@ -5,6 +5,8 @@
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
+#include <cmath>
+
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
@@ -55,6 +57,9 @@ Behind behind(const Glued_triangles& t, Index corner, const Planar& angle)
   return {corner, none, 0., {0., 0.}};
 }
 
+// Angles around a site add up to 2 pi within this: coordinates of single precision leave less.
+constexpr double flat = 1e-6;
+
 void add_spokes(const Glued_triangles& t, Spokes& s)
 {
   const Index n = static_cast<Index>(t.number_of_sites());
@@ -64,11 +69,13 @@ void add_spokes(const Glued_triangles& t, Spokes& s)
   {
     s.first[site] = {static_cast<Index>(s.spokes.size()), 0, t.first[site]};
     std::size_t fan = s.spokes.size(); // where it begins
+    Planar turn = {1., 0.};            // of its triangles so far
     for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
     {
       const Index corner = t.star[i], next = next_side(corner), previous = previous_side(corner);
       s.spokes.push_back(
           {t.corner[next], Spokes::Spoke::has_triangle, t.length[corner], corner_angle(t, corner)});
+      turn = turned(turn, s.spokes.back().opening);
       const Index left = t.twin.empty() ? none : turn_left(t, corner);
       if(left != none && i + 1 < t.first[site + 1] && left == t.star[i + 1])
         continue;
@@ -77,7 +84,10 @@ void add_spokes(const Glued_triangles& t, Spokes& s)
       {
         s.spokes[fan].flags |= Spokes::Spoke::is_repeated;
         s.spokes.back().flags |= Spokes::Spoke::is_repeated;
+        if(std::abs(turn[0] - 1.) + std::abs(turn[1]) > flat)
+          s.spokes[s.first[site].spoke].flags |= Spokes::Spoke::is_curved;
       }
+      turn = {1., 0.};
       fan = s.spokes.size();
     }
   }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -112,6 +113,28 @@ TEST(Spokes, split_obtuse_corners_of_the_plane_into_acute_ones)
         EXPECT_EQ((flags & Spokes::Spoke::next_is_split) != 0, views[previous_side(corner)] != 0);
       }
   }
+}
+
+TEST(Spokes, know_where_a_surface_does_not_unfold)
+{
+  const auto number_of_curved = [](const Triangulation& triangulation)
+  {
+    const Glued_surface surface(triangulation);
+    const Glued_triangles& t = *surface.triangles();
+    const Spokes s = spokes(t, false);
+    std::size_t result = 0;
+    for(Index site = 0; site < t.number_of_sites(); ++site)
+      result += (s.spokes[s.first[site].spoke].flags & Spokes::Spoke::is_curved) != 0;
+    return result;
+  };
+  EXPECT_EQ(number_of_curved(square(10, 0.25)), 0u);
+  // Creases and borders unfold, tips and saddles do not.
+  const auto fold = [](double u, double v) { return Point{u, v, std::abs(u - 0.5)}; };
+  EXPECT_EQ(number_of_curved(grid(10, 10, fold)), 0u);
+  EXPECT_EQ(number_of_curved(cone(8, 3, 5.)), 1u);
+  EXPECT_EQ(number_of_curved(cone(8, 3, 7.)), 1u);
+  const Triangulation sphere = icosphere(2);
+  EXPECT_EQ(number_of_curved(sphere), sphere.points.size());
 }
 
 TEST(Spokes, are_not_split_where_no_corner_is_obtuse_or_nothing_lies_behind)

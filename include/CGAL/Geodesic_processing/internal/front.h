@@ -86,6 +86,7 @@ private:
                          Index source);
   bool offer(Index site, const Arrival& arrival, Index source);
   bool may_improve_around(Index site) const;
+  bool is_worth_retracting(Index site, double correction) const;
   bool can_retract() const;
   void retract();
 

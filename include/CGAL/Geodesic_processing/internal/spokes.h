@@ -24,6 +24,7 @@ struct Spokes
       is_repeated = 2,   // it begins or ends a closed fan, and stands at both ends
       is_split = 4,      // the triangle's corner at this end is obtuse, and split
       next_is_split = 8, // that at the next spoke's end is
+      is_curved = 16,    // the first one of a site whose triangles turn by more or less than 2 pi
     };
     Index end; // the site at the far end
     Index flags;
