@@ -26,12 +26,49 @@ constexpr double mean_lengths = 3.;
 // A surface of second order has six coefficients; with twice as many surfels noise averages out.
 constexpr std::size_t enough_surfels = 12;
 
+// The sum over edges of  angle  length  e e^T, of which one direction lies in two dimensions.
+struct Tensor
+{
+  std::array<double, 6> sum = {}; // xx, yy, zz, yz, zx, xy
+
+  void add(double weight, const Spatial& e)
+  {
+    for(int i = 0; i < 3; ++i)
+    {
+      sum[i] += weight * e[i] * e[i];
+      sum[3 + i] += weight * e[(i + 1) % 3] * e[(i + 2) % 3];
+    }
+  }
+  void add(const Tensor& other)
+  {
+    for(int i = 0; i < 6; ++i)
+      sum[i] += other.sum[i];
+  }
+  double in(const Spatial& p, const Spatial& q) const
+  {
+    double result = 0.;
+    for(int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      result += sum[i] * p[i] * q[i] + sum[3 + i] * (p[j] * q[k] + p[k] * q[j]);
+    }
+    return result;
+  }
+};
+
 // What each triangle and each side add to the balls that hold them.
 struct Parts
 {
   std::vector<Spatial> normal; // #triangles: as long as twice the area
-  std::vector<double> bend;    // #sides: the angle between the normals, positive at a convex edge
+  std::vector<double> bend;    // #sides: the angle between the normals, positive at a convex edge,
+                               //   times half of the length: the twin has the other half
+  std::vector<Tensor> tensor;  // #triangles: of its sides
 };
+
+Spatial along(const Glued_triangles& t, Index side)
+{
+  return unit(t.point[t.corner[next_side(side)]] - t.point[t.corner[side]]);
+}
 
 Parts parts(const Glued_triangles& t)
 {
@@ -43,12 +80,14 @@ Parts parts(const Glued_triangles& t)
     result.normal[f] = cross(t.point[t.corner[3 * f + 1]] - p, t.point[t.corner[3 * f + 2]] - p);
   }
   result.bend.resize(t.corner.size(), 0.);
+  result.tensor.resize(t.number_of_triangles());
   for(Index side = 0; side < t.corner.size(); ++side)
     if(const Index twin = t.twin[side]; twin != none)
     {
-      const Spatial along = unit(t.point[t.corner[next_side(side)]] - t.point[t.corner[side]]);
       const Spatial &n = result.normal[side / 3], &other = result.normal[twin / 3];
-      result.bend[side] = std::atan2(dot(cross(n, other), along), dot(n, other));
+      const Spatial e = along(t, side);
+      result.bend[side] = 0.5 * t.length[side] * std::atan2(dot(cross(n, other), e), dot(n, other));
+      result.tensor[side / 3].add(result.bend[side], e);
     }
   return result;
 }
@@ -61,28 +100,6 @@ double mean_length(const Glued_triangles& t, Index site)
   return sum / (2. * (t.first[site + 1] - t.first[site]));
 }
 
-// The sum over a ball of  angle  length  e e^T  of its edges, of which one direction lies in two
-// dimensions.
-struct Tensor
-{
-  std::array<std::array<double, 3>, 3> sum = {};
-
-  void add(double weight, const Spatial& e)
-  {
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j)
-        sum[i][j] += weight * e[i] * e[j];
-  }
-  double in(const Spatial& p, const Spatial& q) const
-  {
-    double result = 0.;
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j)
-        result += p[i] * sum[i][j] * q[j];
-    return result;
-  }
-};
-
 // Edges and triangles count as far as the front comes into them.
 Curvature normal_cycle(const Glued_triangles& t, const Parts& parts, const Front& front,
                        double radius)
@@ -90,45 +107,41 @@ Curvature normal_cycle(const Glued_triangles& t, const Parts& parts, const Front
   Tensor tensor;
   Spatial normal = {0., 0., 0.};
   double twice_area = 0.;
+  const auto is_inside = [&](Index site) { return front.distance(site) <= radius; };
+  const auto add_side = [&](Index side, double part)
+  {
+    if(parts.bend[side] != 0.)
+      tensor.add(part * parts.bend[side], along(t, side));
+    return part;
+  };
   // The part of a side, from one end, that the front covers when it is reached there.
-  const auto part = [&](Index side, Index from)
-  { return std::min(1., (radius - front.distance(from)) / t.length[side]); };
+  const auto add_part = [&](Index side, Index from)
+  { return add_side(side, std::min(1., (radius - front.distance(from)) / t.length[side])); };
   for(const Index site : front.reached())
     for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
     {
-      const Index f = t.star[i] / 3;
-      std::array<bool, 3> is_inside;
-      Index inside = 0, first = none;
-      for(Index k = 0; k < 3; ++k)
-      {
-        const Index corner = t.corner[3 * f + k];
-        is_inside[k] = front.distance(corner) <= radius;
-        inside += is_inside[k];
-        if(is_inside[k])
-          first = std::min(first, corner);
-      }
-      if(first != site)
-        continue; // once for each triangle
-      std::array<double, 3> covered;
-      for(Index k = 0; k < 3; ++k)
-      {
-        const Index side = 3 * f + k, end = (k + 1) % 3;
-        covered[k] = is_inside[k] && is_inside[end] ? 1.
-                     : is_inside[k]                 ? part(side, t.corner[side])
-                     : is_inside[end]               ? part(side, t.corner[3 * f + end])
-                                                    : 0.;
-        // Each of an edge's two sides has a half of it.
-        tensor.add(0.5 * parts.bend[side] * covered[k] * t.length[side],
-                   unit(t.point[t.corner[3 * f + end]] - t.point[t.corner[side]]));
-      }
+      const Index corner = t.star[i], f = corner / 3;
+      // Once for each triangle, at the first corner that is inside.
+      const Index next = t.corner[next_side(corner)], previous = t.corner[previous_side(corner)];
+      const bool has_next = is_inside(next);
+      if(has_next && next < site)
+        continue;
+      const bool has_previous = is_inside(previous);
+      if(has_previous && previous < site)
+        continue;
       double share = 1.;
-      for(Index k = 0; k < 3; ++k)
+      if(has_next && has_previous)
+        tensor.add(parts.tensor[f]);
+      else if(has_next || has_previous)
       {
-        if(inside == 1 && is_inside[k])
-          share = covered[k] * covered[(k + 2) % 3];
-        if(inside == 2 && !is_inside[k])
-          share = 1. - (1. - covered[k]) * (1. - covered[(k + 2) % 3]);
+        const Index outside = has_next ? previous_side(corner) : next_side(corner);
+        const Index before = previous_side(outside), after = next_side(outside);
+        add_side(after, 1.);
+        share = 1. - (1. - add_part(before, t.corner[before])) *
+                         (1. - add_part(outside, t.corner[after]));
       }
+      else
+        share = add_part(corner, site) * add_part(previous_side(corner), site);
       normal = normal + share * parts.normal[f];
       twice_area += share * norm(parts.normal[f]);
     }

@@ -318,12 +318,14 @@ void Front::start_in_triangle(Index triangle, const Location& begin, const Locat
   if(!p || !q)
     return;
   const Location begin_here = {triangle, none, *p}, end_here = {triangle, none, *q};
-  m_started_in.push_back({triangle, {{begin_here, end_here}, offset, source}});
   const double slowness = m_slowness ? (*m_slowness)[triangle] : 1.;
   const auto corners = unfolded(t, triangle);
   // A segment sends a straight front out; past its ends the fitted curvature bends it.
   const Planar at_begin = unfolded_point(corners, *p), at_end = unfolded_point(corners, *q);
   const Index flat = norm(at_end - at_begin) > 0. ? flat_flag : 0;
+  // What comes from a corner is told by the corner's distance.
+  if(flat || corner_of(begin_here) == none)
+    m_started_in.push_back({triangle, {{begin_here, end_here}, offset, source}});
   for(Index k = 0; k < 3; ++k)
   {
     const Index corner = 3 * triangle + k, site = t.corner[corner];
@@ -369,6 +371,9 @@ Planar Front::in_corner(const Planar& vector, const std::array<Planar, 3>& corne
 bool Front::offer(Index index, const Arrival& arrival, Index source)
 {
   if(!m_improves && !(arrival.distance < (*m_known)[index]))
+    return false;
+  // Without directions nobody asks for what is not final.
+  if(arrival.distance > m_maximum && !has_directions())
     return false;
   Site& site = m_sites[index];
   const bool is_final = site.state & final_flag;
@@ -536,27 +541,28 @@ void Front::spread_planar(Index index)
   const Spokes& s = *m_spokes;
   if(t.is_cloud())
     spread_along_arcs(index);
-  const auto is_final = [&](Index site) { return (m_sites[site].state & final_flag) != 0; };
-  const double distance = m_sites[index].distance;
+  const Site* const sites = m_sites.data();
+  const auto is_final = [sites](Index site) { return (sites[site].state & final_flag) != 0; };
+  const double distance = sites[index].distance;
   const Index source = m_sources[index];
 
   // The star holds the triangles that the spokes have, in the same order.
   const Index* triangle = m_slowness ? t.star.data() + t.first[index] : nullptr;
   double before = infinity; // slowness of the triangle before the spoke
-  for(Index i = s.first[index].spoke; i < s.first[index + 1].spoke; ++i)
+  const Spokes::Spoke* const end = s.spokes.data() + s.first[index + 1].spoke;
+  for(const Spokes::Spoke* spoke = s.spokes.data() + s.first[index].spoke; spoke != end; ++spoke)
   {
-    const Spokes::Spoke& spoke = s.spokes[i];
     double after = infinity;
-    if(spoke.flags & Spokes::Spoke::has_triangle)
+    if(spoke->flags & Spokes::Spoke::has_triangle)
       after = m_slowness ? (*m_slowness)[*triangle++ / 3] : 1.;
-    if(!is_final(spoke.end))
+    if(!is_final(spoke->end))
     {
-      double best = distance + std::min(before, after) * spoke.length;
+      double best = distance + std::min(before, after) * spoke->length;
       Index predecessor = index;
       const auto cross = [&](const Spokes::Spoke& other, const Planar& opening, double slowness)
       {
         bool is_nearer_to_other;
-        const double offered = cross_planar(index, other.end, other.length, spoke.length * opening,
+        const double offered = cross_planar(index, other.end, other.length, spoke->length * opening,
                                             slowness, is_nearer_to_other);
         if(offered < best)
         {
@@ -564,13 +570,13 @@ void Front::spread_planar(Index index)
           predecessor = is_nearer_to_other ? other.end : index;
         }
       };
-      if(after < infinity && !(spoke.flags & Spokes::Spoke::is_split) && is_final((&spoke)[1].end))
-        cross((&spoke)[1], spoke.opening, after);
-      if(before < infinity && !((&spoke)[-1].flags & Spokes::Spoke::next_is_split) &&
-         is_final((&spoke)[-1].end))
-        cross((&spoke)[-1], (&spoke)[-1].opening, before);
-      if(best < m_sites[spoke.end].distance)
-        offer(spoke.end, {best, {1., 0.}, predecessor, 0, 0.}, source);
+      if(after < infinity && !(spoke->flags & Spokes::Spoke::is_split) && is_final(spoke[1].end))
+        cross(spoke[1], spoke->opening, after);
+      if(before < infinity && !(spoke[-1].flags & Spokes::Spoke::next_is_split) &&
+         is_final(spoke[-1].end))
+        cross(spoke[-1], spoke[-1].opening, before);
+      if(best < sites[spoke->end].distance)
+        offer(spoke->end, {best, {1., 0.}, predecessor, 0, 0.}, source);
     }
     before = after;
   }
