@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -29,33 +30,47 @@ public:
   Curves(const Glued_triangles& t, const std::vector<bool>& is_curve, double spacing,
          const std::vector<double>* slowness)
       : m_triangles(t), m_is_curve(is_curve), m_spacing(spacing), m_slowness(slowness),
-        m_steps(t.number_of_sites()), m_is_done(t.corner.size(), false)
+        m_first(t.number_of_sites() + 1, 0), m_is_done(t.corner.size(), false)
   {
-    for(Index side = 0; side < t.corner.size(); ++side)
-      if(m_is_curve[side])
-      {
-        m_steps[t.corner[side]].push_back({side, false});
-        if(t.twin[side] == none)
-          m_steps[t.corner[next_side(side)]].push_back({side, true});
-      }
+    for_each_step([&](const Step& step) { ++m_first[begin_of(step) + 1]; });
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_steps.resize(m_first.back());
+    std::vector<Index> end(m_first.begin(), m_first.end() - 1);
+    for_each_step([&](const Step& step) { m_steps[end[begin_of(step)]++] = step; });
   }
 
   std::vector<Location> spread()
   {
     for(const bool is_loop : {false, true})
-      for(Index site = 0; site < m_steps.size(); ++site)
-        if(m_steps[site].size() != 2 || is_loop)
-        {
-          if(!m_steps[site].empty() && !is_loop)
-            m_result.push_back(at_site(m_triangles, site));
-          for(const Step& step : m_steps[site])
-            if(!m_is_done[step.side])
-              spread_on(chain(step), is_loop);
-        }
+      for(Index site = 0; site + 1 < m_first.size(); ++site)
+      {
+        const Index number = m_first[site + 1] - m_first[site];
+        if(number == 2 && !is_loop)
+          continue;
+        if(number > 0 && !is_loop)
+          m_result.push_back(at_site(m_triangles, site));
+        for(Index i = m_first[site]; i < m_first[site + 1]; ++i)
+          if(!m_is_done[m_steps[i].side])
+          {
+            follow(m_steps[i]);
+            spread_on_chain(is_loop);
+          }
+      }
     return std::move(m_result);
   }
 
 private:
+  template <typename Use>
+  void for_each_step(const Use& use) const
+  {
+    for(Index side = 0; side < m_is_curve.size(); ++side)
+      if(m_is_curve[side])
+      {
+        use(Step{side, false});
+        if(m_triangles.twin[side] == none)
+          use(Step{side, true});
+      }
+  }
   Index begin_of(const Step& step) const
   {
     return m_triangles.corner[step.is_backwards ? next_side(step.side) : step.side];
@@ -82,30 +97,29 @@ private:
       m_is_done[m_triangles.twin[side]] = true;
   }
 
-  // From a step on while there is one way to go.
-  std::vector<Step> chain(Step step)
+  // The chain from a step on while there is one way to go.
+  void follow(Step step)
   {
-    std::vector<Step> result;
+    m_chain.clear();
     for(;;)
     {
       mark(step.side);
-      result.push_back(step);
-      const std::vector<Step>& next = m_steps[end_of(step)];
-      if(next.size() != 2)
-        return result;
-      const auto open = std::find_if(next.begin(), next.end(),
-                                     [&](const Step& one) { return !m_is_done[one.side]; });
-      if(open == next.end())
-        return result;
-      step = *open;
+      m_chain.push_back(step);
+      const Index end = end_of(step), i = m_first[end];
+      if(m_first[end + 1] != i + 2 ||
+         (m_is_done[m_steps[i].side] && m_is_done[m_steps[i + 1].side]))
+        return;
+      step = m_steps[m_is_done[m_steps[i].side] ? i + 1 : i];
     }
   }
 
-  void spread_on(std::vector<Step> steps, bool is_loop)
+  void spread_on_chain(bool is_loop)
   {
+    std::vector<Step>& steps = m_chain;
     // How sharply the chain turns where each step begins; a closed one starts where it does most.
     const std::size_t n = steps.size();
-    std::vector<double> turn(n, 0.);
+    std::vector<double>& turn = m_turn;
+    turn.assign(n, 0.);
     for(std::size_t i = is_loop ? 0 : 1; i < n; ++i)
     {
       const Spatial before = direction(steps[(i + n - 1) % n]), after = direction(steps[i]);
@@ -117,11 +131,13 @@ private:
       std::rotate(turn.begin(), turn.begin() + sharpest, turn.end());
       std::rotate(steps.begin(), steps.begin() + sharpest, steps.end());
     }
-    std::vector<double> begin = {0.};
+    std::vector<double>& begin = m_begin;
+    begin.assign(1, 0.);
     for(const Step& step : steps)
       begin.push_back(begin.back() + time(step.side));
 
-    std::vector<std::size_t> sharp;
+    std::vector<std::size_t>& sharp = m_sharp;
+    sharp.clear();
     for(std::size_t i = 1; i < n; ++i)
       if(turn[i] > pi / 3.)
         sharp.push_back(i);
@@ -163,9 +179,15 @@ private:
   const std::vector<bool>& m_is_curve;
   double m_spacing;
   const std::vector<double>* m_slowness;
-  std::vector<std::vector<Step>> m_steps; // #sites: the curves' steps that leave each
-  std::vector<bool> m_is_done;            // #sides
+  std::vector<Index> m_first;  // #sites + 1: where those of each begin in
+  std::vector<Step> m_steps;   // the curves' steps that leave a site
+  std::vector<bool> m_is_done; // #sides
   std::vector<Location> m_result;
+
+  // Of one chain: kept, as there may be as many chains as triangles
+  std::vector<Step> m_chain;
+  std::vector<double> m_turn, m_begin;
+  std::vector<std::size_t> m_sharp;
 };
 
 } // namespace

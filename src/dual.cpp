@@ -59,15 +59,27 @@ private:
   std::vector<std::ptrdiff_t> m_parts, m_characteristic;
 };
 
-// The elements that come more than once, each once.
-template <typename T>
-std::vector<T> repeated(std::vector<T> elements)
+// The tuples of cells that come more than once, each once, sorted.
+template <typename Tuple>
+std::vector<Tuple> repeated(const std::vector<Tuple>& tuples, Index number_of_cells)
 {
-  std::sort(elements.begin(), elements.end());
-  std::vector<T> result;
-  for(std::size_t i = 1; i < elements.size(); ++i)
-    if(elements[i] == elements[i - 1] && (result.empty() || result.back() != elements[i]))
-      result.push_back(elements[i]);
+  // Those of one cell are few.
+  std::vector<Index> end(number_of_cells + 1, 0);
+  for(const Tuple& tuple : tuples)
+    ++end[tuple[0] + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Tuple> sorted(tuples.size());
+  for(const Tuple& tuple : tuples)
+    sorted[end[tuple[0]]++] = tuple;
+  std::vector<Tuple> result;
+  for(Index cell = 0, i = 0; cell < number_of_cells; ++cell)
+  {
+    std::sort(sorted.begin() + i, sorted.begin() + end[cell]);
+    for(++i; i < end[cell]; ++i)
+      if(sorted[i] == sorted[i - 1] && (result.empty() || result.back() != sorted[i]))
+        result.push_back(sorted[i]);
+    i = end[cell];
+  }
   return result;
 }
 
@@ -84,7 +96,10 @@ public:
   }
 
   // The cells that meet in more than one arc, or in one that ends at no third cell.
-  std::vector<std::array<Index, 2>> torn() const { return repeated(m_arcs); }
+  std::vector<std::array<Index, 2>> torn(Index number_of_cells) const
+  {
+    return repeated(m_arcs, number_of_cells);
+  }
 
 private:
   bool is_crossed(Index side) const
@@ -181,7 +196,7 @@ Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index numb
     std::sort(cells.begin(), cells.end());
     places.push_back(cells);
   }
-  result.repeated_places = repeated(std::move(places));
+  result.repeated_places = repeated(places, number_of_cells);
   for(Index cell = 0; cell < number_of_cells; ++cell)
   {
     if(!inside.is_contractible(cell))
@@ -189,7 +204,7 @@ Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index numb
     if(!border.is_empty(cell) && !border.is_contractible(cell))
       result.torn_borders.push_back(cell);
   }
-  result.torn_arcs = Arcs(t, labels).torn();
+  result.torn_arcs = Arcs(t, labels).torn(number_of_cells);
   return result;
 }
 

@@ -8,8 +8,6 @@
 
 #include <cmath>
 
-#include <cmath>
-
 namespace CGAL::Geodesic_processing::internal {
 
 Location at_site(const Glued_triangles& t, Index site)
@@ -143,6 +141,7 @@ std::size_t number_of_holders(const Glued_triangles& t, const Location& location
 std::vector<Index> triangles_at(const Glued_triangles& t, const Location& location)
 {
   std::vector<Index> result;
+  result.reserve(number_of_holders(t, location));
   if(const Index site = site_of(t, location); site != none)
   {
     for(Index i = t.first[site]; i < t.first[site + 1]; ++i)

@@ -331,15 +331,14 @@ private:
   // Cells that come to a curve, on which their sample is not.
   std::vector<Index> cells_off_curves(const Cells& cells) const
   {
-    std::vector<Index> result;
+    std::vector<bool> comes_to_curve(cells.samples.size(), false);
     for(Index site = 0; site < cells.labels.size(); ++site)
       if(m_is_curve_site[site] && cells.labels[site] != none)
-        result.push_back(cells.labels[site]);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    const auto has_sample_there = [&](Index cell)
-    { return is_on_curve(m_sampling->samples()[cells.samples[cell]]); };
-    result.erase(std::remove_if(result.begin(), result.end(), has_sample_there), result.end());
+        comes_to_curve[cells.labels[site]] = true;
+    std::vector<Index> result;
+    for(Index cell = 0; cell < cells.samples.size(); ++cell)
+      if(comes_to_curve[cell] && !is_on_curve(m_sampling->samples()[cells.samples[cell]]))
+        result.push_back(cell);
     return result;
   }
 

@@ -53,6 +53,7 @@ bool Sampling::add(const std::vector<Location>& samples,
   m_limits.known = &m_distances;
   m_limits.callback = callback;
   std::vector<Source> sources;
+  sources.reserve(samples.size());
   for(const Location& sample : samples)
     sources.push_back({{sample}, 0., 0});
   const bool is_finished = m_front.run(sources, m_limits);

@@ -51,7 +51,8 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
   {
     const auto& p = mesh.point(v);
     result.file.points.push_back({p.x(), p.y(), p.z()});
-    result.text.push_back(place_text(surface, get(locations, v)));
+    if(!job.values().empty())
+      result.text.push_back(place_text(surface, get(locations, v)));
   }
   for(const auto f : mesh.faces())
   {
