@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_DISTANCE_MATRIX_H
 
 #include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/rows.h>
+#include <CGAL/Geodesic_processing/internal/matrix.h>
 #include <CGAL/Geodesic_processing/internal/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
@@ -14,9 +14,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
@@ -68,21 +65,9 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
   // As many as there are sites limit nothing.
   if(to.size() >= domain.number_of_sites())
     limits.targets.clear();
-  const double scale = domain.triangles()->scale;
-
-  Eigen::MatrixXd result(from.size(), to.size());
-  using Engine = internal::Engine<Method>;
-  const bool is_complete = internal::for_each_row(
-      Engine(domain.triangles()), from.size(), limits, internal::threads<Concurrency_tag>(np),
-      [&](std::size_t row, Engine& engine, const internal::Front_limits& row_limits)
-      {
-        engine.run({from[row]}, row_limits);
-        for(std::size_t column = 0; column < to.size(); ++column)
-          result(Eigen::Index(row), Eigen::Index(column)) =
-              scale * (to[column].triangle == internal::none ? engine.distance(to[column].site)
-                                                             : engine.distance(to[column]));
-      });
-  return is_complete ? result : Eigen::MatrixXd();
+  const internal::Engine<Method> engine(domain.triangles());
+  return internal::distance_matrix(&engine, domain.triangles()->scale, from, to, limits,
+                                   internal::threads<Concurrency_tag>(np));
 }
 
 /// \ingroup PkgGeodesicProcessingDistances
@@ -108,8 +93,6 @@ sparse_geodesic_distance_matrix(const Surface& surface, const Sites& sites, doub
                                 const NamedParameters& np = NamedParameters())
 {
   using internal::Index;
-  using Entry = std::pair<Index, double>; // column, distance
-  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
   const auto domain = make_domain(surface, np);
   const auto limits =
@@ -124,41 +107,9 @@ sparse_geodesic_distance_matrix(const Surface& surface, const Sites& sites, doub
     column_of[site.site] = Index(from.size());
     from.push_back({{site}, 0., Index(from.size())});
   }
-  const double scale = domain.triangles()->scale;
-
-  std::vector<std::vector<Entry>> rows(from.size());
-  using Engine = internal::Engine<Method>;
-  const bool is_complete = internal::for_each_row(
-      Engine(domain.triangles()), from.size(), limits, internal::threads<Concurrency_tag>(np),
-      [&](std::size_t i, Engine& engine, const internal::Front_limits& row_limits)
-      {
-        engine.run({from[i]}, row_limits);
-        for(const Index site : engine.reached())
-          if(column_of[site] != internal::none)
-            rows[i].emplace_back(column_of[site], scale * engine.distance(site));
-        std::sort(rows[i].begin(), rows[i].end());
-      });
-  if(!is_complete)
-    return Matrix();
-
-  Matrix result(Eigen::Index(from.size()), Eigen::Index(from.size()));
-  std::size_t entries = 0;
-  for(std::size_t i = 0; i < rows.size(); ++i)
-    result.outerIndexPtr()[i + 1] = static_cast<int>(entries += rows[i].size());
-  if(entries > std::size_t((std::numeric_limits<int>::max)()))
-    throw Invalid_argument_error("More than 2^31 pairs of sites are within the maximum distance.");
-  result.resizeNonZeros(Eigen::Index(entries));
-  for(std::size_t i = 0; i < rows.size(); ++i)
-  {
-    int place = result.outerIndexPtr()[i];
-    for(const auto& [column, distance] : rows[i])
-    {
-      result.innerIndexPtr()[place] = static_cast<int>(column);
-      result.valuePtr()[place++] = distance;
-    }
-    std::vector<Entry>().swap(rows[i]);
-  }
-  return result;
+  const internal::Engine<Method> engine(domain.triangles());
+  return internal::sparse_distance_matrix(&engine, domain.triangles()->scale, from, column_of,
+                                          limits, internal::threads<Concurrency_tag>(np));
 }
 
 } // namespace CGAL::Geodesic_processing
