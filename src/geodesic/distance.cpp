@@ -33,7 +33,7 @@ struct Result
 };
 
 // The library's part: distances of all vertices.
-template <typename Method, typename Surface_type>
+template <typename Surface_type>
 Result distances(const Surface_type& surface, const Distance_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
@@ -60,16 +60,21 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
     fail(job.input(), "it has no border");
 
   const std::vector<double> speed = speeds(domain, options.densities, job);
-  GP::Geodesic_distance_solver<Surface_type, Method> solver(domain);
-  job.stage("query");
   const auto limits =
       GP::parameters::maximum_distance(options.limit).callback(job.progress("distance"));
-  with_speeds<typename Domain::Site>(speed, limits,
-                                     [&](const auto& np) { solver.compute(sources, np); });
-  result.triangles = picture_triangles(domain, job);
   result.values.resize(job.surface().file.points.size());
-  for(std::size_t i = 0; i < result.values.size(); ++i)
-    result.values[i] = solver.distance(site<Surface_type>(i));
+  with_method<Surface_type>(
+      options.method,
+      [&](auto method)
+      {
+        GP::Geodesic_distance_solver<Surface_type, decltype(method)> solver(domain);
+        job.stage("query");
+        with_speeds<typename Domain::Site>(speed, limits,
+                                           [&](const auto& np) { solver.compute(sources, np); });
+        for(std::size_t i = 0; i < result.values.size(); ++i)
+          result.values[i] = solver.distance(site<Surface_type>(i));
+      });
+  result.triangles = picture_triangles(domain, job);
   return result;
 }
 
@@ -104,12 +109,7 @@ void run_distance(Job& job, const Distance_options& options)
   job.stage("prepare");
   Result result;
   on_surface(surface,
-             [&](const auto& mesh_or_cloud)
-             {
-               with_method<std::decay_t<decltype(mesh_or_cloud)>>(
-                   options.method, [&](auto method)
-                   { result = distances<decltype(method)>(mesh_or_cloud, options, job); });
-             });
+             [&](const auto& mesh_or_cloud) { result = distances(mesh_or_cloud, options, job); });
   double farthest = 0.;
   std::size_t unreached = 0;
   for(const double x : result.values)

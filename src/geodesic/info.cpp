@@ -164,12 +164,7 @@ void run_info(Job& job, const std::string& wanted)
   if(!job.output().empty())
     write_surface_file(job.output(), surface.file);
   if(!job.values().empty())
-  {
-    std::string text;
-    for(const Point& p : surface.file.points)
-      text += number_text(p[0]) + ' ' + number_text(p[1]) + ' ' + number_text(p[2]) + '\n';
-    job.write_values(text);
-  }
+    job.write_values(points_text(surface.file.points));
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, {}, "", regions.labels, {}, {}, regions.triangles};

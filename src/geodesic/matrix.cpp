@@ -44,8 +44,9 @@ struct Result
 
 // What a picture shows: how far the vertices of the rows are, or, where all are, how many are near.
 template <typename Method, typename Domain>
-std::vector<double> picture_values(const Domain& domain, const Result& result,
-                                   const Matrix_options& options, const Job& job)
+std::vector<double>
+picture_values(const Domain& domain, const std::vector<typename Domain::Site>& sites,
+               const Result& result, const Matrix_options& options, const Job& job)
 {
   std::vector<double> values(job.surface().file.points.size());
   if(options.of_all_vertices())
@@ -56,18 +57,15 @@ std::vector<double> picture_values(const Domain& domain, const Result& result,
     return values;
   }
   using Surface_type = typename Domain::Surface;
-  std::vector<typename Domain::Site> sources;
-  for(const std::size_t vertex : result.vertices)
-    sources.push_back(site<Surface_type>(vertex));
   GP::Geodesic_distance_solver<Surface_type, Method> solver(domain);
-  solver.compute(sources, GP::parameters::maximum_distance(options.limit));
+  solver.compute(sites, GP::parameters::maximum_distance(options.limit));
   for(std::size_t i = 0; i < values.size(); ++i)
     values[i] = solver.distance(site<Surface_type>(i));
   return values;
 }
 
 // The library's part: the vertices of the rows, and the distances between them.
-template <typename Method, typename Surface_type>
+template <typename Surface_type>
 Result find_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
@@ -89,20 +87,23 @@ Result find_matrix(const Surface_type& surface, const Matrix_options& options, J
 
   const auto parameters =
       GP::parameters::threads(job.threads()).callback(job.progress("distances"));
-  if(options.is_sparse())
-  {
-    result.sparse = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-        domain, sites, options.limit, parameters);
-    result.entries = static_cast<std::size_t>(result.sparse.nonZeros());
-  }
-  else
-  {
-    result.dense =
-        GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, sites, parameters);
-    result.entries = static_cast<std::size_t>((result.dense.array() < infinity).count());
-  }
-  if(!job.picture().empty())
-    result.values = picture_values<Method>(domain, result, options, job);
+  with_method<Surface_type>(
+      options.method,
+      [&](auto method)
+      {
+        using Method = decltype(method);
+        if(options.is_sparse())
+          result.sparse = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
+              domain, sites, options.limit, parameters);
+        else
+          result.dense =
+              GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, sites, parameters);
+        if(!job.picture().empty())
+          result.values = picture_values<Method>(domain, sites, result, options, job);
+      });
+  result.entries = options.is_sparse()
+                       ? static_cast<std::size_t>(result.sparse.nonZeros())
+                       : static_cast<std::size_t>((result.dense.array() < infinity).count());
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -186,12 +187,7 @@ void run_matrix(Job& job, const Matrix_options& options)
   job.stage("prepare");
   Result result;
   on_surface(surface,
-             [&](const auto& mesh_or_cloud)
-             {
-               with_method<std::decay_t<decltype(mesh_or_cloud)>>(
-                   options.method, [&](auto method)
-                   { result = find_matrix<decltype(method)>(mesh_or_cloud, options, job); });
-             });
+             [&](const auto& mesh_or_cloud) { result = find_matrix(mesh_or_cloud, options, job); });
   const std::size_t rows = result.vertices.size();
   job.result()["rows"] = rows;
   job.result()["entries"] = result.entries;

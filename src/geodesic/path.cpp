@@ -39,18 +39,8 @@ std::size_t vertex_of(const End& end)
   return vertices[0];
 }
 
-// The path between two places by a method, or by a search that computes no distances elsewhere.
-template <typename Method, typename Domain, typename Place1, typename Place2>
-auto path_between(const Domain& domain, const Place1& from, const Place2& to)
-{
-  if constexpr(std::is_void_v<Method>)
-    return GP::Geodesic_path_finder<typename Domain::Surface>(domain)(from, to);
-  else
-    return GP::geodesic_path<Method>(domain, from, to);
-}
-
 // The library's part: the path between two ends.
-template <typename Method, typename Surface_type>
+template <typename Surface_type>
 Result find_path(const Surface_type& surface, const Path_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
@@ -64,14 +54,22 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
   const Place from = place(options.from), to = place(options.to);
   job.stage("query");
   Result result;
+  const auto keep = [&](const auto& path)
+  {
+    for(const auto& p : path.points)
+      result.points.push_back({p.x(), p.y(), p.z()});
+    result.length = path.length;
+    result.front_distance = path.front_distance;
+  };
   std::visit(
       [&](const auto& begin, const auto& end)
       {
-        const auto path = path_between<Method>(domain, begin, end);
-        for(const auto& p : path.points)
-          result.points.push_back({p.x(), p.y(), p.z()});
-        result.length = path.length;
-        result.front_distance = path.front_distance;
+        if(options.method.empty())
+          keep(GP::Geodesic_path_finder<Surface_type>(domain)(begin, end));
+        else
+          with_method<Surface_type>(
+              options.method,
+              [&](auto method) { keep(GP::geodesic_path<decltype(method)>(domain, begin, end)); });
       },
       from, to);
   return result;
@@ -103,15 +101,7 @@ void run_path(Job& job, const Path_options& options)
   job.stage("prepare");
   Result result;
   on_surface(surface,
-             [&](const auto& mesh_or_cloud)
-             {
-               if(options.method.empty())
-                 result = find_path<void>(mesh_or_cloud, options, job);
-               else
-                 with_method<std::decay_t<decltype(mesh_or_cloud)>>(
-                     options.method, [&](auto method)
-                     { result = find_path<decltype(method)>(mesh_or_cloud, options, job); });
-             });
+             [&](const auto& mesh_or_cloud) { result = find_path(mesh_or_cloud, options, job); });
   if(result.points.empty())
     fail(surface.name, "no path joins the two places, they lie on different components");
   job.result()["length"] = json_number(result.length);
@@ -122,12 +112,7 @@ void run_path(Job& job, const Path_options& options)
 
   job.stage("write");
   if(!job.values().empty())
-  {
-    std::string text;
-    for(const Point& p : result.points)
-      text += number_text(p[0]) + ' ' + number_text(p[1]) + ' ' + number_text(p[2]) + '\n';
-    job.write_values(text);
-  }
+    job.write_values(points_text(result.points));
   if(!job.picture().empty())
     draw(job.picture(), {&surface.file,
                          {},

@@ -55,6 +55,14 @@ std::vector<std::uint32_t> picture_triangles(const GP::internal::Glued_surfels& 
   return corners;
 }
 
+std::string points_text(const std::vector<Point>& points)
+{
+  std::string text;
+  for(const Point& p : points)
+    text += number_text(p[0]) + ' ' + number_text(p[1]) + ' ' + number_text(p[2]) + '\n';
+  return text;
+}
+
 const std::vector<double>& property(const Surface& surface, const std::string& name)
 {
   const auto found = surface.file.properties.find(name);

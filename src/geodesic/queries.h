@@ -141,6 +141,9 @@ std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t num
   return result;
 }
 
+// A line of coordinates for each point.
+std::string points_text(const std::vector<Point>& points);
+
 // A surfel by its place in the file; a place in a triangle by its vertices and their shares.
 template <typename Surface_type, typename Location>
 std::string place_text([[maybe_unused]] const Surface_type& surface, const Location& place)

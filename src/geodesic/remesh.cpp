@@ -24,7 +24,7 @@ struct Remesh_options
 struct Result
 {
   Surface_file file;
-  std::vector<std::string> text; // where each vertex is, as --values shows it
+  std::string text; // where each vertex is: the lines of --values
   std::size_t added = 0;
 };
 
@@ -52,7 +52,8 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
     const auto& p = mesh.point(v);
     result.file.points.push_back({p.x(), p.y(), p.z()});
     if(!job.values().empty())
-      result.text.push_back(place_text(surface, get(locations, v)));
+      result.text += place_text(surface, get(locations, v)) + '
+';
   }
   for(const auto f : mesh.faces())
   {
@@ -81,13 +82,7 @@ void run_remesh(Job& job, const Remesh_options& options)
     job.say("added           " + std::to_string(result.added));
 
   job.stage("write");
-  if(!job.values().empty())
-  {
-    std::string text;
-    for(const std::string& line : result.text)
-      text += line + '\n';
-    job.write_values(text);
-  }
+  job.write_values(result.text);
   if(!job.picture().empty())
   {
     Picture picture{&result.file};

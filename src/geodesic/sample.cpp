@@ -25,7 +25,7 @@ struct Result
   std::vector<Point> points;
   std::vector<Point> normals;           // of a cloud's
   std::vector<double> radii;            // the covering radius after each
-  std::vector<std::string> text;        // where each is, as --values shows it
+  std::string text;                     // where each is: the lines of --values
   std::vector<std::uint32_t> triangles; // of a cloud, for the picture
 };
 
@@ -54,7 +54,7 @@ Result find_samples(const Surface_type& surface, const Sample_options& options, 
   {
     const auto p = domain.point(domain.inner(sample));
     result.points.push_back({p.x(), p.y(), p.z()});
-    result.text.push_back(place_text(surface, sample));
+    result.text += place_text(surface, sample) + '\n';
     if constexpr(!is_mesh<Surface_type>)
       result.normals.push_back(job.surface().file.normals[std::size_t(sample.surfel)]);
   }
@@ -82,13 +82,7 @@ void run_sample(Job& job, const Sample_options& options)
   job.say("covering radius  " + readable(radius));
 
   job.stage("write");
-  if(!job.values().empty())
-  {
-    std::string text;
-    for(const std::string& line : result.text)
-      text += line + '\n';
-    job.write_values(text);
-  }
+  job.write_values(result.text);
   if(!job.picture().empty())
   {
     Picture picture{&surface.file};
