@@ -3,64 +3,11 @@
 #ifndef GEODESIC_PROGRAM_FUZZ_READER_H
 #define GEODESIC_PROGRAM_FUZZ_READER_H
 
-#include "Surface.h"
-#include "errors.h"
-
-#include <cmath>
-#include <cstdlib>
+#include "Surface_file.h"
 
 // Reads bytes as a file of one format, repairs what came out as the program does, and stops where a
 // promise is broken.  Errors with a sentence are what bad bytes deserve.
-template <typename Reader>
-int fuzz_reader(Reader read, const std::uint8_t* data, std::size_t size)
-{
-  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  program::Surface surface;
-  try
-  {
-    surface = program::repair(read(bytes, "input"), "input");
-  }
-  catch(const program::Input_error&)
-  {
-    return 0;
-  }
-  const auto must = [](bool holds)
-  {
-    if(!holds)
-      std::abort();
-  };
-  const program::Surface_file& file = surface.file;
-  must(!file.points.empty());
-  for(const program::Point& p : file.points)
-    must(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
-  for(const auto& property : file.properties)
-    must(property.second.size() == file.points.size());
-  must(file.normals.empty() || file.normals.size() == file.points.size());
-  if(!surface.is_mesh())
-  {
-    must(file.normals.size() == file.points.size());
-    for(const program::Point& n : file.normals)
-      must(std::abs(std::hypot(n[0], n[1], n[2]) - 1.) < 1e-12); // rounding of a division
-    return 0;
-  }
-  must(file.corners.size() == 3 * file.number_of_polygons());
-  must(surface.gluing.twins.size() == file.corners.size());
-  for(std::uint32_t s = 0; s < file.corners.size(); ++s)
-  {
-    must(file.corners[s] < file.points.size());
-    const std::uint32_t next = s % 3 == 2 ? s - 2 : s + 1, twin = surface.gluing.twins[s];
-    must(file.corners[s] != file.corners[next]);
-    if(twin == program::no_side)
-      continue;
-    const std::uint32_t next_of_twin = twin % 3 == 2 ? twin - 2 : twin + 1;
-    must(surface.gluing.twins[twin] == s);
-    must(file.corners[twin] == file.corners[next] && file.corners[next_of_twin] == file.corners[s]);
-  }
-  const program::Mesh mesh = program::make_mesh(surface);
-  must(mesh.number_of_faces() == file.number_of_polygons());
-  for(const auto h : mesh.halfedges())
-    must(mesh.prev(mesh.next(h)) == h && mesh.source(mesh.next(h)) == mesh.target(h));
-  return 0;
-}
+int fuzz_reader(program::Surface_file (*read)(std::string_view, const std::string&),
+                const std::uint8_t* data, std::size_t size);
 
 #endif // GEODESIC_PROGRAM_FUZZ_READER_H
