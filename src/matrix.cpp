@@ -6,6 +6,8 @@
 #include <CGAL/Geodesic_processing/internal/rows.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -51,8 +53,10 @@ sparse_distance_matrix(const Row_engine& engine, double scale, const std::vector
 {
   using Entry = std::pair<Index, double>; // column, distance
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  constexpr std::size_t most_entries = (std::numeric_limits<int>::max)();
 
   std::vector<std::vector<Entry>> rows(from.size());
+  std::atomic<std::size_t> entries{0}; // so far, of all rows
   const bool is_complete =
       for_each_row_of(engine, from.size(), limits, threads,
                       [&](std::size_t i, auto& kernel, const Front_limits& row_limits)
@@ -62,16 +66,16 @@ sparse_distance_matrix(const Row_engine& engine, double scale, const std::vector
                           if(column[site] != none)
                             rows[i].emplace_back(column[site], scale * kernel.distance(site));
                         std::sort(rows[i].begin(), rows[i].end());
+                        if((entries += rows[i].size()) > most_entries)
+                          throw Invalid_argument_error(
+                              "More than 2^31 pairs of sites are within the maximum distance.");
                       });
   if(!is_complete)
     return Matrix();
 
   Matrix result(Eigen::Index(from.size()), Eigen::Index(from.size()));
-  std::size_t entries = 0;
   for(std::size_t i = 0; i < rows.size(); ++i)
-    result.outerIndexPtr()[i + 1] = static_cast<int>(entries += rows[i].size());
-  if(entries > std::size_t((std::numeric_limits<int>::max)()))
-    throw Invalid_argument_error("More than 2^31 pairs of sites are within the maximum distance.");
+    result.outerIndexPtr()[i + 1] = result.outerIndexPtr()[i] + static_cast<int>(rows[i].size());
   result.resizeNonZeros(Eigen::Index(entries));
   for(std::size_t i = 0; i < rows.size(); ++i)
   {
