@@ -52,8 +52,7 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
     const auto& p = mesh.point(v);
     result.file.points.push_back({p.x(), p.y(), p.z()});
     if(!job.values().empty())
-      result.text += place_text(surface, get(locations, v)) + '
-';
+      result.text += place_text(surface, get(locations, v)) + '\n';
   }
   for(const auto f : mesh.faces())
   {
