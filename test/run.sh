@@ -73,8 +73,8 @@ build_release()
   cmake --build $release -j "$jobs" -- -k 0
 }
 
-# Optimized a little, as otherwise the tests take longer than the build; but not the tests
-# themselves, as otherwise the build takes longer than they.  Assertions are on.
+# Optimized a little, as otherwise the tests take longer than the build; but not what only uses the
+# library, as otherwise the build takes longer than the tests.  Assertions are on.
 build_sanitizer()
 {
   CC=clang-14 CXX=clang++-14 cmake -S . -B $sanitizer -G Ninja -DCMAKE_BUILD_TYPE=None \
