@@ -56,7 +56,7 @@ fetch_models()
 echo "Fetching models"
 if fetch_models; then
   m=$models/data/meshes p=$models/data/points_3
-  animal=$m/armadillo.off beast=$m/ChineseDragon-10kv.off part=$m/fandisk_large.off
+  animal=$m/armadillo.off beast=$m/ChineseDragon-10kv.off part=$m/fandisk.off
   runner=$m/man.off holes=$m/mech-holes-shark.off mask=$m/mannequin-devil.off
   bear=$m/bear.off small=$m/elephant.off scan=$p/kitten.xyz scan_with_normals=$p/oni.pwn
 else
