@@ -14,7 +14,7 @@ trap 'rm -rf "$folder"' EXIT
 
 check()
 {
-  local file=$1 command=$2 out limit=$patience status sentence
+  local file=$1 command=$2 out limit=10 status sentence
   shift 2
   out=$(mktemp -p "$folder")
   case $command in distance | matrix) set -- "$@" --values "$out.values" ;; esac
@@ -39,19 +39,14 @@ check()
 
 check_all()
 {
-  local file=$1 failed=0 patience=10
+  local file=$1 failed=0
   check "$file" info || failed=1
   check "$file" distance --source 0 || failed=1
   check "$file" voronoi --number 3 || failed=1
   check "$file" sample --number 20 || failed=1
-  # Too slow yet: surfaces of 10,000 components and more, such as a volume whose faces are cut apart.
-  if "$program" info "$file" --json --quiet 2>/dev/null | grep -qE '"components": [0-9]{5}'; then
-    patience=60
-  fi
   check "$file" sample --number 20 --speed curvature-attractive || failed=1
   check "$file" remesh --number 20 || failed=1
   check "$file" remesh --number 20 --keep-sharp 40 || failed=1
-  patience=10
   check "$file" path --from 0 --to 1 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
