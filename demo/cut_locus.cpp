@@ -1,20 +1,23 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where does a second way from the first vertex become as short as the first?
+// Where do shortest ways from the first vertex meet that set out in different directions?
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <vector>
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 
 namespace GP = CGAL::Geodesic_processing;
@@ -36,25 +39,52 @@ int main(int argc, char* argv[])
     ways.push_back(solver.departure(v));
 
   // The ways to the ends of an edge set out much as in a plane, unless the cut locus lies between.
+  std::vector<std::optional<Mesh::Point>> crossing(mesh.number_of_edges());
+  std::size_t crossed = 0;
   for(Mesh::Edge_index e : mesh.edges())
   {
     const auto &to_a = ways[mesh.vertex(e, 0)], &to_b = ways[mesh.vertex(e, 1)];
     const Mesh::Point a = mesh.point(mesh.vertex(e, 0)), b = mesh.point(mesh.vertex(e, 1));
     const double apart = (to_a.direction - to_b.direction).squared_length();
-    const double length = (std::min)(to_a.length, to_b.length);
-    if(!mesh.is_border(e) && apart * length * length > 25. * CGAL::squared_distance(a, b))
-      for(auto h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
-        mesh.add_vertex(CGAL::centroid(a, b, mesh.point(mesh.target(mesh.next(h)))));
+    const double shorter = (std::min)(to_a.length, to_b.length);
+    const double side = std::sqrt(CGAL::squared_distance(a, b));
+    if(side > 0. && apart * shorter * shorter > 25. * side * side)
+    {
+      crossing[e] = a + 0.5 * (1. + (to_b.length - to_a.length) / side) * (b - a);
+      ++crossed;
+    }
+  }
+  const std::size_t first = mesh.number_of_vertices();
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    std::vector<Mesh::Point> ends;
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      if(const auto& p = crossing[mesh.edge(h)])
+        ends.push_back(*p);
+    // They meet where three do; a single one reaches to the middle of the face.
+    Kernel::Vector_3 middle = CGAL::NULL_VECTOR;
+    if(ends.size() == 1)
+      for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+        middle += (mesh.point(v) - CGAL::ORIGIN) / 3.;
+    else
+      for(const Mesh::Point& end : ends)
+        middle += (end - CGAL::ORIGIN) / double(ends.size());
+    for(const Mesh::Point& end : ends)
+    {
+      mesh.add_vertex(end);
+      mesh.add_vertex(CGAL::ORIGIN + middle);
+    }
   }
   // The pieces of the line join the new vertices by twos.
   std::ostringstream ply;
   CGAL::IO::write_PLY(ply, mesh);
   std::string text = ply.str();
-  const std::size_t first = ways.size(), edges = (mesh.number_of_vertices() - first) / 2;
+  const std::size_t edges = (mesh.number_of_vertices() - first) / 2;
   text.insert(text.find("end_header"), "element edge " + std::to_string(edges) +
                                            "\nproperty int vertex1\nproperty int vertex2\n");
   for(std::size_t i = 0; i < 2 * edges; ++i)
     text += std::to_string(first + i) + (i % 2 == 0 ? ' ' : '\n');
-  std::cout << "The cut locus crosses " << edges << " of " << mesh.number_of_edges() << " edges.\n";
+  std::cout << "The cut locus crosses " << crossed << " of " << mesh.number_of_edges()
+            << " edges.\n";
   return std::ofstream(argv[2]) << text ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -58,11 +58,13 @@ if fetch_models; then
   m=$models/data/meshes p=$models/data/points_3
   animal=$m/armadillo.off beast=$m/ChineseDragon-10kv.off part=$m/fandisk.off
   runner=$m/man.off holes=$m/mech-holes-shark.off mask=$m/mannequin-devil.off
-  bear=$m/bear.off small=$m/elephant.off scan=$p/kitten.xyz scan_with_normals=$p/oni.pwn
+  bear=$m/bear.off bunny=$m/bunny00.off small=$m/elephant.off
+  scan=$p/kitten.xyz scan_with_normals=$p/oni.pwn
 else
   echo "Debian's libcgal-demo cannot be had here: the tour runs on models of its own."
   $build/demo/make_models $models || exit 1
   animal=$models/knot.off beast=$animal part=$models/hills.off runner=$animal bear=$animal
+  bunny=$animal
   holes=$models/hills.off mask=$models/hills.off small=$models/hills.off
   scan=$models/scan.xyz scan_with_normals=$scan
 fi
@@ -161,7 +163,7 @@ program farthest_vertex "$animal" $build/farthest.ply
 program covering_radius "$animal" $build/covering.ply
 program attracted_samples "$part" $build/attracted.ply
 program two_speeds $build/two_speeds.ply
-program cut_locus "$animal" $build/cut_locus.ply
+program cut_locus "$bunny" $build/cut_locus.ply
 program methods_compared "$small"
 program mesh_or_cloud "$animal" $build/cloud.ply
 program nearest_of_many "$bear" $build/lands.ply
