@@ -20,6 +20,7 @@
 
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -245,6 +246,46 @@ void check_topology(bool quick)
   std::printf("Bar: kept everywhere.\n\n");
 }
 
+// How far a part with creases and its remeshings are from each other at most, with as many vertices.
+void compare_densities()
+{
+  const auto input = model("fandisk_6k5");
+  if(!input)
+    return;
+  std::printf(
+      "Densities: Hausdorff distances of a part with creases, in percent of the diagonal\n");
+  Table table({"fandisk_6k5", "vertices", "to input", "from input", "even/this"});
+  Mesh mesh = *input;
+  const auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
+  const double percent = 100. / diagonal(mesh);
+  double even = 0.;
+  const auto add =
+      [&](const char* name, std::size_t number_of_vertices, double sharp_angle, double deviation)
+  {
+    Mesh output;
+    GP::geodesic_delaunay_remeshing(
+        mesh, number_of_vertices, output,
+        GP::parameters::speed_map(speed).sharp_angle(sharp_angle).maximum_deviation(deviation));
+    const std::vector<double> there = distances(output, mesh), back = distances(mesh, output);
+    const double to = percent * *std::max_element(there.begin(), there.end()),
+                 from = percent * *std::max_element(back.begin(), back.end());
+    if(even == 0.)
+      even = std::max(to, from);
+    table.add({name, std::to_string(num_vertices(output)), number(to, 3), number(from, 3),
+               number(even / std::max(to, from), 1)});
+  };
+  constexpr double none = std::numeric_limits<double>::infinity();
+  add("even", 1000, 180., none);
+  add("even, creases kept", 1000, 40., none);
+  GP::curvature_speeds(mesh, speed);
+  add("by curvature", 1000, 180., none);
+  add("by curvature, creases kept", 1000, 40., none);
+  // As many as the deviation takes beyond the first ones.
+  add("by curvature, creases kept, and a deviation", 300, 40., 0.002 * diagonal(mesh));
+  table.print();
+  std::printf("Bar: 3 by curvature, with as many vertices.\n\n");
+}
+
 void measure_time(bool quick)
 {
   std::printf("Time\n");
@@ -288,5 +329,6 @@ int main(int argc, char* argv[])
     quick = quick || std::strcmp(argv[i], "--quick") == 0;
   measure_time(quick);
   compare_quality(quick);
+  compare_densities();
   check_topology(quick);
 }

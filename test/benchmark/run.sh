@@ -9,6 +9,7 @@
 #   accuracy     only this one
 #   speed        only this one
 #   exact        only this one
+#   sampling     only this one
 #   remeshing    only this one
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
@@ -22,11 +23,11 @@ for argument in "$@"; do
   case $argument in
     --quick) options=(--quick) ;;
     --patient) patient=(--patient) ;;
-    accuracy | speed | exact | remeshing) programs+=("$argument") ;;
-    *) sed -n '5,14s/^# \{0,1\}//p' "$0"; exit 1 ;;
+    accuracy | speed | exact | sampling | remeshing) programs+=("$argument") ;;
+    *) sed -n '5,15s/^# \{0,1\}//p' "$0"; exit 1 ;;
   esac
 done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact remeshing)
+[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

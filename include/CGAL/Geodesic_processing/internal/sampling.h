@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,7 @@ private:
 
   std::shared_ptr<const Glued_triangles> m_triangles;
   Front m_front;
+  std::optional<Front> m_arcs; // once an end of a part has been asked for
   Front_limits m_limits;
   Sample_place m_place;
 
