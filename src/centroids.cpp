@@ -3,7 +3,6 @@
 #include <CGAL/Geodesic_processing/internal/centroids.h>
 
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include <algorithm>
 #include <array>
@@ -47,7 +46,22 @@ struct Mass
     mass += here;
     moment = moment + (here / 3.) * (a + b + c);
   }
+  void add(const Mass& other, double times)
+  {
+    mass += times * other.mass;
+    moment = moment + times * other.moment;
+  }
 };
+
+bool is_obstacle(const std::vector<double>* slowness, Index triangle)
+{
+  return slowness && !((*slowness)[triangle] < infinity);
+}
+
+bool has_area(const Spatial& a, const Spatial& b, const Spatial& c)
+{
+  return norm(cross(b - a, c - a)) > 0.;
+}
 
 // The cells of a triangle's corners, each once.
 struct Labels
@@ -66,11 +80,45 @@ struct Labels
   const Index* end() const { return labels.data() + size; }
 };
 
+// What is nearest to a point, found from triangle to triangle; nowhere where that leads to a border, to a
+// corner, to an obstacle or out of the cell.
+Location nearest_from(const Glued_triangles& t, const std::vector<Index>& labels, Index label,
+                      Index triangle, const Spatial& p, const std::vector<double>* slowness)
+{
+  Index last = none;
+  for(int steps = 0; triangle != none && steps < 10; ++steps)
+  {
+    const Index* const corner = &t.corner[3 * std::size_t(triangle)];
+    const Labels here(corner, labels);
+    const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+    if(std::find(here.begin(), here.end(), label) == here.end() || !has_area(a, b, c) ||
+       is_obstacle(slowness, triangle))
+      return {};
+    const auto nearest = nearest_in_triangle(a, b, c, p);
+    const auto zeros = std::count(nearest.begin(), nearest.end(), 0.);
+    if(zeros == 0)
+      return {triangle, none, nearest};
+    if(zeros > 1)
+      return {};
+    const auto behind = std::find(nearest.begin(), nearest.end(), 0.) - nearest.begin();
+    const Index twin = t.twin[next_side(3 * triangle + Index(behind))];
+    if(twin == none)
+      return {};
+    // On an edge where the surface bulges.
+    if(twin / 3 == last)
+      return {triangle, none, nearest};
+    last = triangle;
+    triangle = twin / 3;
+  }
+  return {};
+}
+
 } // namespace
 
 std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Index>& labels,
                                 const std::vector<Location>& samples,
-                                const std::vector<double>* slowness, double way)
+                                const std::vector<double>* slowness, double way,
+                                const std::vector<Spatial>& onward)
 {
   std::vector<Spatial> centre;
   for(const Location& sample : samples)
@@ -80,33 +128,58 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Inde
   {
     const Index* const corner = &t.corner[3 * std::size_t(f)];
     const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+    if(is_obstacle(slowness, f))
+      continue;
     const double square = slowness ? (*slowness)[f] * (*slowness)[f] : 1.;
     const Labels here(corner, labels);
-    for(const Index label : here)
+    // The last one has what the others leave.
+    Mass rest;
+    if(here.size > 0)
+      rest.add(a, b, c, square * square);
+    for(int k = 0; k + 1 < here.size; ++k)
     {
       Polygon part{{a, b, c}, 3};
       for(const Index other : here)
-        if(other != label)
-          part.cut(centre[label], centre[other]);
+        if(other != here.labels[k])
+          part.cut(centre[here.labels[k]], centre[other]);
+      Mass inside;
       for(int i = 2; i < part.size; ++i)
-        mass[label].add(part.points[0], part.points[i - 1], part.points[i], square * square);
+        inside.add(part.points[0], part.points[i - 1], part.points[i], square * square);
+      mass[here.labels[k]].add(inside, 1.);
+      rest.add(inside, -1.);
     }
+    if(here.size > 0)
+      mass[here.labels[here.size - 1]].add(rest, 1.);
   }
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)
+    {
       centre[i] = (1. - way) * centre[i] + (way / mass[i].mass) * mass[i].moment;
+      if(!onward.empty())
+        centre[i] = centre[i] + onward[i];
+    }
 
+  // A sample mostly moves to a triangle beside its own; where it does not, all of its cell's are tried.
   std::vector<Location> result = samples;
-  std::vector<double> least(samples.size(), infinity);
-  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  std::vector<double> least(samples.size(), 0.);
+  bool is_open = false;
+  for(Index i = 0; i < samples.size(); ++i)
+    if(mass[i].mass > 0.)
+    {
+      result[i] = nearest_from(t, labels, i, triangle_at(t, samples[i]), centre[i], slowness);
+      if(result[i].triangle != none)
+        continue;
+      result[i] = samples[i];
+      least[i] = infinity;
+      is_open = true;
+    }
+  for(Index f = 0; is_open && f < t.number_of_triangles(); ++f)
   {
     const Index* const corner = &t.corner[3 * std::size_t(f)];
     const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
-    if(norm(cross(b - a, c - a)) == 0.)
-      continue;
     for(const Index label : Labels(corner, labels))
     {
-      if(!(mass[label].mass > 0.))
+      if(least[label] == 0. || !has_area(a, b, c) || is_obstacle(slowness, f))
         continue;
       const auto nearest = nearest_in_triangle(a, b, c, centre[label]);
       const double distance =

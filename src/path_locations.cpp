@@ -154,6 +154,14 @@ std::vector<Index> triangles_at(const Glued_triangles& t, const Location& locati
   return result;
 }
 
+Index triangle_at(const Glued_triangles& t, const Location& location)
+{
+  if(location.triangle != none)
+    return location.triangle;
+  const Index first = t.first[location.site];
+  return first < t.first[location.site + 1] ? t.star[first] / 3 : none;
+}
+
 Index common_triangle(const Glued_triangles& t, const Location& p, const Location& q)
 {
   if(number_of_holders(t, p) > number_of_holders(t, q))

@@ -3,12 +3,12 @@
 #include <CGAL/Geodesic_processing/internal/remeshing.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/centroids.h>
 #include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/dual.h>
 #include <CGAL/Geodesic_processing/internal/flips.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/refinement.h>
+#include <CGAL/Geodesic_processing/internal/relaxation.h>
 #include <CGAL/Geodesic_processing/internal/sampling.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
@@ -32,10 +32,6 @@ constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
 // How often sides are halved where all sites are samples: once or twice is enough for two triangles of
 // the same corners.
 constexpr int most_refinements = 20;
-
-// Relaxation goes half as far again as to the centres of the cells, but in the last step: ten steps
-// become as good as fifteen.
-constexpr double way_to_centroids = 1.5;
 
 // The cells of samples, numbered: those that come to a site.
 struct Cells
@@ -253,31 +249,22 @@ private:
   // Moves samples to the centroids of their cells.
   bool relax()
   {
-    if(m_goal.relaxation_steps == 0)
+    const std::size_t steps = m_goal.relaxation_steps;
+    if(steps == 0)
       return true;
-    std::vector<Location> samples = m_sampling->samples();
-    std::vector<Index> labels(t().number_of_sites());
-    Front_limits limits;
-    limits.slowness = m_slowness;
-    for(std::size_t step = 0; step < m_goal.relaxation_steps; ++step)
+    const std::vector<Location>& samples = m_sampling->samples();
+    std::vector<bool> is_fixed;
+    for(std::size_t i = 0; i < samples.size(); ++i)
+      is_fixed.push_back(i < m_number_of_fixed || is_on_curve(samples[i]));
+    Relaxation relaxation(m_surface.triangles, *m_front, m_slowness, samples, is_fixed);
+    for(std::size_t step = 0; step < steps; ++step)
     {
-      if(!tell(0.4 + 0.4 * double(step) / double(m_goal.relaxation_steps)))
+      if(!tell(0.4 + 0.4 * double(step) / double(steps)))
         return false;
-      std::vector<Source> sources;
-      for(const Location& sample : samples)
-        sources.push_back({{sample}, 0., 0});
-      m_front->run(sources, limits);
-      for(Index site = 0; site < labels.size(); ++site)
-        labels[site] = m_front->source(site);
-      const bool is_last = step + 1 == m_goal.relaxation_steps;
-      const std::vector<Location> moved =
-          centroids(t(), labels, samples, m_slowness.get(), is_last ? 1. : way_to_centroids);
-      for(std::size_t i = m_number_of_fixed; i < samples.size(); ++i)
-        if(!is_on_curve(samples[i]))
-          samples[i] = moved[i];
+      relaxation.step(step + 1 == steps);
     }
     begin();
-    m_sampling->add(samples);
+    m_sampling->add(relaxation.samples());
     return true;
   }
 

@@ -67,6 +67,11 @@ TEST(Centroids, can_be_gone_beyond)
                                                           nullptr, way)[0]),
                        {0.5 * way, 0.5 * way, 0.}),
               rounding);
+  const Location found =
+      centroids(surface.t(), labels, {surface.at(0)}, nullptr, 1., {{0.25, -0.125, 0.}})[0];
+  const double unit = surface.scale();
+  EXPECT_LT(distance(coordinates(surface.t(), found), {0.5 + 0.25 * unit, 0.5 - 0.125 * unit, 0.}),
+            rounding);
 }
 
 TEST(Centroids, lie_where_it_is_dense)

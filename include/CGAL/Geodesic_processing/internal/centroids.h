@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_CENTROIDS_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include <vector>
 
@@ -15,11 +16,13 @@ namespace CGAL::Geodesic_processing::internal {
 // there are as many as a density of s^4 makes of them (Gersho 1979).  O(n).
 //
 // labels: #sites, the cell of each or none; samples: #cells; slowness: as in Front_limits, or null;
-// way: how far to go on it to the centre of mass, 1 to go there
+// way: how far to go to the centre of mass, 1 to go there; onward: #cells or none, added to that, in the
+// triangles' scale
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Location> centroids(const Glued_triangles& triangles, const std::vector<Index>& labels,
                                 const std::vector<Location>& samples,
-                                const std::vector<double>* slowness = nullptr, double way = 1.);
+                                const std::vector<double>* slowness = nullptr, double way = 1.,
+                                const std::vector<Spatial>& onward = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 

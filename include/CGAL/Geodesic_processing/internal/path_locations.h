@@ -53,6 +53,10 @@ std::optional<std::array<double, 3>> seen_from(const Glued_triangles& triangles,
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> triangles_at(const Glued_triangles& triangles, const Location& location);
 
+// One of them; none at a site that is in no triangle.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Index triangle_at(const Glued_triangles& triangles, const Location& location);
+
 // A triangle that holds both clean locations, or none.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Index common_triangle(const Glued_triangles& triangles, const Location& p, const Location& q);
