@@ -79,7 +79,7 @@ build_release()
 build_sanitizer()
 {
   CC=clang-14 CXX=clang++-14 cmake -S . -B $sanitizer -G Ninja -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_CXX_FLAGS="-O2 -mllvm -inline-threshold=600 -gline-tables-only -fno-omit-frame-pointer \
+    -DCMAKE_CXX_FLAGS="-O2 -mllvm -inline-threshold=600 -Qunused-arguments -gline-tables-only -fno-omit-frame-pointer \
       -fsanitize=address,undefined -fno-sanitize-recover=undefined -D_GLIBCXX_ASSERTIONS" \
     -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON \
     "-DGEODESIC_PROCESSING_CLIENT_OPTIONS=-O0;-g0" \
