@@ -33,6 +33,9 @@ constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
 // the same corners.
 constexpr int most_refinements = 20;
 
+// Each takes half of what is left and more; after four the mean distance of scans has stopped falling.
+constexpr int steps_of_fit = 4;
+
 // The cells of samples, numbered: those that come to a site.
 struct Cells
 {
@@ -130,9 +133,8 @@ public:
     set_spacing();
     refine();
     begin();
-    if(sample() && relax() && complete())
-      return std::move(m_result);
-    return {{}, {}, false};
+    m_result.is_finished = sample() && relax() && complete();
+    return std::move(m_result);
   }
 
 private:
@@ -295,11 +297,13 @@ private:
       const std::vector<Index> strays = cells_off_curves(cells);
       if(found.is_closed_ball() && strays.empty())
       {
-        const std::vector<Spatial> points = flip(cells, found.triangles);
+        std::vector<Spatial> points = flip(cells, found.triangles);
+        if(m_goal.is_fitted)
+          fit(cells, points, found.triangles);
         const std::vector<Location> far = far_sites(cells, points, found.triangles);
         if(far.empty())
         {
-          finish(cells, std::move(found.triangles));
+          finish(cells, points, std::move(found.triangles));
           return true;
         }
         m_sampling->add(far);
@@ -466,6 +470,41 @@ private:
     return points;
   }
 
+  // The triangles around each sample.
+  static std::vector<std::vector<Index>> stars(std::size_t number_of_samples,
+                                               const std::vector<std::array<Index, 3>>& triangles)
+  {
+    std::vector<std::vector<Index>> result(number_of_samples);
+    for(Index f = 0; f < triangles.size(); ++f)
+      for(const Index sample : triangles[f])
+        result[sample].push_back(f);
+    return result;
+  }
+
+  // What is nearest to a place on the triangles of a star.
+  struct Foot
+  {
+    Index triangle = none;
+    std::array<double, 3> barycentric;
+    Spatial way; // from there to the place
+    double length = infinity;
+  };
+  static Foot foot_on(const std::vector<Index>& star, const std::vector<Spatial>& points,
+                      const std::vector<std::array<Index, 3>>& triangles, const Spatial& p)
+  {
+    Foot result;
+    for(const Index f : star)
+    {
+      const Spatial &a = points[triangles[f][0]], &b = points[triangles[f][1]],
+                    &c = points[triangles[f][2]];
+      const auto nearest = nearest_in_triangle(a, b, c, p);
+      const Spatial way = p - (nearest[0] * a + nearest[1] * b + nearest[2] * c);
+      if(const double length = norm(way); length < result.length)
+        result = {f, nearest, way, length};
+    }
+    return result;
+  }
+
   // Of each cell the site that is farther from the triangles around its sample than it may be, and
   // farthest of these.
   std::vector<Location> far_sites(const Cells& cells, const std::vector<Spatial>& points,
@@ -475,37 +514,62 @@ private:
     const double most = m_goal.maximum_deviation / unit_size();
     if(!(most < infinity))
       return result;
-    std::vector<std::vector<Index>> around(points.size());
-    for(Index f = 0; f < triangles.size(); ++f)
-      for(const Index cell : triangles[f])
-        around[cell].push_back(f);
+    const auto star = stars(points.size(), triangles);
     std::vector<std::pair<double, Index>> farthest(points.size(), {most, none});
     for(Index site = 0; site < cells.labels.size(); ++site)
       if(const Index cell = cells.labels[site]; cell != none && m_sampling->distances()[site] > 0.)
-      {
-        const Spatial& p = t().point[site];
-        double least = infinity;
-        for(const Index f : around[cell])
-        {
-          const Spatial &a = points[triangles[f][0]], &b = points[triangles[f][1]],
-                        &c = points[triangles[f][2]];
-          const auto nearest = nearest_in_triangle(a, b, c, p);
-          least = std::min(least, norm(nearest[0] * a + nearest[1] * b + nearest[2] * c - p));
-        }
-        if(least > farthest[cell].first)
+        if(const double least = foot_on(star[cell], points, triangles, t().point[site]).length;
+           least < infinity && least > farthest[cell].first)
           farthest[cell] = {least, site};
-      }
     for(const auto& [deviation, site] : farthest)
       if(site != none)
         result.push_back({none, site, {}});
     return result;
   }
 
-  void finish(const Cells& cells, std::vector<std::array<Index, 3>> triangles)
+  // Moves points that are not on curves such that sites are near to the triangles, in the sense of least
+  // squares.
+  void fit(const Cells& cells, std::vector<Spatial>& points,
+           const std::vector<std::array<Index, 3>>& triangles) const
   {
-    for(const Index sample : cells.samples)
-      m_result.samples.push_back(
-          cleaned(*m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[sample])));
+    std::vector<double> area(cells.labels.size(), 0.);
+    for(Index f = 0; f < t().number_of_triangles(); ++f)
+      for(Index side = 3 * f; side < 3 * f + 3; ++side)
+        area[t().corner[side]] +=
+            twice_area(t().length[3 * f], t().length[3 * f + 1], t().length[3 * f + 2]);
+    const auto star = stars(points.size(), triangles);
+    for(int step = 0; step < steps_of_fit; ++step)
+    {
+      std::vector<Spatial> moves(points.size(), Spatial{0., 0., 0.});
+      std::vector<double> weights(points.size(), 0.);
+      for(Index site = 0; site < cells.labels.size(); ++site)
+        if(const Index cell = cells.labels[site]; cell != none)
+          if(const Foot foot = foot_on(star[cell], points, triangles, t().point[site]);
+             foot.triangle != none)
+            for(int k = 0; k < 3; ++k)
+            {
+              const Index point = triangles[foot.triangle][k];
+              const double weight = area[site] * foot.barycentric[k];
+              moves[point] = moves[point] + weight * foot.way;
+              weights[point] += weight;
+            }
+      for(std::size_t i = 0; i < points.size(); ++i)
+        if(weights[i] > 0. && !is_on_curve(m_sampling->samples()[cells.samples[i]]))
+          points[i] = points[i] + (1. / weights[i]) * moves[i];
+    }
+  }
+
+  void finish(const Cells& cells, const std::vector<Spatial>& points,
+              std::vector<std::array<Index, 3>> triangles)
+  {
+    for(std::size_t i = 0; i < points.size(); ++i)
+    {
+      m_result.samples.push_back(cleaned(
+          *m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[cells.samples[i]])));
+      m_result.points.push_back(m_goal.is_fitted
+                                    ? t().origin + t().scale * points[i]
+                                    : coordinates(*m_surface.coarse, m_result.samples.back()));
+    }
     m_result.triangles = std::move(triangles);
   }
 

@@ -72,7 +72,7 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 /// covers a mesh with samples and joins them by the geodesic Delaunay triangulation: a coarser, or a
 /// finer, mesh of the same surface, of even triangles. \cgalCite{cgal:pc-grfp-03}
 ///
-/// Vertices lie on the input: samples spread as by `farthest_point_sampling()`, and along its borders
+/// Vertices lie on the input, unless they are to fit it: samples spread as by `farthest_point_sampling()`, and along its borders
 /// at equal steps and at their corners, if these are not nearer to each other than half of a step. They
 /// have an edge where their Voronoi cells meet, and a face where three of these do. The result has the
 /// topology of the input, component by component: genus, borders, orientation; no two faces have the
@@ -113,6 +113,11 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 ///     \cgalParamDescription{how far vertices of the input may be from the faces of the output: vertices
 ///       are added where they are farther}
 ///     \cgalParamDefault{infinite} \cgalParamNEnd
+///   \cgalParamNBegin{do_fit}
+///     \cgalParamDescription{whether vertices leave the surface, by a part of what separates faces from
+///       it, such that the input's vertices are near to faces in the sense of least squares. Those on
+///       borders and kept edges stay.}
+///     \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalParamNBegin{sharp_angle}
 ///     \cgalParamDescription{in degrees: edges at which the surface bends by at least as much are kept,
 ///       and so are the chains that they form: each becomes a chain of edges, through samples at equal
@@ -123,7 +128,8 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 ///       with its domain}
 ///     \cgalParamDefault{no edge is} \cgalParamNEnd
 ///   \cgalParamNBegin{location_map}
-///     \cgalParamDescription{receives for each vertex of the output its `Location<Surface>`}
+///     \cgalParamDescription{receives for each vertex of the output the `Location<Surface>` of its
+///       sample}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{edge_path_output}
 ///     \cgalParamDescription{an output iterator that takes, for each edge of the output, a pair of it and
@@ -156,6 +162,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   if(!(deviation > 0.))
     throw Invalid_argument_error("The maximum deviation is not positive.");
   goal.maximum_deviation = deviation / t.scale;
+  goal.is_fitted = internal::parameter(np, internal_np::do_fit, false);
   goal.is_curve = internal::curves_to_keep(surface, domain, np);
   goal.relaxation_steps =
       internal::parameter(np, internal_np::number_of_relaxation_steps, std::size_t(0));
@@ -193,14 +200,14 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   const auto points = get(CGAL::vertex_point, output);
   using Point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
   std::vector<Vertex> vertices;
-  for(const internal::Location& sample : found.samples)
+  for(std::size_t i = 0; i < found.samples.size(); ++i)
   {
-    const auto p = internal::coordinates(t, sample);
+    const auto& p = found.points[i];
     vertices.push_back(add_vertex(output));
     put(points, vertices.back(), Point(p[0], p[1], p[2]));
     if constexpr(internal::has_parameter<NamedParameters, internal_np::location_map_t>)
       put(internal::parameter(np, internal_np::location_map, 0), vertices.back(),
-          domain.outer(sample));
+          domain.outer(found.samples[i]));
   }
   std::vector<std::array<Vertex, 3>> faces;
   for(const auto& f : found.triangles)

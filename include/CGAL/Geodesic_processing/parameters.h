@@ -76,6 +76,10 @@ enum maximum_deviation_t
 {
   maximum_deviation
 };
+enum do_fit_t
+{
+  do_fit
+};
 enum sharp_angle_t
 {
   sharp_angle
@@ -136,6 +140,7 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, too_few_samples_t, too_few_samples)                       \
   LINK(Geodesic_processing::internal_np, number_of_relaxation_steps_t, number_of_relaxation_steps) \
   LINK(Geodesic_processing::internal_np, maximum_deviation_t, maximum_deviation)                   \
+  LINK(Geodesic_processing::internal_np, do_fit_t, do_fit)                                         \
   LINK(Geodesic_processing::internal_np, sharp_angle_t, sharp_angle)                               \
   LINK(Geodesic_processing::internal_np, location_map_t, location_map)                             \
   LINK(Geodesic_processing::internal_np, edge_path_output_t, edge_path_output)                     \

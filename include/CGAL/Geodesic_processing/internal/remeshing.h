@@ -24,6 +24,7 @@ struct Remeshing_goal
   std::size_t relaxation_steps = 0; // that move samples which are not on curves, or first ones
   // How far sites may be from the triangles in space: samples are added where they are farther.
   double maximum_deviation = infinity;
+  bool is_fitted = false;               // points leave the surface: triangles are nearer to sites
   unsigned seed = 0;                    // as in Sampling_goal
   std::function<bool(double)> callback; // told the fraction done; false cancels
 };
@@ -31,6 +32,7 @@ struct Remeshing_goal
 struct Remeshing
 {
   std::vector<Location> samples;               // clean
+  std::vector<std::array<double, 3>> points;   // of samples, in the caller's coordinates
   std::vector<std::array<Index, 3>> triangles; // of samples, counterclockwise
   bool is_finished = true;                     // else there are no triangles
 };
