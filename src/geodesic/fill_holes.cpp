@@ -28,13 +28,19 @@ constexpr std::size_t most_for_plane = 5000;
 struct Out_of_steps
 {};
 
-// Ends the searches among all triangles when together they would take more than some seconds.
+// Ends the searches when together they take too long.  A step is some 0.1 microseconds, and an
+// edge of the Delaunay triangulation counts as a hundred: a usual rim has four for each of its edges,
+// others half the square of their number.
 struct Patience : PMP::Hole_filling::Default_visitor
 {
   double* steps_left;
 
   explicit Patience(double& steps) : steps_left(&steps) {}
-  void start_cubic_phase(int steps) const
+  void quadratic_step() const { take(100.); }
+  void start_cubic_phase(int steps) const { take(steps); }
+
+private:
+  void take(double steps) const
   {
     if(steps > *steps_left)
       throw Out_of_steps();
@@ -133,7 +139,8 @@ Filled_holes fill_holes(Mesh& mesh, std::size_t most_edges)
 {
   const std::vector<Hole> holes = take_apart(mesh);
   auto points = scaled_points(mesh);
-  double steps = 2e7;
+  // Enough where half of the vertices lie on usual rims.
+  double steps = 1e7 + 500. * static_cast<double>(mesh.number_of_vertices());
   const Patience patience(steps);
   Filled_holes result;
   for(const Hole& hole : holes)

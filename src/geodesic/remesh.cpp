@@ -21,6 +21,7 @@ struct Remesh_options
   std::size_t number = 0;
   std::size_t lloyd = 0;
   double sharp_angle = 180.;
+  double deviation = std::numeric_limits<double>::infinity();
   std::optional<std::size_t> hole_edges; // how many a hole may have to be filled
   Density_options densities;
 };
@@ -69,6 +70,7 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
   const auto goal = GP::parameters::random_seed(job.seed())
                         .number_of_relaxation_steps(options.lloyd)
                         .sharp_angle(options.sharp_angle)
+                        .maximum_deviation(options.deviation)
                         .location_map(locations)
                         .callback(job.progress("vertices"));
   Result result;
@@ -95,6 +97,8 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
 void run_remesh(Job& job, const Remesh_options& options)
 {
   check(options.densities);
+  if(!(options.deviation > 0.))
+    throw Usage_error("--maximum-deviation: it is positive.");
   const Surface& surface = job.read();
   if(!surface.is_mesh())
     fail(surface.name, "a cloud cannot be remeshed, that needs a mesh");
@@ -113,7 +117,7 @@ void run_remesh(Job& job, const Remesh_options& options)
     job.say("added           " + std::to_string(result.added));
 
   job.stage("write");
-  job.write_values(result.text);
+  job.write_values([&] { return result.text; });
   if(!job.picture().empty())
   {
     Picture picture{&result.file};
@@ -147,6 +151,11 @@ void add_remesh(CLI::App& program)
                    "edges at which the surface bends by so many degrees or more are kept")
       ->type_name("ANGLE")
       ->check(CLI::Range(0., 180.));
+  command
+      ->add_option("--maximum-deviation", options->deviation,
+                   "how far vertices of the input may be from the result; more come where they are "
+                   "farther")
+      ->type_name("D");
   command
       ->add_option_function<std::string>(
           "--fill-holes",
