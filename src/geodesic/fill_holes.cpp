@@ -114,6 +114,18 @@ bool is_one_triangle(const Mesh& mesh, const Hole& hole)
          mesh.is_border(mesh.opposite(mesh.prev(inside)));
 }
 
+// An edge of the hole that has a length: the search must start there, as it takes a rim whose first
+// and last points are equal for one that repeats its first vertex.  None where all lie in one place.
+template <typename Points>
+Halfedge edge_with_length(const Mesh& mesh, const Points& points, const Hole& hole)
+{
+  Halfedge h = hole.last;
+  for(std::size_t i = 0; i < hole.edges; ++i, h = mesh.next(h))
+    if(get(points, mesh.source(h)) != get(points, mesh.target(h)))
+      return h;
+  return Mesh::null_halfedge();
+}
+
 // The points divided by a power of two, so that no product of coordinates overflows.
 Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
 {
@@ -148,11 +160,13 @@ Filled_holes fill_holes(Mesh& mesh, std::size_t most_edges)
     if(hole.edges > most_edges)
       continue;
     std::vector<Mesh::Face_index> faces;
-    if(hole.edges >= 3 && hole.edges <= most_for_plane && !is_one_triangle(mesh, hole))
+    const Halfedge start = edge_with_length(mesh, points, hole);
+    if(start != Mesh::null_halfedge() && hole.edges >= 3 && hole.edges <= most_for_plane &&
+       !is_one_triangle(mesh, hole))
       try
       {
         PMP::triangulate_hole(
-            mesh, hole.last, std::back_inserter(faces),
+            mesh, start, std::back_inserter(faces),
             CGAL::parameters::vertex_point_map(points)
                 .visitor(patience)
                 .use_2d_constrained_delaunay_triangulation(hole.edges > most_for_all_triangles)

@@ -179,6 +179,24 @@ TEST(Fill_holes, parts_that_touch_are_not_joined)
   EXPECT_EQ(single.number_of_faces(), 2u);
 }
 
+TEST(Fill_holes, vertices_at_one_place_do_not_matter)
+{
+  // A tube of ten corners, neighbours of which move to one place, two at either end.
+  for(std::uint32_t i = 0; i < 10; ++i)
+  {
+    Mesh mesh = tube(10, 1.);
+    const auto move = [&](std::uint32_t v, std::uint32_t to)
+    { mesh.point(Mesh::Vertex_index(v)) = mesh.point(Mesh::Vertex_index(to)); };
+    move(2 * i, 2 * ((i + 1) % 10));
+    move(2 * ((i + 4) % 10) + 1, 2 * ((i + 5) % 10) + 1);
+    const Filled_holes holes = program::fill_holes(mesh);
+    EXPECT_EQ(holes.filled + holes.left, 2u);
+    EXPECT_EQ(CGAL::is_closed(mesh), holes.left == 0);
+    EXPECT_EQ(mesh.number_of_faces(), 20 + 8 * holes.filled);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  }
+}
+
 TEST(Fill_holes, what_takes_too_long_or_has_no_area_is_left)
 {
   Mesh tube_of_many = tube(6000, 1.);
