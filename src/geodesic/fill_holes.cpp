@@ -149,7 +149,10 @@ Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
 
 Filled_holes fill_holes(Mesh& mesh, std::size_t most_edges)
 {
-  const std::vector<Hole> holes = take_apart(mesh);
+  std::vector<Hole> holes = take_apart(mesh);
+  // Small ones first, lest a large one takes their time.
+  std::stable_sort(holes.begin(), holes.end(),
+                   [](const Hole& a, const Hole& b) { return a.edges < b.edges; });
   auto points = scaled_points(mesh);
   // Enough where half of the vertices lie on usual rims.
   double steps = 1e7 + 500. * static_cast<double>(mesh.number_of_vertices());
@@ -170,11 +173,13 @@ Filled_holes fill_holes(Mesh& mesh, std::size_t most_edges)
             CGAL::parameters::vertex_point_map(points)
                 .visitor(patience)
                 .use_2d_constrained_delaunay_triangulation(hole.edges > most_for_all_triangles)
-                .use_delaunay_triangulation(hole.edges <= most_for_delaunay)
-                .do_not_use_cubic_algorithm(hole.edges > most_for_all_triangles));
+                .use_delaunay_triangulation(hole.edges <= most_for_delaunay && steps > 0.)
+                .do_not_use_cubic_algorithm(hole.edges > most_for_all_triangles || steps <= 0.));
       }
       catch(const Out_of_steps&)
-      {}
+      {
+        steps = 0.;
+      }
     ++(faces.empty() ? result.left : result.filled);
   }
   mesh.remove_property_map(points);

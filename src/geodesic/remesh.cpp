@@ -162,7 +162,7 @@ void add_remesh(CLI::App& program)
           [options](const std::string& text) { options->hole_edges = parse_hole_edges(text); },
           "first fill the holes that have at most N edges, without a number all of them; "
           "as the outer border of a sheet is a hole too, N is what keeps it open")
-      ->type_name("N")
+      ->type_name("[N]")
       ->expected(0, 1);
   add_density_options(*command, options->densities);
   command->callback([job, options] { run_remesh(*job, *options); });
