@@ -23,7 +23,8 @@ struct Filled_holes
 // A hole is left as it is around a single triangle, where triangles would have no area or an edge
 // that the mesh has already, and where looking for them takes too long: holes of more than 200 edges
 // are filled when a plane or their Delaunay triangulation shows how, those of more than 1,000 when a
-// plane does, and those of more than 5,000 never.
+// plane does, and those of more than 5,000 never.  Small holes come first; together they may take
+// some seconds.
 Filled_holes fill_holes(Mesh& mesh,
                         std::size_t most_edges = std::numeric_limits<std::size_t>::max());
 
