@@ -53,6 +53,9 @@ fetch_models()
   return $status
 }
 
+$build/demo/make_models $models && $build/demo/make_picture $models/rings.png || exit 1
+terrain=$models/hills.off rings=$models/rings.png
+
 echo "Fetching models"
 if fetch_models; then
   m=$models/data/meshes p=$models/data/points_3
@@ -62,7 +65,6 @@ if fetch_models; then
   scan=$p/kitten.xyz scan_with_normals=$p/oni.pwn
 else
   echo "Debian's libcgal-demo cannot be had here: the tour runs on models of its own."
-  $build/demo/make_models $models || exit 1
   animal=$models/knot.off beast=$animal part=$models/hills.off runner=$animal bear=$animal
   bunny=$animal
   holes=$models/hills.off mask=$models/hills.off small=$models/hills.off
@@ -151,9 +153,19 @@ picture remesh "The same surface in 1,000 vertices, with even triangles." \
   remesh "$animal" --number 1000 --lloyd 10
 picture remesh-part "Sharp edges are kept on request." \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40
+picture remesh-filled "The holes of a surface are filled first on request." \
+  remesh "$holes" --number 1500 --lloyd 10 --fill-holes
+picture remesh-100 "One surface in 100 vertices," \
+  remesh "$animal" --number 100 --lloyd 10
+picture remesh-400 "in 400," remesh "$animal" --number 400 --lloyd 10
+picture remesh-1600 "and in 1,600." remesh "$animal" --number 1600 --lloyd 10
+picture remesh-image "A terrain with small triangles where a picture varies, here at the edges of rings." \
+  remesh "$terrain" --number 3000 --density-image "$rings" --strength 8
 picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
 picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
+picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
+  sample "$scan" --number 1500 --density-image "$rings"
 picture cloud-voronoi "Nearest seeds on points with normals." \
   voronoi "$scan_with_normals" --number 30
 picture cloud-path "A shortest path on points." path "$scan" --from 0 --to 2000

@@ -17,7 +17,7 @@ check()
   local file=$1 command=$2 out limit=10 status sentence
   shift 2
   out=$(mktemp -p "$folder")
-  case $command in distance | matrix) set -- "$@" --values "$out.values" ;; esac
+  case $command in distance | matrix | remesh) set -- "$@" --values "$out.values" ;; esac
   # 10 s each up to 50,000 vertices and 60 s above: about 40 bytes a vertex and its two faces.
   [ "$(stat -c %s "$file")" -lt 2000000 ] || limit=60
   timeout -k 5 $limit "$program" "$command" "$file" "$@" --json --quiet >"$out" 2>"$out.err"
@@ -47,6 +47,7 @@ check_all()
   check "$file" sample --number 20 --speed curvature-attractive || failed=1
   check "$file" remesh --number 20 || failed=1
   check "$file" remesh --number 20 --keep-sharp 40 || failed=1
+  check "$file" remesh --number 20 --fill-holes || failed=1
   check "$file" path --from 0 --to 1 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
@@ -57,7 +58,7 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 11 times each: no crash, no hang, no NaN"
+  echo "$# files, 12 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -113,10 +113,10 @@ void Job::note(const std::string& line) const
     std::fprintf(stderr, "geodesic: %s: %s.\n", m_input.c_str(), line.c_str());
 }
 
-void Job::write_values(const std::string& text)
+void Job::write_values(const std::function<std::string()>& text) const
 {
   if(!m_values.empty())
-    write_file(m_values, text);
+    write_file(m_values, text());
 }
 
 void Job::finish()

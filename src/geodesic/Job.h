@@ -44,7 +44,8 @@ public:
   void say(const std::string& line) const;
   void note(const std::string& line) const;
 
-  void write_values(const std::string& text);
+  // Composes the lines of --values where they are asked for, and writes them.
+  void write_values(const std::function<std::string()>& text) const;
 
   // Prints the JSON.
   void finish();

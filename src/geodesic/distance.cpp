@@ -125,13 +125,14 @@ void run_distance(Job& job, const Distance_options& options)
             std::to_string(result.values.size()));
 
   job.stage("write");
-  if(!job.values().empty())
-  {
-    std::string text;
-    for(const double x : result.values)
-      text += number_text(x) + '\n';
-    job.write_values(text);
-  }
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(const double x : result.values)
+          text += number_text(x) + '\n';
+        return text;
+      });
   if(!job.picture().empty())
     draw(job.picture(),
          {&surface.file, result.values, "distance", {}, {}, result.sources, result.triangles});

@@ -163,8 +163,7 @@ void run_info(Job& job, const std::string& wanted)
   job.stage("write");
   if(!job.output().empty())
     write_surface_file(job.output(), surface.file);
-  if(!job.values().empty())
-    job.write_values(points_text(surface.file.points));
+  job.write_values([&] { return points_text(surface.file.points); });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, {}, "", regions.labels, {}, {}, regions.triangles};

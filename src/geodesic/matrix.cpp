@@ -197,8 +197,7 @@ void run_matrix(Job& job, const Matrix_options& options)
   job.say("entries         " + std::to_string(result.entries));
 
   job.stage("write");
-  if(!job.values().empty())
-    job.write_values(values_text(result));
+  job.write_values([&] { return values_text(result); });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, result.values, "", {}, {}, {}, result.triangles};

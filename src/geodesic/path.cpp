@@ -111,8 +111,7 @@ void run_path(Job& job, const Path_options& options)
   job.say("points          " + std::to_string(result.points.size()));
 
   job.stage("write");
-  if(!job.values().empty())
-    job.write_values(points_text(result.points));
+  job.write_values([&] { return points_text(result.points); });
   if(!job.picture().empty())
     draw(job.picture(), {&surface.file,
                          {},

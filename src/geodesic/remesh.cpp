@@ -6,8 +6,11 @@
 #include "commands.h"
 #include "densities.h"
 #include "errors.h"
+#include "fill_holes.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace program {
 
@@ -18,6 +21,8 @@ struct Remesh_options
   std::size_t number = 0;
   std::size_t lloyd = 0;
   double sharp_angle = 180.;
+  double deviation = std::numeric_limits<double>::infinity();
+  std::optional<std::size_t> hole_edges; // how many a hole may have to be filled
   Density_options densities;
 };
 
@@ -27,6 +32,31 @@ struct Result
   std::string text; // where each vertex is: the lines of --values
   std::size_t added = 0;
 };
+
+// All holes where no number is given.
+std::size_t parse_hole_edges(const std::string& text)
+{
+  if(text.empty())
+    return std::numeric_limits<std::size_t>::max();
+  const std::optional<long long> number = to_integer(text);
+  if(!number || *number < 3)
+    throw Usage_error("--fill-holes " + shown(text) +
+                      ": it is not a number of edges, of which a hole has three or more.");
+  return static_cast<std::size_t>(*number);
+}
+
+// Says what became of the holes.
+void fill(Mesh& mesh, std::size_t most_edges, Job& job)
+{
+  const Filled_holes holes = fill_holes(mesh, most_edges);
+  job.result()["holes_filled"] = holes.filled;
+  job.result()["holes_left"] = holes.left;
+  job.say("holes filled    " + std::to_string(holes.filled));
+  if(holes.left > 0)
+    job.note(std::to_string(holes.left) +
+             (holes.left == 1 ? " hole is left open: it is" : " holes are left open: they are") +
+             " too long, or no triangles fit between their vertices");
+}
 
 // The library's part: the mesh, and where its vertices lie.
 Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
@@ -40,6 +70,7 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
   const auto goal = GP::parameters::random_seed(job.seed())
                         .number_of_relaxation_steps(options.lloyd)
                         .sharp_angle(options.sharp_angle)
+                        .maximum_deviation(options.deviation)
                         .location_map(locations)
                         .callback(job.progress("vertices"));
   Result result;
@@ -66,12 +97,17 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
 void run_remesh(Job& job, const Remesh_options& options)
 {
   check(options.densities);
+  if(!(options.deviation > 0.))
+    throw Usage_error("--maximum-deviation: it is positive.");
   const Surface& surface = job.read();
   if(!surface.is_mesh())
     fail(surface.name, "a cloud cannot be remeshed, that needs a mesh");
 
   job.stage("prepare");
-  const Result result = find_mesh(make_mesh(surface), options, job);
+  Mesh mesh = make_mesh(surface);
+  if(options.hole_edges)
+    fill(mesh, *options.hole_edges, job);
+  const Result result = find_mesh(mesh, options, job);
   job.result()["vertices_out"] = result.file.points.size();
   job.result()["faces_out"] = result.file.number_of_polygons();
   job.result()["added"] = result.added;
@@ -81,7 +117,7 @@ void run_remesh(Job& job, const Remesh_options& options)
     job.say("added           " + std::to_string(result.added));
 
   job.stage("write");
-  job.write_values(result.text);
+  job.write_values([&] { return result.text; });
   if(!job.picture().empty())
   {
     Picture picture{&result.file};
@@ -115,6 +151,19 @@ void add_remesh(CLI::App& program)
                    "edges at which the surface bends by so many degrees or more are kept")
       ->type_name("ANGLE")
       ->check(CLI::Range(0., 180.));
+  command
+      ->add_option("--maximum-deviation", options->deviation,
+                   "how far vertices of the input may be from the result; more come where they are "
+                   "farther")
+      ->type_name("D");
+  command
+      ->add_option_function<std::string>(
+          "--fill-holes",
+          [options](const std::string& text) { options->hole_edges = parse_hole_edges(text); },
+          "first fill the holes that have at most N edges, without a number all of them; "
+          "as the outer border of a sheet is a hole too, N is what keeps it open")
+      ->type_name("[N]")
+      ->expected(0, 1);
   add_density_options(*command, options->densities);
   command->callback([job, options] { run_remesh(*job, *options); });
 }

@@ -82,7 +82,7 @@ void run_sample(Job& job, const Sample_options& options)
   job.say("covering radius  " + readable(radius));
 
   job.stage("write");
-  job.write_values(result.text);
+  job.write_values([&] { return result.text; });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file};

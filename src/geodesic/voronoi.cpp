@@ -108,13 +108,14 @@ void run_voronoi(Job& job, const Voronoi_options& options)
             std::to_string(result.labels.size()));
 
   job.stage("write");
-  if(!job.values().empty())
-  {
-    std::string text;
-    for(const long long label : result.labels)
-      text += std::to_string(label) + '\n';
-    job.write_values(text);
-  }
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(const long long label : result.labels)
+          text += std::to_string(label) + '\n';
+        return text;
+      });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, {}, "", result.labels, result.lines, {}, result.triangles};

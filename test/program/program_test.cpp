@@ -16,6 +16,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <sys/wait.h>
@@ -236,6 +237,12 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("remesh square.ply --number 9 --lloyd -1", 1, "--lloyd");
   expect_failure("remesh square.ply --number 1000000000", 2, "2^31");
   expect_failure("remesh square.ply --number 9 --keep-sharp 181", 1, "--keep-sharp");
+  for(const char* const deviation : {"0", "-1", "nan"})
+    expect_failure(std::string("remesh square.ply --number 9 --maximum-deviation ") + deviation, 1,
+                   "--maximum-deviation");
+  for(const char* const edges : {"2", "-3", "many", "3.5"})
+    expect_failure(std::string("remesh square.ply --number 9 --fill-holes ") + edges, 1,
+                   "--fill-holes");
   expect_failure("remesh square.ply --number 9 --speed slow", 2, "slow");
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
@@ -304,6 +311,8 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
   expect_keys("remesh square.ply --number 20", {"vertices_out", "faces_out", "added"});
+  expect_keys("remesh square.ply --number 20 --fill-holes",
+              {"vertices_out", "faces_out", "added", "holes_filled", "holes_left"});
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
   expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
 }
@@ -404,6 +413,73 @@ TEST_F(Program, a_square_is_a_square_when_remeshed)
   EXPECT_GE(json("remesh closed.off --number 0")["vertices_out"], 4);
   EXPECT_GE(json("remesh apart.off --number 6 -o a.off")["vertices_out"], 6);
   EXPECT_EQ(json("info a.off")["components"], 2);
+}
+
+TEST_F(Program, vertices_are_added_where_the_input_is_far)
+{
+  // A tent over the middle of a square of 41 x 41 vertices.
+  std::ostringstream tent;
+  tent << "OFF\n1681 3200 0\n";
+  for(int j = 0; j < 41; ++j)
+    for(int i = 0; i < 41; ++i)
+      tent << i << ' ' << j << ' ' << std::max(0, 10 - std::abs(i - 20) - std::abs(j - 20)) << '\n';
+  for(int j = 0; j < 40; ++j)
+    for(int i = 0; i < 40; ++i)
+    {
+      const int a = 41 * j + i;
+      tent << "3 " << a << ' ' << a + 1 << ' ' << a + 42 << "\n3 " << a << ' ' << a + 42 << ' '
+           << a + 41 << '\n';
+    }
+  write("tent.off", tent.str());
+  const auto added = [&](const std::string& deviation)
+  { return json("remesh tent.off --number 4 " + deviation)["added"].get<std::size_t>(); };
+  const std::size_t few = added(""), more = added("--maximum-deviation 3"),
+                    many = added("--maximum-deviation 0.5");
+  EXPECT_LT(few, more);
+  EXPECT_LT(more, many);
+  EXPECT_EQ(added("--maximum-deviation inf"), few);
+  EXPECT_EQ(added("--maximum-deviation 11"), few); // its height is 10
+}
+
+TEST_F(Program, holes_are_filled_before_remeshing)
+{
+  // A box of side 2 without its lid, whose floor lacks a triangle.
+  write("box.off", "OFF\n8 9 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n"
+                   "3 0 2 1\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n"
+                   "3 3 4 7\n");
+  for(const auto& [option, filled, area] :
+      {std::tuple("", 0, 18.), std::tuple(" --fill-holes 3", 1, 20.),
+       std::tuple(" --fill-holes", 2, 24.), std::tuple(" --fill-holes=4", 2, 24.)})
+  {
+    const nlohmann::json result = json(
+        std::string("remesh box.off --number 60 --keep-sharp 60 -o r.ply --values r.txt") + option);
+    EXPECT_EQ(result.value("holes_filled", 0), filled);
+    EXPECT_EQ(result.value("holes_left", 0), 0);
+    EXPECT_EQ(result["vertices"], 8); // of the file
+    EXPECT_EQ(result["faces"], 9);
+    const nlohmann::json shape = json("info r.ply");
+    EXPECT_EQ(shape["boundary_loops"], 2 - filled);
+    EXPECT_EQ(shape["genus"], 0);
+    EXPECT_NEAR(shape["area"].get<double>(), area, 1e-9); // with its edges
+    // Places name vertices of the file, in faces that may be new.
+    const std::vector<double> places = numbers("r.txt");
+    ASSERT_EQ(places.size(), 6 * shape["vertices"].get<std::size_t>());
+    for(std::size_t i = 0; i < places.size(); i += 6)
+    {
+      EXPECT_LT(std::max({places[i], places[i + 1], places[i + 2]}), 8.);
+      EXPECT_NEAR(places[i + 3] + places[i + 4] + places[i + 5], 1., 1e-15); // two roundings
+    }
+  }
+  // Speeds are given for the vertices of the file, and no others come.
+  EXPECT_EQ(json("remesh square.ply --number 40 --speed double_speed --fill-holes")["holes_filled"],
+            1);
+  // What surrounds a single triangle stays open, which a sentence says.
+  const Outcome outcome = run("remesh apart.off --number 9 --fill-holes");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "2 holes are left open", outcome.err);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "holes filled    0", outcome.out);
+  // An option that takes a number or none leaves the file alone.
+  EXPECT_EQ(run("remesh --number 9 --fill-holes square.ply").code, 0);
 }
 
 TEST_F(Program, threads_change_no_result)
