@@ -22,6 +22,7 @@ struct Remesh_options
   std::size_t lloyd = 0;
   double sharp_angle = 180.;
   double deviation = std::numeric_limits<double>::infinity();
+  bool fit = false;
   std::optional<std::size_t> hole_edges; // how many a hole may have to be filled
   Density_options densities;
 };
@@ -71,6 +72,7 @@ Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
                         .number_of_relaxation_steps(options.lloyd)
                         .sharp_angle(options.sharp_angle)
                         .maximum_deviation(options.deviation)
+                        .do_fit(options.fit)
                         .location_map(locations)
                         .callback(job.progress("vertices"));
   Result result;
@@ -151,6 +153,8 @@ void add_remesh(CLI::App& program)
                    "edges at which the surface bends by so many degrees or more are kept")
       ->type_name("ANGLE")
       ->check(CLI::Range(0., 180.));
+  command->add_flag("--fit", options->fit,
+                    "vertices leave the surface, such that faces are nearer to it");
   command
       ->add_option("--maximum-deviation", options->deviation,
                    "how far vertices of the input may be from the result; more come where they are "

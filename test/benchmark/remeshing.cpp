@@ -142,17 +142,23 @@ void compare_quality(bool quick)
       const auto input = model(name);
       if(!input)
         continue;
-      for(const std::size_t steps : {0, 10, 30})
+      const auto add = [&](std::size_t steps, bool do_fit)
       {
         Mesh output;
         const double time = seconds(
             [&]
             {
-              GP::geodesic_delaunay_remeshing(*input, vertices, output,
-                                              GP::parameters::number_of_relaxation_steps(steps));
+              GP::geodesic_delaunay_remeshing(
+                  *input, vertices, output,
+                  GP::parameters::number_of_relaxation_steps(steps).do_fit(do_fit));
             });
-        add_quality(table, name + ", " + std::to_string(steps) + " steps", *input, output, time);
-      }
+        add_quality(table,
+                    name + ", " + std::to_string(steps) + " steps" + (do_fit ? ", fitted" : ""),
+                    *input, output, time);
+      };
+      for(const std::size_t steps : {0, 12, 30})
+        add(steps, false);
+      add(12, true);
       const auto [output, time] = isotropic(*input, vertices);
       add_quality(table, name + ", CGAL", *input, output, time);
     }

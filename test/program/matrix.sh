@@ -69,7 +69,7 @@ all_of_a_file()
   attempt "$file" $limit sample --number 30 || failed=1
   attempt "$file" $limit sample --number 30 --speed curvature-attractive || failed=1
   attempt "$file" $limit voronoi --number 10 --speed curvature-repulsive || failed=1
-  attempt "$file" $limit remesh --number 50 --lloyd 2 --keep-sharp 60 || failed=1
+  attempt "$file" $limit remesh --number 50 --lloyd 2 --keep-sharp 60 --fit || failed=1
   attempt "$file" $limit remesh --number 50 --fill-holes || failed=1
   attempt "$file" $limit remesh --number 50 --maximum-deviation 0.5 || failed=1
   attempt "$file" $limit matrix --sources 0,1,2 --limit 0.1 || failed=1

@@ -4,6 +4,8 @@
 // Runs the program itself: GEODESIC_PROCESSING_PROGRAM is its file.
 #include <nlohmann/json.hpp>
 
+#include "triangulations.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -439,6 +441,29 @@ TEST_F(Program, vertices_are_added_where_the_input_is_far)
   EXPECT_LT(more, many);
   EXPECT_EQ(added("--maximum-deviation inf"), few);
   EXPECT_EQ(added("--maximum-deviation 11"), few); // its height is 10
+}
+
+TEST_F(Program, vertices_fit_the_input)
+{
+  const auto ball = CGAL::Geodesic_processing::test::icosphere(3);
+  std::ostringstream off;
+  off << "OFF\n" << ball.points.size() << ' ' << ball.corners.size() / 3 << " 0\n";
+  for(const auto& p : ball.points)
+    off << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for(std::size_t c = 0; c < ball.corners.size(); c += 3)
+    off << "3 " << ball.corners[c] << ' ' << ball.corners[c + 1] << ' ' << ball.corners[c + 2]
+        << '\n';
+  write("ball.off", off.str());
+  const auto area = [&](const std::string& option)
+  {
+    json("remesh ball.off --number 40 -o r.ply" + option);
+    return json("info r.ply")["area"].get<double>();
+  };
+  // Faces whose vertices lie on the ball are below it.
+  const double input = json("info ball.off")["area"].get<double>(), touching = area(""),
+               fitted = area(" --fit");
+  EXPECT_LT(touching, fitted);
+  EXPECT_LT(std::abs(input - fitted), 0.5 * std::abs(input - touching));
 }
 
 TEST_F(Program, holes_are_filled_before_remeshing)
