@@ -136,6 +136,7 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Inde
     Mass rest;
     if(here.size > 0)
       rest.add(a, b, c, square * square);
+    const double whole = rest.mass;
     for(int k = 0; k + 1 < here.size; ++k)
     {
       Polygon part{{a, b, c}, 3};
@@ -148,7 +149,8 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Inde
       mass[here.labels[k]].add(inside, 1.);
       rest.add(inside, -1.);
     }
-    if(here.size > 0)
+    // What is left by rounding has no centre.
+    if(here.size > 0 && rest.mass > 1e-12 * whole)
       mass[here.labels[here.size - 1]].add(rest, 1.);
   }
   for(std::size_t i = 0; i < samples.size(); ++i)

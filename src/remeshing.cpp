@@ -33,8 +33,9 @@ constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
 // the same corners.
 constexpr int most_refinements = 20;
 
-// Each takes half of what is left and more; after four the mean distance of scans has stopped falling.
-constexpr int steps_of_fit = 4;
+// The mean distance of a scan from 5,000 vertices falls from 0.031 percent of the diagonal to 0.018 in one
+// step, 0.0174 in two and 0.016 in ten; but the least angles fall too, with each.
+constexpr int steps_of_fit = 2;
 
 // The cells of samples, numbered: those that come to a site.
 struct Cells
