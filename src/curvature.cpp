@@ -6,8 +6,8 @@
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/rows.h>
 
-#include <CGAL/Monge_via_jet_fitting.h>
-#include <CGAL/Simple_cartesian.h>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -100,6 +100,14 @@ double mean_length(const Glued_triangles& t, Index site)
   return sum / (2. * (t.first[site + 1] - t.first[site]));
 }
 
+// Of the symmetric form  a, b; b, c  in two directions.
+Curvature principal(double a, double b, double c, const Spatial& x, const Spatial& y)
+{
+  const double half = std::hypot(0.5 * (a - c), b), angle = 0.5 * std::atan2(b, 0.5 * (a - c));
+  return {0.5 * (a + c) - half, 0.5 * (a + c) + half, std::cos(angle) * y - std::sin(angle) * x,
+          std::cos(angle) * x + std::sin(angle) * y};
+}
+
 // Edges and triangles count as far as the front comes into them.
 Curvature normal_cycle(const Glued_triangles& t, const Parts& parts, const Front& front,
                        double radius)
@@ -152,29 +160,65 @@ Curvature normal_cycle(const Glued_triangles& t, const Parts& parts, const Front
   const double scale = 2. / twice_area;
   const double a = scale * tensor.in(x, x), b = scale * tensor.in(x, y),
                c = scale * tensor.in(y, y);
-  const double half = std::hypot(0.5 * (a - c), b), angle = 0.5 * std::atan2(b, 0.5 * (a - c));
   // Edges lie across the direction in which they bend the surface.
-  const Spatial along = std::cos(angle) * x + std::sin(angle) * y,
-                across = std::cos(angle) * y - std::sin(angle) * x;
-  return {0.5 * (a + c) - half, 0.5 * (a + c) + half, along, across};
+  const Curvature result = principal(a, b, c, x, y);
+  return {result.least, result.most, result.most_direction, result.least_direction};
 }
 
-// The surface of second order through a ball of surfels, the site's first.
+// The surface of second order over the plane of a ball of surfels, the site's first, that is nearest to
+// them in the sense of least squares (Cazals and Pouget 2005, degree 2).
 Curvature fitted(const Glued_triangles& t, const std::vector<Index>& ball)
 {
-  using Kernel = Simple_cartesian<double>;
-  using Fitting = Monge_via_jet_fitting<Kernel>;
-  std::vector<Kernel::Point_3> points;
+  Spatial centre = {0., 0., 0.};
   for(const Index site : ball)
-    points.emplace_back(t.point[site][0], t.point[site][1], t.point[site][2]);
-  auto form = Fitting()(points.begin(), points.end(), 2, 2);
-  const Spatial& n = t.normal[ball.front()];
-  form.comply_wrt_given_normal(Kernel::Vector_3(n[0], n[1], n[2]));
-  const auto spatial = [](const Kernel::Vector_3& v) -> Spatial { return {v.x(), v.y(), v.z()}; };
-  // A Monge form is positive where the surface bends towards its normal.
-  Curvature result = {-form.principal_curvatures(0), -form.principal_curvatures(1),
-                      spatial(form.maximal_principal_direction()),
-                      spatial(form.minimal_principal_direction())};
+    centre = centre + (1. / double(ball.size())) * t.point[site];
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for(const Index site : ball)
+  {
+    const Spatial way = t.point[site] - centre;
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        spread(i, j) += way[i] * way[j];
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> plane;
+  plane.computeDirect(spread);
+  const auto normal_of_plane = plane.eigenvectors().col(0);
+  Spatial up = {normal_of_plane[0], normal_of_plane[1], normal_of_plane[2]};
+  const Index origin = ball.front();
+  if(dot(up, t.normal[origin]) < 0.)
+    up = -1. * up;
+  const auto [x, y] = tangent_frame(up);
+  double size = 0.;
+  for(const Index site : ball)
+    size = std::max(size, norm(t.point[site] - t.point[origin]));
+  if(!(size > 0.))
+    return {};
+
+  // In units of the ball, such that the sums are of one size.
+  Eigen::Matrix<double, 6, 6> sums = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> heights = Eigen::Matrix<double, 6, 1>::Zero(), powers;
+  for(const Index site : ball)
+  {
+    const Spatial way = (1. / size) * (t.point[site] - t.point[origin]);
+    const double u = dot(way, x), v = dot(way, y);
+    powers << 1., u, v, 0.5 * u * u, u * v, 0.5 * v * v;
+    sums += powers * powers.transpose();
+    heights += dot(way, up) * powers;
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 6, 6>> decomposition;
+  decomposition.setThreshold(1e-12); // surfels on a conic leave some of the surface open
+  const Eigen::Matrix<double, 6, 1> surface = decomposition.compute(sums).solve(heights);
+
+  // Its second fundamental form above the site, in orthonormal directions; positive where it bends away
+  // from its normal.
+  const Spatial along_u = x + surface[1] * up, along_v = y + surface[2] * up;
+  const Spatial e = unit(along_u), f = unit(along_v - dot(along_v, e) * e);
+  const double length = norm(along_u), c_0 = dot(along_v, e), c_1 = dot(along_v, f);
+  const double slope = size * std::sqrt(1. + surface[1] * surface[1] + surface[2] * surface[2]);
+  const double a = -surface[3] / (slope * length * length);
+  const double b = (-surface[4] / (slope * length) - c_0 * a) / c_1;
+  const double c = (-surface[5] / slope - 2. * c_0 * c_1 * b - c_0 * c_0 * a) / (c_1 * c_1);
+  const Curvature result = principal(a, b, c, e, f);
   return std::isfinite(result.least) && std::isfinite(result.most) ? result : Curvature();
 }
 
