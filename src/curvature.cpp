@@ -183,10 +183,8 @@ Curvature fitted(const Glued_triangles& t, const std::vector<Index>& ball)
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> plane;
   plane.computeDirect(spread);
   const auto normal_of_plane = plane.eigenvectors().col(0);
-  Spatial up = {normal_of_plane[0], normal_of_plane[1], normal_of_plane[2]};
+  const Spatial up = {normal_of_plane[0], normal_of_plane[1], normal_of_plane[2]};
   const Index origin = ball.front();
-  if(dot(up, t.normal[origin]) < 0.)
-    up = -1. * up;
   const auto [x, y] = tangent_frame(up);
   double size = 0.;
   for(const Index site : ball)
@@ -210,7 +208,7 @@ Curvature fitted(const Glued_triangles& t, const std::vector<Index>& ball)
   const Eigen::Matrix<double, 6, 1> surface = decomposition.compute(sums).solve(heights);
 
   // Its second fundamental form above the site, in orthonormal directions; positive where it bends away
-  // from its normal.
+  // from the surfel's normal.
   const Spatial along_u = x + surface[1] * up, along_v = y + surface[2] * up;
   const Spatial e = unit(along_u), f = unit(along_v - dot(along_v, e) * e);
   const double length = norm(along_u), c_0 = dot(along_v, e), c_1 = dot(along_v, f);
@@ -218,7 +216,8 @@ Curvature fitted(const Glued_triangles& t, const std::vector<Index>& ball)
   const double a = -surface[3] / (slope * length * length);
   const double b = (-surface[4] / (slope * length) - c_0 * a) / c_1;
   const double c = (-surface[5] / slope - 2. * c_0 * c_1 * b - c_0 * c_0 * a) / (c_1 * c_1);
-  const Curvature result = principal(a, b, c, e, f);
+  const double sign = dot(cross(e, f), t.normal[origin]) < 0. ? -1. : 1.;
+  const Curvature result = principal(sign * a, sign * b, sign * c, e, f);
   return std::isfinite(result.least) && std::isfinite(result.most) ? result : Curvature();
 }
 
