@@ -153,6 +153,8 @@ picture remesh "The same surface in 1,000 vertices, with even triangles." \
   remesh "$animal" --number 1000 --lloyd 10
 picture remesh-part "Sharp edges are kept on request." \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40
+picture remesh-spacing "With small steps along them." \
+  remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40 --curve-spacing 0.015
 picture remesh-filled "The holes of a surface are filled first on request." \
   remesh "$holes" --number 1500 --lloyd 10 --fill-holes
 picture remesh-100 "One surface in 100 vertices," \
@@ -166,6 +168,8 @@ picture path-mask "A shortest path on a surface with a border." path "$mask" --f
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
 picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
   sample "$scan" --number 1500 --density-image "$rings"
+picture cloud-remesh "A surface of the scan, in 600 vertices." \
+  remesh "$scan" --number 600 --lloyd 10
 picture cloud-voronoi "Nearest seeds on points with normals." \
   voronoi "$scan_with_normals" --number 30
 picture cloud-path "A shortest path on points." path "$scan" --from 0 --to 2000

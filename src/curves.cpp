@@ -27,10 +27,9 @@ struct Step
 class Curves
 {
 public:
-  Curves(const Glued_triangles& t, const std::vector<bool>& is_curve, double spacing,
-         const std::vector<double>* slowness)
-      : m_triangles(t), m_is_curve(is_curve), m_spacing(spacing), m_slowness(slowness),
-        m_first(t.number_of_sites() + 1, 0), m_is_done(t.corner.size(), false)
+  Curves(const Glued_triangles& t, const std::vector<double>& spacing)
+      : m_triangles(t), m_spacing(spacing), m_first(t.number_of_sites() + 1, 0),
+        m_is_done(t.corner.size(), false)
   {
     for_each_step([&](const Step& step) { ++m_first[begin_of(step) + 1]; });
     std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
@@ -63,8 +62,8 @@ private:
   template <typename Use>
   void for_each_step(const Use& use) const
   {
-    for(Index side = 0; side < m_is_curve.size(); ++side)
-      if(m_is_curve[side])
+    for(Index side = 0; side < m_spacing.size(); ++side)
+      if(m_spacing[side] > 0.)
       {
         use(Step{side, false});
         if(m_triangles.twin[side] == none)
@@ -78,13 +77,6 @@ private:
   Index end_of(const Step& step) const
   {
     return m_triangles.corner[step.is_backwards ? step.side : next_side(step.side)];
-  }
-  double time(Index side) const
-  {
-    const auto slowness = [&](Index s) { return m_slowness ? (*m_slowness)[s / 3] : 1.; };
-    const Index twin = m_triangles.twin[side];
-    return m_triangles.length[side] *
-           (twin == none ? slowness(side) : std::min(slowness(side), slowness(twin)));
   }
   Spatial direction(const Step& step) const
   {
@@ -134,7 +126,7 @@ private:
     std::vector<double>& begin = m_begin;
     begin.assign(1, 0.);
     for(const Step& step : steps)
-      begin.push_back(begin.back() + time(step.side));
+      begin.push_back(begin.back() + m_triangles.length[step.side] / m_spacing[step.side]);
 
     std::vector<std::size_t>& sharp = m_sharp;
     sharp.clear();
@@ -147,7 +139,7 @@ private:
     for(const std::size_t i : sharp)
     {
       const auto above = corners.lower_bound(begin[i]);
-      if(*above - begin[i] >= m_spacing / 2. && begin[i] - *std::prev(above) >= m_spacing / 2.)
+      if(*above - begin[i] >= 0.5 && begin[i] - *std::prev(above) >= 0.5)
         corners.insert(begin[i]);
     }
 
@@ -159,7 +151,7 @@ private:
     std::size_t i = 0;
     for(auto from = corners.begin(), to = std::next(from); to != corners.end(); ++from, ++to)
     {
-      const double number = std::max(least, std::round((*to - *from) / m_spacing));
+      const double number = std::max(least, std::round(*to - *from));
       const bool is_last = std::next(to) == corners.end();
       for(double k = 1.; k <= number - (is_last ? 1. : 0.); ++k)
       {
@@ -176,27 +168,24 @@ private:
   }
 
   const Glued_triangles& m_triangles;
-  const std::vector<bool>& m_is_curve;
-  double m_spacing;
-  const std::vector<double>* m_slowness;
-  std::vector<Index> m_first;  // #sites + 1: where those of each begin in
-  std::vector<Step> m_steps;   // the curves' steps that leave a site
-  std::vector<bool> m_is_done; // #sides
+  const std::vector<double>& m_spacing; // #sides
+  std::vector<Index> m_first;           // #sites + 1: where those of each begin in
+  std::vector<Step> m_steps;            // the curves' steps that leave a site
+  std::vector<bool> m_is_done;          // #sides
   std::vector<Location> m_result;
 
   // Of one chain: kept, as there may be as many chains as triangles
   std::vector<Step> m_chain;
-  std::vector<double> m_turn, m_begin;
+  std::vector<double> m_turn, m_begin; // where each step begins, in spacings
   std::vector<std::size_t> m_sharp;
 };
 
 } // namespace
 
 std::vector<Location> spread_on_curves(const Glued_triangles& triangles,
-                                       const std::vector<bool>& is_curve, double spacing,
-                                       const std::vector<double>* slowness)
+                                       const std::vector<double>& spacing)
 {
-  return Curves(triangles, is_curve, spacing, slowness).spread();
+  return Curves(triangles, spacing).spread();
 }
 
 std::vector<bool> border_and_sharp_sides(const Glued_triangles& t, double angle)

@@ -258,19 +258,19 @@ std::vector<Location> to_fine(const Refinement& refinement, const std::vector<Lo
   return result;
 }
 
-std::vector<bool> sides_on(const Refinement& refinement, const std::vector<bool>& coarse_sides)
+std::vector<Index> coarse_sides(const Refinement& refinement)
 {
+  std::vector<Index> result(refinement.triangles->corner.size(), none);
   if(refinement.parent.empty())
-    return coarse_sides;
-  std::vector<bool> result(refinement.triangles->corner.size(), false);
-  for(Index side = 0; side < result.size(); ++side)
-  {
-    const auto& corners = refinement.corners[side / 3];
-    for(Index k = 0; k < 3; ++k)
-      if(coarse_sides[3 * refinement.parent[side / 3] + k] &&
-         corners[side % 3][(k + 2) % 3] == 0. && corners[(side + 1) % 3][(k + 2) % 3] == 0.)
-        result[side] = true;
-  }
+    std::iota(result.begin(), result.end(), Index(0));
+  else
+    for(Index side = 0; side < result.size(); ++side)
+    {
+      const auto& corners = refinement.corners[side / 3];
+      for(Index k = 0; k < 3; ++k)
+        if(corners[side % 3][(k + 2) % 3] == 0. && corners[(side + 1) % 3][(k + 2) % 3] == 0.)
+          result[side] = 3 * refinement.parent[side / 3] + k;
+    }
   return result;
 }
 

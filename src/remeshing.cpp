@@ -29,6 +29,10 @@ constexpr double longest_part = 0.65;
 // But not beyond so many sites for each there was and for each sample: webs of needles would become
 // webs of longer ones.
 constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
+// Each has six half-edges.
+constexpr std::size_t most_vertices = (std::size_t(1) << 31) / 6;
+// Farther than any curve is long, in the domain's scale: it has less than 2^31 sides.
+constexpr double longest_curve = 0x1p32;
 // How often sides are halved where all sites are samples: once or twice is enough for two triangles of
 // the same corners.
 constexpr int most_refinements = 20;
@@ -155,12 +159,16 @@ private:
       std::fill(spread.length.begin(), spread.length.end(), 1.);
       m_surface.triangles = std::make_shared<const Glued_triangles>(std::move(spread));
     }
-    m_is_curve = sides_on(m_surface, m_coarse_curves);
+    const std::vector<Index> coarse = coarse_sides(m_surface);
+    m_is_curve.assign(coarse.size(), false);
     m_is_curve_site.assign(t().number_of_sites(), false);
-    for(Index side = 0; side < m_is_curve.size(); ++side)
-      if(m_is_curve[side])
+    for(Index side = 0; side < coarse.size(); ++side)
+      if(coarse[side] != none && m_coarse_curves[coarse[side]])
+      {
+        m_is_curve[side] = true;
         for(const Index corner : {side, next_side(side)})
           m_is_curve_site[t().corner[corner]] = true;
+      }
     m_slowness = m_goal.slowness;
     if(m_slowness && !m_surface.parent.empty())
     {
@@ -192,15 +200,17 @@ private:
 
   void refine()
   {
-    const std::size_t most =
-        most_for_a_site * t().number_of_sites() + most_for_a_sample * m_goal.number;
+    const std::size_t most = most_for_a_site * t().number_of_sites() +
+                             most_for_a_sample * (m_goal.number + number_asked_for_on_curves());
     for(;;)
     {
       const double longest = longest_part * m_spacing / unit_size();
+      const std::vector<double> on_curves = spacing_on_curves();
       std::vector<bool> is_long(t().corner.size(), false);
       bool is_fine = true;
       for(Index side = 0; side < is_long.size(); ++side)
-        if(slowness(side / 3) * t().length[side] > longest)
+        if(slowness(side / 3) * t().length[side] > longest ||
+           (m_is_curve[side] && t().length[side] > longest_part * on_curves[side]))
         {
           is_fine = false;
           is_long[side] = true;
@@ -222,13 +232,46 @@ private:
   bool sample()
   {
     std::vector<Location> first = to_fine(m_surface, m_goal.first_samples);
-    const std::vector<Location> on_curves =
-        spread_on_curves(t(), m_is_curve, m_spacing / unit_size(), m_slowness.get());
+    const std::vector<Location> on_curves = spread_on_curves(t(), spacing_on_curves());
     first.insert(first.end(), on_curves.begin(), on_curves.end());
     m_number_of_fixed = first.size();
     if(!first.empty())
       m_sampling->add(first);
     return add_farthest(m_goal.number - std::min(m_goal.number, first.size()), 0., 0.4);
+  }
+
+  // At most: both sides of an edge count.
+  std::size_t number_asked_for_on_curves() const
+  {
+    double result = 0.;
+    const std::vector<double>& spacing = m_goal.curve_spacing;
+    for(Index side = 0; side < spacing.size(); ++side)
+      if(m_coarse_curves[side] && spacing[side] > 0.)
+        result += m_surface.coarse->length[side] / spacing[side];
+    if(!(result <= double(most_vertices)))
+      throw Invalid_argument_error(
+          "A mesh with vertices so near to each other along curves has more "
+          "than 2^31 half-edges.");
+    return std::size_t(result);
+  }
+
+  // #sides: the one asked for, or that of all samples; zero off the curves.
+  std::vector<double> spacing_on_curves() const
+  {
+    const std::vector<Index> coarse = coarse_sides(m_surface);
+    std::vector<double> result(coarse.size(), 0.);
+    for(Index side = 0; side < result.size(); ++side)
+    {
+      if(!m_is_curve[side])
+        continue;
+      const double given = m_goal.curve_spacing.empty() ? 0. : m_goal.curve_spacing[coarse[side]];
+      const Index twin = t().twin[side];
+      const double least =
+          twin == none ? slowness(side / 3) : std::min(slowness(side / 3), slowness(twin / 3));
+      const double spacing = (given > 0. ? given : m_spacing / least) / unit_size();
+      result[side] = std::min(spacing, longest_curve);
+    }
+    return result;
   }
 
   // Adds so many, and more where no sample has come yet.
@@ -597,8 +640,7 @@ private:
 Remeshing remeshing(const std::shared_ptr<const Glued_triangles>& triangles,
                     const Remeshing_goal& goal)
 {
-  // Each vertex has six of them.
-  if(goal.number > (std::size_t(1) << 31) / 6)
+  if(goal.number > most_vertices)
     throw Invalid_argument_error("A mesh of so many vertices has more than 2^31 half-edges.");
   return Remesher(triangles, goal).run();
 }

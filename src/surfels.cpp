@@ -23,10 +23,6 @@ namespace {
 constexpr std::size_t neighbors = 24;
 constexpr std::size_t most_neighbors = 64;
 
-// Largest circumradius in radii.  With 1.5 one triangle in a hundred is missing from random samples
-// of a plane, with 2 some are, with 2.5 none but along the border; larger ones bridge gaps.
-constexpr double largest_circumradius = 2.5;
-
 constexpr std::size_t block_size = 2048;
 
 double distance(const Spatial& a, const Spatial& b) { return norm(a - b); }

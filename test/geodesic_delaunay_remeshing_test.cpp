@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 
+#include <CGAL/Point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -217,6 +218,100 @@ TEST(Geodesic_delaunay_remeshing, keeps_constrained_edges)
   }
 }
 
+TEST(Geodesic_delaunay_remeshing, takes_a_spacing_for_each_curve)
+{
+  // The lower rim in 80 steps, the upper one in 30.
+  Mesh pipe = mesh_of(cylinder(40, 20, 1., 3.)), output;
+  const auto spacing = pipe.add_property_map<Mesh::Edge_index, double>("e:spacing", 0.).first;
+  for(const auto e : edges(pipe))
+    if(is_border(e, pipe))
+    {
+      const double height = pipe.point(source(halfedge(e, pipe), pipe)).z();
+      spacing[e] = 2. * 40. * std::sin(GP::internal::pi / 40.) / (height == 0. ? 80. : 30.);
+    }
+  const auto number_at = [&](double height)
+  {
+    std::size_t number = 0;
+    for(const auto v : vertices(output))
+      number += std::abs(output.point(v).z() - height) < 1e-14; // rounding
+    return number;
+  };
+  GP::geodesic_delaunay_remeshing(pipe, 150, output, GP::parameters::edge_spacing_map(spacing));
+  EXPECT_EQ(number_at(0.), 80u);
+  EXPECT_EQ(number_at(3.), 30u);
+  EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 2}}}));
+
+  output.clear();
+  GP::geodesic_delaunay_remeshing(GP::make_domain(pipe), 150, output,
+                                  GP::parameters::curve_spacing(0.1));
+  EXPECT_EQ(number_at(0.), 63u); // of 6.277
+  EXPECT_EQ(number_at(3.), 63u);
+}
+
+template <typename Cloud, typename Normals>
+void expect_reconstructs_sphere(const Cloud& cloud, const Normals& np)
+{
+  Mesh output;
+  const auto domain = GP::make_domain(cloud, np);
+  using Location = typename std::decay_t<decltype(domain)>::Location;
+  const auto location = output.add_property_map<Vertex, Location>("v:location").first;
+  std::vector<std::pair<Mesh::Edge_index, GP::Surface_path<Cloud>>> paths;
+  EXPECT_EQ(
+      GP::geodesic_delaunay_remeshing(
+          cloud, 80, output, np.location_map(location).edge_path_output(std::back_inserter(paths)))
+          .added,
+      0u);
+  EXPECT_EQ(num_vertices(output), 80u);
+  EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{2, 0}}}));
+  EXPECT_TRUE(PMP::is_outward_oriented(output));
+  for(const auto v : vertices(output))
+  {
+    // Places in the triangles between 642 surfels are up to 0.006 below the sphere, and as near to
+    // the tangent planes in which the cloud's locations lie.
+    const auto p = domain.point(domain.inner(location[v]));
+    EXPECT_LT(distance(to_array(p), to_array(output.point(v))), 0.012);
+    EXPECT_NEAR(distance(to_array(output.point(v)), {0., 0., 0.}), 1., 0.006);
+  }
+  EXPECT_EQ(paths.size(), num_edges(output));
+  for(const auto& [e, path] : paths)
+    EXPECT_GE(path.length, 0.98 * PMP::edge_length(e, output)); // ends are up to 0.012 off
+}
+
+TEST(Geodesic_delaunay_remeshing, reconstructs_a_cloud)
+{
+  const Surfels surfels = sphere_surfels(3);
+  expect_reconstructs_sphere(
+      surfels, GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map()));
+  CGAL::Point_set_3<Kernel::Point_3> points;
+  points.add_normal_map();
+  for(const auto& [p, n] : surfels)
+    points.insert(p, n);
+  expect_reconstructs_sphere(points, GP::parameters::random_seed(1u));
+
+  // Half of it slow; the surfel that comes first is kept.
+  auto speed = points.add_property_map<double>("speed", 1.).first;
+  for(const auto& i : points)
+    if(points.point(i).z() > 0.)
+      speed[i] = 0.25;
+  Mesh output;
+  GP::geodesic_delaunay_remeshing(points, 200, output,
+                                  GP::parameters::speed_map(speed).first_samples(*points.begin()));
+  EXPECT_LT(distance(to_array(output.point(Vertex(0))), to_array(points.point(*points.begin()))),
+            1e-12);
+  std::size_t above = 0;
+  for(const auto v : vertices(output))
+    above += output.point(v).z() > 0.;
+  EXPECT_GT(above, 150u); // 16 times as dense: 188 of 200, less what the transition takes
+
+  CGAL::Point_set_3<Kernel::Point_3> pair;
+  pair.add_normal_map();
+  pair.insert({0., 0., 0.}, {0., 0., 1.});
+  pair.insert({1., 0., 0.}, {0., 0., 1.});
+  EXPECT_THROW(GP::geodesic_delaunay_remeshing(pair, 2, output), GP::Unsupported_surface_error);
+  EXPECT_THROW(GP::geodesic_delaunay_remeshing(decltype(pair)(true), 2, output),
+               GP::Unsupported_surface_error);
+}
+
 TEST(Geodesic_delaunay_remeshing, comes_as_near_as_it_is_to)
 {
   for(const double scale : {1e-6, 1., 1e6})
@@ -372,6 +467,8 @@ TEST(Geodesic_delaunay_remeshing, says_what_it_cannot_use)
   put(speed, Face(3), std::nan(""));
   EXPECT_THROW(with(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
   EXPECT_THROW(with(GP::parameters::sharp_angle(-1.)), GP::Invalid_argument_error);
+  for(const double spacing : {-1., std::nan(""), GP::internal::infinity})
+    EXPECT_THROW(with(GP::parameters::curve_spacing(spacing)), GP::Invalid_argument_error);
   for(const double deviation : {0., -1., std::nan("")})
     EXPECT_THROW(with(GP::parameters::maximum_deviation(deviation)), GP::Invalid_argument_error);
   EXPECT_THROW(with(GP::parameters::sharp_angle(std::nan(""))), GP::Invalid_argument_error);

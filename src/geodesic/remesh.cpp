@@ -9,6 +9,7 @@
 #include "fill_holes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -21,6 +22,7 @@ struct Remesh_options
   std::size_t number = 0;
   std::size_t lloyd = 0;
   double sharp_angle = 180.;
+  double curve_spacing = 0.;
   double deviation = std::numeric_limits<double>::infinity();
   bool fit = false;
   std::optional<std::size_t> hole_edges; // how many a hole may have to be filled
@@ -60,23 +62,26 @@ void fill(Mesh& mesh, std::size_t most_edges, Job& job)
 }
 
 // The library's part: the mesh, and where its vertices lie.
-Result find_mesh(const Mesh& surface, const Remesh_options& options, Job& job)
+template <typename Surface_type>
+Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Domain = std::decay_t<decltype(domain)>;
   const std::vector<double> speed = speeds(domain, options.densities, job);
   job.stage("query");
   Mesh mesh;
   const auto locations =
-      mesh.add_property_map<Mesh::Vertex_index, GP::Location<Mesh>>("v:location").first;
+      mesh.add_property_map<Mesh::Vertex_index, typename Domain::Location>("v:location").first;
   const auto goal = GP::parameters::random_seed(job.seed())
                         .number_of_relaxation_steps(options.lloyd)
                         .sharp_angle(options.sharp_angle)
+                        .curve_spacing(options.curve_spacing)
                         .maximum_deviation(options.deviation)
                         .do_fit(options.fit)
                         .location_map(locations)
                         .callback(job.progress("vertices"));
   Result result;
-  with_speeds<Mesh::Vertex_index>(
+  with_speeds<typename Domain::Site>(
       speed, goal,
       [&](const auto& np)
       { result.added = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np).added; });
@@ -101,15 +106,23 @@ void run_remesh(Job& job, const Remesh_options& options)
   check(options.densities);
   if(!(options.deviation > 0.))
     throw Usage_error("--maximum-deviation: it is positive.");
+  if(!(options.curve_spacing >= 0.) || std::isinf(options.curve_spacing))
+    throw Usage_error("--curve-spacing: a distance is finite and not negative.");
   const Surface& surface = job.read();
-  if(!surface.is_mesh())
-    fail(surface.name, "a cloud cannot be remeshed, that needs a mesh");
+  if(!surface.is_mesh() && options.hole_edges)
+    fail(surface.name, "a cloud has no holes that could be filled, that needs a mesh");
 
   job.stage("prepare");
-  Mesh mesh = make_mesh(surface);
-  if(options.hole_edges)
-    fill(mesh, *options.hole_edges, job);
-  const Result result = find_mesh(mesh, options, job);
+  Result result;
+  if(surface.is_mesh())
+  {
+    Mesh mesh = make_mesh(surface);
+    if(options.hole_edges)
+      fill(mesh, *options.hole_edges, job);
+    result = find_mesh(mesh, options, job);
+  }
+  else
+    result = find_mesh(make_cloud(surface), options, job);
   job.result()["vertices_out"] = result.file.points.size();
   job.result()["faces_out"] = result.file.number_of_polygons();
   job.result()["added"] = result.added;
@@ -135,8 +148,8 @@ void run_remesh(Job& job, const Remesh_options& options)
 
 void add_remesh(CLI::App& program)
 {
-  CLI::App* const command =
-      program.add_subcommand("remesh", "a mesh of the same surface with even triangles");
+  CLI::App* const command = program.add_subcommand(
+      "remesh", "a mesh of the same surface with even triangles; of a clean cloud, too");
   const auto job = std::make_shared<Job>(*command);
   const auto options = std::make_shared<Remesh_options>();
   command->add_option("--number", options->number, "of vertices; more come where it takes them")
@@ -153,6 +166,10 @@ void add_remesh(CLI::App& program)
                    "edges at which the surface bends by so many degrees or more are kept")
       ->type_name("ANGLE")
       ->check(CLI::Range(0., 180.));
+  command
+      ->add_option("--curve-spacing", options->curve_spacing,
+                   "how far apart vertices on borders and kept edges are at most to be")
+      ->type_name("D");
   command->add_flag("--fit", options->fit,
                     "vertices leave the surface, such that faces are nearer to it");
   command

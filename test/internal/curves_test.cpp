@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/curves.h>
 
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/unfold.h>
 
 #include "Glued_surface.h"
 
@@ -15,15 +16,24 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-std::vector<Point> spread(const Glued_surface& surface, double spacing,
-                          const std::vector<bool>& is_curve,
-                          const std::vector<double>* slowness = nullptr)
+// The spacing of each side in the caller's unit.
+std::vector<Point> spread(const Glued_surface& surface, std::vector<double> spacing)
 {
+  for(double& s : spacing)
+    s /= surface.scale();
   std::vector<Point> result;
-  for(const Location& place :
-      spread_on_curves(surface.t(), is_curve, spacing / surface.scale(), slowness))
+  for(const Location& place : spread_on_curves(surface.t(), spacing))
     result.push_back(coordinates(surface.t(), place));
   return result;
+}
+
+std::vector<Point> spread(const Glued_surface& surface, double spacing,
+                          const std::vector<bool>& is_curve)
+{
+  std::vector<double> spacings;
+  for(const bool is_one : is_curve)
+    spacings.push_back(is_one ? spacing : 0.);
+  return spread(surface, std::move(spacings));
 }
 
 std::vector<Point> spread_on_border(const Glued_surface& surface, double spacing)
@@ -89,19 +99,20 @@ TEST(Curves, of_a_cube_are_its_edges)
               2);
 }
 
-TEST(Curves, are_denser_where_it_is_slow)
+TEST(Curves, are_denser_where_the_spacing_is_small)
 {
   const Glued_surface surface(square(10));
-  std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
-  for(Index f = 0; f < slowness.size(); ++f)
-    if(coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.5)
-      slowness[f] = 4.;
-  const std::vector<Point> places =
-      spread(surface, 0.1, border_and_sharp_sides(surface.t()), &slowness);
+  const std::vector<bool> border = border_and_sharp_sides(surface.t());
+  std::vector<double> spacing(border.size(), 0.);
+  for(Index side = 0; side < spacing.size(); ++side)
+    if(border[side])
+      spacing[side] =
+          coordinates(surface.t(), {side / 3, none, on_side(side, 0.5)})[0] < 0.5 ? 0.025 : 0.1;
+  const std::vector<Point> places = spread(surface, spacing);
   const auto left =
       std::count_if(places.begin(), places.end(), [](const Point& p) { return p[0] < 0.5 - 1e-9; });
-  // One side and two halves take times of 4, 2 and 2, of which the last place is in the middle; the
-  // others 0.5, 0.5 and 1.
+  // One side and two halves take 40, 20 and 20 steps, of which the last place is in the middle; the
+  // others 5, 5 and 10.
   EXPECT_EQ(left, 79);
   EXPECT_EQ(places.size(), 100u);
 }

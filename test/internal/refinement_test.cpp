@@ -114,8 +114,9 @@ TEST(Refinement, halves_what_it_is_told)
     EXPECT_EQ(fine.triangles->number_of_triangles(), 1 + number);
     EXPECT_EQ(fine.triangles->number_of_sites(), 3 + number);
     expect_same_surface(fine);
-    const std::vector<bool> first = sides_on(fine, {true, false, false});
-    EXPECT_EQ(std::count(first.begin(), first.end(), true), sides[0] ? 2 : 1);
+    const std::vector<Index> coarse = coarse_sides(fine);
+    for(Index side = 0; side < 3; ++side)
+      EXPECT_EQ(std::count(coarse.begin(), coarse.end(), side), sides[side] ? 2 : 1);
   }
 }
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/remeshing.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/unfold.h>
 #include <CGAL/Geodesic_processing/internal/refinement.h>
 
 #include "Glued_surface.h"
@@ -199,6 +201,42 @@ TEST(Remeshing, keeps_curves)
         EXPECT_EQ(common, 1u);
       }
     }
+}
+
+TEST(Remeshing, keeps_a_spacing_along_curves)
+{
+  const Glued_surface surface(square(12));
+  Remeshing_goal goal;
+  goal.number = 60;
+  goal.is_curve = border_and_sharp_sides(surface.t());
+  for(const double spacing : {0.02, 0.1, 1e300})
+  {
+    // At the lower side of the square; elsewhere it is left open.
+    goal.curve_spacing.assign(surface.t().corner.size(), 0.);
+    for(Index side = 0; side < goal.curve_spacing.size(); ++side)
+      if(goal.is_curve[side] &&
+         coordinates(surface.t(), {side / 3, none, on_side(side, 0.5)})[1] == 0.)
+        goal.curve_spacing[side] = spacing / surface.scale();
+    const Remeshing result = remeshing(surface.triangles(), goal);
+    std::vector<Index> corners;
+    for(const auto& f : result.triangles)
+      corners.insert(corners.end(), f.begin(), f.end());
+    EXPECT_EQ(topology(corners), (Topology{true, {{1, 1}}}));
+    if(spacing > 1.)
+      continue;              // more come, as other samples are nearer
+    std::vector<double> low; // up to roundings of numbers up to one
+    for(const Point& p : result.points)
+      if(p[1] < 1e-14)
+        low.push_back(p[0]);
+    std::sort(low.begin(), low.end());
+    const std::size_t steps = std::size_t(std::round(1. / spacing));
+    ASSERT_EQ(low.size(), steps + 1);
+    for(std::size_t i = 0; i <= steps; ++i)
+      EXPECT_NEAR(low[i], double(i) / double(steps), 1e-14);
+  }
+  goal.curve_spacing.assign(goal.curve_spacing.size(), 1e-12);
+  EXPECT_THROW(remeshing(surface.triangles(), goal),
+               CGAL::Geodesic_processing::Invalid_argument_error);
 }
 
 TEST(Remeshing, relaxes_to_even_triangles)

@@ -245,6 +245,9 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   for(const char* const edges : {"2", "-3", "many", "3.5"})
     expect_failure(std::string("remesh square.ply --number 9 --fill-holes ") + edges, 1,
                    "--fill-holes");
+  for(const char* const spacing : {"-1", "nan", "inf"})
+    expect_failure(std::string("remesh square.ply --number 9 --curve-spacing ") + spacing, 1,
+                   "--curve-spacing");
   expect_failure("remesh square.ply --number 9 --speed slow", 2, "slow");
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
@@ -267,7 +270,7 @@ TEST_F(Program, bad_input_is_2_and_names_the_file)
   expect_failure("distance square.ply --source 81", 2, "square.ply: there is no vertex 81");
   expect_failure("matrix square.ply --sources 3,81", 2, "square.ply: there is no vertex 81");
   expect_failure("matrix cloud.xyz --number 2 --method exact", 2, "need a mesh");
-  expect_failure("remesh cloud.xyz --number 9", 2, "needs a mesh");
+  expect_failure("remesh cloud.xyz --number 9 --fill-holes", 2, "needs a mesh");
   expect_failure("distance square.ply --source 0 --speed wind", 2, "only double_speed");
   expect_failure("voronoi square.ply --number 2 --speed wind", 2, "only double_speed");
   expect_failure("sample square.ply --number 2 --speed colours", 2, "no red, green and blue");
@@ -642,7 +645,8 @@ TEST_F(Program, speeds_are_made_of_curvature)
 
   for(const char* const command :
       {"sample pipe.off --number 12", "sample cloud.xyz --number 5", "voronoi cloud.xyz --number 4",
-       "voronoi pipe.off --number 4", "remesh pipe.off --number 30"})
+       "voronoi pipe.off --number 4", "remesh pipe.off --number 30",
+       "remesh cloud.xyz --number 20"})
     for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
       json(std::string(command) + " --speed " + speed);
 }

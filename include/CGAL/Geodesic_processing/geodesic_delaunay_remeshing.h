@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_DELAUNAY_REMESHING_H
 
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/Reconstructed_domain.h>
 #include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/limits.h>
 #include <CGAL/Geodesic_processing/internal/remeshing.h>
@@ -40,7 +41,21 @@ struct Remeshing_result
 
 namespace internal {
 
-// The curves that a remeshing is to keep: borders, sharp edges and those that a map names.
+// What a map of the mesh's edges says of each side of the domain.
+template <typename Surface, typename Domain, typename EdgeMap, typename Use>
+void for_each_side(const Surface& surface, const Domain& domain, const EdgeMap& map, const Use& use)
+{
+  static_assert(std::is_same_v<Surface, typename Domain::Surface> && !Is_cloud<Surface>::value,
+                "A map of edges takes the mesh itself, not its domain, and no cloud.");
+  for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
+  {
+    auto h = halfedge(domain.face(f), surface);
+    for(Index side = 3 * f; side < 3 * f + 3; ++side, h = next(h, surface))
+      use(side, get(map, edge(h, surface)));
+  }
+}
+
+// #sides: the curves that a remeshing is to keep: borders, sharp edges and those that a map names.
 template <typename Surface, typename Domain, typename NamedParameters>
 std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const Domain& domain,
                                  const NamedParameters& np)
@@ -50,18 +65,33 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
     throw Invalid_argument_error("The sharp angle is negative or not a number.");
   std::vector<bool> result = border_and_sharp_sides(*domain.triangles(), angle);
   if constexpr(has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>)
+    for_each_side(surface, domain, parameter(np, CGAL::internal_np::edge_is_constrained, 0),
+                  [&](Index side, bool is_kept) { result[side] = result[side] || is_kept; });
+  return result;
+}
+
+// #sides: how far apart samples are to be on each where it is kept, in the domain's scale; zero
+// where that is left open.
+template <typename Surface, typename Domain, typename NamedParameters>
+std::vector<double> spacing_of_sides([[maybe_unused]] const Surface& surface, const Domain& domain,
+                                     const NamedParameters& np)
+{
+  const double scale = domain.triangles()->scale;
+  const auto checked = [](double spacing)
   {
-    static_assert(std::is_same_v<Surface, typename Domain::Surface>,
-                  "Which edges are to be kept takes the mesh itself, not its domain.");
-    const auto is_kept = parameter(np, CGAL::internal_np::edge_is_constrained, 0);
-    for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
-    {
-      auto h = halfedge(domain.face(f), surface);
-      for(Index side = 3 * f; side < 3 * f + 3; ++side, h = next(h, surface))
-        if(get(is_kept, edge(h, surface)))
-          result[side] = true;
-    }
-  }
+    if(!(spacing >= 0. && spacing < infinity))
+      throw Invalid_argument_error("A spacing along curves is negative or not finite.");
+    return spacing;
+  };
+  std::vector<double> result(domain.triangles()->corner.size(),
+                             checked(parameter(np, internal_np::curve_spacing, 0.)) / scale);
+  if constexpr(has_parameter<NamedParameters, internal_np::edge_spacing_map_t>)
+    for_each_side(surface, domain, parameter(np, internal_np::edge_spacing_map, 0),
+                  [&](Index side, double spacing)
+                  {
+                    if(checked(spacing) > 0.)
+                      result[side] = spacing / scale;
+                  });
   return result;
 }
 
@@ -70,7 +100,9 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
 /// covers a mesh with samples and joins them by the geodesic Delaunay triangulation: a coarser, or a
-/// finer, mesh of the same surface, of even triangles. \cgalCite{cgal:pc-grfp-03}
+/// finer, mesh of the same surface, of even triangles. \cgalCite{cgal:pc-grfp-03}  Of a clean surfel
+/// cloud it makes a coarse reconstruction: of the surface that `advancing_front_surface_reconstruction()`
+/// lays through it, with triangles as small as the cloud's own, so that gaps stay open.
 ///
 /// Vertices lie on the input, unless they are to fit it: samples spread as by `farthest_point_sampling()`, and along its borders
 /// at equal steps and at their corners, if these are not nearer to each other than half of a step. They
@@ -85,7 +117,8 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 /// surface. Where the input has too few vertices to tell cells apart, its edges are halved, as often as
 /// it takes; the surface stays the same.
 ///
-/// \param surface a model of `FaceListGraph`, all of whose faces are triangles, or its domain
+/// \param surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
+///        `SurfelRange`, or the domain of one
 /// \param number of vertices; 0 asks for as few as it takes
 /// \param output any model of `MutableFaceGraph`, to which the vertices and faces are added
 /// \param np what `make_domain()` takes, and
@@ -127,6 +160,15 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 ///     \cgalParamDescription{tells of each edge of the input whether it is kept likewise; with a mesh, not
 ///       with its domain}
 ///     \cgalParamDefault{no edge is} \cgalParamNEnd
+///   \cgalParamNBegin{curve_spacing}
+///     \cgalParamDescription{how far apart samples on borders and kept edges are at most to be: about, as
+///       each piece between two corners has steps of one length. More come where this is farther than
+///       samples off the curves are from each other.}
+///     \cgalParamDefault{0: as far as all the others} \cgalParamNEnd
+///   \cgalParamNBegin{edge_spacing_map}
+///     \cgalParamDescription{the same for each edge of the input, which matters where it is kept; 0
+///       stands for `curve_spacing`; with a mesh, not with its domain}
+///     \cgalParamDefault{0 for all} \cgalParamNEnd
 ///   \cgalParamNBegin{location_map}
 ///     \cgalParamDescription{receives for each vertex of the output the `Location<Surface>` of its
 ///       sample}
@@ -141,6 +183,7 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error when a location or a speed is not usable, or the samples are too few
 ///         and that is wrong; the output is untouched
+/// \throws Unsupported_surface_error when no surface can be laid through the surfels of a cloud
 ///
 /// Takes about as long as the sampling.
 template <typename Surface, typename OutputMesh,
@@ -149,10 +192,8 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
                                              OutputMesh& output,
                                              const NamedParameters& np = NamedParameters())
 {
-  const auto domain = make_domain(surface, np);
-  using Domain_surface = typename std::decay_t<decltype(domain)>::Surface;
-  static_assert(!internal::Is_cloud<Domain_surface>::value,
-                "Cells of a surfel cloud have no triangles between them: they overlap.");
+  const auto given = make_domain(surface, np);
+  const auto& domain = internal::manifold(given);
   const internal::Glued_triangles& t = *domain.triangles();
 
   internal::Remeshing_goal goal;
@@ -164,6 +205,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   goal.maximum_deviation = deviation / t.scale;
   goal.is_fitted = internal::parameter(np, internal_np::do_fit, false);
   goal.is_curve = internal::curves_to_keep(surface, domain, np);
+  goal.curve_spacing = internal::spacing_of_sides(surface, domain, np);
   goal.relaxation_steps =
       internal::parameter(np, internal_np::number_of_relaxation_steps, std::size_t(0));
   goal.seed = static_cast<unsigned>(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
@@ -217,7 +259,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   if constexpr(internal::has_parameter<NamedParameters, internal_np::edge_path_output_t>)
   {
     auto out = internal::parameter(np, internal_np::edge_path_output, 0);
-    Geodesic_path_finder<Domain_surface> path(domain);
+    Geodesic_path_finder<typename std::decay_t<decltype(given)>::Surface> path(given);
     for(std::size_t i = 0; i < found.triangles.size(); ++i)
       for(int k = 0; k < 3; ++k)
       {

@@ -84,6 +84,14 @@ enum sharp_angle_t
 {
   sharp_angle
 };
+enum curve_spacing_t
+{
+  curve_spacing
+};
+enum edge_spacing_map_t
+{
+  edge_spacing_map
+};
 enum location_map_t
 {
   location_map
@@ -142,6 +150,8 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, maximum_deviation_t, maximum_deviation)                   \
   LINK(Geodesic_processing::internal_np, do_fit_t, do_fit)                                         \
   LINK(Geodesic_processing::internal_np, sharp_angle_t, sharp_angle)                               \
+  LINK(Geodesic_processing::internal_np, curve_spacing_t, curve_spacing)                           \
+  LINK(Geodesic_processing::internal_np, edge_spacing_map_t, edge_spacing_map)                     \
   LINK(Geodesic_processing::internal_np, location_map_t, location_map)                             \
   LINK(Geodesic_processing::internal_np, edge_path_output_t, edge_path_output)                     \
   LINK(Geodesic_processing::internal_np, strength_t, strength)                                     \

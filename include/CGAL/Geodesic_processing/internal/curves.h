@@ -9,16 +9,15 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Places on curves that run along sides of a mesh, about `spacing` apart: at the corners, where
+// Places on curves that run along sides of a mesh, about a spacing apart: at the corners, where
 // curves meet or end or turn by more than 60 degrees, and between them at equal steps.  Of turns
 // within half of the spacing the sharpest is a corner.  On a closed curve there are at least three.
 // O(n log n).
 //
-// is_curve: #sides, twins alike; slowness: as in Front_limits, or null: steps are times then
+// spacing: #sides, twins alike: along each, in the domain's scale, finite; 0 off the curves
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Location> spread_on_curves(const Glued_triangles& triangles,
-                                       const std::vector<bool>& is_curve, double spacing,
-                                       const std::vector<double>* slowness = nullptr);
+                                       const std::vector<double>& spacing);
 
 // #sides: those at the border, and those at which the surface bends by at least so many degrees.
 CGAL_GEODESIC_PROCESSING_EXPORT

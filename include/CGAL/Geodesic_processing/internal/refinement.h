@@ -37,9 +37,9 @@ Location to_coarse(const Refinement& refinement, const Location& location);
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Location> to_fine(const Refinement& refinement, const std::vector<Location>& locations);
 
-// #sides of the refinement: whether each lies on one of the coarse sides.
+// #sides of the refinement: the coarse side on which each lies, or none.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<bool> sides_on(const Refinement& refinement, const std::vector<bool>& coarse_sides);
+std::vector<Index> coarse_sides(const Refinement& refinement);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -21,6 +21,9 @@ struct Remeshing_goal
   std::shared_ptr<const std::vector<double>> slowness;
   // #sides, twins alike: curves to be kept, the border among them; empty: the border alone
   std::vector<bool> is_curve;
+  // #sides, twins alike, or empty: how far apart samples are to be along curves; where this is zero, as
+  // far as all samples
+  std::vector<double> curve_spacing;
   std::size_t relaxation_steps = 0; // that move samples which are not on curves, or first ones
   // How far sites may be from the triangles in space: samples are added where they are farther.
   double maximum_deviation = infinity;

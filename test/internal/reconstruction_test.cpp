@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/reconstruction.h>
+
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
+
+#include "Glued_surface.h"
+#include "topology.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// The points of a triangulation with the means of its triangles' normals.
+Glued_surfels surfels_of(const Triangulation& surface, double scale = 1.)
+{
+  std::vector<Spatial> normals(surface.points.size(), Spatial{0., 0., 0.}), points;
+  for(std::size_t f = 0; f < surface.corners.size(); f += 3)
+  {
+    const Spatial &p = surface.points[surface.corners[f]],
+                  &q = surface.points[surface.corners[f + 1]],
+                  &r = surface.points[surface.corners[f + 2]];
+    for(int k = 0; k < 3; ++k)
+    {
+      Spatial& normal = normals[surface.corners[f + k]];
+      normal = normal + cross(q - p, r - p);
+    }
+  }
+  for(const Spatial& p : surface.points)
+    points.push_back(scale * p);
+  return glue_surfels(points, normals);
+}
+
+TEST(Reconstruction, finds_the_surface_of_a_clean_cloud)
+{
+  Triangulation ball = icosphere(3);
+  for(Point& p : ball.points)
+    p[2] += 2.;
+  for(const Triangulation& surface :
+      {icosphere(4), torus(80, 40), square(20, 0.2), cylinder(60, 20, 1., 2.),
+       apart(ball, torus(60, 30)), annulus(60, 10, 0.5, 1.)})
+    for(const double scale : {1e-6, 1., 1e6})
+    {
+      const Glued_surfels surfels = surfels_of(surface, scale);
+      const Glued_mesh found = reconstruction(surfels);
+      EXPECT_EQ(topology(found.triangles.corner), topology(surface.corners));
+      ASSERT_EQ(found.site_of_vertex.size(), surface.points.size());
+      // As the normals are, and at the surfels.
+      for(Index f = 0; f < found.triangles.number_of_triangles(); ++f)
+      {
+        const auto corner = [&](Index k)
+        { return found.vertex_of_site[found.triangles.corner[3 * f + k]]; };
+        const auto& t = surfels.triangles;
+        const Spatial normal =
+            cross(t.point[corner(1)] - t.point[corner(0)], t.point[corner(2)] - t.point[corner(0)]);
+        EXPECT_GT(dot(normal, t.normal[corner(0)]), 0.);
+        EXPECT_LT(
+            distance(coordinates(t, {none, corner(0), {}}),
+                     coordinates(found.triangles, {none, found.site_of_vertex[corner(0)], {}})),
+            1e-12 * scale); // roundings of coordinates up to four
+      }
+    }
+}
+
+TEST(Reconstruction, leaves_gaps_open_and_sheets_apart)
+{
+  // A disc is missing, some twelve times as wide as triangles are.
+  Triangulation sheet = square(30, 0.2);
+  sheet.corners.clear();
+  const auto is_in_gap = [](const Point& p) { return std::hypot(p[0] - 0.5, p[1] - 0.5) < 0.2; };
+  sheet.points.erase(std::remove_if(sheet.points.begin(), sheet.points.end(), is_in_gap),
+                     sheet.points.end());
+  std::vector<Spatial> points = sheet.points, normals(points.size(), {0., 0., 1.});
+  EXPECT_EQ(topology(reconstruction(glue_surfels(points, normals)).triangles.corner),
+            (Topology{true, {{0, 2}}}));
+  // The other side of a thin plate, one and a half times as far as surfels from each other.
+  for(const Point& p : sheet.points)
+  {
+    points.push_back({p[0], p[1], -0.05});
+    normals.push_back({0., 0., -1.});
+  }
+  EXPECT_EQ(topology(reconstruction(glue_surfels(points, normals)).triangles.corner),
+            (Topology{true, {{0, 2}, {0, 2}}}));
+}
+
+TEST(Reconstruction, of_what_is_no_surface_is_empty)
+{
+  for(const std::size_t number : {0u, 1u, 2u, 5u, 100u})
+  {
+    std::vector<Spatial> line, place(number, {1., 2., 3.}), normals(number, {0., 0., 1.});
+    for(std::size_t i = 0; i < number; ++i)
+      line.push_back({double(i), 0., 0.});
+    for(const auto& points : {line, place})
+    {
+      const Glued_mesh found = reconstruction(glue_surfels(points, normals));
+      EXPECT_EQ(found.triangles.number_of_triangles(), 0u);
+      EXPECT_EQ(found.triangles.number_of_sites(), number);
+    }
+  }
+}
+
+TEST(Reconstruction, of_noise_is_a_surface)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<Spatial> points, normals;
+  for(int i = 0; i < 500; ++i)
+  {
+    points.push_back({normal(random), normal(random), normal(random)});
+    normals.push_back({normal(random), normal(random), normal(random)});
+  }
+  const Glued_mesh found = reconstruction(glue_surfels(points, normals));
+  for(Index side = 0; side < found.triangles.corner.size(); ++side)
+    if(const Index twin = found.triangles.twin[side]; twin != none)
+    {
+      EXPECT_EQ(found.triangles.corner[twin], found.triangles.corner[next_side(side)]);
+      EXPECT_EQ(found.triangles.corner[next_side(twin)], found.triangles.corner[side]);
+    }
+  EXPECT_GT(found.triangles.number_of_triangles(), 0u);
+}
+
+} // namespace
