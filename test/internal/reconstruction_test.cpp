@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/reconstruction.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 
@@ -105,16 +106,22 @@ TEST(Reconstruction, of_what_is_no_surface_is_empty)
   }
 }
 
-TEST(Reconstruction, of_noise_is_a_surface)
+std::pair<std::vector<Spatial>, std::vector<Spatial>> noise(std::size_t number)
 {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   std::vector<Spatial> points, normals;
-  for(int i = 0; i < 500; ++i)
+  for(std::size_t i = 0; i < number; ++i)
   {
     points.push_back({normal(random), normal(random), normal(random)});
     normals.push_back({normal(random), normal(random), normal(random)});
   }
+  return {points, normals};
+}
+
+TEST(Reconstruction, of_a_little_noise_is_a_surface)
+{
+  const auto [points, normals] = noise(500);
   const Glued_mesh found = reconstruction(glue_surfels(points, normals));
   for(Index side = 0; side < found.triangles.corner.size(); ++side)
     if(const Index twin = found.triangles.twin[side]; twin != none)
@@ -123,6 +130,13 @@ TEST(Reconstruction, of_noise_is_a_surface)
       EXPECT_EQ(found.triangles.corner[next_side(twin)], found.triangles.corner[side]);
     }
   EXPECT_GT(found.triangles.number_of_triangles(), 0u);
+}
+
+TEST(Reconstruction, refuses_much_noise)
+{
+  const auto [points, normals] = noise(6000);
+  EXPECT_THROW(reconstruction(glue_surfels(points, normals)),
+               CGAL::Geodesic_processing::Unsupported_surface_error);
 }
 
 } // namespace

@@ -183,7 +183,8 @@ std::vector<double> spacing_of_sides([[maybe_unused]] const Surface& surface, co
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error when a location or a speed is not usable, or the samples are too few
 ///         and that is wrong; the output is untouched
-/// \throws Unsupported_surface_error when no surface can be laid through the surfels of a cloud
+/// \throws Unsupported_surface_error when no surface can be laid through the surfels of a cloud, or
+///         one of too many parts
 ///
 /// Takes about as long as the sampling.
 template <typename Surface, typename OutputMesh,

@@ -11,7 +11,8 @@ namespace CGAL::Geodesic_processing::internal {
 // A surface through the surfels of a clean cloud, whose vertices are the cloud's sites: CGAL's advancing
 // front (Cohen-Steiner and Da 2004) among the Delaunay triangles whose sides join neighbours. Oriented
 // as the normals are, in each component. Sites that no triangle takes are isolated; copies are.
-// O(n log n); about a kilobyte per surfel while it runs.
+// Throws Unsupported_surface_error when the cloud is not clean: noise makes a surface of many parts.
+// O(n log n), and O(n) for each part.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Glued_mesh reconstruction(const Glued_surfels& surfels);
 
