@@ -223,7 +223,7 @@ Glued_mesh reconstruction(const Glued_surfels& surfels)
   for(const Spatial& p : t.point)
     places.push_back(t.origin + t.scale * p);
   const std::vector<Index> corners = corners_of(faces);
-  return glue(std::move(places), corners, twins_of_soup(places.size(), corners));
+  return glue(std::move(places), corners, twins_of_soup(t.number_of_sites(), corners));
 }
 
 } // namespace CGAL::Geodesic_processing::internal

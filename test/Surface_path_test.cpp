@@ -20,12 +20,9 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 void expect_paths(const Triangulation& shape, double scale)
 {
-  Triangulation scaled = shape;
-  for(Point& p : scaled.points)
-    for(double& x : p)
-      x *= scale;
+  const Triangulation surface = scaled(shape, scale);
   Numbered<Surface_mesh> mesh;
-  fill(mesh, scaled);
+  fill(mesh, surface);
   const auto domain = make_domain(mesh.mesh);
   const double rounding = 1e-12 * scale; // sums of some tens of lengths
   for(std::size_t from = 1; from < mesh.vertices.size(); from += 23)
@@ -33,8 +30,8 @@ void expect_paths(const Triangulation& shape, double scale)
     const auto path = geodesic_path(domain, mesh.vertices[from], mesh.vertices[0]);
     ASSERT_FALSE(path.empty());
     ASSERT_EQ(path.points.size(), path.locations.size());
-    EXPECT_LT(distance(to_array(path.points.front()), scaled.points[from]), rounding);
-    EXPECT_LT(distance(to_array(path.points.back()), scaled.points[0]), rounding);
+    EXPECT_LT(distance(to_array(path.points.front()), surface.points[from]), rounding);
+    EXPECT_LT(distance(to_array(path.points.back()), surface.points[0]), rounding);
     double length = 0.;
     for(std::size_t i = 0; i < path.points.size(); ++i)
     {

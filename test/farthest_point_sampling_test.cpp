@@ -164,10 +164,8 @@ TEST(Farthest_point_sampling, does_not_depend_on_scale)
 {
   for(const double scale : {1e-6, 1e6})
   {
-    Triangulation plane = square(20, 0.2), scaled = plane;
-    for(Point& p : scaled.points)
-      p = scale * p;
-    const Mesh mesh = mesh_of(plane), large = mesh_of(scaled);
+    const Triangulation plane = square(20, 0.2);
+    const Mesh mesh = mesh_of(plane), large = mesh_of(scaled(plane, scale));
     Radii radii, large_radii;
     std::vector<Vertex> sites;
     GP::farthest_site_sampling(mesh, 30, std::back_inserter(sites),

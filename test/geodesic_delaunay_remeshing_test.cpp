@@ -316,10 +316,7 @@ TEST(Geodesic_delaunay_remeshing, comes_as_near_as_it_is_to)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
-    Triangulation torus_surface = torus(60, 24);
-    for(Point& p : torus_surface.points)
-      for(double& x : p)
-        x *= scale;
+    const Triangulation torus_surface = scaled(torus(60, 24), scale);
     const Mesh mesh = mesh_of(torus_surface);
     Mesh output;
     GP::geodesic_delaunay_remeshing(mesh, 50, output,
@@ -334,10 +331,7 @@ TEST(Geodesic_delaunay_remeshing, fits_faces_to_the_input)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
-    Triangulation ball = icosphere(5);
-    for(Point& p : ball.points)
-      for(double& x : p)
-        x *= scale;
+    const Triangulation ball = scaled(icosphere(5), scale);
     const Mesh mesh = mesh_of(ball);
     const auto mean_distance = [&](bool do_fit)
     {
@@ -400,12 +394,8 @@ TEST(Geodesic_delaunay_remeshing, does_not_depend_on_scale)
   GP::geodesic_delaunay_remeshing(mesh_of(ring), 100, output);
   for(const double scale : {0x1p-40, 0x1p40}) // powers of two change no digit
   {
-    Triangulation scaled = ring;
-    for(Point& p : scaled.points)
-      for(double& x : p)
-        x *= scale;
     Mesh large;
-    GP::geodesic_delaunay_remeshing(mesh_of(scaled), 100, large);
+    GP::geodesic_delaunay_remeshing(mesh_of(scaled(ring, scale)), 100, large);
     EXPECT_EQ(corners_of(large), corners_of(output));
   }
 }

@@ -168,10 +168,7 @@ TEST(Geodesic_path, keeps_to_the_scale)
 {
   for(const double scale : {1e-160, 1e-6, 1e6, 1e160})
   {
-    Triangulation surface = square(8, 0.24);
-    for(Point& p : surface.points)
-      for(double& x : p)
-        x *= scale;
+    const Triangulation surface = scaled(square(8, 0.24), scale);
     const Mesh mesh = mesh_of(surface);
     const Path path = GP::geodesic_path(mesh, Vertex(0), Vertex(80));
     EXPECT_NEAR(path.length / scale, std::sqrt(2.), rounding);

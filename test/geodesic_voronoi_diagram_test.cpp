@@ -31,10 +31,7 @@ TEST(Geodesic_voronoi_diagram, of_two_corners_of_a_square)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
-    Triangulation plane = square(20, 0.2);
-    for(Point& p : plane.points)
-      for(double& x : p)
-        x *= scale;
+    const Triangulation plane = scaled(square(20, 0.2), scale);
     Mesh mesh = mesh_of(plane);
     auto label = vertex_map<std::size_t>(mesh);
     const auto face_label = mesh.add_property_map<Face, std::size_t>("f:label").first;
@@ -186,10 +183,7 @@ TEST(Geodesic_voronoi_cells, of_two_corners_are_the_halves_of_a_square)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
-    Triangulation plane = square(20, 0.2);
-    for(Point& p : plane.points)
-      for(double& x : p)
-        x *= scale;
+    const Triangulation plane = scaled(square(20, 0.2), scale);
     const Mesh mesh = mesh_of(plane);
     Mesh cut;
     const auto label = cut.add_property_map<Face, std::size_t>("f:label").first;

@@ -21,10 +21,7 @@ TEST(Locate_on_surface, finds_every_place_of_a_mesh_again)
 {
   for(const double scale : {1., 1e-160, 1e160})
   {
-    Triangulation surface = shaken(icosphere(3), 0.03);
-    for(Point& p : surface.points)
-      for(double& x : p)
-        x *= scale;
+    const Triangulation surface = scaled(shaken(icosphere(3), 0.03), scale);
     const Mesh mesh = mesh_of(surface);
     const GP::Surface_locator<Mesh> locate(mesh);
     std::mt19937 random(1);

@@ -36,9 +36,7 @@ TEST(Curvature_speeds, of_a_sphere_are_one_half_and_two_on_every_scale)
 {
   for(const double scale : {1., 1e-6, 1e6})
   {
-    Triangulation sphere = icosphere(4);
-    for(Point& p : sphere.points)
-      p = scale * p;
+    const Triangulation sphere = scaled(icosphere(4), scale);
     // Curvatures are within five percent, see the kernel's test, and are half of the sum here.
     for(const double speed : speeds_of(sphere))
       EXPECT_NEAR(speed, 0.5, 0.025 * 0.5);
@@ -142,9 +140,7 @@ TEST(Image_speeds, do_not_change_with_the_scale_of_surface_or_image)
   std::vector<std::vector<double>> all;
   for(const double scale : {1., 1e-6, 1e6})
   {
-    Triangulation sheet = square(20, 0.2);
-    for(Point& p : sheet.points)
-      p = scale * p;
+    const Triangulation sheet = scaled(square(20, 0.2), scale);
     Mesh mesh = mesh_of(sheet);
     auto speed = vertex_map(mesh), image = vertex_map(mesh);
     for(const Vertex v : mesh.vertices())

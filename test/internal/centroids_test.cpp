@@ -39,9 +39,7 @@ TEST(Centroids, of_a_square_and_of_its_halves)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
-    Triangulation plane = square(10, 0.2);
-    for(Point& p : plane.points)
-      p = scale * p;
+    const Triangulation plane = scaled(square(10, 0.2), scale);
     const Glued_surface surface(plane);
     EXPECT_LT(distance(moved(surface, {surface.at(0)}, 0), {scale / 2., scale / 2., 0.}),
               rounding * scale);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/dual.h>
 
-#include <CGAL/Geodesic_processing/internal/sampling.h>
 #include <CGAL/Geodesic_processing/internal/voronoi.h>
 
 #include "Glued_surface.h"
@@ -29,16 +28,6 @@ Voronoi voronoi(const Glued_surface& surface, const std::vector<Location>& seeds
 Dual dual_of(const Glued_surface& surface, const std::vector<Location>& seeds)
 {
   return dual(surface.t(), voronoi(surface, seeds).labels(), Index(seeds.size()));
-}
-
-std::vector<Location> spread(const Glued_surface& surface, std::size_t number)
-{
-  Sampling sampling(surface.triangles(), Front(surface.triangles(), Front_kind::euclidean),
-                    Sample_place::triangle);
-  Sampling_goal goal;
-  goal.number = number;
-  sample_farthest(sampling, goal, [](double) {});
-  return sampling.samples();
 }
 
 // Triangles of cells as a surface: each side at most once in each direction.  Its Euler characteristic
@@ -80,9 +69,9 @@ TEST(Dual, of_many_samples_is_a_surface_like_the_mesh)
     const Glued_surface surface(triangulation);
     // Samples are added while a check fails, as a remeshing would do; uniform ones soon pass it.
     std::size_t number = 100;
-    Dual found = dual_of(surface, spread(surface, number));
+    Dual found = dual_of(surface, farthest_points(surface.triangles(), number));
     while(!found.is_closed_ball() && number < 160)
-      found = dual_of(surface, spread(surface, ++number));
+      found = dual_of(surface, farthest_points(surface.triangles(), ++number));
     ASSERT_TRUE(found.is_closed_ball());
     const auto [shape, border] = shape_of(found);
     EXPECT_EQ(shape, characteristic);

@@ -19,9 +19,9 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // The points of a triangulation with the means of its triangles' normals.
-Glued_surfels surfels_of(const Triangulation& surface, double scale = 1.)
+Glued_surfels surfels_of(const Triangulation& surface)
 {
-  std::vector<Spatial> normals(surface.points.size(), Spatial{0., 0., 0.}), points;
+  std::vector<Spatial> normals(surface.points.size(), Spatial{0., 0., 0.});
   for(std::size_t f = 0; f < surface.corners.size(); f += 3)
   {
     const Spatial &p = surface.points[surface.corners[f]],
@@ -33,9 +33,7 @@ Glued_surfels surfels_of(const Triangulation& surface, double scale = 1.)
       normal = normal + cross(q - p, r - p);
     }
   }
-  for(const Spatial& p : surface.points)
-    points.push_back(scale * p);
-  return glue_surfels(points, normals);
+  return glue_surfels(surface.points, normals);
 }
 
 TEST(Reconstruction, finds_the_surface_of_a_clean_cloud)
@@ -48,7 +46,7 @@ TEST(Reconstruction, finds_the_surface_of_a_clean_cloud)
        apart(ball, torus(60, 30)), annulus(60, 10, 0.5, 1.)})
     for(const double scale : {1e-6, 1., 1e6})
     {
-      const Glued_surfels surfels = surfels_of(surface, scale);
+      const Glued_surfels surfels = surfels_of(scaled(surface, scale));
       const Glued_mesh found = reconstruction(surfels);
       EXPECT_EQ(topology(found.triangles.corner), topology(surface.corners));
       ASSERT_EQ(found.site_of_vertex.size(), surface.points.size());

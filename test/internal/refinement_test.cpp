@@ -71,10 +71,7 @@ TEST(Refinement, keeps_the_surface)
     for(const unsigned one_of : {1u, 2u, 5u})
       for(const double scale : {1e-6, 1., 1e6})
       {
-        Triangulation scaled = triangulation;
-        for(Point& p : scaled.points)
-          p = scale * p;
-        const Glued_surface surface(scaled);
+        const Glued_surface surface(scaled(triangulation, scale));
         Refinement fine = refinement(surface.triangles());
         for(int i = 0; i < 3; ++i)
         {

@@ -4,7 +4,6 @@
 
 #include <CGAL/Geodesic_processing/internal/centroids.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/sampling.h>
 
 #include "Glued_surface.h"
 
@@ -14,16 +13,6 @@ namespace {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
-
-std::vector<Location> farthest_points(const Glued_surface& surface, std::size_t number)
-{
-  Sampling sampling(surface.triangles(), Front(surface.triangles(), Front_kind::euclidean),
-                    Sample_place::triangle);
-  Sampling_goal goal;
-  goal.number = number;
-  sample_farthest(sampling, goal, [](double) {});
-  return sampling.samples();
-}
 
 struct Relaxed
 {
@@ -50,9 +39,7 @@ TEST(Relaxation, puts_one_sample_in_the_middle_and_four_in_a_row)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
-    Triangulation plane = square(20, 0.2);
-    for(Point& p : plane.points)
-      p = scale * p;
+    Triangulation plane = scaled(square(20, 0.2), scale);
     const Glued_surface surface(plane);
     const Relaxed one = relaxed(surface, {surface.at(0)}, 1);
     EXPECT_LT(distance(one.points[0], {scale / 2., scale / 2., 0.}), 1e-13 * scale);
@@ -74,7 +61,7 @@ TEST(Relaxation, puts_one_sample_in_the_middle_and_four_in_a_row)
 TEST(Relaxation, ends_at_the_centroids_of_the_cells)
 {
   const Glued_surface surface(shaken(icosphere(4), 0.02));
-  std::vector<Location> samples = farthest_points(surface, 40);
+  std::vector<Location> samples = farthest_points(surface.triangles(), 40);
   const Relaxed found = relaxed(surface, samples, 100);
   // The cells that fronts of all of them together find.
   Front front(surface.triangles(), Front_kind::euclidean);

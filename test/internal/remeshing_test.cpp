@@ -134,9 +134,7 @@ TEST(Remeshing, covers_a_square_to_its_corners)
     for(const std::size_t relaxation : {0u, 3u})
       for(const std::size_t number : {20u, 200u})
       {
-        Triangulation plane = square(30, 0.2);
-        for(Point& p : plane.points)
-          p = scale * p;
+        const Triangulation plane = scaled(square(30, 0.2), scale);
         const Glued_surface surface(plane);
         const Remeshing mesh = remeshed(surface, number, relaxation);
         const std::vector<Point> points = points_of(surface, mesh);
@@ -294,10 +292,8 @@ TEST(Remeshing, comes_as_near_as_it_is_to)
   for(const Triangulation& surface : {icosphere(4), double_ring(6), torus(60, 24)})
     for(const double scale : {1e-6, 1.})
     {
-      Triangulation scaled = surface;
-      for(Point& p : scaled.points)
-        p = scale * p;
-      const Glued_surface glued(scaled);
+      const Triangulation large = scaled(surface, scale);
+      const Glued_surface glued(large);
       std::vector<std::size_t> numbers;
       for(const double deviation : {0.1, 0.03, 0.01})
       {
@@ -308,7 +304,7 @@ TEST(Remeshing, comes_as_near_as_it_is_to)
         expect_same_topology(glued, mesh, 30);
         numbers.push_back(mesh.samples.size());
         const std::vector<Point> points = points_of(glued, mesh);
-        for(const Point& p : scaled.points)
+        for(const Point& p : large.points)
         {
           double least = infinity;
           for(const auto& f : mesh.triangles)

@@ -354,9 +354,7 @@ TEST(Sampling, does_not_depend_on_scale)
   std::vector<std::vector<double>> all;
   for(const double scale : {1., 0x1p-20, 0x1p20})
   {
-    Triangulation plane = square(20, 0.2);
-    for(Point& p : plane.points)
-      p = scale * p;
+    const Triangulation plane = scaled(square(20, 0.2), scale);
     const Glued_surface surface(plane);
     Sampling samples = sampling(surface.triangles());
     all.push_back(spread(samples, 50));

@@ -3,7 +3,6 @@
 #include <CGAL/Geodesic_processing/internal/voronoi.h>
 
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/sampling.h>
 #include <CGAL/Geodesic_processing/internal/surfels.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
@@ -41,11 +40,7 @@ Sources sources_at(const std::vector<Location>& places)
 
 Sources spread(const std::shared_ptr<const Glued_triangles>& triangles, std::size_t number)
 {
-  Sampling sampling(triangles, Front(triangles, Kind::euclidean), Sample_place::triangle);
-  Sampling_goal goal;
-  goal.number = number;
-  sample_farthest(sampling, goal, [](double) {});
-  return sources_at(sampling.samples());
+  return sources_at(farthest_points(triangles, number));
 }
 
 void expect_joined(const Glued_triangles& t, const Voronoi& cells)
@@ -392,9 +387,7 @@ TEST(Voronoi, does_not_depend_on_scale)
   std::vector<std::vector<double>> all;
   for(const double scale : {1., 0x1p-20, 0x1p20})
   {
-    Triangulation sphere = icosphere(3);
-    for(Point& p : sphere.points)
-      p = scale * p;
+    const Triangulation sphere = scaled(icosphere(3), scale);
     const Glued_surface surface(sphere);
     all.emplace_back();
     for(const auto& bisector :

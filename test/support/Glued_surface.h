@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_GLUED_SURFACE_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/sampling.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include "triangulations.h"
@@ -90,6 +91,18 @@ private:
   Glued_mesh m_glued;
   std::shared_ptr<const Glued_triangles> m_triangles;
 };
+
+// Samples that are spread by farthest points.
+inline std::vector<Location>
+farthest_points(const std::shared_ptr<const Glued_triangles>& triangles, std::size_t number)
+{
+  using namespace internal;
+  Sampling sampling(triangles, Front(triangles, Front_kind::euclidean), Sample_place::triangle);
+  Sampling_goal goal;
+  goal.number = number;
+  sample_farthest(sampling, goal, [](double) {});
+  return sampling.samples();
+}
 
 // The largest of |value(i) - truth(i)| over all points; infinite where only one of them is, or one
 // is not a number.

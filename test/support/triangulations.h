@@ -282,6 +282,14 @@ inline Triangulation double_ring(int size = 4)
                 { return j / size != 1 || (i / size != 1 && i / size != 3); });
 }
 
+inline Triangulation scaled(Triangulation surface, double factor)
+{
+  for(Point& p : surface.points)
+    for(double& x : p)
+      x *= factor;
+  return surface;
+}
+
 // Moves each point by up to `amount` in each coordinate.
 inline Triangulation shaken(Triangulation surface, double amount, unsigned seed = 1)
 {
