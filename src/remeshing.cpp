@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/dual.h>
+#include <CGAL/Geodesic_processing/internal/fitting.h>
 #include <CGAL/Geodesic_processing/internal/flips.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/refinement.h>
@@ -36,10 +37,6 @@ constexpr double longest_curve = 0x1p32;
 // How often sides are halved where all sites are samples: once or twice is enough for two triangles of
 // the same corners.
 constexpr int most_refinements = 20;
-
-// The mean distance of a scan from 5,000 vertices falls from 0.031 percent of the diagonal to 0.018 in one
-// step, 0.0174 in two and 0.016 in ten; but the least angles fall too, with each.
-constexpr int steps_of_fit = 2;
 
 // The cells of samples, numbered: those that come to a site.
 struct Cells
@@ -341,13 +338,11 @@ private:
       const std::vector<Index> strays = cells_off_curves(cells);
       if(found.is_closed_ball() && strays.empty())
       {
-        std::vector<Spatial> points = flip(cells, found.triangles);
-        if(m_goal.is_fitted)
-          fit(cells, points, found.triangles);
-        const std::vector<Location> far = far_sites(cells, points, found.triangles);
+        Coarse_mesh mesh = joined(cells, std::move(found.triangles));
+        const std::vector<Location> far = far_places(cells, mesh);
         if(far.empty())
         {
-          finish(cells, points, std::move(found.triangles));
+          finish(cells, std::move(mesh));
           return true;
         }
         m_sampling->add(far);
@@ -499,122 +494,50 @@ private:
     m_sampling->add(to_fine(m_surface, samples));
   }
 
-  // Where four cells almost meet in one place, sites do not tell which two do.  Returns the samples.
-  std::vector<Spatial> flip(const Cells& cells, std::vector<std::array<Index, 3>>& triangles) const
+  // Where four cells almost meet in one place, sites do not tell which two do.
+  Coarse_mesh joined(const Cells& cells, std::vector<std::array<Index, 3>> triangles) const
   {
-    std::vector<Spatial> points;
+    Coarse_mesh result{{}, std::move(triangles)};
     std::vector<bool> is_kept;
     for(const Index index : cells.samples)
     {
       const Location& sample = m_sampling->samples()[index];
-      points.push_back(scaled_coordinates(t(), sample));
+      result.points.push_back(scaled_coordinates(t(), sample));
       is_kept.push_back(is_on_curve(sample));
     }
-    flip_to_larger_angles(points, is_kept, triangles);
-    return points;
-  }
-
-  // The triangles around each sample.
-  static std::vector<std::vector<Index>> stars(std::size_t number_of_samples,
-                                               const std::vector<std::array<Index, 3>>& triangles)
-  {
-    std::vector<std::vector<Index>> result(number_of_samples);
-    for(Index f = 0; f < triangles.size(); ++f)
-      for(const Index sample : triangles[f])
-        result[sample].push_back(f);
+    flip_to_larger_angles(result.points, is_kept, result.triangles);
+    if(m_goal.is_fitted)
+      fit(t(), cells.labels, is_kept, result);
     return result;
   }
 
-  // What is nearest to a place on the triangles of a star.
-  struct Foot
-  {
-    Index triangle = none;
-    std::array<double, 3> barycentric;
-    Spatial way; // from there to the place
-    double length = infinity;
-  };
-  static Foot foot_on(const std::vector<Index>& star, const std::vector<Spatial>& points,
-                      const std::vector<std::array<Index, 3>>& triangles, const Spatial& p)
-  {
-    Foot result;
-    for(const Index f : star)
-    {
-      const Spatial &a = points[triangles[f][0]], &b = points[triangles[f][1]],
-                    &c = points[triangles[f][2]];
-      const auto nearest = nearest_in_triangle(a, b, c, p);
-      const Spatial way = p - (nearest[0] * a + nearest[1] * b + nearest[2] * c);
-      if(const double length = norm(way); length < result.length)
-        result = {f, nearest, way, length};
-    }
-    return result;
-  }
-
-  // Of each cell the site that is farther from the triangles around its sample than it may be, and
-  // farthest of these.
-  std::vector<Location> far_sites(const Cells& cells, const std::vector<Spatial>& points,
-                                  const std::vector<std::array<Index, 3>>& triangles) const
+  // Sites that are farther from the mesh than they may be, and no samples.
+  std::vector<Location> far_places(const Cells& cells, const Coarse_mesh& mesh) const
   {
     std::vector<Location> result;
     const double most = m_goal.maximum_deviation / unit_size();
     if(!(most < infinity))
       return result;
-    const auto star = stars(points.size(), triangles);
-    std::vector<std::pair<double, Index>> farthest(points.size(), {most, none});
-    for(Index site = 0; site < cells.labels.size(); ++site)
-      if(const Index cell = cells.labels[site]; cell != none && m_sampling->distances()[site] > 0.)
-        if(const double least = foot_on(star[cell], points, triangles, t().point[site]).length;
-           least < infinity && least > farthest[cell].first)
-          farthest[cell] = {least, site};
-    for(const auto& [deviation, site] : farthest)
-      if(site != none)
-        result.push_back({none, site, {}});
+    std::vector<Index> labels = cells.labels;
+    for(Index site = 0; site < labels.size(); ++site)
+      if(m_sampling->distances()[site] == 0.)
+        labels[site] = none;
+    for(const Index site : far_sites(t(), labels, mesh, most))
+      result.push_back({none, site, {}});
     return result;
   }
 
-  // Moves points that are not on curves such that sites are near to the triangles, in the sense of least
-  // squares.
-  void fit(const Cells& cells, std::vector<Spatial>& points,
-           const std::vector<std::array<Index, 3>>& triangles) const
+  void finish(const Cells& cells, Coarse_mesh mesh)
   {
-    std::vector<double> area(cells.labels.size(), 0.);
-    for(Index f = 0; f < t().number_of_triangles(); ++f)
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
-        area[t().corner[side]] +=
-            twice_area(t().length[3 * f], t().length[3 * f + 1], t().length[3 * f + 2]);
-    const auto star = stars(points.size(), triangles);
-    for(int step = 0; step < steps_of_fit; ++step)
-    {
-      std::vector<Spatial> moves(points.size(), Spatial{0., 0., 0.});
-      std::vector<double> weights(points.size(), 0.);
-      for(Index site = 0; site < cells.labels.size(); ++site)
-        if(const Index cell = cells.labels[site]; cell != none)
-          if(const Foot foot = foot_on(star[cell], points, triangles, t().point[site]);
-             foot.triangle != none)
-            for(int k = 0; k < 3; ++k)
-            {
-              const Index point = triangles[foot.triangle][k];
-              const double weight = area[site] * foot.barycentric[k];
-              moves[point] = moves[point] + weight * foot.way;
-              weights[point] += weight;
-            }
-      for(std::size_t i = 0; i < points.size(); ++i)
-        if(weights[i] > 0. && !is_on_curve(m_sampling->samples()[cells.samples[i]]))
-          points[i] = points[i] + (1. / weights[i]) * moves[i];
-    }
-  }
-
-  void finish(const Cells& cells, const std::vector<Spatial>& points,
-              std::vector<std::array<Index, 3>> triangles)
-  {
-    for(std::size_t i = 0; i < points.size(); ++i)
+    for(std::size_t i = 0; i < mesh.points.size(); ++i)
     {
       m_result.samples.push_back(cleaned(
           *m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[cells.samples[i]])));
       m_result.points.push_back(m_goal.is_fitted
-                                    ? t().origin + t().scale * points[i]
+                                    ? t().origin + t().scale * mesh.points[i]
                                     : coordinates(*m_surface.coarse, m_result.samples.back()));
     }
-    m_result.triangles = std::move(triangles);
+    m_result.triangles = std::move(mesh.triangles);
   }
 
   const Remeshing_goal& m_goal;
