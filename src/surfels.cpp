@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/locality.h>
 #include <CGAL/Geodesic_processing/internal/parallel.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/surfel_neighbors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,143 +24,7 @@ namespace {
 constexpr std::size_t neighbors = 24;
 constexpr std::size_t most_neighbors = 64;
 
-constexpr std::size_t block_size = 2048;
-
 double distance(const Spatial& a, const Spatial& b) { return norm(a - b); }
-
-void check_sizes(std::size_t points, std::size_t normals, std::size_t radii)
-{
-  if(normals != points || (radii != 0 && radii != points))
-    throw Invalid_argument_error("There are " + std::to_string(points) + " points, " +
-                                 std::to_string(normals) + " normals and " + std::to_string(radii) +
-                                 " radii.");
-  if(points > none / 128)
-    throw Unsupported_surface_error("A cloud of more than 2^25 surfels is too large.");
-}
-
-void normalize(std::vector<Spatial>& normals)
-{
-  for(std::size_t i = 0; i < normals.size(); ++i)
-  {
-    Spatial& n = normals[i];
-    const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
-    if(!(largest > 0.) || !std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2]))
-      throw Invalid_argument_error("The normal of surfel " + std::to_string(i) +
-                                   " has no direction.");
-    const int exponent = std::ilogb(largest);
-    for(double& x : n)
-      x = std::ldexp(x, -exponent);
-    const double length = std::sqrt(dot(n, n));
-    for(double& x : n)
-      x /= length;
-  }
-}
-
-// How two surfels can be neighbours on a surface.  The chord of a circular arc makes equal angles
-// with both normals, so that the sum of the normals is perpendicular to it; between two parallel
-// sheets it is not, and across noise or a sharp edge it need not be.
-enum class Agreement
-{
-  no,
-  steep,
-  gentle
-};
-
-struct Agree
-{
-  double cosine;
-
-  // Largest products of the sum of the normals with the direction of the chord.  The first holds
-  // parallel sheets at a distance of one mean spacing apart: chords to the other sheet would have to
-  // be 4 spacings long.  Chords across sharp edges rise more, by as much as the normals differ.
-  static constexpr double gentle = 0.5, steep = 1., gain = 0.7;
-
-  Agreement operator()(const Spatial& p, const Spatial& n, const Spatial& q, const Spatial& m) const
-  {
-    const double product = dot(n, m);
-    if(product <= cosine)
-      return Agreement::no;
-    const Spatial chord = q - p;
-    const double rise = dot(n, chord) + dot(m, chord), square = dot(chord, chord);
-    if(rise * rise <= gentle * gentle * square)
-      return Agreement::gentle;
-    const double most = std::min(steep, gentle + gain * std::sqrt(std::max(0., 2. - 2. * product)));
-    return rise * rise <= most * most * square ? Agreement::steep : Agreement::no;
-  }
-};
-
-// For each surfel the first one at the same point with an agreeing normal: itself for most.
-std::vector<Index> originals(const std::vector<Spatial>& points,
-                             const std::vector<Spatial>& normals, double cosine)
-{
-  // Points closer than 2^-51 of the extent are rounded together by this sum, so that no squared
-  // distance between originals underflows.
-  const auto key = [&](Index i) -> Spatial {
-    return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};
-  };
-  std::size_t slots = 16;
-  while(slots < 2 * points.size())
-    slots *= 2;
-  std::vector<Index> table(slots, none), original(points.size());
-  for(Index i = 0; i < points.size(); ++i)
-  {
-    const Spatial k = key(i);
-    std::uint64_t hash = 0;
-    for(const double x : k)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(x * 0x1p50)) * 0x9e3779b97f4a7c15ull;
-      hash ^= hash >> 29;
-    }
-    std::size_t slot = hash & (slots - 1);
-    while(table[slot] != none &&
-          !(key(table[slot]) == k && dot(normals[table[slot]], normals[i]) > cosine))
-      slot = (slot + 1) & (slots - 1);
-    if(table[slot] == none)
-      table[slot] = i;
-    original[i] = table[slot];
-  }
-  return original;
-}
-
-// Rows of different lengths, filled block by block.
-class Rows
-{
-public:
-  explicit Rows(std::size_t size)
-      : first(size + 1, 0), m_parts((size + block_size - 1) / block_size)
-  {}
-
-  std::vector<Index>& part(std::size_t block) { return m_parts[block]; }
-  void end_row(std::size_t block, std::size_t row)
-  {
-    first[row + 1] = static_cast<Index>(m_parts[block].size());
-  }
-  void join()
-  {
-    std::size_t total = 0;
-    for(std::size_t block = 0; block < m_parts.size(); ++block)
-    {
-      const std::size_t end = std::min((block + 1) * block_size, first.size() - 1);
-      for(std::size_t row = block * block_size; row < end; ++row)
-        first[row + 1] += static_cast<Index>(total);
-      total += m_parts[block].size();
-    }
-    entries.reserve(total);
-    for(auto& part : m_parts)
-    {
-      entries.insert(entries.end(), part.begin(), part.end());
-      part = {};
-    }
-  }
-
-  const Index* begin(std::size_t row) const { return entries.data() + first[row]; }
-  const Index* end(std::size_t row) const { return entries.data() + first[row + 1]; }
-
-  std::vector<Index> first, entries;
-
-private:
-  std::vector<std::vector<Index>> m_parts;
-};
 
 // The Voronoi cell of the origin of the plane, cut from a square by one half-plane after another.
 class Cell
@@ -262,50 +127,6 @@ struct Sites
   }
 };
 
-// Calls visit(block, i, found) for each point of the tree with itself and its nearest ones.
-template <typename Visit>
-void visit_nearest(const std::vector<Spatial>& point, const Kd_tree& tree, unsigned threads,
-                   const Visit& visit)
-{
-  for_each_block(tree.size(), block_size, threads,
-                 [&](std::size_t block, std::size_t begin, std::size_t end)
-                 {
-                   std::vector<Kd_tree::Neighbor> found;
-                   double bound = infinity;
-                   for(Index i = static_cast<Index>(begin); i < end; ++i)
-                   {
-                     // As many lie around the point before, so that none of ours is farther than
-                     // theirs and the step from it; enlarged by more than the rounding of this sum.
-                     if(i > begin)
-                       bound = (bound + distance(point[i], point[i - 1])) * (1. + 1e-12);
-                     tree.nearest(point, point[i], neighbors + 1, found, bound * bound);
-                     bound = found.size() <= neighbors ? infinity
-                                                       : std::sqrt(found.back().squared_distance);
-                     visit(block, i, found);
-                   }
-                 });
-}
-
-// For each site those that agree with it, nearest first, among its nearest ones; `reach` receives
-// the distance up to which all sites have been seen.
-Rows find_neighbors(const Sites& sites, std::vector<double>& reach)
-{
-  Rows rows(sites.size());
-  reach.assign(sites.size(), infinity);
-  visit_nearest(sites.point, sites.tree, sites.threads,
-                [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
-                {
-                  if(found.size() > neighbors)
-                    reach[i] = std::sqrt(found.back().squared_distance);
-                  for(const Kd_tree::Neighbor& neighbor : found)
-                    if(neighbor.point != i && sites.agreement(i, neighbor.point) != Agreement::no)
-                      rows.part(block).push_back(neighbor.point);
-                  rows.end_row(block, i);
-                });
-  rows.join();
-  return rows;
-}
-
 // For each site the ends of its triangles, counterclockwise: a b and b c for triangles with the
 // sides ab and bc, `none` between two that make no triangle, and after the last one if it makes
 // none with the first.
@@ -324,7 +145,7 @@ Rows find_rings(const Sites& sites, const Rows& near, const std::vector<double>&
     }
   Rows rings(sites.size());
   for_each_block(
-      sites.size(), block_size, sites.threads,
+      sites.size(), surfel_block, sites.threads,
       [&](std::size_t block, std::size_t begin, std::size_t end)
       {
         std::vector<Kd_tree::Neighbor> more;
@@ -452,8 +273,8 @@ void collect_triangles(const Rows& rings, unsigned threads, Glued_triangles& t)
 {
   const std::size_t n = rings.first.size() - 1;
   Rows corners(n);
-  std::vector<std::vector<float>> weights((n + block_size - 1) / block_size);
-  for_each_block(n, block_size, threads,
+  std::vector<std::vector<float>> weights((n + surfel_block - 1) / surfel_block);
+  for_each_block(n, surfel_block, threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
@@ -482,7 +303,7 @@ void build_graph(const Sites& sites, Rows& near, const std::vector<double>& radi
                  const std::vector<Index>& original, Glued_triangles& t)
 {
   const std::size_t n = t.point.size(), m = sites.size();
-  for_each_block(m, block_size, sites.threads,
+  for_each_block(m, surfel_block, sites.threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
@@ -515,7 +336,7 @@ void build_graph(const Sites& sites, Rows& near, const std::vector<double>& radi
     each([&](Index a, Index b) { target[end[a]++] = b, target[end[b]++] = a; });
   }
   Rows arcs(n);
-  for_each_block(n, block_size, sites.threads,
+  for_each_block(n, surfel_block, sites.threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    std::vector<Index>& part = arcs.part(block);
@@ -539,7 +360,7 @@ void measure(Glued_surfels& surfels, unsigned threads)
   Glued_triangles& t = surfels.triangles;
   const std::size_t n = t.point.size();
   t.graph.length.resize(t.graph.target.size());
-  for_each_block(n, block_size, threads,
+  for_each_block(n, surfel_block, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(std::size_t i = begin; i < end; ++i)
@@ -637,7 +458,8 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
   const Sites sites = {t.point, t.normal, result.tree, agree, options.threads};
   const std::size_t m = sites.size();
   std::vector<double> reach;
-  Rows near = find_neighbors(sites, reach);
+  Rows near =
+      find_neighbors(t.point, t.normal, result.tree, &agree, neighbors, options.threads, reach);
 
   std::vector<double>& radius = result.radius;
   radius.assign(n, 0.);
@@ -692,7 +514,7 @@ std::vector<std::array<double, 3>> smooth_surfels(std::vector<std::array<double,
   // Neighbours, and the squared distance within which they lie.
   Rows near(n);
   std::vector<double> farthest(n);
-  visit_nearest(start, tree, threads,
+  visit_nearest(start, tree, neighbors, threads,
                 [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
                 {
                   farthest[i] = found.back().squared_distance;
@@ -708,7 +530,7 @@ std::vector<std::array<double, 3>> smooth_surfels(std::vector<std::array<double,
   std::vector<double> height(n, 0.), next(n, 0.);
   for(unsigned pass = 0; pass < passes; ++pass)
   {
-    for_each_block(n, block_size, threads,
+    for_each_block(n, surfel_block, threads,
                    [&](std::size_t, std::size_t begin, std::size_t end)
                    {
                      for(std::size_t i = begin; i < end; ++i)

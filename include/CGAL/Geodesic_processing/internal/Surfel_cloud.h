@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_CLOUD_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_CLOUD_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/locality.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/surfel_variants.h>
+
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+struct Cloud_options
+{
+  Surfel_graph graph = Surfel_graph::extended_spheres;
+  std::size_t neighbors = 16; // how many of its nearest surfels each looks at, or is joined to
+  // Neighbours have normals that differ by less: across the edges of a cube, not through a sheet.
+  double maximum_angle = 1.7453292519943295; // 100 degrees
+  // The radius of a surfel, where none is given, is the distance to its neighbour of this rank
+  // divided by sqrt(2).
+  std::size_t rank = 8;
+  unsigned threads = 1; // changes nothing but the time
+};
+
+// Surfels in the order of their kd-tree, and a proximity graph: what paths on a cloud need.
+struct Surfel_cloud
+{
+  Frame frame;                          // caller's point = origin + scale * ours
+  std::vector<Spatial> point, normal;   // #sites
+  std::vector<double> radius;           // #sites
+  Kd_tree tree;                         // over the points
+  Site_graph graph;                     // symmetric; the arcs of a site in the order of their ends
+  std::vector<Index> component;         // #sites: 0 .. number_of_components - 1
+  Index number_of_components = 0;
+  std::vector<Index> site_of_surfel;    // #surfels
+  std::vector<Index> surfel_of_site;    // #sites: the first of the surfels there
+
+  std::size_t number_of_sites() const { return point.size(); }
+};
+
+// Reads a cloud.
+//
+// points   #surfels, finite; normals  #surfels, of any positive length;
+// radii    #surfels, not negative, in the caller's unit; or empty.
+//
+// Surfels at one point with agreeing normals are one site.  The graph is one of
+//   extended_spheres  two surfels whose spheres of influence, of their radii, meet, and which are
+//                     neighbours by their normals (Ruggeri, Darom, Saupe and Kiryati 2006)
+//   spheres           the radius is the distance to the nearest surfel; normals do not count
+//   nearest           each surfel and its nearest ones; normals do not count
+// (Klein and Zachmann 2004 for the last two), where each surfel looks at its nearest ones only.
+//
+// Throws as glue_surfels().  O(n log n).
+CGAL_GEODESIC_PROCESSING_EXPORT
+Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
+                        const std::vector<double>& radii = {}, const Cloud_options& options = {});
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_CLOUD_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_SURFACE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_SURFACE_H
+
+#include <CGAL/Geodesic_processing/internal/Path_surface.h>
+#include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
+
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+enum class Surfel_fit
+{
+  disks,   // the nearest point of the surfels' disks
+  planes,  // the plane of the weighted mean point and normal (Alexa and others 2003)
+  spheres, // the algebraic sphere through points and normals (Guennebaud, Germann and Gross 2008)
+  quadrics // that sphere, and the surface of second order over it through what it leaves
+};
+
+// The surface that a cloud suggests.
+//
+// Around the surfel nearest to a place, found by a walk over the graph such that it stays on one
+// sheet, it is fitted to that surfel and its graph neighbours, with weights (1 - (d / h)^2)^4 of their
+// distances d, where h is three radii, in the mean of the neighbours.  Surfels beyond a sharp edge
+// do not count: the weight falls to zero between 40 and 60 degrees of difference from the normal of
+// the nearest one, and the edge lies where the fits of both sides are equally far.
+//
+// It ends `reach` radii from the nearest surfel, along its tangent plane.
+class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
+{
+public:
+  static constexpr double reach = 1.5;
+
+  // The cloud stays with the caller.
+  Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit);
+
+  // `near` is a site.
+  Foot foot(const Spatial& point, Index near) const override;
+
+  const Surfel_cloud& cloud() const { return m_cloud; }
+
+private:
+  Index nearest(const Spatial& point, Index near) const;
+  Foot on_disk(const Spatial& point, Index site) const;
+  bool step(Spatial& point, Spatial& normal, Index site) const;
+  template <typename Visit>
+  void visit(const Spatial& point, Index site, Visit v) const;
+  void correct(const Spatial& from, double curvature, Index site, Spatial& point,
+               Spatial& normal) const;
+
+  const Surfel_cloud& m_cloud;
+  Surfel_fit m_fit;
+  std::vector<double> m_squared_support; // #sites
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_SURFACE_H

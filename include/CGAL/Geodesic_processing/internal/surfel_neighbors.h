@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_NEIGHBORS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_NEIGHBORS_H
+
+#include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/parallel.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+// What makes two surfels of a cloud neighbours, and how the neighbours of all are found.
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Of the blocks in which surfels are treated, whatever the number of threads.
+inline constexpr std::size_t surfel_block = 2048;
+
+// Throws Invalid_argument_error when there are not as many normals, or radii, as points, and
+// Unsupported_surface_error above 2^25 points.  No radii at all are right too.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void check_sizes(std::size_t points, std::size_t normals, std::size_t radii);
+
+// Makes vectors of any positive length unit vectors.
+// Throws Invalid_argument_error when one has no direction.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void normalize(std::vector<Spatial>& normals);
+
+// How two surfels can be neighbours on a surface.  The chord of a circular arc makes equal angles
+// with both normals, so that the sum of the normals is perpendicular to it; between two parallel
+// sheets it is not, and across noise or a sharp edge it need not be.
+enum class Agreement
+{
+  no,
+  steep,
+  gentle
+};
+
+struct Agree
+{
+  double cosine;
+
+  // Largest products of the sum of the normals with the direction of the chord.  The first holds
+  // parallel sheets at a distance of one mean spacing apart: chords to the other sheet would have to
+  // be 4 spacings long.  Chords across sharp edges rise more, by as much as the normals differ.
+  static constexpr double gentle = 0.5, steep = 1., gain = 0.7;
+
+  Agreement operator()(const Spatial& p, const Spatial& n, const Spatial& q, const Spatial& m) const
+  {
+    const double product = dot(n, m);
+    if(product <= cosine)
+      return Agreement::no;
+    const Spatial chord = q - p;
+    const double rise = dot(n, chord) + dot(m, chord), square = dot(chord, chord);
+    if(rise * rise <= gentle * gentle * square)
+      return Agreement::gentle;
+    const double most = std::min(steep, gentle + gain * std::sqrt(std::max(0., 2. - 2. * product)));
+    return rise * rise <= most * most * square ? Agreement::steep : Agreement::no;
+  }
+};
+
+// For each surfel the first one at the same point with an agreeing normal: itself for most.
+//
+// points  of a unit_frame(); cosine  of the angle at which normals do not agree any more
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Index> originals(const std::vector<Spatial>& points,
+                             const std::vector<Spatial>& normals, double cosine);
+
+// Rows of different lengths, filled block by block.
+class Rows
+{
+public:
+  explicit Rows(std::size_t size)
+      : first(size + 1, 0), m_parts((size + surfel_block - 1) / surfel_block)
+  {}
+
+  std::vector<Index>& part(std::size_t block) { return m_parts[block]; }
+  void end_row(std::size_t block, std::size_t row)
+  {
+    first[row + 1] = static_cast<Index>(m_parts[block].size());
+  }
+  void join()
+  {
+    std::size_t total = 0;
+    for(std::size_t block = 0; block < m_parts.size(); ++block)
+    {
+      const std::size_t end = std::min((block + 1) * surfel_block, first.size() - 1);
+      for(std::size_t row = block * surfel_block; row < end; ++row)
+        first[row + 1] += static_cast<Index>(total);
+      total += m_parts[block].size();
+    }
+    entries.reserve(total);
+    for(auto& part : m_parts)
+    {
+      entries.insert(entries.end(), part.begin(), part.end());
+      part = {};
+    }
+  }
+
+  const Index* begin(std::size_t row) const { return entries.data() + first[row]; }
+  const Index* end(std::size_t row) const { return entries.data() + first[row + 1]; }
+
+  std::vector<Index> first, entries;
+
+private:
+  std::vector<std::vector<Index>> m_parts;
+};
+
+// Calls visit(block, i, found) for each point of the tree with itself and its `count` nearest ones,
+// nearest first.
+template <typename Visit>
+void visit_nearest(const std::vector<Spatial>& point, const Kd_tree& tree, std::size_t count,
+                   unsigned threads, const Visit& visit)
+{
+  for_each_block(tree.size(), surfel_block, threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   std::vector<Kd_tree::Neighbor> found;
+                   double bound = infinity;
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                   {
+                     // As many lie around the point before, so that none of ours is farther than
+                     // theirs and the step from it; enlarged by more than the rounding of this sum.
+                     if(i > begin)
+                       bound = (bound + norm(point[i] - point[i - 1])) * (1. + 1e-12);
+                     tree.nearest(point, point[i], count + 1, found, bound * bound);
+                     bound = found.size() <= count ? infinity
+                                                   : std::sqrt(found.back().squared_distance);
+                     visit(block, i, found);
+                   }
+                 });
+}
+
+// The `count` nearest points of each, without those that do not agree with it, nearest first; all of
+// them without an `agree`.  `reach` receives the distance up to which all points have been seen.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,
+                    const Kd_tree& tree, const Agree* agree, std::size_t count, unsigned threads,
+                    std::vector<double>& reach);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_NEIGHBORS_H

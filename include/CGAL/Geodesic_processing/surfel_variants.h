@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_SURFEL_VARIANTS_H
+#define CGAL_GEODESIC_PROCESSING_SURFEL_VARIANTS_H
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingPaths
+/// which surfels of a cloud are joined by arcs, from which a path starts.
+enum class Surfel_graph
+{
+  /// those whose spheres, of their radii, meet, and whose normals agree: near sheets stay apart.
+  /// \cgalCite{cgal:rdsk-agpss-06}
+  extended_spheres,
+  /// those whose spheres of influence meet, as large as the distance to the nearest surfel
+  spheres,
+  /// each and its nearest ones \cgalCite{cgal:kz-pgpcs-04}
+  nearest
+};
+
+/// \ingroup PkgGeodesicProcessingPaths
+/// how the shortest chain of arcs between two surfels is found: the same one by all.
+enum class Surfel_search
+{
+  a_star,        ///< towards the goal, bounded below by the distance in space
+  bidirectional, ///< from both ends
+  dijkstra       ///< in all directions
+};
+
+/// \ingroup PkgGeodesicProcessingPaths
+/// what a path on a cloud is drawn to, or held on.
+enum class Surfel_path_method
+{
+  /// held on algebraic spheres fitted to the surfels and their normals
+  projected_spheres,
+  /// held on planes fitted to them \cgalCite{cgal:hp-emss-04}
+  projected_planes,
+  /// drawn to algebraic spheres by the energy
+  spheres,
+  /// drawn to fitted planes by the energy
+  planes,
+  /// drawn to the disks of the surfels by the energy \cgalCite{cgal:rdsk-agpss-06}
+  disks
+};
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_SURFEL_VARIANTS_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/surfel_neighbors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Reads points, without copies, and normals into the tree's order.
+void sort_surfels(std::vector<Spatial> points, std::vector<Spatial> normals, double cosine,
+                  unsigned threads, Surfel_cloud& cloud)
+{
+  const std::size_t n = points.size();
+  cloud.frame = unit_frame(points);
+  to_frame(points, cloud.frame);
+  normalize(normals);
+  const std::vector<Index> original = originals(points, normals, cosine);
+  std::vector<Index> place, order;
+  for(Index i = 0; i < n; ++i)
+    if(original[i] == i)
+    {
+      place.push_back(i);
+      cloud.point.push_back(points[i]);
+    }
+  cloud.tree = Kd_tree(cloud.point, order, threads);
+  cloud.site_of_surfel.resize(n);
+  cloud.surfel_of_site.resize(place.size());
+  cloud.normal.resize(place.size());
+  for(Index s = 0; s < place.size(); ++s)
+  {
+    const Index surfel = place[order[s]];
+    cloud.surfel_of_site[s] = surfel;
+    cloud.site_of_surfel[surfel] = s;
+    cloud.normal[s] = normals[surfel];
+  }
+  for(Index i = 0; i < n; ++i)
+    cloud.site_of_surfel[i] = cloud.site_of_surfel[original[i]];
+}
+
+void set_radii(const std::vector<double>& radii, const Rows& near, std::size_t rank,
+               Surfel_cloud& cloud)
+{
+  const int exponent = -std::ilogb(cloud.frame.scale);
+  cloud.radius.assign(cloud.number_of_sites(), 0.);
+  for(Index s = 0; s < cloud.radius.size(); ++s)
+    if(!radii.empty())
+    {
+      const double r = radii[cloud.surfel_of_site[s]];
+      if(!std::isfinite(r) || r < 0.)
+        throw Invalid_argument_error("The radius of surfel " +
+                                     std::to_string(cloud.surfel_of_site[s]) +
+                                     " is negative or not finite.");
+      // No larger than the cloud, where squares are safe.
+      cloud.radius[s] = std::min(std::ldexp(r, exponent), 8.);
+    }
+    else if(near.begin(s) != near.end(s))
+    {
+      const std::size_t count = near.end(s) - near.begin(s);
+      const Index last = near.begin(s)[std::min(rank, count) - 1];
+      cloud.radius[s] = norm(cloud.point[last] - cloud.point[s]) / std::sqrt(2.);
+    }
+}
+
+// Arcs to the neighbours that `meet` and back from those that look at us although we do not look at
+// them.  Each surfel has looked at all within its `reach`.
+template <typename Meet>
+Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
+                      const std::vector<double>& reach, unsigned threads, const Meet& meet)
+{
+  const std::size_t n = point.size();
+  // Of the arcs that may be missing where they end, their begins.
+  std::vector<std::vector<std::pair<Index, Index>>> parts((n + surfel_block - 1) / surfel_block);
+  for_each_block(n, surfel_block, threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                     for(const Index* j = near.begin(i); j != near.end(i); ++j)
+                       if(const double length = norm(point[*j] - point[i]);
+                          length >= reach[*j] * (1. - 1e-12) && meet(i, *j, length))
+                         parts[block].emplace_back(*j, i);
+                 });
+  std::vector<std::pair<Index, Index>> back;
+  for(const auto& part : parts)
+    back.insert(back.end(), part.begin(), part.end());
+  std::sort(back.begin(), back.end());
+
+  Rows arcs(n);
+  for_each_block(n, surfel_block, threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   std::vector<Index>& part = arcs.part(block);
+                   auto extra = std::lower_bound(back.begin(), back.end(),
+                                                 std::make_pair(static_cast<Index>(begin), Index(0)));
+                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                   {
+                     const std::size_t row = part.size();
+                     for(const Index* j = near.begin(i); j != near.end(i); ++j)
+                       if(meet(i, *j, norm(point[*j] - point[i])))
+                         part.push_back(*j);
+                     for(; extra != back.end() && extra->first == i; ++extra)
+                       part.push_back(extra->second);
+                     std::sort(part.begin() + row, part.end());
+                     part.erase(std::unique(part.begin() + row, part.end()), part.end());
+                     arcs.end_row(block, i);
+                   }
+                 });
+  arcs.join();
+  Site_graph graph;
+  graph.first = std::move(arcs.first);
+  graph.target = std::move(arcs.entries);
+  graph.length.resize(graph.target.size());
+  for_each_block(n, surfel_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t i = begin; i < end; ++i)
+                     for(Index arc = graph.first[i]; arc < graph.first[i + 1]; ++arc)
+                       graph.length[arc] = norm(point[graph.target[arc]] - point[i]);
+                 });
+  return graph;
+}
+
+void label_components(Surfel_cloud& cloud)
+{
+  const Site_graph& graph = cloud.graph;
+  cloud.component.assign(cloud.number_of_sites(), none);
+  std::vector<Index> stack;
+  for(Index seed = 0; seed < cloud.component.size(); ++seed)
+  {
+    if(cloud.component[seed] != none)
+      continue;
+    cloud.component[seed] = cloud.number_of_components;
+    stack.push_back(seed);
+    while(!stack.empty())
+    {
+      const Index site = stack.back();
+      stack.pop_back();
+      for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+        if(Index& label = cloud.component[graph.target[arc]]; label == none)
+        {
+          label = cloud.number_of_components;
+          stack.push_back(graph.target[arc]);
+        }
+    }
+    ++cloud.number_of_components;
+  }
+}
+
+} // namespace
+
+Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
+                        const std::vector<double>& radii, const Cloud_options& options)
+{
+  check_sizes(points.size(), normals.size(), radii.size());
+  if(!(options.maximum_angle > 0.) || options.maximum_angle > std::acos(-1.) || options.rank == 0 ||
+     options.neighbors == 0)
+    throw Invalid_argument_error("The angle between neighbours must lie between 0 and pi, and their "
+                                 "number and rank above 0.");
+  Surfel_cloud cloud;
+  const bool is_extended = options.graph == Surfel_graph::extended_spheres;
+  const Agree agree = {std::cos(options.maximum_angle)};
+  sort_surfels(std::move(points), std::move(normals), agree.cosine, options.threads, cloud);
+
+  std::vector<double> reach;
+  const Rows near = find_neighbors(cloud.point, cloud.normal, cloud.tree, &agree, options.neighbors,
+                                   options.threads, reach);
+  set_radii(radii, near, options.rank, cloud);
+  const auto graph = [&](const Rows& rows, const auto& meet)
+  { cloud.graph = make_graph(cloud.point, rows, reach, options.threads, meet); };
+  if(is_extended)
+    graph(near, [&](Index i, Index j, double length)
+          { return length <= cloud.radius[i] + cloud.radius[j]; });
+  else
+  {
+    const Rows all = find_neighbors(cloud.point, cloud.normal, cloud.tree, nullptr,
+                                    options.neighbors, options.threads, reach);
+    if(options.graph == Surfel_graph::nearest)
+      graph(all, [](Index, Index, double) { return true; });
+    else
+    {
+      std::vector<double> nearest(cloud.number_of_sites(), 0.);
+      for(Index i = 0; i < nearest.size(); ++i)
+        if(all.begin(i) != all.end(i))
+          nearest[i] = norm(cloud.point[*all.begin(i)] - cloud.point[i]);
+      graph(all, [&](Index i, Index j, double length)
+            { return length <= nearest[i] + nearest[j]; });
+    }
+  }
+  label_components(cloud);
+  return cloud;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Surfel_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+constexpr double support_in_radii = 3.;
+
+// Cosines of the differences of normals at which weights begin to fall, and are zero.
+constexpr double full = 0.76604444311897804 /* 40 degrees */, zero = 0.5 /* 60 degrees */;
+
+// Weighted sums over surfels, seen from the point in question.
+struct Sums
+{
+  double weight = 0., point_normal = 0., point_point = 0.;
+  Spatial point = {0., 0., 0.}, normal = {0., 0., 0.};
+
+  void add(double w, const Spatial& p, const Spatial& n)
+  {
+    weight += w;
+    point_normal += w * dot(p, n);
+    point_point += w * dot(p, p);
+    point = point + w * p;
+    normal = normal + w * n;
+  }
+};
+
+// The sphere  constant + linear x + square x^2 = 0  whose gradient fits the normals best, and whose
+// value then fits the points (Guennebaud, Germann and Gross 2008, Eq. 5), seen from the origin.
+struct Sphere
+{
+  double height, curvature; // along the normal; positive where the normal points to the outside
+  Spatial normal;
+};
+
+Sphere fitted_sphere(const Sums& s)
+{
+  const double over = 1. / s.weight;
+  const double spread = s.point_point - over * dot(s.point, s.point);
+  const double square =
+      spread > 0. ? 0.5 * (s.point_normal - over * dot(s.point, s.normal)) / spread : 0.;
+  const Spatial linear = over * (s.normal - 2. * square * s.point);
+  const double constant = -over * (dot(linear, s.point) + square * s.point_point);
+  const double slope = norm(linear);
+  const double discriminant = slope * slope - 4. * constant * square;
+  // The centre of the sphere, or a place that sees it from too far: no better than a plane.
+  if(!(discriminant > 0.) || !(slope * slope > 0.25 * discriminant))
+    return {dot(s.point, unit(s.normal)) * over, 0., unit(s.normal)};
+  return {-2. * constant / (slope + std::sqrt(discriminant)), 2. * square / std::sqrt(discriminant),
+          (1. / slope) * linear};
+}
+
+// A symmetric positive system of six equations.
+struct System
+{
+  std::array<std::array<double, 6>, 6> matrix = {};
+  std::array<double, 6> right = {};
+
+  void add(double weight, const std::array<double, 6>& row, double value)
+  {
+    for(int i = 0; i < 6; ++i)
+    {
+      const double factor = weight * row[i];
+      for(int j = 0; j <= i; ++j)
+        matrix[i][j] += factor * row[j];
+      right[i] += factor * value;
+    }
+  }
+  // By Cholesky's factors; false when it is singular.
+  bool solve()
+  {
+    for(int i = 0; i < 6; ++i)
+      for(int j = 0; j <= i; ++j)
+      {
+        double sum = matrix[i][j];
+        for(int k = 0; k < j; ++k)
+          sum -= matrix[i][k] * matrix[j][k];
+        if(i == j && !(sum > 1e-12 * matrix[i][i]))
+          return false;
+        matrix[i][j] = i == j ? std::sqrt(sum) : sum / matrix[j][j];
+      }
+    for(int i = 0; i < 6; ++i)
+    {
+      for(int k = 0; k < i; ++k)
+        right[i] -= matrix[i][k] * right[k];
+      right[i] /= matrix[i][i];
+    }
+    for(int i = 5; i >= 0; --i)
+    {
+      for(int k = i + 1; k < 6; ++k)
+        right[i] -= matrix[k][i] * right[k];
+      right[i] /= matrix[i][i];
+    }
+    return true;
+  }
+};
+
+} // namespace
+
+Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit)
+    : m_cloud(cloud), m_fit(fit), m_squared_support(cloud.number_of_sites())
+{
+  const Site_graph& graph = cloud.graph;
+  for(Index site = 0; site < m_squared_support.size(); ++site)
+  {
+    double sum = cloud.radius[site];
+    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+      sum += cloud.radius[graph.target[arc]];
+    const double support =
+        support_in_radii * sum / double(graph.first[site + 1] - graph.first[site] + 1);
+    m_squared_support[site] = support * support;
+  }
+}
+
+Index Surfel_surface::nearest(const Spatial& point, Index near) const
+{
+  const Site_graph& graph = m_cloud.graph;
+  const auto squared_distance = [&](Index site)
+  {
+    const Spatial way = m_cloud.point[site] - point;
+    return dot(way, way);
+  };
+  double least = squared_distance(near);
+  for(Index site = none; site != near;)
+  {
+    site = near;
+    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+      if(const double d = squared_distance(graph.target[arc]); d < least)
+      {
+        least = d;
+        near = graph.target[arc];
+      }
+  }
+  return near;
+}
+
+Foot Surfel_surface::on_disk(const Spatial& point, Index site) const
+{
+  const Spatial way = point - m_cloud.point[site], normal = m_cloud.normal[site];
+  const Spatial tangent = way - dot(way, normal) * normal;
+  const double length = norm(tangent), radius = m_cloud.radius[site];
+  Foot foot = {m_cloud.point[site] + tangent, normal, {0., 0., 0.}, site};
+  if(length > radius)
+    foot.point = m_cloud.point[site] + (radius / length) * tangent;
+  return foot;
+}
+
+// Calls v(weight, other) for the surfels that count around a point.
+template <typename Visit>
+void Surfel_surface::visit(const Spatial& point, Index site, Visit v) const
+{
+  const Site_graph& graph = m_cloud.graph;
+  const double over = 1. / m_squared_support[site];
+  const auto consider = [&](Index other)
+  {
+    const Spatial way = m_cloud.point[other] - point;
+    const double rest = 1. - over * dot(way, way);
+    const double cosine = dot(m_cloud.normal[site], m_cloud.normal[other]);
+    if(!(rest > 0.) || cosine <= zero)
+      return;
+    const double weight = rest * rest * rest * rest;
+    v(cosine < full ? weight * (cosine - zero) / (full - zero) : weight, other);
+  };
+  consider(site);
+  for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+    consider(graph.target[arc]);
+}
+
+// Moves a point to the surface fitted around it; false where there is none.
+bool Surfel_surface::step(Spatial& point, Spatial& normal, Index site) const
+{
+  Sums sums;
+  visit(point, site, [&](double weight, Index other)
+        { sums.add(weight, m_cloud.point[other] - point, m_cloud.normal[other]); });
+  if(!(sums.weight > 0.))
+    return false;
+  if(m_fit == Surfel_fit::planes)
+  {
+    normal = unit(sums.normal);
+    point = point + dot(sums.point, normal) / sums.weight * normal;
+    return true;
+  }
+  const Sphere sphere = fitted_sphere(sums);
+  const Spatial from = point;
+  normal = sphere.normal;
+  point = point + sphere.height * normal;
+  if(m_fit == Surfel_fit::quadrics)
+    correct(from, sphere.curvature, site, point, normal);
+  return true;
+}
+
+// Adds to a fitted sphere the surface of second order that fits what it leaves of heights and
+// slopes, with the weights of the place that it was fitted at.
+void Surfel_surface::correct(const Spatial& from, double curvature, Index site, Spatial& point,
+                             Spatial& normal) const
+{
+  const auto [u, v] = tangent_frame(normal);
+  const double unit_length = std::sqrt(m_squared_support[site]) / support_in_radii;
+  const double over = 1. / unit_length, bend = curvature * unit_length;
+  System system;
+  visit(from, site,
+        [&, &u = u, &v = v](double weight, Index other)
+        {
+          const Spatial way = over * (m_cloud.point[other] - point), n = m_cloud.normal[other];
+          const double x = dot(way, u), y = dot(way, v);
+          const double rest = 1. - bend * bend * (x * x + y * y), up = dot(n, normal);
+          if(!(rest > 0.04) || !(up > 0.2))
+            return;
+          // Of the sphere:  height = (cosine - 1) / bend,  slope = -bend (x, y) / cosine.
+          const double cosine = std::sqrt(rest);
+          const double height = dot(way, normal) + bend * (x * x + y * y) / (1. + cosine);
+          const double slope = bend / cosine;
+          system.add(weight, {1., x, y, 0.5 * x * x, x * y, 0.5 * y * y}, height);
+          system.add(weight, {0., 1., 0., x, y, 0.}, slope * x - dot(n, u) / up);
+          system.add(weight, {0., 0., 1., 0., x, y}, slope * y - dot(n, v) / up);
+        });
+  if(!system.solve())
+    return;
+  const auto& [height, dx, dy, xx, xy, yy] = system.right;
+  (void)xx, (void)xy, (void)yy;
+  const Spatial upward = normal - dx * u - dy * v;
+  normal = unit(upward);
+  point = point + unit_length * height * dot(normal, upward) / dot(upward, upward) * normal;
+}
+
+Foot Surfel_surface::foot(const Spatial& given, Index near) const
+{
+  const Index site = nearest(given, near);
+  if(m_fit == Surfel_fit::disks)
+  {
+    const Site_graph& graph = m_cloud.graph;
+    Foot best = on_disk(given, site);
+    double least = norm(given - best.point);
+    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+    {
+      const Foot foot = on_disk(given, graph.target[arc]);
+      if(const double distance = norm(given - foot.point); distance < least)
+      {
+        least = distance;
+        best = foot;
+      }
+    }
+    return best;
+  }
+
+  Foot foot = {given, m_cloud.normal[site], {0., 0., 0.}, site};
+  const Spatial way = given - m_cloud.point[site];
+  const Spatial tangent = way - dot(way, foot.normal) * foot.normal;
+  const double length = norm(tangent), most = reach * m_cloud.radius[site];
+  if(length > most)
+  {
+    foot.rim = (1. / length) * tangent;
+    foot.point = foot.point - (length - most) * foot.rim;
+  }
+  // From far away the fit is one to the wrong surfels: again from the first foot, until that is near.
+  for(int i = 0; i < 4; ++i)
+  {
+    const Spatial before = foot.point;
+    if(!step(foot.point, foot.normal, site))
+    {
+      foot.point = m_cloud.point[site];
+      continue;
+    }
+    const Spatial moved = foot.point - before;
+    if(dot(moved, moved) < 1e-4 * m_squared_support[site])
+      break;
+  }
+  return foot;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,433 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/path_energy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+Spatial without(const Spatial& direction, const Spatial& p) { return p - dot(p, direction) * direction; }
+
+double length_of(const std::vector<Foot>& path)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+    sum += norm(path[i + 1].point - path[i].point);
+  return sum;
+}
+
+double product(const std::vector<Spatial>& p, const std::vector<Spatial>& q)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i < p.size(); ++i)
+    sum += dot(p[i], q[i]);
+  return sum;
+}
+
+// Solves  (2 (2 + shift) on the diagonal, -2 beside it) x = right  for the inner nodes.
+class Tridiagonal
+{
+public:
+  Tridiagonal(std::size_t nodes, double shift) : m_over(nodes, 0.)
+  {
+    double over = 0.;
+    for(std::size_t i = 1; i + 1 < nodes; ++i)
+      m_over[i] = over = 1. / (2. * (2. + shift) - 4. * over);
+  }
+  void solve(std::vector<Spatial>& x) const
+  {
+    const std::size_t n = x.size();
+    for(std::size_t i = 2; i + 1 < n; ++i)
+      x[i] = x[i] + 2. * m_over[i - 1] * x[i - 1];
+    for(std::size_t i = n - 2; i > 0; --i)
+      x[i] = m_over[i] * (x[i] + 2. * x[i + 1]);
+  }
+
+private:
+  std::vector<double> m_over; // #nodes: of the pivots
+};
+
+struct State
+{
+  std::vector<Spatial> points;
+  std::vector<Foot> feet, middles;
+  Path_energy energy;
+};
+
+class Minimizer
+{
+public:
+  Minimizer(const Path_surface& surface, const Path_options& options, std::vector<Foot>& path)
+      : m_surface(surface), m_options(options), m_path(path),
+        m_mean_length(length_of(path) / double(path.size() - 1)), m_along(path.size(), 0.),
+        m_across(path.size(), options.alpha + options.beta)
+  {
+    for(const Foot& foot : path)
+      m_now.points.push_back(foot.point);
+    m_now.feet = path;
+    if(m_options.hold == Path_hold::energy)
+      m_now.middles.assign(path.begin(), path.end() - 1);
+    evaluate(m_now);
+  }
+
+  Path_level operator()()
+  {
+    Path_level level = {m_path.size() - 2, 0, m_now.energy.value, 0.};
+    std::vector<Spatial> gradient = m_now.energy.gradient, step = preconditioned(gradient), direction;
+    double product_before = product(gradient, step), last_decrease = infinity;
+    for(const Spatial& s : step)
+      direction.push_back(-1. * s);
+    while(level.iterations < m_options.iterations)
+    {
+      double slope = -product_before;
+      if(!direction.empty())
+        slope = product(m_now.energy.gradient, direction);
+      if(!(-slope > 0.1 * m_options.tolerance * m_now.energy.value))
+        break;
+      const double before = m_now.energy.value;
+      if(!search(direction, slope))
+        break;
+      ++level.iterations;
+      const double decrease = before - m_now.energy.value;
+      if(std::max(decrease, last_decrease) < m_options.tolerance * before)
+        break;
+      last_decrease = decrease;
+      // Polak and Ribiere, with a fresh start where their factor is negative.
+      const std::vector<Spatial> next = preconditioned(m_now.energy.gradient);
+      const double product_now = product(m_now.energy.gradient, next);
+      const double factor =
+          std::max(0., (product_now - product(gradient, next)) / product_before);
+      for(std::size_t i = 0; i < direction.size(); ++i)
+        direction[i] = tangential(i, factor * direction[i]) - next[i];
+      if(!(product(m_now.energy.gradient, direction) < -0.01 * product_now))
+        for(std::size_t i = 0; i < direction.size(); ++i)
+          direction[i] = -1. * next[i];
+      gradient = m_now.energy.gradient;
+      product_before = product_now;
+    }
+    level.last_energy = m_now.energy.value;
+    for(std::size_t i = 0; i < m_path.size(); ++i)
+    {
+      m_path[i] = m_now.feet[i];
+      m_path[i].point = m_now.points[i];
+    }
+    return level;
+  }
+
+private:
+  void evaluate(State& state) const
+  {
+    internal::evaluate(m_surface, m_options, m_mean_length, state.points, state.feet, state.middles,
+                       state.energy);
+  }
+
+  // What a projected node can do of a step.
+  Spatial tangential(std::size_t i, Spatial step) const
+  {
+    if(m_options.hold == Path_hold::energy)
+      return step;
+    const Foot& foot = m_now.feet[i];
+    step = without(foot.normal, step);
+    // Against the rim it can only slide.
+    if(dot(m_now.energy.gradient[i], foot.rim) < 0.)
+      step = without(foot.rim, step);
+    return step;
+  }
+
+  std::vector<Spatial> preconditioned(const std::vector<Spatial>& gradient) const
+  {
+    std::vector<Spatial> step = gradient;
+    if(m_options.hold == Path_hold::projected)
+    {
+      for(std::size_t i = 0; i < step.size(); ++i)
+        step[i] = tangential(i, step[i]);
+      m_along.solve(step);
+      for(std::size_t i = 0; i < step.size(); ++i)
+        step[i] = tangential(i, step[i]);
+      return step;
+    }
+    // Across the surface the distances pull as well.
+    std::vector<Spatial> across(step.size());
+    for(std::size_t i = 0; i < step.size(); ++i)
+    {
+      const Spatial& normal = m_now.feet[i].normal;
+      across[i] = dot(step[i], normal) * normal;
+      step[i] = step[i] - across[i];
+    }
+    m_along.solve(step);
+    m_across.solve(across);
+    for(std::size_t i = 0; i < step.size(); ++i)
+    {
+      const Spatial& normal = m_now.feet[i].normal;
+      step[i] = without(normal, step[i]) + dot(across[i], normal) * normal;
+    }
+    return step;
+  }
+
+  void go(const std::vector<Spatial>& direction, double share, State& state) const
+  {
+    state.points = m_now.points;
+    state.feet = m_now.feet;
+    state.middles = m_now.middles;
+    for(std::size_t i = 1; i + 1 < direction.size(); ++i)
+      state.points[i] = state.points[i] + share * direction[i];
+    evaluate(state);
+  }
+
+  // Goes down along a direction; false where it cannot.  The preconditioner is Newton's on a plane:
+  // the whole step is right where the surface hardly bends.
+  bool search(const std::vector<Spatial>& direction, double slope)
+  {
+    constexpr double enough = 1e-4; // of what the slope promises (Armijo)
+    double share = 1.;
+    const double start = m_now.energy.value;
+    for(int i = 0; i < 12; ++i)
+    {
+      go(direction, share, m_next);
+      const double rise = m_next.energy.value - start;
+      // The least place of the parabola through what is known.
+      const double best = -0.5 * slope * share * share / (rise - slope * share);
+      if(rise <= enough * share * slope)
+      {
+        if(best > 0. && best < 4. * share && std::abs(best - share) > 0.2 * share)
+        {
+          go(direction, best, m_other);
+          if(m_other.energy.value < m_next.energy.value)
+            std::swap(m_other, m_next);
+        }
+        std::swap(m_now, m_next);
+        return true;
+      }
+      share = std::clamp(best, 0.1 * share, 0.5 * share);
+    }
+    return false;
+  }
+
+  const Path_surface& m_surface;
+  const Path_options& m_options;
+  std::vector<Foot>& m_path;
+  double m_mean_length;
+  Tridiagonal m_along, m_across;
+  State m_now, m_next, m_other;
+};
+
+// The point after the share of a polyline's length.
+Foot at(const std::vector<Foot>& chain, const std::vector<double>& along, double length)
+{
+  const std::size_t i = std::clamp<std::size_t>(
+      std::lower_bound(along.begin(), along.end(), length) - along.begin(), 1, along.size() - 1);
+  const double step = along[i] - along[i - 1];
+  const double share = step > 0. ? (length - along[i - 1]) / step : 0.;
+  Foot foot = chain[share < 0.5 ? i - 1 : i];
+  foot.point = chain[i - 1].point + share * (chain[i].point - chain[i - 1].point);
+  return foot;
+}
+
+// Evenly spaced points of a chain, its ends among them.
+std::vector<Foot> resampled(const Path_surface& surface, const std::vector<Foot>& chain,
+                            std::size_t nodes)
+{
+  std::vector<double> along = {0.};
+  for(std::size_t i = 0; i + 1 < chain.size(); ++i)
+    along.push_back(along.back() + norm(chain[i + 1].point - chain[i].point));
+  std::vector<Foot> result = {chain.front()};
+  for(std::size_t i = 1; i + 1 < nodes; ++i)
+  {
+    const Foot place = at(chain, along, along.back() * double(i) / double(nodes - 1));
+    result.push_back(surface.foot(place.point, place.site));
+  }
+  result.push_back(chain.back());
+  return result;
+}
+
+// How far a chain strays from `nodes` of its points, as a part of the distance between them.
+double deviation(const std::vector<Foot>& chain, std::size_t nodes)
+{
+  std::vector<double> along = {0.};
+  for(std::size_t i = 0; i + 1 < chain.size(); ++i)
+    along.push_back(along.back() + norm(chain[i + 1].point - chain[i].point));
+  const double step = along.back() / double(nodes - 1);
+  double most = 0.;
+  Spatial from = chain.front().point, to = from;
+  std::size_t next = 0;
+  for(std::size_t i = 0; i < chain.size(); ++i)
+  {
+    while(next + 1 < nodes && along[i] >= step * double(next))
+    {
+      ++next;
+      from = to;
+      to = at(chain, along, step * double(next)).point;
+    }
+    const Spatial way = chain[i].point - from, segment = to - from;
+    const double square = dot(segment, segment);
+    const double share = square > 0. ? std::clamp(dot(way, segment) / square, 0., 1.) : 0.;
+    most = std::max(most, norm(way - share * segment));
+  }
+  return step > 0. ? most / step : 0.;
+}
+
+double cosine_between(const Spatial& p, const Spatial& q)
+{
+  const double size = norm(p) * norm(q);
+  return size > 0. ? dot(p, q) / size : 1.;
+}
+
+constexpr double corner = 0.86602540378443865; // the cosine of 30 degrees
+
+// A point between each two: on the cubic through four (Dyn, Levin and Gregory 1987) where there is
+// no corner.
+std::vector<Foot> subdivided(const Path_surface& surface, const std::vector<Foot>& path)
+{
+  std::vector<Foot> result;
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    const Spatial &p = path[i].point, &q = path[i + 1].point;
+    Spatial middle = 0.5 * (p + q);
+    const auto bend = [&](std::size_t j) -> Spatial
+    {
+      if(j == 0 || j + 1 == path.size())
+        return {0., 0., 0.};
+      const Spatial before = path[j].point - path[j - 1].point,
+                    after = path[j + 1].point - path[j].point;
+      return cosine_between(before, after) > corner ? before - after : Spatial{0., 0., 0.};
+    };
+    const bool has_left = i > 0, has_right = i + 2 < path.size();
+    const double weight = has_left && has_right ? 1. / 16. : 1. / 8.;
+    middle = middle + weight * (bend(i) + bend(i + 1));
+    result.push_back(path[i]);
+    result.push_back(surface.foot(middle, path[i].site));
+  }
+  result.push_back(path.back());
+  return result;
+}
+
+} // namespace
+
+void evaluate(const Path_surface& surface, const Path_options& options, double mean_length,
+              std::vector<Spatial>& points, std::vector<Foot>& feet, std::vector<Foot>& middles,
+              Path_energy& energy)
+{
+  const std::size_t n = points.size();
+  const bool is_drawn = options.hold == Path_hold::energy;
+  energy.value = 0.;
+  energy.gradient.assign(n, {0., 0., 0.});
+  for(std::size_t i = 1; i + 1 < n; ++i)
+  {
+    feet[i] = surface.foot(points[i], feet[i].site);
+    if(!is_drawn)
+    {
+      points[i] = feet[i].point;
+      continue;
+    }
+    const Spatial way = points[i] - feet[i].point;
+    energy.value += options.alpha * dot(way, way);
+    energy.gradient[i] = 2. * options.alpha * way;
+  }
+  const double beta = options.beta * mean_length * mean_length;
+  for(std::size_t i = 0; i + 1 < n; ++i)
+  {
+    const Spatial segment = points[i + 1] - points[i];
+    const double square = dot(segment, segment);
+    energy.value += square;
+    Spatial pull = 2. * segment; // the derivative by the segment
+    if(is_drawn && beta > 0. && square > 0.)
+    {
+      const Spatial middle = 0.5 * (points[i] + points[i + 1]);
+      middles[i] = surface.foot(middle, middles[i].site);
+      const Spatial way = middle - middles[i].point;
+      const double part = beta * dot(way, way) / square;
+      energy.value += part;
+      pull = pull - 2. * part / square * segment;
+      const Spatial push = beta / square * way; // half of the derivative by the middle
+      energy.gradient[i] = energy.gradient[i] + push;
+      energy.gradient[i + 1] = energy.gradient[i + 1] + push;
+    }
+    energy.gradient[i] = energy.gradient[i] - pull;
+    energy.gradient[i + 1] = energy.gradient[i + 1] + pull;
+  }
+  energy.gradient.front() = energy.gradient.back() = {0., 0., 0.};
+}
+
+Path_level minimize(const Path_surface& surface, const Path_options& options,
+                    std::vector<Foot>& path)
+{
+  if(path.size() < 3)
+    return {};
+  return Minimizer(surface, options, path)();
+}
+
+double length_along_arcs(const std::vector<Foot>& points)
+{
+  const std::size_t n = points.size();
+  std::vector<double> curvature(n, 0.);
+  for(std::size_t i = 1; i + 1 < n; ++i)
+  {
+    const Spatial before = points[i].point - points[i - 1].point,
+                  after = points[i + 1].point - points[i].point;
+    if(cosine_between(before, after) > corner)
+      curvature[i] = 2. * norm(cross(before, after)) /
+                     std::max(norm(before) * norm(after) * norm(before + after), 1e-300);
+  }
+  if(n > 2)
+  {
+    curvature[0] = curvature[1];
+    curvature[n - 1] = curvature[n - 2];
+  }
+  double sum = 0.;
+  for(std::size_t i = 0; i + 1 < n; ++i)
+  {
+    const double chord = norm(points[i + 1].point - points[i].point);
+    // Half of the angle of the arc.
+    const double sine = 0.25 * (curvature[i] + curvature[i + 1]) * chord;
+    sum += sine > 1e-4 && sine < 1. ? chord * std::asin(sine) / sine
+                                    : chord * (1. + sine * sine / 6.);
+  }
+  return sum;
+}
+
+Shortened_path shortened(const Path_surface& surface, const Path_options& options,
+                         const std::vector<Foot>& chain)
+{
+  Shortened_path result;
+  if(chain.size() < 2)
+  {
+    result.points = chain;
+    return result;
+  }
+  const double length = length_of(chain);
+  std::size_t most = options.control_points + 2;
+  if(options.spacing > 0.)
+    most = std::min<std::size_t>(most, std::size_t(std::min(length / options.spacing, 1e9)) + 9);
+  // At each level half of the segments of the next one; the first follows the chain.
+  std::size_t nodes = most;
+  while(nodes > 16 && deviation(chain, (nodes + 1) / 2) < 0.1)
+    nodes = (nodes + 1) / 2;
+  std::vector<Foot> path = resampled(surface, chain, nodes);
+  while(true)
+  {
+    Path_options level = options;
+    if(nodes < most)
+      level.tolerance = std::max(options.tolerance, 1e-6);
+    result.levels.push_back(minimize(surface, level, path));
+    if(nodes >= most)
+      break;
+    path = subdivided(surface, path);
+    nodes = std::min(2 * nodes - 1, most);
+    path = resampled(surface, path, nodes);
+  }
+  result.control_points = nodes - 2;
+  if(options.hold == Path_hold::energy)
+    for(std::size_t i = 1; i + 1 < path.size(); ++i)
+      path[i] = surface.foot(path[i].point, path[i].site);
+  path = subdivided(surface, subdivided(surface, path));
+  result.length = length_along_arcs(path);
+  result.polyline_length = length_of(path);
+  result.points = std::move(path);
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

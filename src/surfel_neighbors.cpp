@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/surfel_neighbors.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <cstdint>
+#include <string>
+
+namespace CGAL::Geodesic_processing::internal {
+
+void check_sizes(std::size_t points, std::size_t normals, std::size_t radii)
+{
+  if(normals != points || (radii != 0 && radii != points))
+    throw Invalid_argument_error("There are " + std::to_string(points) + " points, " +
+                                 std::to_string(normals) + " normals and " + std::to_string(radii) +
+                                 " radii.");
+  if(points > none / 128)
+    throw Unsupported_surface_error("A cloud of more than 2^25 surfels is too large.");
+}
+
+void normalize(std::vector<Spatial>& normals)
+{
+  for(std::size_t i = 0; i < normals.size(); ++i)
+  {
+    Spatial& n = normals[i];
+    const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
+    if(!(largest > 0.) || !std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2]))
+      throw Invalid_argument_error("The normal of surfel " + std::to_string(i) +
+                                   " has no direction.");
+    const int exponent = std::ilogb(largest);
+    for(double& x : n)
+      x = std::ldexp(x, -exponent);
+    const double length = std::sqrt(dot(n, n));
+    for(double& x : n)
+      x /= length;
+  }
+}
+
+std::vector<Index> originals(const std::vector<Spatial>& points,
+                             const std::vector<Spatial>& normals, double cosine)
+{
+  // Points closer than 2^-51 of the extent are rounded together by this sum, so that no squared
+  // distance between originals underflows.
+  const auto key = [&](Index i) -> Spatial {
+    return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};
+  };
+  std::size_t slots = 16;
+  while(slots < 2 * points.size())
+    slots *= 2;
+  std::vector<Index> table(slots, none), original(points.size());
+  for(Index i = 0; i < points.size(); ++i)
+  {
+    const Spatial k = key(i);
+    std::uint64_t hash = 0;
+    for(const double x : k)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(x * 0x1p50)) * 0x9e3779b97f4a7c15ull;
+      hash ^= hash >> 29;
+    }
+    std::size_t slot = hash & (slots - 1);
+    while(table[slot] != none &&
+          !(key(table[slot]) == k && dot(normals[table[slot]], normals[i]) > cosine))
+      slot = (slot + 1) & (slots - 1);
+    if(table[slot] == none)
+      table[slot] = i;
+    original[i] = table[slot];
+  }
+  return original;
+}
+
+Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,
+                    const Kd_tree& tree, const Agree* agree, std::size_t count, unsigned threads,
+                    std::vector<double>& reach)
+{
+  Rows rows(tree.size());
+  reach.assign(tree.size(), infinity);
+  visit_nearest(point, tree, count, threads,
+                [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
+                {
+                  if(found.size() > count)
+                    reach[i] = std::sqrt(found.back().squared_distance);
+                  for(const Kd_tree::Neighbor& neighbor : found)
+                  {
+                    const Index j = neighbor.point;
+                    if(j != i && (agree == nullptr ||
+                                 (*agree)(point[i], normal[i], point[j], normal[j]) != Agreement::no))
+                      rows.part(block).push_back(j);
+                  }
+                  rows.end_row(block, i);
+                });
+  rows.join();
+  return rows;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
+#define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
+
+#include <CGAL/Geodesic_processing/internal/planar.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+// Clouds of surfels on surfaces that have formulas, and the noise of Ruggeri, Darom, Saupe and Kiryati
+// 2006, section 4.
+
+namespace CGAL::Geodesic_processing::test {
+
+// Not a type of this namespace: its operators have to be named.
+using internal::operator+;
+using internal::operator*;
+using internal::Spatial;
+
+struct Cloud
+{
+  std::vector<Spatial> points, normals; // unit normals
+
+  std::size_t size() const { return points.size(); }
+  void add(const Spatial& point, const Spatial& normal)
+  {
+    points.push_back(point);
+    normals.push_back(normal);
+  }
+};
+
+// The unit sphere: an octahedron, each triangle cut into four `level` times; 4^(level + 1) + 2 surfels.
+inline Cloud octahedron_sphere(unsigned level)
+{
+  std::vector<Spatial> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::vector<std::array<std::size_t, 3>> triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                                       {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for(unsigned i = 0; i < level; ++i)
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> middle;
+    const auto between = [&](std::size_t a, std::size_t b)
+    {
+      const auto [place, is_new] = middle.try_emplace(std::minmax(a, b), points.size());
+      if(is_new)
+        points.push_back(internal::unit(points[a] + points[b]));
+      return place->second;
+    };
+    std::vector<std::array<std::size_t, 3>> finer;
+    for(const auto& [a, b, c] : triangles)
+    {
+      const std::size_t d = between(a, b), e = between(b, c), f = between(c, a);
+      finer.insert(finer.end(), {{a, d, f}, {d, b, e}, {f, e, c}, {d, e, f}});
+    }
+    triangles = std::move(finer);
+  }
+  return {points, points};
+}
+
+// The unit square, a grid of n times n.
+inline Cloud square_cloud(std::size_t n)
+{
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < n; ++j)
+      cloud.add({double(i) / double(n - 1), double(j) / double(n - 1), 0.}, {0., 0., 1.});
+  return cloud;
+}
+
+// Of equal angles around the z-axis and equal steps along it.
+inline Cloud cylinder_cloud(std::size_t around, std::size_t along, double radius, double height)
+{
+  Cloud cloud;
+  for(std::size_t j = 0; j < along; ++j)
+    for(std::size_t i = 0; i < around; ++i)
+    {
+      const double a = 2. * internal::pi * double(i) / double(around);
+      cloud.add({radius * std::cos(a), radius * std::sin(a), height * double(j) / double(along - 1)},
+                {std::cos(a), std::sin(a), 0.});
+    }
+  return cloud;
+}
+
+// Evenly spaced points of the unit sphere.
+inline Spatial on_spiral(std::size_t i, std::size_t n)
+{
+  const double z = 1. - (2. * double(i) + 1.) / double(n), r = std::sqrt(1. - z * z);
+  const double a = double(i) * internal::pi * (3. - std::sqrt(5.));
+  return {r * std::cos(a), r * std::sin(a), z};
+}
+
+inline Cloud ellipsoid_cloud(std::size_t n, const Spatial& axes)
+{
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const Spatial p = on_spiral(i, n);
+    cloud.add({axes[0] * p[0], axes[1] * p[1], axes[2] * p[2]},
+              internal::unit({p[0] / axes[0], p[1] / axes[1], p[2] / axes[2]}));
+  }
+  return cloud;
+}
+
+// About n surfels of the torus of radii 1 and `tube` around the z-axis: rings of equal steps.
+inline Cloud torus_cloud(std::size_t n, double tube)
+{
+  const double step = std::sqrt(4. * internal::pi * internal::pi * tube / double(n));
+  const auto rings = std::size_t(std::lround(2. * internal::pi * tube / step));
+  Cloud cloud;
+  for(std::size_t j = 0; j < rings; ++j)
+  {
+    const double v = 2. * internal::pi * double(j) / double(rings);
+    const double radius = 1. + tube * std::cos(v);
+    const auto around = std::size_t(std::lround(2. * internal::pi * radius / step));
+    for(std::size_t i = 0; i < around; ++i)
+    {
+      const double u = 2. * internal::pi * (double(i) + 0.5 * double(j % 2)) / double(around);
+      cloud.add({radius * std::cos(u), radius * std::sin(u), tube * std::sin(v)},
+                {std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v)});
+    }
+  }
+  return cloud;
+}
+
+// Moves each surfel along its normal by up to `level` of its radius, and turns its normal by up to 10
+// degrees, in any direction.
+inline Cloud with_noise(Cloud cloud, const std::vector<double>& radii, double level, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> offset(-level, level), polar(0., internal::pi / 18.),
+      azimuth(0., 2. * internal::pi);
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    Spatial& normal = cloud.normals[i];
+    cloud.points[i] = cloud.points[i] + offset(random) * radii[i] * normal;
+    const auto [u, v] = internal::tangent_frame(normal);
+    const double a = azimuth(random), b = polar(random);
+    normal = std::cos(b) * normal + std::sin(b) * (std::cos(a) * u + std::sin(a) * v);
+  }
+  return cloud;
+}
+
+// Adds `part` of the surfels again, with noise of the level.
+inline Cloud with_outliers(Cloud cloud, const Cloud& clean, const std::vector<double>& radii,
+                           double part, double level, unsigned seed)
+{
+  std::mt19937 random(seed);
+  Cloud some;
+  std::vector<double> some_radii;
+  for(std::size_t i = 0; i < std::size_t(part * double(clean.size())); ++i)
+  {
+    const std::size_t j = random() % clean.size();
+    some.add(clean.points[j], clean.normals[j]);
+    some_radii.push_back(radii[j]);
+  }
+  some = with_noise(std::move(some), some_radii, level, seed + 1);
+  cloud.points.insert(cloud.points.end(), some.points.begin(), some.points.end());
+  cloud.normals.insert(cloud.normals.end(), some.normals.begin(), some.normals.end());
+  return cloud;
+}
+
+} // namespace CGAL::Geodesic_processing::test
+
+#endif // CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
