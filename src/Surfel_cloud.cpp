@@ -98,8 +98,9 @@ Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    std::vector<Index>& part = arcs.part(block);
-                   auto extra = std::lower_bound(back.begin(), back.end(),
-                                                 std::make_pair(static_cast<Index>(begin), Index(0)));
+                   auto extra =
+                       std::lower_bound(back.begin(), back.end(),
+                                        std::make_pair(static_cast<Index>(begin), Index(0)));
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
                    {
                      const std::size_t row = part.size();
@@ -162,8 +163,9 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
   check_sizes(points.size(), normals.size(), radii.size());
   if(!(options.maximum_angle > 0.) || options.maximum_angle > std::acos(-1.) || options.rank == 0 ||
      options.neighbors == 0)
-    throw Invalid_argument_error("The angle between neighbours must lie between 0 and pi, and their "
-                                 "number and rank above 0.");
+    throw Invalid_argument_error(
+        "The angle between neighbours must lie between 0 and pi, and their "
+        "number and rank above 0.");
   Surfel_cloud cloud;
   const bool is_extended = options.graph == Surfel_graph::extended_spheres;
   const Agree agree = {std::cos(options.maximum_angle)};
@@ -177,7 +179,7 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
   { cloud.graph = make_graph(cloud.point, rows, reach, options.threads, meet); };
   if(is_extended)
     graph(near, [&](Index i, Index j, double length)
-          { return length <= cloud.radius[i] + cloud.radius[j]; });
+          { return length <= options.influence * (cloud.radius[i] + cloud.radius[j]); });
   else
   {
     const Rows all = find_neighbors(cloud.point, cloud.normal, cloud.tree, nullptr,
@@ -190,8 +192,8 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
       for(Index i = 0; i < nearest.size(); ++i)
         if(all.begin(i) != all.end(i))
           nearest[i] = norm(cloud.point[*all.begin(i)] - cloud.point[i]);
-      graph(all, [&](Index i, Index j, double length)
-            { return length <= nearest[i] + nearest[j]; });
+      graph(all,
+            [&](Index i, Index j, double length) { return length <= nearest[i] + nearest[j]; });
     }
   }
   label_components(cloud);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/Surfel_surface.h>
 
+#include <CGAL/Geodesic_processing/internal/Quadric_fit.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -55,51 +56,6 @@ Sphere fitted_sphere(const Sums& s)
   return {-2. * constant / (slope + std::sqrt(discriminant)), 2. * square / std::sqrt(discriminant),
           (1. / slope) * linear};
 }
-
-// A symmetric positive system of six equations.
-struct System
-{
-  std::array<std::array<double, 6>, 6> matrix = {};
-  std::array<double, 6> right = {};
-
-  void add(double weight, const std::array<double, 6>& row, double value)
-  {
-    for(int i = 0; i < 6; ++i)
-    {
-      const double factor = weight * row[i];
-      for(int j = 0; j <= i; ++j)
-        matrix[i][j] += factor * row[j];
-      right[i] += factor * value;
-    }
-  }
-  // By Cholesky's factors; false when it is singular.
-  bool solve()
-  {
-    for(int i = 0; i < 6; ++i)
-      for(int j = 0; j <= i; ++j)
-      {
-        double sum = matrix[i][j];
-        for(int k = 0; k < j; ++k)
-          sum -= matrix[i][k] * matrix[j][k];
-        if(i == j && !(sum > 1e-12 * matrix[i][i]))
-          return false;
-        matrix[i][j] = i == j ? std::sqrt(sum) : sum / matrix[j][j];
-      }
-    for(int i = 0; i < 6; ++i)
-    {
-      for(int k = 0; k < i; ++k)
-        right[i] -= matrix[i][k] * right[k];
-      right[i] /= matrix[i][i];
-    }
-    for(int i = 5; i >= 0; --i)
-    {
-      for(int k = i + 1; k < 6; ++k)
-        right[i] -= matrix[k][i] * right[k];
-      right[i] /= matrix[i][i];
-    }
-    return true;
-  }
-};
 
 } // namespace
 
@@ -176,7 +132,8 @@ void Surfel_surface::visit(const Spatial& point, Index site, Visit v) const
 bool Surfel_surface::step(Spatial& point, Spatial& normal, Index site) const
 {
   Sums sums;
-  visit(point, site, [&](double weight, Index other)
+  visit(point, site,
+        [&](double weight, Index other)
         { sums.add(weight, m_cloud.point[other] - point, m_cloud.normal[other]); });
   if(!(sums.weight > 0.))
     return false;
@@ -203,30 +160,28 @@ void Surfel_surface::correct(const Spatial& from, double curvature, Index site, 
   const auto [u, v] = tangent_frame(normal);
   const double unit_length = std::sqrt(m_squared_support[site]) / support_in_radii;
   const double over = 1. / unit_length, bend = curvature * unit_length;
-  System system;
+  Quadric_fit rest;
   visit(from, site,
         [&, &u = u, &v = v](double weight, Index other)
         {
           const Spatial way = over * (m_cloud.point[other] - point), n = m_cloud.normal[other];
-          const double x = dot(way, u), y = dot(way, v);
-          const double rest = 1. - bend * bend * (x * x + y * y), up = dot(n, normal);
-          if(!(rest > 0.04) || !(up > 0.2))
+          const double x = dot(way, u), y = dot(way, v), up = dot(n, normal);
+          const double square = 1. - bend * bend * (x * x + y * y);
+          if(!(square > 0.04) || !(up > 0.2))
             return;
           // Of the sphere:  height = (cosine - 1) / bend,  slope = -bend (x, y) / cosine.
-          const double cosine = std::sqrt(rest);
-          const double height = dot(way, normal) + bend * (x * x + y * y) / (1. + cosine);
-          const double slope = bend / cosine;
-          system.add(weight, {1., x, y, 0.5 * x * x, x * y, 0.5 * y * y}, height);
-          system.add(weight, {0., 1., 0., x, y, 0.}, slope * x - dot(n, u) / up);
-          system.add(weight, {0., 0., 1., 0., x, y}, slope * y - dot(n, v) / up);
+          const double cosine = std::sqrt(square), slope = bend / cosine;
+          const Quadric_fit::Place place = {x, y, x * x, x * y, y * y};
+          rest.add_height(weight, place,
+                          dot(way, normal) + bend * (place.xx + place.yy) / (1. + cosine));
+          rest.add_slopes(weight, place, slope * x - dot(n, u) / up, slope * y - dot(n, v) / up);
         });
-  if(!system.solve())
+  if(rest.factorize() < 6)
     return;
-  const auto& [height, dx, dy, xx, xy, yy] = system.right;
-  (void)xx, (void)xy, (void)yy;
-  const Spatial upward = normal - dx * u - dy * v;
+  const Quadric_fit::Coefficients c = rest.coefficients(6);
+  const Spatial upward = normal - c[1] * u - c[2] * v;
   normal = unit(upward);
-  point = point + unit_length * height * dot(normal, upward) / dot(upward, upward) * normal;
+  point = point + unit_length * c[0] * dot(normal, upward) / dot(upward, upward) * normal;
 }
 
 Foot Surfel_surface::foot(const Spatial& given, Index near) const

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/path_energy.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,7 +12,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-Spatial without(const Spatial& direction, const Spatial& p) { return p - dot(p, direction) * direction; }
+Spatial without(const Spatial& direction, const Spatial& p)
+{
+  return p - dot(p, direction) * direction;
+}
 
 double length_of(const std::vector<Foot>& path)
 {
@@ -28,27 +33,32 @@ double product(const std::vector<Spatial>& p, const std::vector<Spatial>& q)
   return sum;
 }
 
-// Solves  (2 (2 + shift) on the diagonal, -2 beside it) x = right  for the inner nodes.
+// The matrix of the first sum, and `shift` on the diagonal, for the inner nodes.
 class Tridiagonal
 {
 public:
-  Tridiagonal(std::size_t nodes, double shift) : m_over(nodes, 0.)
+  Tridiagonal(const std::vector<double>& share, double shift)
+      : m_beside(share.size() + 1, 0.), m_over(share.size() + 1, 0.)
   {
-    double over = 0.;
-    for(std::size_t i = 1; i + 1 < nodes; ++i)
-      m_over[i] = over = 1. / (2. * (2. + shift) - 4. * over);
+    for(std::size_t i = 1; i < share.size(); ++i)
+    {
+      m_beside[i] = 2. / share[i];
+      m_over[i] = 1. / (2. / share[i - 1] + 2. / share[i] + shift -
+                        (i > 1 ? m_beside[i - 1] * m_beside[i - 1] * m_over[i - 1] : 0.));
+    }
   }
   void solve(std::vector<Spatial>& x) const
   {
     const std::size_t n = x.size();
     for(std::size_t i = 2; i + 1 < n; ++i)
-      x[i] = x[i] + 2. * m_over[i - 1] * x[i - 1];
+      x[i] = x[i] + m_beside[i - 1] * m_over[i - 1] * x[i - 1];
     for(std::size_t i = n - 2; i > 0; --i)
-      x[i] = m_over[i] * (x[i] + 2. * x[i + 1]);
+      x[i] = m_over[i] * (i + 2 < n ? x[i] + m_beside[i] * x[i + 1] : x[i]);
   }
 
 private:
-  std::vector<double> m_over; // #nodes: of the pivots
+  std::vector<double> m_beside,
+      m_over; // #nodes: the off-diagonal, negated, and one over the pivots
 };
 
 struct State
@@ -61,10 +71,11 @@ struct State
 class Minimizer
 {
 public:
-  Minimizer(const Path_surface& surface, const Path_options& options, std::vector<Foot>& path)
-      : m_surface(surface), m_options(options), m_path(path),
-        m_mean_length(length_of(path) / double(path.size() - 1)), m_along(path.size(), 0.),
-        m_across(path.size(), options.alpha + options.beta)
+  Minimizer(const Path_surface& surface, const Path_options& options,
+            const std::vector<double>& share, std::vector<Foot>& path)
+      : m_surface(surface), m_options(options), m_share(share), m_path(path),
+        m_mean_length(length_of(path) / double(path.size() - 1)), m_along(share, 0.),
+        m_across(share, 2. * (options.alpha + options.beta))
   {
     for(const Foot& foot : path)
       m_now.points.push_back(foot.point);
@@ -74,24 +85,23 @@ public:
     evaluate(m_now);
   }
 
-  Path_level operator()()
+  Path_energy_level operator()()
   {
-    Path_level level = {m_path.size() - 2, 0, m_now.energy.value, 0.};
-    std::vector<Spatial> gradient = m_now.energy.gradient, step = preconditioned(gradient), direction;
+    Path_energy_level level = {m_path.size() - 2, 0, m_now.energy.value, 0.};
+    std::vector<Spatial> gradient = m_now.energy.gradient, step = preconditioned(gradient),
+                         direction;
     double product_before = product(gradient, step), last_decrease = infinity;
     for(const Spatial& s : step)
       direction.push_back(-1. * s);
-    while(level.iterations < m_options.iterations)
+    while(level.number_of_iterations < m_options.iterations)
     {
-      double slope = -product_before;
-      if(!direction.empty())
-        slope = product(m_now.energy.gradient, direction);
+      const double slope = product(m_now.energy.gradient, direction);
       if(!(-slope > 0.1 * m_options.tolerance * m_now.energy.value))
         break;
       const double before = m_now.energy.value;
       if(!search(direction, slope))
         break;
-      ++level.iterations;
+      ++level.number_of_iterations;
       const double decrease = before - m_now.energy.value;
       if(std::max(decrease, last_decrease) < m_options.tolerance * before)
         break;
@@ -99,8 +109,7 @@ public:
       // Polak and Ribiere, with a fresh start where their factor is negative.
       const std::vector<Spatial> next = preconditioned(m_now.energy.gradient);
       const double product_now = product(m_now.energy.gradient, next);
-      const double factor =
-          std::max(0., (product_now - product(gradient, next)) / product_before);
+      const double factor = std::max(0., (product_now - product(gradient, next)) / product_before);
       for(std::size_t i = 0; i < direction.size(); ++i)
         direction[i] = tangential(i, factor * direction[i]) - next[i];
       if(!(product(m_now.energy.gradient, direction) < -0.01 * product_now))
@@ -121,8 +130,8 @@ public:
 private:
   void evaluate(State& state) const
   {
-    internal::evaluate(m_surface, m_options, m_mean_length, state.points, state.feet, state.middles,
-                       state.energy);
+    internal::evaluate(m_surface, m_options, m_share, m_mean_length, state.points, state.feet,
+                       state.middles, state.energy);
   }
 
   // What a projected node can do of a step.
@@ -209,6 +218,7 @@ private:
 
   const Path_surface& m_surface;
   const Path_options& m_options;
+  const std::vector<double>& m_share;
   std::vector<Foot>& m_path;
   double m_mean_length;
   Tridiagonal m_along, m_across;
@@ -305,11 +315,43 @@ std::vector<Foot> subdivided(const Path_surface& surface, const std::vector<Foot
   return result;
 }
 
+// Relative decreases of the energy at which a level with fewer control points ends.
+constexpr double rough = 1e-6;
+
+// How often segments that leave the surface are halved.
+constexpr int refinements = 4;
+
+// Inserts control points where the middle of a segment is farther from the surface than a twentieth
+// of its length, or beyond the border; false where there are none.
+bool refined(const Path_surface& surface, std::vector<double>& share, std::vector<Foot>& path)
+{
+  std::vector<Foot> result = {path.front()};
+  std::vector<double> shares;
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    const Spatial middle = 0.5 * (path[i].point + path[i + 1].point);
+    const Foot foot = surface.foot(middle, path[i].site);
+    const double length = norm(path[i + 1].point - path[i].point);
+    if(norm(foot.point - middle) > 0.05 * length)
+    {
+      result.push_back(foot);
+      shares.insert(shares.end(), 2, 0.5 * share[i]);
+    }
+    else
+      shares.push_back(share[i]);
+    result.push_back(path[i + 1]);
+  }
+  const bool is_changed = result.size() > path.size();
+  path = std::move(result);
+  share = std::move(shares);
+  return is_changed;
+}
+
 } // namespace
 
-void evaluate(const Path_surface& surface, const Path_options& options, double mean_length,
-              std::vector<Spatial>& points, std::vector<Foot>& feet, std::vector<Foot>& middles,
-              Path_energy& energy)
+void evaluate(const Path_surface& surface, const Path_options& options,
+              const std::vector<double>& share, double mean_length, std::vector<Spatial>& points,
+              std::vector<Foot>& feet, std::vector<Foot>& middles, Path_energy& energy)
 {
   const std::size_t n = points.size();
   const bool is_drawn = options.hold == Path_hold::energy;
@@ -332,8 +374,8 @@ void evaluate(const Path_surface& surface, const Path_options& options, double m
   {
     const Spatial segment = points[i + 1] - points[i];
     const double square = dot(segment, segment);
-    energy.value += square;
-    Spatial pull = 2. * segment; // the derivative by the segment
+    energy.value += square / share[i];
+    Spatial pull = 2. / share[i] * segment; // the derivative by the segment
     if(is_drawn && beta > 0. && square > 0.)
     {
       const Spatial middle = 0.5 * (points[i] + points[i + 1]);
@@ -352,12 +394,12 @@ void evaluate(const Path_surface& surface, const Path_options& options, double m
   energy.gradient.front() = energy.gradient.back() = {0., 0., 0.};
 }
 
-Path_level minimize(const Path_surface& surface, const Path_options& options,
-                    std::vector<Foot>& path)
+Path_energy_level minimize(const Path_surface& surface, const Path_options& options,
+                           const std::vector<double>& share, std::vector<Foot>& path)
 {
   if(path.size() < 3)
     return {};
-  return Minimizer(surface, options, path)();
+  return Minimizer(surface, options, share, path)();
 }
 
 double length_along_arcs(const std::vector<Foot>& points)
@@ -383,22 +425,83 @@ double length_along_arcs(const std::vector<Foot>& points)
     const double chord = norm(points[i + 1].point - points[i].point);
     // Half of the angle of the arc.
     const double sine = 0.25 * (curvature[i] + curvature[i + 1]) * chord;
-    sum += sine > 1e-4 && sine < 1. ? chord * std::asin(sine) / sine
-                                    : chord * (1. + sine * sine / 6.);
+    sum +=
+        sine > 1e-4 && sine < 1. ? chord * std::asin(sine) / sine : chord * (1. + sine * sine / 6.);
   }
   return sum;
+}
+
+namespace {
+
+// What is known of a surface by squared distances: their gradient at p is twice the way from the foot
+// to p.
+class Distance_surface : public Path_surface
+{
+public:
+  Distance_surface(const std::function<double(const Spatial&)>& squared_distance, double step)
+      : m_squared_distance(squared_distance), m_step(step)
+  {}
+
+  Foot foot(const Spatial& point, Index near) const override
+  {
+    Foot foot;
+    foot.site = near;
+    Spatial half_gradient;
+    for(int k = 0; k < 3; ++k)
+    {
+      Spatial ahead = point, behind = point;
+      ahead[k] += m_step;
+      behind[k] -= m_step;
+      half_gradient[k] =
+          (m_squared_distance(ahead) - m_squared_distance(behind)) / (2. * (ahead[k] - behind[k]));
+      if(!std::isfinite(half_gradient[k]))
+        throw Invalid_argument_error("A squared distance is not a finite number.");
+    }
+    foot.point = point - half_gradient;
+    foot.normal = unit(half_gradient);
+    return foot;
+  }
+
+private:
+  const std::function<double(const Spatial&)>& m_squared_distance;
+  double m_step;
+};
+
+} // namespace
+
+Shortened_path shortened(const std::function<double(const Spatial&)>& squared_distance,
+                         Path_options options, const std::vector<Spatial>& chain)
+{
+  if(chain.size() < 2)
+    throw Invalid_argument_error("A polyline needs two points.");
+  std::vector<Foot> feet(chain.size());
+  double length = 0.;
+  for(std::size_t i = 0; i < chain.size(); ++i)
+  {
+    feet[i].point = chain[i];
+    if(i > 0)
+      length += norm(chain[i] - chain[i - 1]);
+    if(!std::isfinite(length) || !std::isfinite(norm(chain[i])))
+      throw Invalid_argument_error("A point of the polyline is not finite.");
+  }
+  options.hold = Path_hold::energy;
+  // A hundredth of a segment: what distances from a plane leave is rounding, and what curvature
+  // leaves is as small as a hundredth of the sagitta.
+  const Distance_surface surface(squared_distance,
+                                 0.01 * length / double(options.control_points + 1));
+  return shortened(surface, options, feet);
 }
 
 Shortened_path shortened(const Path_surface& surface, const Path_options& options,
                          const std::vector<Foot>& chain)
 {
   Shortened_path result;
-  if(chain.size() < 2)
+  const double length = length_of(chain);
+  if(!(length > 0.))
   {
-    result.points = chain;
+    result.points = {chain.front()};
     return result;
   }
-  const double length = length_of(chain);
   std::size_t most = options.control_points + 2;
   if(options.spacing > 0.)
     most = std::min<std::size_t>(most, std::size_t(std::min(length / options.spacing, 1e9)) + 9);
@@ -407,19 +510,23 @@ Shortened_path shortened(const Path_surface& surface, const Path_options& option
   while(nodes > 16 && deviation(chain, (nodes + 1) / 2) < 0.1)
     nodes = (nodes + 1) / 2;
   std::vector<Foot> path = resampled(surface, chain, nodes);
+  std::vector<double> share(nodes - 1, 1.);
   while(true)
   {
     Path_options level = options;
     if(nodes < most)
-      level.tolerance = std::max(options.tolerance, 1e-6);
-    result.levels.push_back(minimize(surface, level, path));
+      level.tolerance = std::max(options.tolerance, rough);
+    result.levels.push_back(minimize(surface, level, share, path));
     if(nodes >= most)
       break;
     path = subdivided(surface, path);
     nodes = std::min(2 * nodes - 1, most);
     path = resampled(surface, path, nodes);
+    share.assign(nodes - 1, 1.);
   }
-  result.control_points = nodes - 2;
+  for(int i = 0; i < refinements && refined(surface, share, path); ++i)
+    result.levels.push_back(minimize(surface, options, share, path));
+  result.control_points = path.size() - 2;
   if(options.hold == Path_hold::energy)
     for(std::size_t i = 1; i + 1 < path.size(); ++i)
       path[i] = surface.foot(path[i].point, path[i].site);

@@ -83,8 +83,8 @@ Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial
                   for(const Kd_tree::Neighbor& neighbor : found)
                   {
                     const Index j = neighbor.point;
-                    if(j != i && (agree == nullptr ||
-                                 (*agree)(point[i], normal[i], point[j], normal[j]) != Agreement::no))
+                    if(j != i && (agree == nullptr || (*agree)(point[i], normal[i], point[j],
+                                                               normal[j]) != Agreement::no))
                       rows.part(block).push_back(j);
                   }
                   rows.end_row(block, i);

@@ -41,7 +41,8 @@ struct Cloud
 // The unit sphere: an octahedron, each triangle cut into four `level` times; 4^(level + 1) + 2 surfels.
 inline Cloud octahedron_sphere(unsigned level)
 {
-  std::vector<Spatial> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::vector<Spatial> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                 {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
   std::vector<std::array<std::size_t, 3>> triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for(unsigned i = 0; i < level; ++i)
@@ -83,8 +84,9 @@ inline Cloud cylinder_cloud(std::size_t around, std::size_t along, double radius
     for(std::size_t i = 0; i < around; ++i)
     {
       const double a = 2. * internal::pi * double(i) / double(around);
-      cloud.add({radius * std::cos(a), radius * std::sin(a), height * double(j) / double(along - 1)},
-                {std::cos(a), std::sin(a), 0.});
+      cloud.add(
+          {radius * std::cos(a), radius * std::sin(a), height * double(j) / double(along - 1)},
+          {std::cos(a), std::sin(a), 0.});
     }
   return cloud;
 }

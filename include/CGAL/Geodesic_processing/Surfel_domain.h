@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/read_surfels.h>
 #include <CGAL/Geodesic_processing/internal/slowness.h>
 #include <CGAL/Geodesic_processing/internal/surfels.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -93,8 +94,7 @@ private:
   struct Data
   {
     internal::Glued_surfels surfels;
-    std::vector<Site> sites;                     // #surfels, in the order of the range
-    std::vector<internal::Index> place_of_index; // of Point_set_3: the place of an index in it
+    internal::Surfel_sites<Surface> sites;
   };
   std::shared_ptr<const Data> m_data;
 };
@@ -103,87 +103,26 @@ template <typename SurfelRange>
 template <typename NamedParameters>
 Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedParameters& np)
 {
-  using internal::Index;
-  constexpr bool is_point_set = !std::is_same_v<Site, std::size_t>;
   auto data = std::make_shared<Data>();
-  std::vector<std::array<double, 3>> points, normals;
-  std::vector<double> radii;
-  const auto coordinates = [](const auto& p) -> std::array<double, 3> {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  };
-  const auto read = [&](const auto& point_map, const auto& normal_map)
-  {
-    constexpr bool has_radii = internal::has_parameter<NamedParameters, internal_np::radius_map_t>;
-    [[maybe_unused]] const auto radius_map = internal::parameter(np, internal_np::radius_map, 0);
-    for(const auto& element : range)
-    {
-      points.push_back(coordinates(get(point_map, element)));
-      normals.push_back(coordinates(get(normal_map, element)));
-      if constexpr(has_radii)
-        radii.push_back(get(radius_map, element));
-      if constexpr(is_point_set)
-      {
-        const std::size_t index = element;
-        if(index >= data->place_of_index.size())
-          data->place_of_index.resize(index + 1, internal::none);
-        data->place_of_index[index] = static_cast<Index>(data->sites.size());
-        data->sites.push_back(element);
-      }
-      else
-        data->sites.push_back(data->sites.size());
-    }
-  };
-  constexpr bool has_normals =
-      internal::has_parameter<NamedParameters, CGAL::internal_np::normal_t>;
-  if constexpr(is_point_set)
-  {
-    if constexpr(!has_normals)
-      if(!range.has_normal_map())
-        throw Unsupported_surface_error("The point set has no normals: estimate them first, for "
-                                        "instance by CGAL::jet_estimate_normals().");
-    const auto point_map = internal::parameter(np, CGAL::internal_np::point_map, range.point_map());
-    if constexpr(has_normals)
-      read(point_map,
-           CGAL::parameters::get_parameter(internal::plain(np), CGAL::internal_np::normal_map));
-    else
-      read(point_map, range.normal_map());
-  }
-  else
-  {
-    static_assert(has_normals,
-                  "A range of surfels needs a normal_map; the points of a mesh need the "
-                  "mesh, not its range of points.");
-    using Element = std::decay_t<decltype(*range.begin())>;
-    read(internal::parameter(np, CGAL::internal_np::point_map,
-                             CGAL::Identity_property_map<Element>()),
-         CGAL::parameters::get_parameter(internal::plain(np), CGAL::internal_np::normal_map));
-  }
+  data->sites = internal::Surfel_sites<Surface>(range);
+  internal::Surfel_arrays arrays = internal::read_surfels(range, np);
   internal::Surfel_options options;
   options.threads = internal::parameter(np, internal_np::threads, 1u);
-  data->surfels = internal::glue_surfels(std::move(points), std::move(normals), radii, options);
+  data->surfels = internal::glue_surfels(std::move(arrays.points), std::move(arrays.normals),
+                                         arrays.radii, options);
   m_data = std::move(data);
 }
 
 template <typename SurfelRange>
 internal::Index Surfel_domain<SurfelRange>::index(Site surfel) const
 {
-  const std::size_t place = surfel;
-  if constexpr(std::is_same_v<Site, std::size_t>)
-    return m_data->surfels.site_of_surfel[place];
-  else
-    return m_data->surfels.site_of_surfel[m_data->place_of_index[place]];
+  return m_data->surfels.site_of_surfel[m_data->sites.place(surfel)];
 }
 
 template <typename SurfelRange>
 internal::Location Surfel_domain<SurfelRange>::inner_site(Site surfel) const
 {
-  const std::size_t place = surfel;
-  bool is_ours = place < m_data->surfels.site_of_surfel.size();
-  if constexpr(!std::is_same_v<Site, std::size_t>)
-    is_ours =
-        place < m_data->place_of_index.size() && m_data->place_of_index[place] != internal::none;
-  if(!is_ours)
-    throw Invalid_argument_error("A surfel is none of the cloud's.");
+  m_data->sites.check(surfel);
   return {internal::none, index(surfel), {}};
 }
 

@@ -104,6 +104,34 @@ enum strength_t
 {
   strength
 };
+enum surfel_path_method_t
+{
+  surfel_path_method
+};
+enum surfel_noise_t
+{
+  surfel_noise
+};
+enum surfel_graph_t
+{
+  surfel_graph
+};
+enum surfel_search_t
+{
+  surfel_search
+};
+enum number_of_control_points_t
+{
+  number_of_control_points
+};
+enum node_weight_t
+{
+  node_weight
+};
+enum segment_weight_t
+{
+  segment_weight
+};
 
 } // namespace internal_np
 
@@ -155,6 +183,13 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, location_map_t, location_map)                             \
   LINK(Geodesic_processing::internal_np, edge_path_output_t, edge_path_output)                     \
   LINK(Geodesic_processing::internal_np, strength_t, strength)                                     \
+  LINK(Geodesic_processing::internal_np, surfel_path_method_t, surfel_path_method)                 \
+  LINK(Geodesic_processing::internal_np, surfel_noise_t, surfel_noise)                             \
+  LINK(Geodesic_processing::internal_np, surfel_graph_t, surfel_graph)                             \
+  LINK(Geodesic_processing::internal_np, surfel_search_t, surfel_search)                           \
+  LINK(Geodesic_processing::internal_np, number_of_control_points_t, number_of_control_points)     \
+  LINK(Geodesic_processing::internal_np, node_weight_t, node_weight)                               \
+  LINK(Geodesic_processing::internal_np, segment_weight_t, segment_weight)                         \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \

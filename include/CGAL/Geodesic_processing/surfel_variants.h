@@ -3,6 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_SURFEL_VARIANTS_H
 #define CGAL_GEODESIC_PROCESSING_SURFEL_VARIANTS_H
 
+#include <cstddef>
+
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
@@ -28,12 +30,14 @@ enum class Surfel_search
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// what a path on a cloud is drawn to, or held on.
+/// what a path on a cloud is held on, or drawn to.
 enum class Surfel_path_method
 {
-  /// held on algebraic spheres fitted to the surfels and their normals
+  /// held on surfaces of second order over algebraic spheres, fitted to the surfels and their normals
+  projected_quadrics,
+  /// held on the algebraic spheres alone \cgalCite{cgal:ggg-dpsas-08}
   projected_spheres,
-  /// held on planes fitted to them \cgalCite{cgal:hp-emss-04}
+  /// held on fitted planes \cgalCite{cgal:hp-emss-04}
   projected_planes,
   /// drawn to algebraic spheres by the energy
   spheres,
@@ -41,6 +45,25 @@ enum class Surfel_path_method
   planes,
   /// drawn to the disks of the surfels by the energy \cgalCite{cgal:rdsk-agpss-06}
   disks
+};
+
+/// \ingroup PkgGeodesicProcessingPaths
+/// whether surfels are moved to the surface that they suggest before paths are sought.
+enum class Surfel_noise
+{
+  removed_when_found, ///< where neighbours rise over each other by more than 2 % of the spacing
+  removed,
+  kept
+};
+
+/// \ingroup PkgGeodesicProcessingPaths
+/// how the energy of a path went down with equally many control points.
+struct Path_energy_level
+{
+  std::size_t number_of_control_points = 0;
+  std::size_t number_of_iterations = 0;
+  double first_energy = 0.; ///< in squares of the surface's unit
+  double last_energy = 0.;  ///< never higher
 };
 
 } // namespace CGAL::Geodesic_processing

@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_SURFEL_PATH_FINDER_H
+#define CGAL_GEODESIC_PROCESSING_SURFEL_PATH_FINDER_H
+
+#include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/internal/Cloud_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/path_options.h>
+#include <CGAL/Geodesic_processing/internal/read_surfels.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/surfel_variants.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingPaths
+///
+/// a path on a cloud.  Each of its locations names the surfel nearest to it; `length` is that of the
+/// polyline, never longer than `start_length`, and `front_distance` that of the curve through its
+/// points: the geodesic distance.
+template <typename SurfelRange>
+struct Surfel_path : Surface_path<SurfelRange>
+{
+  double start_length = 0.;                 ///< of the chain of arcs that it started from
+  std::size_t number_of_control_points = 0; ///< the curve has about four points for each
+  std::vector<Path_energy_level> levels;    ///< from coarse to fine
+};
+
+/// \ingroup PkgGeodesicProcessingPaths
+///
+/// finds geodesic paths on a cloud of surfels, clean or noisy, one pair after the other.
+///
+/// The shortest chain of arcs of a proximity graph is made a geodesic by minimizing an energy
+/// \cgalCite{cgal:rdsk-agpss-06}, with few control points first and then more, on a surface that is
+/// fitted to the surfels where the path comes by.  It ends at one and a half radii from the last
+/// surfel: no path crosses a gap, or changes to another sheet.  Copies share the cloud and the
+/// graph, and may search at the same time.
+///
+/// \tparam SurfelRange a model of `SurfelRange`
+template <typename SurfelRange>
+class Surfel_path_finder
+{
+public:
+  using Surface = SurfelRange;
+  using Traits = internal::Surface_traits<Surface>;
+  using Site = typename Traits::Site;
+  using Location = typename Traits::Location;
+  using Point_3 = typename Traits::Point_3;
+
+  /// reads the cloud once: O(n log n).
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{point_map} \cgalParamDescription{of the elements of the range}
+  ///     \cgalParamDefault{that of a `Point_set_3`, else the identity} \cgalParamNEnd
+  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{of any positive length}
+  ///     \cgalParamDefault{that of a `Point_set_3`} \cgalParamNEnd
+  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{how far surfels reach}
+  ///     \cgalParamDefault{the distance to the 8th neighbour over the square root of two}
+  ///     \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_path_method} \cgalParamDescription{a `Surfel_path_method`}
+  ///     \cgalParamDefault{`projected_quadrics`} \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_noise} \cgalParamDescription{a `Surfel_noise`}
+  ///     \cgalParamDefault{`removed_when_found`} \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_graph} \cgalParamDescription{a `Surfel_graph`}
+  ///     \cgalParamDefault{`extended_spheres`} \cgalParamNEnd
+  ///   \cgalParamNBegin{surfel_search} \cgalParamDescription{a `Surfel_search`}
+  ///     \cgalParamDefault{`a_star`} \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_control_points} \cgalParamDescription{at most; paths of a few
+  ///     surfels have fewer, and those over sharp edges more} \cgalParamDefault{75} \cgalParamNEnd
+  ///   \cgalParamNBegin{node_weight} \cgalParamDescription{of the squared distances of control points,
+  ///     the \f$ \alpha \f$ of the energy} \cgalParamDefault{0.7} \cgalParamNEnd
+  ///   \cgalParamNBegin{segment_weight} \cgalParamDescription{of those of the middles of segments, its
+  ///     \f$ \beta \f$} \cgalParamDefault{0.7} \cgalParamNEnd
+  ///   \cgalParamNBegin{threads} \cgalParamDefault{1} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws as `Surfel_domain`, and Invalid_argument_error when a weight is negative
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Surfel_path_finder(const SurfelRange& surfels,
+                              const NamedParameters& np = NamedParameters());
+
+  std::size_t number_of_surfels() const { return m_sites->size(); }
+
+  /// between which there are no paths.
+  std::size_t number_of_components() const { return cloud().number_of_components; }
+  /// below `number_of_components()`.
+  std::size_t component(Site surfel) const { return cloud().component[place(surfel).site]; }
+
+  /// the median of how far a surfel rises over its neighbours, in spacings; 0 when noise is `kept`.
+  double noise() const { return m_finder.prepared()->noise(); }
+
+  /// returns a path from one surfel or location to another; empty when they are not connected.
+  /// \throws Invalid_argument_error when a surfel is none of the cloud's, or an offset not finite
+  template <typename Place1, typename Place2>
+  Surfel_path<SurfelRange> operator()(const Place1& from, const Place2& to)
+  {
+    return outer(m_finder(place(from), place(to)));
+  }
+
+  /// \name Between the cloud and the kernels
+  /// @{
+  internal::Tangent_location place(Site surfel) const
+  {
+    m_sites->check(surfel);
+    return {cloud().site_of_surfel[m_sites->place(surfel)], {0., 0.}};
+  }
+  internal::Tangent_location place(const Location& location) const;
+  Surfel_path<SurfelRange> outer(const internal::Cloud_path& found) const;
+  const internal::Cloud_path_finder& kernel() const { return m_finder; }
+  /// @}
+
+private:
+  const internal::Surfel_cloud& cloud() const { return m_finder.prepared()->cloud(); }
+
+  std::shared_ptr<const internal::Surfel_sites<SurfelRange>> m_sites;
+  internal::Cloud_path_finder m_finder;
+};
+
+namespace internal {
+
+template <typename NamedParameters>
+Cloud_path_options cloud_path_options(const NamedParameters& np)
+{
+  Cloud_path_options result;
+  result.cloud.graph = parameter(np, internal_np::surfel_graph, result.cloud.graph);
+  result.cloud.threads = parameter(np, internal_np::threads, 1u);
+  result.method = parameter(np, internal_np::surfel_path_method, result.method);
+  result.noise = parameter(np, internal_np::surfel_noise, result.noise);
+  result.search = parameter(np, internal_np::surfel_search, result.search);
+  result.path = path_options(np);
+  return result;
+}
+
+template <typename SurfelRange, typename NamedParameters>
+Cloud_path_finder make_path_finder(const SurfelRange& range, const NamedParameters& np)
+{
+  Surfel_arrays arrays = read_surfels(range, np);
+  return Cloud_path_finder(std::make_shared<const Prepared_cloud>(
+      std::move(arrays.points), std::move(arrays.normals), arrays.radii, cloud_path_options(np)));
+}
+
+} // namespace internal
+
+template <typename SurfelRange>
+template <typename NamedParameters>
+Surfel_path_finder<SurfelRange>::Surfel_path_finder(const SurfelRange& range,
+                                                    const NamedParameters& np)
+    : m_sites(std::make_shared<const internal::Surfel_sites<SurfelRange>>(range)),
+      m_finder(internal::make_path_finder(range, np))
+{}
+
+template <typename SurfelRange>
+internal::Tangent_location Surfel_path_finder<SurfelRange>::place(const Location& location) const
+{
+  internal::Tangent_location result = place(location.surfel);
+  for(int k = 0; k < 2; ++k)
+  {
+    if(!std::isfinite(location.offset[k]))
+      throw Invalid_argument_error("The offset of a location is not finite.");
+    result.offset[k] = location.offset[k] / cloud().frame.scale;
+  }
+  return result;
+}
+
+template <typename SurfelRange>
+Surfel_path<SurfelRange>
+Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
+{
+  const auto& [origin, scale] = cloud().frame;
+  const internal::Shortened_path& path = found.path;
+  Surfel_path<SurfelRange> result;
+  for(const internal::Foot& foot : path.points)
+  {
+    const internal::Tangent_location location = m_finder.prepared()->location(foot);
+    result.locations.push_back({(*m_sites)[cloud().surfel_of_site[location.site]],
+                                {scale * location.offset[0], scale * location.offset[1]}});
+    result.points.emplace_back(origin[0] + scale * foot.point[0], origin[1] + scale * foot.point[1],
+                               origin[2] + scale * foot.point[2]);
+  }
+  result.length = scale * path.polyline_length;
+  result.front_distance = path.points.empty() ? internal::infinity : scale * path.length;
+  result.start_length = scale * found.start_length;
+  result.number_of_control_points = path.control_points;
+  for(Path_energy_level level : path.levels)
+  {
+    level.first_energy *= scale * scale;
+    level.last_energy *= scale * scale;
+    result.levels.push_back(level);
+  }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_SURFEL_PATH_FINDER_H

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CLOUD_PATH_FINDER_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CLOUD_PATH_FINDER_H
+
+#include <CGAL/Geodesic_processing/internal/Graph_search.h>
+#include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
+#include <CGAL/Geodesic_processing/internal/Surfel_surface.h>
+#include <CGAL/Geodesic_processing/internal/path_energy.h>
+#include <CGAL/Geodesic_processing/internal/surfels.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+struct Cloud_path_options
+{
+  Cloud_options cloud;
+  Surfel_path_method method = Surfel_path_method::projected_quadrics;
+  Surfel_noise noise = Surfel_noise::removed_when_found;
+  Surfel_search search = Surfel_search::a_star;
+  Path_options path; // what holds it follows from the method
+};
+
+// A cloud, and the surface fitted to it, that any number of finders share.
+class CGAL_GEODESIC_PROCESSING_EXPORT Prepared_cloud
+{
+public:
+  // Points, normals and radii as for make_cloud().
+  Prepared_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
+                 const std::vector<double>& radii, const Cloud_path_options& options);
+  Prepared_cloud(const Prepared_cloud&) = delete;
+
+  const Surfel_cloud& cloud() const { return m_cloud; }
+  const Surfel_surface& surface() const { return m_surface; }
+  const Cloud_path_options& options() const { return m_options; }
+  double noise() const { return m_noise; }
+
+  // The foot of a place in a surfel's tangent plane, in the cloud's scale.
+  Foot foot(const Tangent_location& location) const;
+  // Where a point of a path lies in the tangent plane of the caller's surfel, in the cloud's scale.
+  Tangent_location location(const Foot& foot) const;
+
+private:
+  double m_noise = 0.;                                // as noise_level() says
+  std::vector<Spatial> m_given_point, m_given_normal; // #sites, where noise has been removed
+  Cloud_path_options m_options;
+  Surfel_cloud m_cloud;
+  Surfel_surface m_surface;
+};
+
+struct Cloud_path
+{
+  Shortened_path path;      // in the cloud's scale; no points when there is none
+  double start_length = 0.; // of the chain of arcs
+};
+
+// Finds paths, one pair after the other; copies share the cloud, and may search at the same time.
+class CGAL_GEODESIC_PROCESSING_EXPORT Cloud_path_finder
+{
+public:
+  explicit Cloud_path_finder(std::shared_ptr<const Prepared_cloud> cloud);
+
+  const std::shared_ptr<const Prepared_cloud>& prepared() const { return m_cloud; }
+
+  // Never longer than the chain of arcs it starts from: where it would be, as arcs are chords that
+  // cut curved surfaces short, it is the chain.
+  Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
+
+private:
+  std::shared_ptr<const Prepared_cloud> m_cloud;
+  Graph_search m_search;
+};
+
+// A path for each pair; the same for any number of threads.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Cloud_path>
+find_paths(const Cloud_path_finder& finder,
+           const std::vector<std::pair<Tangent_location, Tangent_location>>& pairs,
+           unsigned threads);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CLOUD_PATH_FINDER_H

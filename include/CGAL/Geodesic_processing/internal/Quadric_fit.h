@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_QUADRIC_FIT_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_QUADRIC_FIT_H
+
+#include <array>
+#include <cmath>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// The least-squares fit of
+//
+//   height(x, y) = c_0 + c_1 x + c_2 y + c_3 x^2 / 2 + c_4 x y + c_5 y^2 / 2
+//
+// to weighted heights and slopes over a plane.
+class Quadric_fit
+{
+public:
+  using Coefficients = std::array<double, 6>;
+
+  // A place, or the mean of several: then x^2, x y and y^2 are means as well.
+  struct Place
+  {
+    double x, y, xx, xy, yy;
+  };
+
+  static double height(const Coefficients& c, const Place& p)
+  {
+    return c[0] + c[1] * p.x + c[2] * p.y + 0.5 * (c[3] * p.xx + c[5] * p.yy) + c[4] * p.xy;
+  }
+
+  void add_height(double weight, const Place& p, double height)
+  {
+    const Coefficients row = {1., p.x, p.y, 0.5 * p.xx, p.xy, 0.5 * p.yy};
+    for(int i = 0; i < 6; ++i)
+    {
+      const double factor = weight * row[i];
+      for(int j = 0; j <= i; ++j)
+        m_matrix[i][j] += factor * row[j];
+      m_right[i] += factor * height;
+    }
+  }
+
+  void add_slopes(double weight, const Place& p, double slope_x, double slope_y)
+  {
+    // Rows  0 1 0 x y 0  and  0 0 1 0 x y.
+    const double x = weight * p.x, y = weight * p.y;
+    m_matrix[1][1] += weight;
+    m_matrix[2][2] += weight;
+    m_matrix[3][1] += x;
+    m_matrix[4][1] += y;
+    m_matrix[4][2] += x;
+    m_matrix[5][2] += y;
+    m_matrix[3][3] += x * p.x;
+    m_matrix[4][3] += x * p.y;
+    m_matrix[4][4] += x * p.x + y * p.y;
+    m_matrix[5][4] += x * p.y;
+    m_matrix[5][5] += y * p.y;
+    m_right[1] += weight * slope_x;
+    m_right[2] += weight * slope_y;
+    m_right[3] += x * slope_x;
+    m_right[4] += y * slope_x + x * slope_y;
+    m_right[5] += y * slope_y;
+  }
+
+  // Cholesky's factors; how many of the coefficients, 6, 3 or none, what was added determines.
+  int factorize()
+  {
+    m_factor = m_matrix;
+    for(int i = 0; i < 6; ++i)
+      for(int j = 0; j <= i; ++j)
+      {
+        double sum = m_matrix[i][j];
+        for(int k = 0; k < j; ++k)
+          sum -= m_factor[i][k] * m_factor[j][k];
+        if(i == j && !(sum > 1e-12 * m_matrix[i][i]))
+          return i < 3 ? 0 : 3;
+        m_factor[i][j] = i == j ? std::sqrt(sum) : sum / m_factor[j][j];
+      }
+    return 6;
+  }
+
+  // After factorize(): the first `number` coefficients, the others zero.
+  Coefficients coefficients(int number) const { return solved(m_right, number); }
+
+  // The variance of c_0 where weights are inverse variances.
+  double variance(int number) const { return solved({1., 0., 0., 0., 0., 0.}, number)[0]; }
+
+private:
+  Coefficients solved(Coefficients c, int number) const
+  {
+    for(int i = 0; i < number; ++i)
+    {
+      for(int k = 0; k < i; ++k)
+        c[i] -= m_factor[i][k] * c[k];
+      c[i] /= m_factor[i][i];
+    }
+    for(int i = number - 1; i >= 0; --i)
+    {
+      for(int k = i + 1; k < number; ++k)
+        c[i] -= m_factor[k][i] * c[k];
+      c[i] /= m_factor[i][i];
+    }
+    for(int i = number; i < 6; ++i)
+      c[i] = 0.;
+    return c;
+  }
+
+  std::array<Coefficients, 6> m_matrix = {}, m_factor = {}; // the lower halves
+  Coefficients m_right = {};
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_QUADRIC_FIT_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_SURFEL_GEODESIC_PATH_H
+#define CGAL_GEODESIC_PROCESSING_SURFEL_GEODESIC_PATH_H
+
+#include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/limits.h>
+
+#include <CGAL/tags.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingPaths
+///
+/// finds a geodesic path on a cloud of surfels by minimizing an energy. \cgalCite{cgal:rdsk-agpss-06}
+///
+/// \param surfels a model of `SurfelRange`
+/// \param from a surfel or a location
+/// \param to a surfel or a location
+/// \param np what `Surfel_path_finder` takes, which is the one to use for more than one pair
+/// \returns the path, empty when the two are not connected
+template <typename SurfelRange, typename Place1, typename Place2,
+          typename NamedParameters = internal::Default_parameters>
+Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const Place1& from,
+                                              const Place2& to,
+                                              const NamedParameters& np = NamedParameters())
+{
+  return Surfel_path_finder<SurfelRange>(surfels, np)(from, to);
+}
+
+/// \ingroup PkgGeodesicProcessingPaths
+///
+/// finds a path for each of many pairs.
+///
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several pairs at a
+///         time, on one cloud and one graph.  The result is the same to the last bit.
+/// \param finder prepared; not changed
+/// \param pairs a range of pairs of surfels or locations
+/// \param np `threads`: how many, with `Parallel_tag`; as many as there are processors by default
+/// \returns a path for each pair, empty for those that are not connected
+/// \throws as `Surfel_path_finder::operator()`
+template <typename Concurrency_tag = Sequential_tag, typename SurfelRange, typename Pairs,
+          typename NamedParameters = internal::Default_parameters>
+std::vector<Surfel_path<SurfelRange>>
+surfel_geodesic_paths(const Surfel_path_finder<SurfelRange>& finder, const Pairs& pairs,
+                      const NamedParameters& np = NamedParameters())
+{
+  std::vector<std::pair<internal::Tangent_location, internal::Tangent_location>> places;
+  for(const auto& [from, to] : pairs)
+    places.emplace_back(finder.place(from), finder.place(to));
+  std::vector<Surfel_path<SurfelRange>> result;
+  for(const internal::Cloud_path& path :
+      internal::find_paths(finder.kernel(), places, internal::threads<Concurrency_tag>(np)))
+    result.push_back(finder.outer(path));
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_SURFEL_GEODESIC_PATH_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Cloud_path_finder.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/denoise.h>
+#include <CGAL/Geodesic_processing/internal/parallel.h>
+#include <CGAL/Geodesic_processing/internal/surfel_neighbors.h>
+
+#include <cmath>
+#include <mutex>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+Surfel_fit fit_of(Surfel_path_method method)
+{
+  switch(method)
+  {
+  case Surfel_path_method::projected_quadrics:
+    return Surfel_fit::quadrics;
+  case Surfel_path_method::projected_spheres:
+  case Surfel_path_method::spheres:
+    return Surfel_fit::spheres;
+  case Surfel_path_method::projected_planes:
+  case Surfel_path_method::planes:
+    return Surfel_fit::planes;
+  case Surfel_path_method::disks:
+    break;
+  }
+  return Surfel_fit::disks;
+}
+
+Path_hold hold_of(Surfel_path_method method)
+{
+  return method == Surfel_path_method::spheres || method == Surfel_path_method::planes ||
+                 method == Surfel_path_method::disks
+             ? Path_hold::energy
+             : Path_hold::projected;
+}
+
+Cloud_path_options checked(Cloud_path_options options)
+{
+  const Path_options& path = options.path;
+  if(!(path.alpha >= 0.) || !(path.beta >= 0.) || !std::isfinite(path.alpha + path.beta))
+    throw Invalid_argument_error("A weight of the energy is negative or not finite.");
+  if(path.control_points == 0)
+    throw Invalid_argument_error("A path needs a control point.");
+  if(!(path.tolerance >= 0.))
+    throw Invalid_argument_error("The tolerance is negative or not a number.");
+  options.path.hold = hold_of(options.method);
+  return options;
+}
+
+} // namespace
+
+Prepared_cloud::Prepared_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
+                               const std::vector<double>& radii, const Cloud_path_options& options)
+    : m_options(checked(options)),
+      m_cloud(
+          [&]
+          {
+            const unsigned threads = options.cloud.threads;
+            const bool is_asked = options.noise == Surfel_noise::removed_when_found;
+            if(options.noise == Surfel_noise::kept)
+              return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
+            check_sizes(points.size(), normals.size(), radii.size());
+            m_noise = noise_level(points, normals, threads);
+            if(is_asked && m_noise < noise_that_matters)
+              return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
+            m_given_point = points;
+            m_given_normal = normals;
+            denoise(points, normals, threads);
+            return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
+          }()),
+      m_surface(m_cloud, fit_of(options.method))
+{
+  if(m_given_point.empty())
+    return;
+  // In the order and the frame of the cloud.
+  to_frame(m_given_point, m_cloud.frame);
+  normalize(m_given_normal);
+  std::vector<Spatial> point, normal;
+  for(const Index surfel : m_cloud.surfel_of_site)
+  {
+    point.push_back(m_given_point[surfel]);
+    normal.push_back(m_given_normal[surfel]);
+  }
+  m_given_point = std::move(point);
+  m_given_normal = std::move(normal);
+}
+
+Foot Prepared_cloud::foot(const Tangent_location& location) const
+{
+  const Index site = location.site;
+  if(location.offset == std::array<double, 2>{0., 0.})
+    return {m_cloud.point[site], m_cloud.normal[site], {0., 0., 0.}, site};
+  const auto [u, v] =
+      tangent_frame(m_given_normal.empty() ? m_cloud.normal[site] : m_given_normal[site]);
+  const Spatial& origin = m_given_point.empty() ? m_cloud.point[site] : m_given_point[site];
+  return m_surface.foot(origin + location.offset[0] * u + location.offset[1] * v, site);
+}
+
+Tangent_location Prepared_cloud::location(const Foot& foot) const
+{
+  const Index site = foot.site;
+  const Spatial& origin = m_given_point.empty() ? m_cloud.point[site] : m_given_point[site];
+  const auto [u, v] =
+      tangent_frame(m_given_normal.empty() ? m_cloud.normal[site] : m_given_normal[site]);
+  return {site, {dot(foot.point - origin, u), dot(foot.point - origin, v)}};
+}
+
+Cloud_path_finder::Cloud_path_finder(std::shared_ptr<const Prepared_cloud> cloud)
+    : m_cloud(std::move(cloud)), m_search(m_cloud->cloud().graph, m_cloud->cloud().point)
+{}
+
+Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tangent_location& to)
+{
+  const Surfel_cloud& cloud = m_cloud->cloud();
+  Cloud_path result;
+  const std::vector<Index> sites = m_search(from.site, to.site, m_cloud->options().search);
+  if(sites.empty())
+  {
+    result.start_length = infinity;
+    return result;
+  }
+  const Foot first = m_cloud->foot(from), last = m_cloud->foot(to);
+  std::vector<Foot> chain = {first};
+  const auto add = [&](const Foot& foot)
+  {
+    if(foot.point != chain.back().point)
+      chain.push_back(foot);
+  };
+  for(const Index site : sites)
+    add({cloud.point[site], cloud.normal[site], {0., 0., 0.}, site});
+  add(last);
+  for(std::size_t i = 0; i + 1 < chain.size(); ++i)
+    result.start_length += norm(chain[i + 1].point - chain[i].point);
+
+  Path_options options = m_cloud->options().path;
+  options.spacing = 0.5 * cloud.radius[from.site];
+  result.path = shortened(m_cloud->surface(), options, chain);
+  if(result.path.polyline_length > result.start_length)
+  {
+    result.path.points = std::move(chain);
+    result.path.polyline_length = result.start_length;
+  }
+  return result;
+}
+
+std::vector<Cloud_path>
+find_paths(const Cloud_path_finder& finder,
+           const std::vector<std::pair<Tangent_location, Tangent_location>>& pairs,
+           unsigned threads)
+{
+  std::vector<Cloud_path> result(pairs.size());
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Cloud_path_finder>> idle;
+  for_each_block(pairs.size(), 1, threads,
+                 [&](std::size_t i, std::size_t, std::size_t)
+                 {
+                   std::unique_ptr<Cloud_path_finder> own;
+                   {
+                     const std::lock_guard lock(mutex);
+                     if(!idle.empty())
+                     {
+                       own = std::move(idle.back());
+                       idle.pop_back();
+                     }
+                   }
+                   if(!own)
+                     own = std::make_unique<Cloud_path_finder>(finder);
+                   result[i] = (*own)(pairs[i].first, pairs[i].second);
+                   const std::lock_guard lock(mutex);
+                   idle.push_back(std::move(own));
+                 });
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
