@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
 #include <tuple>
 #include <utility>
 
@@ -19,40 +17,33 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-double env(const char* n, double d)
-{
-  const char* s = std::getenv(n);
-  return s ? std::atof(s) : d;
-}
-
 constexpr std::size_t neighbors = 24;
 
 // Radii of fits in spacings: the first holds 24 surfels of a plane.
-const int scales = int(env("SCALES", 12));
+constexpr int scales = 12;
 constexpr double first_radius = 2.8, growth = 1.25;
 // From this one on surfels are taken in clusters.
-const int first_clustered = int(env("FIRSTC", 5));
-constexpr std::size_t cluster_size = 8;
+constexpr int first_clustered = 5;
+constexpr Index cluster_size = 8;
 
 // In standard deviations: how far estimates may be apart, and surfels from a fit.
-const double agreement = env("GAMMA", 3.);
-constexpr double outlying = 3.5;
+constexpr double agreement = 3., outlying = 3.5;
 
 constexpr double normals_agree = 0.5; // 60 degrees: the other side of a thin sheet does not count
 
-double median(std::vector<double>& values)
+template <typename Value>
+Value median(std::vector<Value>& values)
 {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-// A surfel, or the means over several.
+// The means over several surfels.
 struct Sample
 {
-  Spatial point, normal;
+  Spatial point = {0., 0., 0.}, normal = {0., 0., 0.};
   std::array<double, 6> spread = {}; // of the points around their mean: xx, yy, zz, yz, zx, xy
-  double number = 1.;
 };
 
 // A quadratic form of the spread.
@@ -112,6 +103,11 @@ Scan::Scan(std::vector<Spatial> points, std::vector<Spatial> normals, unsigned t
   near.join();
 }
 
+struct Surfel
+{
+  Spatial point, normal;
+};
+
 // The surface over the plane of a surfel, in its spacings.
 class Chart
 {
@@ -128,41 +124,46 @@ public:
     double height, slope_x, slope_y;
   };
   // False where the normal does not agree.
-  bool see(const Sample& sample, Seen& seen) const
+  bool see(const Spatial& point, const Spatial& normal, Seen& seen) const
   {
-    const double up = dot(sample.normal, m_up);
-    if(!(up > normals_agree * norm(sample.normal)))
+    const double up = dot(normal, m_up);
+    if(!(up > normals_agree))
       return false;
-    const Spatial way = m_over * (sample.point - m_origin);
+    const Spatial way = m_over * (point - m_origin);
     const double x = dot(way, m_u), y = dot(way, m_v);
     seen = {{x, y, x * x, x * y, y * y},
             dot(way, m_up),
-            -dot(sample.normal, m_u) / up,
-            -dot(sample.normal, m_v) / up};
-    if(sample.number > 1.)
-    {
-      const double square = m_over * m_over;
-      seen.place.xx += square * spread_along(sample.spread, m_u, m_u);
-      seen.place.xy += square * spread_along(sample.spread, m_u, m_v);
-      seen.place.yy += square * spread_along(sample.spread, m_v, m_v);
-    }
+            -dot(normal, m_u) / up,
+            -dot(normal, m_v) / up};
+    return true;
+  }
+  bool see(const Sample& sample, Seen& seen) const
+  {
+    if(!see(sample.point, sample.normal, seen))
+      return false;
+    const double square = m_over * m_over;
+    seen.place.xx += square * spread_along(sample.spread, m_u, m_u);
+    seen.place.xy += square * spread_along(sample.spread, m_u, m_v);
+    seen.place.yy += square * spread_along(sample.spread, m_v, m_v);
     return true;
   }
 
-  // The surfel that the fit suggests.
-  void move(const Quadric_fit::Coefficients& c, Spatial& point, Spatial& normal) const
+  // What a fit suggests for a surfel nearby.
+  Surfel moved(const Spatial& point, const Quadric_fit::Coefficients& c) const
   {
-    const Spatial upward = m_up - c[1] * m_u - c[2] * m_v;
-    normal = unit(upward);
-    point = m_origin + c[0] / m_over * dot(normal, m_up) / norm(upward) * normal;
+    const Spatial way = m_over * (point - m_origin);
+    const double x = dot(way, m_u), y = dot(way, m_v);
+    const double rise = Quadric_fit::height(c, {x, y, x * x, x * y, y * y}) - dot(way, m_up);
+    const Spatial upward =
+        m_up - (c[1] + c[3] * x + c[4] * y) * m_u - (c[2] + c[4] * x + c[5] * y) * m_v;
+    const double slope = norm(upward);
+    return {point + rise / (m_over * slope * slope) * upward, (1. / slope) * upward};
   }
 
 private:
   Spatial m_origin, m_up, m_u, m_v;
   double m_over;
 };
-
-Sample sample(const Scan& scan, Index i) { return {scan.point[i], scan.normal[i]}; }
 
 // Variances of heights, in squared spacings, and of slopes.
 struct Variances
@@ -187,7 +188,7 @@ Variances left_by_fits(const Scan& scan, double slope_weight, unsigned threads)
                      all.clear();
                      Chart::Seen seen;
                      for(const Index* j = scan.near.begin(i); j != scan.near.end(i); ++j)
-                       if(chart.see(sample(scan, *j), seen))
+                       if(chart.see(scan.point[*j], scan.normal[*j], seen))
                        {
                          all.push_back(seen);
                          fit.add_height(1., seen.place, seen.height);
@@ -242,7 +243,7 @@ Variances variances(const Scan& scan, unsigned threads)
   return rough;
 }
 
-// Means of surfels that are neighbours in the order of the tree; not of those on different sheets.
+// Means of surfels that are neighbours in the order of the tree, but for those on different sheets.
 struct Clusters
 {
   std::vector<Sample> samples;
@@ -254,11 +255,11 @@ Clusters clusters(const Scan& scan, unsigned threads)
 {
   std::vector<Sample> samples;
   Clusters result;
-  for(Index begin = 0; begin < scan.size(); begin += cluster_size)
+  constexpr double part = 1. / cluster_size;
+  for(Index begin = 0; begin + cluster_size <= scan.size(); begin += cluster_size)
   {
-    const Index end = Index(std::min<std::size_t>(scan.size(), begin + cluster_size));
-    Sample mean = {{0., 0., 0.}, {0., 0., 0.}, {}, double(end - begin)};
-    const double part = 1. / mean.number;
+    const Index end = begin + cluster_size;
+    Sample mean;
     double spacing = 0.;
     for(Index i = begin; i < end; ++i)
     {
@@ -291,71 +292,191 @@ Clusters clusters(const Scan& scan, unsigned threads)
   return result;
 }
 
-// Which fit is taken: the radius, and how many coefficients.
+// A fit: its radius, and how many of its coefficients count.
 struct Choice
 {
   int scale = 0, number = 3;
-  // A plane is as sure as a quadric with four times as many surfels.
-  int rank() const { return scale + (number == 3 ? 3 : 0); }
+
+  friend bool operator==(const Choice& a, const Choice& b)
+  {
+    return a.scale == b.scale && a.number == b.number;
+  }
+  // By how sure they are: a plane is as sure as a quadric through four times as many surfels.
+  friend bool operator<(const Choice& a, const Choice& b)
+  {
+    const int rank_a = a.scale + (a.number == 3 ? 3 : 0),
+              rank_b = b.scale + (b.number == 3 ? 3 : 0);
+    return rank_a != rank_b ? rank_a < rank_b : a.scale < b.scale;
+  }
 };
 
 class Denoiser
 {
 public:
+  // What a thread works with.
+  struct Scratch
+  {
+    std::vector<Index> found;
+    std::array<std::vector<Index>, scales> rings;
+  };
+
   Denoiser(const Scan& scan, unsigned threads)
       : m_scan(scan), m_variances(variances(scan, threads)), m_clusters(clusters(scan, threads))
-  {}
+  {
+    for(int k = 0; k < scales; ++k)
+      m_squared_radius[k] = std::pow(first_radius * std::pow(growth, k), 2);
+  }
 
-  // The fits at all radii, from the first one on, until visit(scale, fit) is false.
+  // The surest fit that agrees with all that are less sure.
+  Quadric_fit::Coefficients choose(Index i, Scratch& scratch, Choice& choice) const
+  {
+    Quadric_fit::Coefficients result = {};
+    choice = {};
+    if(!is_noisy(i))
+      return result;
+    std::array<Estimate, 2 * scales> estimates;
+    std::size_t size = 0;
+    double least = infinity;
+    visit_fits(i, scratch,
+               [&](int scale, const Quadric_fit& fit, int number)
+               {
+                 bool is_any = number < 6;
+                 for(const int n : {6, 3})
+                 {
+                   if(n > number)
+                     continue;
+                   const Quadric_fit::Coefficients c = fit.coefficients(n);
+                   const Estimate e = {c[0], fit.variance(n)};
+                   if(!std::all_of(estimates.begin(), estimates.begin() + size,
+                                   [&](const Estimate& other) { return agree(e, other); }))
+                     continue;
+                   is_any = true;
+                   estimates[size++] = e;
+                   if(e.variance < least)
+                   {
+                     least = e.variance;
+                     choice = {scale, n};
+                     result = c;
+                   }
+                 }
+                 return is_any;
+               });
+    return result;
+  }
+
+  // The fit that is chosen.
+  Quadric_fit::Coefficients fit(Index i, Scratch& scratch, const Choice& choice) const
+  {
+    Quadric_fit::Coefficients result = {};
+    if(is_noisy(i))
+      visit_fits(i, scratch,
+                 [&](int scale, const Quadric_fit& fit, int number)
+                 {
+                   if(scale < choice.scale)
+                     return true;
+                   if(number > 0)
+                     result = fit.coefficients(std::min(number, choice.number));
+                   return false;
+                 });
+    return result;
+  }
+
+  // The mean of what the neighbours' fits suggest, such that no step is left between surfels.
+  Surfel blended(Index i, const std::vector<Quadric_fit::Coefficients>& fits) const
+  {
+    const Spatial& point = m_scan.point[i];
+    double farthest = 0., weights = 0.;
+    for(const Index* j = m_scan.near.begin(i); j != m_scan.near.end(i); ++j)
+      farthest = std::max(farthest, norm(m_scan.point[*j] - point));
+    Surfel sum = {{0., 0., 0.}, {0., 0., 0.}};
+    for(const Index* j = m_scan.near.begin(i); j != m_scan.near.end(i); ++j)
+    {
+      if(!is_noisy(*j))
+        continue;
+      const double ratio = farthest > 0. ? norm(m_scan.point[*j] - point) / farthest : 0.;
+      const double weight = std::pow(1. - 0.9 * ratio * ratio, 2);
+      const Surfel one = Chart(m_scan, *j).moved(point, fits[*j]);
+      sum.point = sum.point + weight * one.point;
+      sum.normal = sum.normal + weight * one.normal;
+      weights += weight;
+    }
+    if(!(weights > 0.))
+      return {point, m_scan.up[i]};
+    return {(1. / weights) * sum.point, unit(sum.normal)};
+  }
+
+private:
+  struct Estimate
+  {
+    double height, variance;
+  };
+
+  // Whether the difference of two estimates, one of which has used what the other has, is chance.
+  static bool agree(const Estimate& a, const Estimate& b)
+  {
+    const double difference = a.height - b.height;
+    return difference * difference <= agreement * agreement * std::abs(a.variance - b.variance);
+  }
+
+  bool is_noisy(Index i) const
+  {
+    return m_scan.spacing[i] > 0. && m_variances.height[i] > 0. && m_variances.slope[i] > 0.;
+  }
+
+  // Sorts the surfels, or the clusters, between two scales into rings.
+  void find_rings(Index i, int begin, int end, Scratch& scratch) const
+  {
+    const bool is_clustered = begin >= first_clustered;
+    const double square = m_scan.spacing[i] * m_scan.spacing[i];
+    const std::vector<Spatial>& points = is_clustered ? m_clusters.point : m_scan.point;
+    (is_clustered ? m_clusters.tree : m_scan.tree)
+        .within(points, m_scan.point[i], square * m_squared_radius[end - 1], scratch.found);
+    for(int scale = begin; scale < end; ++scale)
+      scratch.rings[scale].clear();
+    for(const Index j : scratch.found)
+    {
+      const Spatial way = points[j] - m_scan.point[i];
+      const double distance = dot(way, way) / square;
+      if(begin > 0 && distance <= m_squared_radius[begin - 1])
+        continue;
+      int ring = begin;
+      while(ring + 1 < end && distance > m_squared_radius[ring])
+        ++ring;
+      scratch.rings[ring].push_back(j);
+    }
+  }
+
+  // The fits at all radii, from the first one on, until visit(scale, fit, number) is false: with so
+  // many coefficients.
   template <typename Visit>
-  void fits(Index i, Visit visit) const
+  void visit_fits(Index i, Scratch& scratch, Visit visit) const
   {
     const Chart chart(m_scan, i);
-    const double spacing = m_scan.spacing[i];
+    const double most = outlying * std::sqrt(m_variances.height[i]);
     const double height_weight = 1. / m_variances.height[i],
-                 deviation = std::sqrt(m_variances.height[i]);
-    const double slope_weight = 1. / m_variances.slope[i];
+                 slope_weight = 1. / m_variances.slope[i];
     Quadric_fit fit;
     Quadric_fit::Coefficients last = {};
     bool has_last = false;
-    std::array<std::vector<Sample>, 32> rings;
-    double inner = 0., radius = first_radius * spacing;
-    std::vector<Index> found;
-    for(int scale = 0; scale < scales; ++scale, radius *= growth)
+    int known = 0; // scales whose rings are found
+    for(int scale = 0; scale < scales; ++scale)
     {
-      const bool is_clustered = scale >= first_clustered;
-      // The rings of a few radii at a time
-      if(scale == 0 || scale == first_clustered ||
-         (is_clustered && (scale - first_clustered) % 3 == 0))
+      if(scale == known)
       {
-        const int number = is_clustered ? 3 : first_clustered;
-        const double outer = radius * std::pow(growth, number - 1);
-        (is_clustered ? m_clusters.tree : m_scan.tree)
-            .within(is_clustered ? m_clusters.point : m_scan.point, m_scan.point[i], outer * outer,
-                    found);
-        for(const Index j : found)
-        {
-          const Sample one = is_clustered ? m_clusters.samples[j] : sample(m_scan, j);
-          const double distance = norm(one.point - m_scan.point[i]);
-          if(is_clustered && distance <= inner)
-            continue;
-          int ring = scale;
-          for(double r = radius; distance > r && ring + 1 < scale + number; r *= growth)
-            ++ring;
-          rings[ring].push_back(one);
-        }
-        inner = outer;
+        known = scale < first_clustered ? first_clustered : std::min(scale + 3, scales);
+        find_rings(i, scale, known, scratch);
       }
-      Chart::Seen seen;
-      for(const Sample& one : rings[scale])
+      for(const Index j : scratch.rings[scale])
       {
-        if(!chart.see(one, seen))
+        Chart::Seen seen;
+        const double number = scale < first_clustered ? 1. : double(cluster_size);
+        if(!(scale < first_clustered ? chart.see(m_scan.point[j], m_scan.normal[j], seen)
+                                     : chart.see(m_clusters.samples[j], seen)))
           continue;
-        if(has_last &&
-           std::abs(seen.height - Quadric_fit::height(last, seen.place)) > outlying * deviation)
+        if(has_last && std::abs(seen.height - Quadric_fit::height(last, seen.place)) > most)
           continue;
-        fit.add_height(one.number * height_weight, seen.place, seen.height);
-        fit.add_slopes(one.number * slope_weight, seen.place, seen.slope_x, seen.slope_y);
+        fit.add_height(number * height_weight, seen.place, seen.height);
+        fit.add_slopes(number * slope_weight, seen.place, seen.slope_x, seen.slope_y);
       }
       const int number = fit.factorize();
       if(number == 6)
@@ -368,79 +489,10 @@ public:
     }
   }
 
-  Choice choose(Index i) const
-  {
-    struct Estimate
-    {
-      double height, variance;
-    };
-    std::vector<Estimate> good;
-    Choice best;
-    double least = infinity;
-    if(!is_noisy(i))
-      return best;
-    fits(i,
-         [&](int scale, const Quadric_fit& fit, int number)
-         {
-           bool any = false;
-           std::vector<Estimate> next;
-           for(const int n : {6, 3})
-           {
-             if(n > number)
-               continue;
-             const Estimate e = {fit.coefficients(n)[0], fit.variance(n)};
-             bool agrees = true;
-             for(const Estimate& other : good)
-               if(other.variance > e.variance &&
-                  std::abs(other.height - e.height) >
-                      agreement * std::sqrt(other.variance - e.variance))
-                 agrees = false;
-             for(const Estimate& other : next)
-               if(std::abs(other.height - e.height) >
-                  agreement * std::sqrt(std::max(0., other.variance - e.variance)))
-                 agrees = false;
-             if(!agrees)
-               continue;
-             any = true;
-             next.push_back(e);
-             if(e.variance < least)
-             {
-               least = e.variance;
-               best = {scale, n};
-             }
-           }
-           good.insert(good.end(), next.begin(), next.end());
-           return any || number < 6;
-         });
-    return best;
-  }
-
-  bool is_noisy(Index i) const
-  {
-    return m_scan.spacing[i] > 0. && m_variances.height[i] > 0. && m_variances.slope[i] > 0.;
-  }
-
-  void move(Index i, const Choice& choice, Spatial& point, Spatial& normal) const
-  {
-    point = m_scan.point[i];
-    normal = m_scan.up[i];
-    if(is_noisy(i))
-      fits(i,
-           [&](int scale, const Quadric_fit& fit, int number)
-           {
-             if(scale < choice.scale)
-               return true;
-             if(number > 0)
-               Chart(m_scan, i).move(fit.coefficients(std::min(number, choice.number)), point,
-                                     normal);
-             return false;
-           });
-  }
-
-private:
   const Scan& m_scan;
   Variances m_variances;
   Clusters m_clusters;
+  std::array<double, scales> m_squared_radius; // in spacings
 };
 
 } // namespace
@@ -457,51 +509,45 @@ void denoise(std::vector<Spatial>& points, std::vector<Spatial>& normals, unsign
   const Scan scan(points, normals, threads);
   const Denoiser denoiser(scan, threads);
   const std::size_t n = scan.size();
-  std::vector<Choice> choice(n), smooth(n);
+  std::vector<Choice> choices(n);
+  std::vector<Quadric_fit::Coefficients> fits(n);
   for_each_block(n, surfel_block, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
+                   Denoiser::Scratch scratch;
                    for(Index i = Index(begin); i < end; ++i)
-                     choice[i] = denoiser.choose(i);
+                     fits[i] = denoiser.choose(i, scratch, choices[i]);
                  });
-  std::vector<Spatial> moved(n), turned(n);
+  // Chance makes some of the choices too small: of the neighbours' the median counts.
   for_each_block(n, surfel_block, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
+                   Denoiser::Scratch scratch;
                    std::vector<Choice> around;
                    for(Index i = Index(begin); i < end; ++i)
                    {
-                     // Of the neighbours' choices the median: chance makes some of them too small.
                      around.clear();
                      for(const Index* j = scan.near.begin(i); j != scan.near.end(i); ++j)
-                       around.push_back(choice[*j]);
-                     const auto middle = around.begin() + std::ptrdiff_t(around.size() / 2);
-                     std::nth_element(around.begin(), middle, around.end(),
-                                      [](const Choice& a, const Choice& b) {
-                                        return std::make_pair(a.rank(), a.scale) <
-                                               std::make_pair(b.rank(), b.scale);
-                                      });
-                     smooth[i] = *middle;
-                     denoiser.move(i, *middle, moved[i], turned[i]);
+                       around.push_back(choices[*j]);
+                     const Choice choice = median(around);
+                     if(!(choice == choices[i]))
+                       fits[i] = denoiser.fit(i, scratch, choice);
                    }
                  });
-  if(env("VERB", 0))
-  {
-    std::vector<int> hist(scales * 2);
-    for(auto k : smooth)
-      ++hist[k.scale * 2 + (k.number == 3)];
-    std::printf("noise %g scales:", median(const_cast<Scan&>(scan).rise));
-    for(int h : hist)
-      std::printf(" %d", h);
-    std::printf("\n");
-  }
+  std::vector<Surfel> surfels(n);
+  for_each_block(n, surfel_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(Index i = Index(begin); i < end; ++i)
+                     surfels[i] = denoiser.blended(i, fits);
+                 });
   const int exponent = std::ilogb(scan.frame.scale);
   for(std::size_t i = 0; i < n; ++i)
   {
     Spatial& point = points[scan.order[i]];
     for(int k = 0; k < 3; ++k)
-      point[k] += std::ldexp(moved[i][k] - scan.point[i][k], exponent);
-    normals[scan.order[i]] = turned[i];
+      point[k] += std::ldexp(surfels[i].point[k] - scan.point[i][k], exponent);
+    normals[scan.order[i]] = surfels[i].normal;
   }
 }
 

@@ -25,7 +25,7 @@ struct Path_options
   Path_hold hold = Path_hold::projected;
   double alpha = 0.7, beta = 0.7;  // weights of the distances of nodes and of middles of segments
   std::size_t control_points = 75; // at most
-  double tolerance = 1e-12;        // relative decrease of the energy at which a level ends
+  double tolerance = 1e-11;        // relative decrease of the energy at which a level ends
   std::size_t iterations = 200;    // at most, at each level
   double spacing = 0.;             // control points need not be nearer to each other
 };
