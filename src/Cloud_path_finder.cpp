@@ -136,15 +136,15 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
     add({cloud.point[site], cloud.normal[site], {0., 0., 0.}, site});
   add(last);
   for(std::size_t i = 0; i + 1 < chain.size(); ++i)
-    result.start_length += norm(chain[i + 1].point - chain[i].point);
+    result.start_length += length_of_arc(chain[i], chain[i + 1]);
 
   Path_options options = m_cloud->options().path;
   options.spacing = 0.5 * cloud.radius[from.site];
   result.path = shortened(m_cloud->surface(), options, chain);
-  if(result.path.polyline_length > result.start_length)
+  if(result.path.length > result.start_length)
   {
-    result.path.points = std::move(chain);
-    result.path.polyline_length = result.start_length;
+    draw_curve(m_cloud->surface(), chain, result.path);
+    result.path.length = result.start_length;
   }
   return result;
 }

@@ -70,61 +70,59 @@ void set_radii(const std::vector<double>& radii, const Rows& near, std::size_t r
     }
 }
 
-// Arcs to the neighbours that `meet` and back from those that look at us although we do not look at
-// them.  Each surfel has looked at all within its `reach`.
+// Arcs to the neighbours that `meet`, nearest first, and back from those that look at us although we
+// do not look at them.  All have seen what is nearer than their `reach`.
 template <typename Meet>
 Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
                       const std::vector<double>& reach, unsigned threads, const Meet& meet)
 {
   const std::size_t n = point.size();
-  // Of the arcs that may be missing where they end, their begins.
-  std::vector<std::vector<std::pair<Index, Index>>> parts((n + surfel_block - 1) / surfel_block);
+  Site_graph graph;
+  graph.first.assign(n + 1, 0);
+  std::vector<std::vector<std::pair<Index, Index>>> missing((n + surfel_block - 1) / surfel_block);
   for_each_block(n, surfel_block, threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
                      for(const Index* j = near.begin(i); j != near.end(i); ++j)
-                       if(const double length = norm(point[*j] - point[i]);
-                          length >= reach[*j] * (1. - 1e-12) && meet(i, *j, length))
-                         parts[block].emplace_back(*j, i);
+                     {
+                       const double length = norm(point[*j] - point[i]);
+                       if(!meet(i, *j, length))
+                         continue;
+                       ++graph.first[i + 1];
+                       if(length > reach[*j] * (1. - 1e-12) &&
+                          std::find(near.begin(*j), near.end(*j), i) == near.end(*j))
+                         missing[block].emplace_back(*j, i);
+                     }
                  });
   std::vector<std::pair<Index, Index>> back;
-  for(const auto& part : parts)
+  for(const auto& part : missing)
     back.insert(back.end(), part.begin(), part.end());
   std::sort(back.begin(), back.end());
-
-  Rows arcs(n);
-  for_each_block(n, surfel_block, threads,
-                 [&](std::size_t block, std::size_t begin, std::size_t end)
-                 {
-                   std::vector<Index>& part = arcs.part(block);
-                   auto extra =
-                       std::lower_bound(back.begin(), back.end(),
-                                        std::make_pair(static_cast<Index>(begin), Index(0)));
-                   for(Index i = static_cast<Index>(begin); i < end; ++i)
-                   {
-                     const std::size_t row = part.size();
-                     for(const Index* j = near.begin(i); j != near.end(i); ++j)
-                       if(meet(i, *j, norm(point[*j] - point[i])))
-                         part.push_back(*j);
-                     for(; extra != back.end() && extra->first == i; ++extra)
-                       part.push_back(extra->second);
-                     std::sort(part.begin() + row, part.end());
-                     part.erase(std::unique(part.begin() + row, part.end()), part.end());
-                     arcs.end_row(block, i);
-                   }
-                 });
-  arcs.join();
-  Site_graph graph;
-  graph.first = std::move(arcs.first);
-  graph.target = std::move(arcs.entries);
-  graph.length.resize(graph.target.size());
+  for(const auto& arc : back)
+    ++graph.first[arc.first + 1];
+  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+  graph.target.resize(graph.first.back());
+  graph.length.resize(graph.first.back());
   for_each_block(n, surfel_block, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
-                   for(std::size_t i = begin; i < end; ++i)
-                     for(Index arc = graph.first[i]; arc < graph.first[i + 1]; ++arc)
-                       graph.length[arc] = norm(point[graph.target[arc]] - point[i]);
+                   Index i = static_cast<Index>(begin), arc = graph.first[i];
+                   const auto put = [&](Index j, double length)
+                   {
+                     graph.target[arc] = j;
+                     graph.length[arc++] = length;
+                   };
+                   auto extra =
+                       std::lower_bound(back.begin(), back.end(), std::make_pair(i, Index(0)));
+                   for(; i < end; ++i)
+                   {
+                     for(const Index* j = near.begin(i); j != near.end(i); ++j)
+                       if(const double length = norm(point[*j] - point[i]); meet(i, *j, length))
+                         put(*j, length);
+                     for(; extra != back.end() && extra->first == i; ++extra)
+                       put(extra->second, norm(point[extra->second] - point[i]));
+                   }
                  });
   return graph;
 }

@@ -17,14 +17,6 @@ Spatial without(const Spatial& direction, const Spatial& p)
   return p - dot(p, direction) * direction;
 }
 
-double length_of(const std::vector<Foot>& path)
-{
-  double sum = 0.;
-  for(std::size_t i = 0; i + 1 < path.size(); ++i)
-    sum += norm(path[i + 1].point - path[i].point);
-  return sum;
-}
-
 double product(const std::vector<Spatial>& p, const std::vector<Spatial>& q)
 {
   double sum = 0.;
@@ -74,7 +66,7 @@ public:
   Minimizer(const Path_surface& surface, const Path_options& options,
             const std::vector<double>& share, std::vector<Foot>& path)
       : m_surface(surface), m_options(options), m_share(share), m_path(path),
-        m_mean_length(length_of(path) / double(path.size() - 1)), m_along(share, 0.),
+        m_mean_length(polyline_length(path) / double(path.size() - 1)), m_along(share, 0.),
         m_across(share, 2. * (options.alpha + options.beta))
   {
     for(const Foot& foot : path)
@@ -237,13 +229,19 @@ Foot at(const std::vector<Foot>& chain, const std::vector<double>& along, double
   return foot;
 }
 
-// Evenly spaced points of a chain, its ends among them.
-std::vector<Foot> resampled(const Path_surface& surface, const std::vector<Foot>& chain,
-                            std::size_t nodes)
+std::vector<double> lengths_along(const std::vector<Foot>& chain)
 {
   std::vector<double> along = {0.};
   for(std::size_t i = 0; i + 1 < chain.size(); ++i)
     along.push_back(along.back() + norm(chain[i + 1].point - chain[i].point));
+  return along;
+}
+
+// The feet of evenly spaced points of a chain, and its ends.
+std::vector<Foot> resampled(const Path_surface& surface, const std::vector<Foot>& chain,
+                            std::size_t nodes)
+{
+  const std::vector<double> along = lengths_along(chain);
   std::vector<Foot> result = {chain.front()};
   for(std::size_t i = 1; i + 1 < nodes; ++i)
   {
@@ -257,9 +255,7 @@ std::vector<Foot> resampled(const Path_surface& surface, const std::vector<Foot>
 // How far a chain strays from `nodes` of its points, as a part of the distance between them.
 double deviation(const std::vector<Foot>& chain, std::size_t nodes)
 {
-  std::vector<double> along = {0.};
-  for(std::size_t i = 0; i + 1 < chain.size(); ++i)
-    along.push_back(along.back() + norm(chain[i + 1].point - chain[i].point));
+  const std::vector<double> along = lengths_along(chain);
   const double step = along.back() / double(nodes - 1);
   double most = 0.;
   Spatial from = chain.front().point, to = from;
@@ -284,6 +280,12 @@ double cosine_between(const Spatial& p, const Spatial& q)
 {
   const double size = norm(p) * norm(q);
   return size > 0. ? dot(p, q) / size : 1.;
+}
+
+// The length of an arc over a chord, by the sine of half of its angle.
+double arc_over(double chord, double sine)
+{
+  return chord * (sine > 1e-4 && sine < 1. ? std::asin(sine) / sine : 1. + sine * sine / 6.);
 }
 
 constexpr double corner = 0.86602540378443865; // the cosine of 30 degrees
@@ -402,6 +404,30 @@ Path_energy_level minimize(const Path_surface& surface, const Path_options& opti
   return Minimizer(surface, options, share, path)();
 }
 
+void draw_curve(const Path_surface& surface, const std::vector<Foot>& nodes, Shortened_path& path)
+{
+  path.points = subdivided(surface, subdivided(surface, nodes));
+  path.length = length_along_arcs(path.points);
+  path.polyline_length = polyline_length(path.points);
+}
+
+double polyline_length(const std::vector<Foot>& points)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    sum += norm(points[i + 1].point - points[i].point);
+  return sum;
+}
+
+double length_of_arc(const Foot& from, const Foot& to)
+{
+  const Spatial chord = to.point - from.point;
+  const double length = norm(chord);
+  const auto angle = [&](const Spatial& normal)
+  { return length > 0. ? std::asin(std::clamp(dot(chord, normal) / length, -1., 1.)) : 0.; };
+  return arc_over(length, std::sin(0.5 * std::abs(angle(from.normal) - angle(to.normal))));
+}
+
 double length_along_arcs(const std::vector<Foot>& points)
 {
   const std::size_t n = points.size();
@@ -496,7 +522,7 @@ Shortened_path shortened(const Path_surface& surface, const Path_options& option
                          const std::vector<Foot>& chain)
 {
   Shortened_path result;
-  const double length = length_of(chain);
+  const double length = polyline_length(chain);
   if(!(length > 0.))
   {
     result.points = {chain.front()};
@@ -530,10 +556,7 @@ Shortened_path shortened(const Path_surface& surface, const Path_options& option
   if(options.hold == Path_hold::energy)
     for(std::size_t i = 1; i + 1 < path.size(); ++i)
       path[i] = surface.foot(path[i].point, path[i].site);
-  path = subdivided(surface, subdivided(surface, path));
-  result.length = length_along_arcs(path);
-  result.polyline_length = length_of(path);
-  result.points = std::move(path);
+  draw_curve(surface, path, result);
   return result;
 }
 

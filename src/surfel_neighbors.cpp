@@ -78,6 +78,8 @@ Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial
   visit_nearest(point, tree, count, threads,
                 [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
                 {
+                  if(i % surfel_block == 0)
+                    rows.part(block).reserve(count * std::min(surfel_block, point.size() - i));
                   if(found.size() > count)
                     reach[i] = std::sqrt(found.back().squared_distance);
                   for(const Kd_tree::Neighbor& neighbor : found)

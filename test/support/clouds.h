@@ -3,8 +3,11 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
 
+#include <CGAL/Geodesic_processing/internal/Kd_tree.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -166,6 +169,61 @@ inline Cloud with_outliers(Cloud cloud, const Cloud& clean, const std::vector<do
   some = with_noise(std::move(some), some_radii, level, seed + 1);
   cloud.points.insert(cloud.points.end(), some.points.begin(), some.points.end());
   cloud.normals.insert(cloud.normals.end(), some.normals.begin(), some.normals.end());
+  return cloud;
+}
+
+// Normals of the planes nearest to each point's 17 nearest, itself among them; on the side of those given.
+inline void estimate_normals(Cloud& cloud)
+{
+  std::vector<Spatial> points = cloud.points;
+  std::vector<internal::Index> order;
+  const internal::Kd_tree tree(points, order);
+  std::vector<internal::Kd_tree::Neighbor> near;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    tree.nearest(points, points[i], 17, near);
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for(const auto& neighbor : near)
+      mean +=
+          Eigen::Map<const Eigen::Vector3d>(points[neighbor.point].data()) / double(near.size());
+    for(const auto& neighbor : near)
+    {
+      const Eigen::Vector3d way =
+          Eigen::Map<const Eigen::Vector3d>(points[neighbor.point].data()) - mean;
+      spread += way * way.transpose();
+    }
+    const Eigen::Vector3d normal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+    Spatial& given = cloud.normals[order[i]];
+    const Spatial found = {normal[0], normal[1], normal[2]};
+    given = internal::dot(found, given) < 0. ? -1. * found : found;
+  }
+}
+
+// The unit square as a scanner that moves a stripe of light would see it: n stripes of m points, each
+// with an error of its own, of the stripe, and of a camera that reads off whole steps, altogether about
+// a tenth of the spacing.  Normals are those of planes
+// through the nearest 17 points.  With seed 0, the square itself.
+inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
+{
+  const double spacing = 1. / double(n - 1);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> stripe(0., 0.04 * spacing), point(0., 0.08 * spacing);
+  Cloud cloud;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double offset = seed == 0 ? 0. : stripe(random);
+    for(std::size_t j = 0; j < m; ++j)
+    {
+      const double height = seed == 0 ? 0. : offset + point(random);
+      cloud.add({spacing * double(i), double(j) / double(m - 1),
+                 0.04 * spacing * std::round(height / (0.04 * spacing))},
+                {0., 0., 1.});
+    }
+  }
+  if(seed != 0)
+    estimate_normals(cloud);
   return cloud;
 }
 

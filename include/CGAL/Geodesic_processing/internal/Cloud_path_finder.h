@@ -67,8 +67,7 @@ public:
 
   const std::shared_ptr<const Prepared_cloud>& prepared() const { return m_cloud; }
 
-  // Never longer than the chain of arcs it starts from: where it would be, as arcs are chords that
-  // cut curved surfaces short, it is the chain.
+  // Never longer than the chain of arcs that it starts from: where it would be, it is the chain.
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
 
 private:

@@ -16,7 +16,7 @@ namespace CGAL::Geodesic_processing::internal {
 struct Cloud_options
 {
   Surfel_graph graph = Surfel_graph::extended_spheres;
-  std::size_t neighbors = 24; // how many of its nearest surfels each looks at, or is joined to
+  std::size_t neighbors = 20; // how many of its nearest surfels each looks at, or is joined to
   // Neighbours have normals that differ by less: across the edges of a cube, not through a sheet.
   double maximum_angle = 1.7453292519943295; // 100 degrees
   // The radius of a surfel, where none is given, is the distance to its neighbour of this rank
@@ -35,7 +35,7 @@ struct Surfel_cloud
   std::vector<Spatial> point, normal; // #sites
   std::vector<double> radius;         // #sites
   Kd_tree tree;                       // over the points
-  Site_graph graph;                   // symmetric; the arcs of a site in the order of their ends
+  Site_graph graph;                   // symmetric
   std::vector<Index> component;       // #sites: 0 .. number_of_components - 1
   Index number_of_components = 0;
   std::vector<Index> site_of_surfel; // #surfels

@@ -85,6 +85,19 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Shortened_path shortened(const std::function<double(const Spatial&)>& squared_distance,
                          Path_options options, const std::vector<Spatial>& chain);
 
+// Sets the points and the lengths of a path to those of a smooth curve through nodes on a surface,
+// with three more points on each segment.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void draw_curve(const Path_surface& surface, const std::vector<Foot>& nodes, Shortened_path& path);
+
+CGAL_GEODESIC_PROCESSING_EXPORT
+double polyline_length(const std::vector<Foot>& points);
+
+// Of the arc of a circle between two points that makes the angles with their normals that their
+// chord makes in the mean: what a chord cuts short counts.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double length_of_arc(const Foot& from, const Foot& to);
+
 // Of a smooth curve through points: the circle through three consecutive ones says by how much an
 // arc is longer than its chord.  Where they turn by more than 30 degrees there is a corner.
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -1,0 +1,294 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far from the truth are geodesics on point set surfaces, clean and noisy, beside the tables of
+// Ruggeri, Darom, Saupe and Kiryati 2006?
+#include <CGAL/Geodesic_processing/internal/Cloud_path_finder.h>
+
+#include "clouds.h"
+#include "report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <random>
+
+namespace {
+
+using namespace benchmarks;
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+constexpr unsigned number_of_pairs = 100;
+
+using Curve = std::vector<Spatial>;
+struct Geodesic
+{
+  Curve curve;
+  double length;
+};
+
+// The geodesics between two places of a surface: one, or those on both ways round, shortest first.
+using Geodesics = std::function<std::vector<Geodesic>(const Spatial&, const Spatial&)>;
+
+constexpr int fine = 2000; // points of a true curve
+
+std::vector<Geodesic> straight(const Spatial& p, const Spatial& q)
+{
+  Curve curve;
+  for(int i = 0; i <= fine; ++i)
+    curve.push_back(p + double(i) / fine * (q - p));
+  return {{curve, norm(q - p)}};
+}
+
+std::vector<Geodesic> great_circle(const Spatial& p, const Spatial& q)
+{
+  const double angle = 2. * std::asin(std::min(1., norm(q - p) / 2.));
+  const Spatial across = unit(q - dot(p, q) * p);
+  Curve curve;
+  for(int i = 0; i <= fine; ++i)
+    curve.push_back(std::cos(angle * i / fine) * p + std::sin(angle * i / fine) * across);
+  return {{curve, angle}};
+}
+
+constexpr double cylinder_radius = 15., cylinder_height = 30.;
+
+std::vector<Geodesic> helices(const Spatial& p, const Spatial& q)
+{
+  const double begin = std::atan2(p[1], p[0]);
+  const double turn = std::remainder(std::atan2(q[1], q[0]) - begin, 2. * pi);
+  std::vector<Geodesic> result;
+  for(const double angle : {turn, turn - std::copysign(2. * pi, turn)})
+  {
+    Curve curve;
+    for(int i = 0; i <= fine; ++i)
+    {
+      const double t = double(i) / fine, a = begin + t * angle;
+      curve.push_back(
+          {cylinder_radius * std::cos(a), cylinder_radius * std::sin(a), p[2] + t * (q[2] - p[2])});
+    }
+    result.push_back({curve, std::hypot(cylinder_radius * angle, q[2] - p[2])});
+  }
+  return result;
+}
+
+// The root of the mean squared distance of the points of one curve to the other.
+double deviation(const Curve& points, const Curve& polyline)
+{
+  double sum = 0.;
+  for(const Spatial& p : points)
+  {
+    double least = infinity;
+    for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+    {
+      const Spatial segment = polyline[i + 1] - polyline[i], way = p - polyline[i];
+      const double square = dot(segment, segment);
+      const double share = square > 0. ? std::clamp(dot(way, segment) / square, 0., 1.) : 0.;
+      const Spatial rest = way - share * segment;
+      least = std::min(least, dot(rest, rest));
+    }
+    sum += least;
+  }
+  return std::sqrt(sum / double(points.size()));
+}
+
+// Root mean squares over the pairs, relative.
+struct Errors
+{
+  double length = 0., path = 0., control_points = 0.;
+};
+
+struct Surface
+{
+  std::string name;
+  Cloud clean;
+  Geodesics geodesics;
+};
+
+// Pairs nearer to each other than a twentieth of the diagonal are drawn again: their relative errors
+// say more about the noise of two surfels than about a path.
+std::vector<std::pair<Index, Index>> pairs(const Cloud& cloud)
+{
+  Spatial low = cloud.points[0], high = low;
+  for(const Spatial& p : cloud.points)
+    for(int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  std::mt19937 random(1);
+  std::vector<std::pair<Index, Index>> result;
+  while(result.size() < number_of_pairs)
+  {
+    const Index a = Index(random() % cloud.size()), b = Index(random() % cloud.size());
+    if(norm(cloud.points[a] - cloud.points[b]) > 0.05 * norm(high - low))
+      result.emplace_back(a, b);
+  }
+  return result;
+}
+
+Errors errors(const Surface& surface, const Cloud& cloud, const Cloud_path_options& options)
+{
+  const auto prepared = std::make_shared<const Prepared_cloud>(cloud.points, cloud.normals,
+                                                               std::vector<double>(), options);
+  Cloud_path_finder finder(prepared);
+  const Surfel_cloud& c = prepared->cloud();
+  Errors sum;
+  for(const auto& [a, b] : pairs(surface.clean))
+  {
+    const Cloud_path found =
+        finder({c.site_of_surfel[a], {0., 0.}}, {c.site_of_surfel[b], {0., 0.}});
+    Curve path;
+    for(const Foot& foot : found.path.points)
+      path.push_back(c.frame.origin + c.frame.scale * foot.point);
+    const auto truths = surface.geodesics(surface.clean.points[a], surface.clean.points[b]);
+    const double truth = truths.front().length;
+    const double e = c.frame.scale * found.path.length / truth - 1.;
+    // A geodesic the other way round is as good where it is as long.
+    double d = infinity;
+    for(const auto& [curve, length] : truths)
+      if(length <= (1. + 0.02) * truth)
+        d = std::min(d, std::max(deviation(path, curve), deviation(curve, path)) / truth);
+    sum.length += e * e;
+    sum.path += d * d;
+    sum.control_points += double(found.path.control_points);
+  }
+  return {std::sqrt(sum.length / number_of_pairs), std::sqrt(sum.path / number_of_pairs),
+          sum.control_points / number_of_pairs};
+}
+
+std::string percent(double value) { return digits(100. * value); }
+
+struct Printed
+{
+  double length, path;
+};
+
+void add_row(Table& table, const std::string& name, std::size_t surfels, const Printed& paper,
+             const Printed& hp, const Errors& disks, const Errors& ours)
+{
+  table.add({name, std::to_string(surfels), digits(paper.length), digits(paper.path),
+             digits(hp.length), digits(hp.path), percent(disks.length), percent(disks.path),
+             percent(ours.length), percent(ours.path), number(ours.control_points, 0)});
+}
+
+std::vector<std::string> head()
+{
+  return {"surface",  "surfels", "EG paper", "EP", "EG HP", "EP",
+          "EG disks", "EP",      "EG ours",  "EP", "points"};
+}
+
+Cloud_path_options with(Surfel_path_method method)
+{
+  Cloud_path_options options;
+  options.method = method;
+  return options;
+}
+
+void print_clean(std::vector<Surface>& surfaces)
+{
+  std::printf("Table 3, clean clouds: relative errors in percent\n");
+  Table table(head());
+  const Printed paper[] = {{8.0e-2, 3.5e-2}, {2.1e-5, 1.1e-4}, {4.5e-2, 5.1e-3}},
+                hp[] = {{4.0e-2, 1.0e-2}, {2.7e-5, 2.7e-7}, {4.6e-1, 9.0e-2}};
+  for(std::size_t i = 0; i < surfaces.size(); ++i)
+    add_row(table, surfaces[i].name, surfaces[i].clean.size(), paper[i], hp[i],
+            errors(surfaces[i], surfaces[i].clean, with(Surfel_path_method::disks)),
+            errors(surfaces[i], surfaces[i].clean, {}));
+  table.print();
+}
+
+void print_spheres()
+{
+  std::printf("Table 4, unit spheres from the octahedron\n");
+  Table table(head());
+  const Printed paper[] = {
+      {6.20, 2.162}, {2.95, 0.885}, {1.02, 0.275}, {0.34, 0.074}, {0.08, 0.035}};
+  for(unsigned i = 0; i < 5; ++i)
+  {
+    const Surface sphere = {"level " + std::to_string(3 + i), octahedron_sphere(3 + i),
+                            great_circle};
+    add_row(table, sphere.name, sphere.clean.size(), paper[i], {std::nan(""), std::nan("")},
+            errors(sphere, sphere.clean, with(Surfel_path_method::disks)),
+            errors(sphere, sphere.clean, {}));
+  }
+  table.print();
+}
+
+std::vector<double> radii(const Cloud& cloud)
+{
+  const Surfel_cloud c = make_cloud(cloud.points, cloud.normals);
+  std::vector<double> result;
+  for(const Index site : c.site_of_surfel)
+    result.push_back(c.frame.scale * c.radius[site]);
+  return result;
+}
+
+void print_noisy(std::vector<Surface>& surfaces)
+{
+  std::printf("Table 5, noise; +5 %%: as many outliers at level 200 %% added\n");
+  Table table(head());
+  const Printed paper[] = {{0.49, 0.25}, {0.019, 0.097}, {0.69, 0.46},
+                           {0.88, 0.31}, {0.023, 0.11},  {1.04, 0.71}},
+                hp[] = {{8.50, 0.10},  {0.12, 0.24}, {2.50, 0.94},
+                        {22.20, 0.15}, {0.49, 0.8},  {16.38, 3.70}};
+  const Printed none_printed = {std::nan(""), std::nan("")};
+  const auto add = [&](const Surface& s, const std::string& name, const Cloud& noisy,
+                       const Printed& p, const Printed& h)
+  {
+    add_row(table, name, noisy.size(), p, h, errors(s, noisy, with(Surfel_path_method::disks)),
+            errors(s, noisy, {}));
+  };
+  for(int level = 1; level <= 2; ++level)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Surface& s = surfaces[i];
+      const std::vector<double> r = radii(s.clean);
+      const Cloud noisy = with_noise(s.clean, r, 0.5 * level, 7);
+      const std::size_t row = 3 * std::size_t(level - 1) + i;
+      const std::string name = s.name + " " + std::to_string(50 * level) + " %";
+      add(s, name, noisy, paper[row], hp[row]);
+      add(s, name + " +5 %", with_outliers(noisy, s.clean, r, 0.05, 2., 8), none_printed,
+          none_printed);
+    }
+  const Cloud scanned = scanned_square(94, 70, 3);
+  Surface square = {"scan", scanned_square(94, 70, 0), straight};
+  add(square, "scanned plane", scanned, {0.15, 0.25}, {0.40, 0.33});
+  table.print();
+}
+
+// Clouds whose geodesics have no formula are measured against the finest one.
+void print_orders()
+{
+  std::printf(
+      "Surfaces that no algebraic sphere is: mean relative differences of lengths from those on "
+      "four times as many surfels, in percent\n");
+  Table table({"surface", "surfels", "EG"});
+  struct Family
+  {
+    std::string name;
+    std::function<Cloud(std::size_t)> cloud;
+    std::function<Spatial(const Spatial&)> place;
+  };
+  (void)0;
+  table.print();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
+  (void)is_quick;
+  std::vector<Surface> surfaces = {
+      {"sphere", octahedron_sphere(7), great_circle},
+      {"plane", square_cloud(100), straight},
+      {"cylinder", cylinder_cloud(201, 60, cylinder_radius, cylinder_height), helices}};
+  print_clean(surfaces);
+  print_spheres();
+  print_noisy(surfaces);
+  print_orders();
+}
