@@ -11,7 +11,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr double support_in_radii = 3.;
+constexpr double support_in_radii = 3., reach_in_radii = 1.5;
 
 // Cosines of the differences of normals at which weights begin to fall, and are zero.
 constexpr double full = 0.76604444311897804 /* 40 degrees */, zero = 0.5 /* 60 degrees */;
@@ -60,7 +60,8 @@ Sphere fitted_sphere(const Sums& s)
 } // namespace
 
 Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit)
-    : m_cloud(cloud), m_fit(fit), m_squared_support(cloud.number_of_sites())
+    : m_cloud(cloud), m_fit(fit), m_squared_support(cloud.number_of_sites()),
+      m_reach(cloud.number_of_sites())
 {
   const Site_graph& graph = cloud.graph;
   for(Index site = 0; site < m_squared_support.size(); ++site)
@@ -68,9 +69,9 @@ Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit)
     double sum = cloud.radius[site];
     for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
       sum += cloud.radius[graph.target[arc]];
-    const double support =
-        support_in_radii * sum / double(graph.first[site + 1] - graph.first[site] + 1);
-    m_squared_support[site] = support * support;
+    const double mean = sum / double(graph.first[site + 1] - graph.first[site] + 1);
+    m_squared_support[site] = support_in_radii * mean * (support_in_radii * mean);
+    m_reach[site] = reach_in_radii * std::min(mean, cloud.radius[site]);
   }
 }
 
@@ -207,7 +208,7 @@ Foot Surfel_surface::foot(const Spatial& given, Index near) const
   Foot foot = {given, m_cloud.normal[site], {0., 0., 0.}, site};
   const Spatial way = given - m_cloud.point[site];
   const Spatial tangent = way - dot(way, foot.normal) * foot.normal;
-  const double length = norm(tangent), most = reach * m_cloud.radius[site];
+  const double length = norm(tangent), most = m_reach[site];
   if(length > most)
   {
     foot.rim = (1. / length) * tangent;

@@ -290,6 +290,50 @@ double arc_over(double chord, double sine)
 
 constexpr double corner = 0.86602540378443865; // the cosine of 30 degrees
 
+// Normals that differ by more than 40 degrees have a sharp edge between them.
+constexpr double sharp = 0.76604444311897804;
+
+// Where the shortest way between two points passes the line in which their tangent planes meet, and
+// how long it is; false where there is no sharp edge.
+bool find_edge(const Foot& from, const Foot& to, Spatial& point, double& length)
+{
+  const Spatial chord = to.point - from.point;
+  const double cosine = dot(from.normal, to.normal);
+  if(cosine > sharp || cosine < -0.99 || dot(from.normal, from.normal) == 0. ||
+     dot(to.normal, to.normal) == 0.)
+    return false;
+  const Spatial along = unit(cross(from.normal, to.normal));
+  // The point of the line above `from`, in the plane of the two normals.
+  const Spatial across = chord - dot(chord, along) * along;
+  const double height = dot(across, to.normal), square = 1. - cosine * cosine;
+  const double a = -cosine * height / square, b = height / square;
+  const Spatial foot = a * from.normal + b * to.normal; // of the line, seen from `from`
+  const double before = norm(foot), after = norm(foot - across);
+  // An edge beside the two is not between them.
+  if(before + after > 2. * norm(chord))
+    return false;
+  const double step = dot(chord, along);
+  const double share = before + after > 0. ? before / (before + after) : 0.5;
+  point = from.point + foot + share * step * along;
+  length = std::hypot(before + after, step);
+  return true;
+}
+
+// The same path with a point on each sharp edge.
+std::vector<Foot> with_edges(const std::vector<Foot>& path)
+{
+  std::vector<Foot> result = {path.front()};
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    Foot edge = path[i];
+    double length;
+    if(find_edge(path[i], path[i + 1], edge.point, length))
+      result.push_back(edge);
+    result.push_back(path[i + 1]);
+  }
+  return result;
+}
+
 // A point between each two: on the cubic through four (Dyn, Levin and Gregory 1987) where there is
 // no corner.
 std::vector<Foot> subdivided(const Path_surface& surface, const std::vector<Foot>& path)
@@ -406,7 +450,7 @@ Path_energy_level minimize(const Path_surface& surface, const Path_options& opti
 
 void draw_curve(const Path_surface& surface, const std::vector<Foot>& nodes, Shortened_path& path)
 {
-  path.points = subdivided(surface, subdivided(surface, nodes));
+  path.points = subdivided(surface, subdivided(surface, with_edges(nodes)));
   path.length = length_along_arcs(path.points);
   path.polyline_length = polyline_length(path.points);
 }
@@ -421,6 +465,10 @@ double polyline_length(const std::vector<Foot>& points)
 
 double length_of_arc(const Foot& from, const Foot& to)
 {
+  Spatial edge;
+  double around;
+  if(find_edge(from, to, edge, around))
+    return around;
   const Spatial chord = to.point - from.point;
   const double length = norm(chord);
   const auto angle = [&](const Spatial& normal)

@@ -135,6 +135,37 @@ inline Cloud torus_cloud(std::size_t n, double tube)
   return cloud;
 }
 
+// The six sides of a cube of side 1 around the origin, n times n surfels each, half a step from the
+// edges.
+inline Cloud cube_cloud(std::size_t n)
+{
+  Cloud cloud;
+  for(int axis = 0; axis < 3; ++axis)
+    for(const double side : {-1., 1.})
+      for(std::size_t i = 0; i < n; ++i)
+        for(std::size_t j = 0; j < n; ++j)
+        {
+          Spatial point, normal = {0., 0., 0.};
+          normal[axis] = side;
+          point[axis] = 0.5 * side;
+          point[(axis + 1) % 3] = (double(i) + 0.5) / double(n) - 0.5;
+          point[(axis + 2) % 3] = (double(j) + 0.5) / double(n) - 0.5;
+          cloud.add(point, normal);
+        }
+  return cloud;
+}
+
+// Those of a cloud where keep(point).
+template <typename Keep>
+Cloud part_of(const Cloud& cloud, const Keep& keep)
+{
+  Cloud result;
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    if(keep(cloud.points[i]))
+      result.add(cloud.points[i], cloud.normals[i]);
+  return result;
+}
+
 // Moves each surfel along its normal by up to `level` of its radius, and turns its normal by up to 10
 // degrees, in any direction.
 inline Cloud with_noise(Cloud cloud, const std::vector<double>& radii, double level, unsigned seed)

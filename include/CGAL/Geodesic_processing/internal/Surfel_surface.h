@@ -26,12 +26,12 @@ enum class Surfel_fit
 // do not count: the weight falls to zero between 40 and 60 degrees of difference from the normal of
 // the nearest one, and the edge lies where the fits of both sides are equally far.
 //
-// It ends `reach` radii from the nearest surfel, along its tangent plane.
+// It ends 1.5 radii from the nearest surfel, along its tangent plane: of its own, or the mean of its
+// neighbours' where that is less, because next to a gap a surfel's neighbours are farther away.  One
+// radius would leave holes of 2 % of the area in random samples, 1.5 of 0.01 %.
 class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
 {
 public:
-  static constexpr double reach = 1.5;
-
   // The cloud stays with the caller.
   Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit);
 
@@ -51,7 +51,7 @@ private:
 
   const Surfel_cloud& m_cloud;
   Surfel_fit m_fit;
-  std::vector<double> m_squared_support; // #sites
+  std::vector<double> m_squared_support, m_reach; // #sites
 };
 
 } // namespace CGAL::Geodesic_processing::internal

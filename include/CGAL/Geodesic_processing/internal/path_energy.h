@@ -93,8 +93,9 @@ void draw_curve(const Path_surface& surface, const std::vector<Foot>& nodes, Sho
 CGAL_GEODESIC_PROCESSING_EXPORT
 double polyline_length(const std::vector<Foot>& points);
 
-// Of the arc of a circle between two points that makes the angles with their normals that their
-// chord makes in the mean: what a chord cuts short counts.
+// Along the arc of a circle between two points that makes the angles with their normals that their
+// chord makes in the mean, or around the edge of their tangent planes where the normals differ by more
+// than 40 degrees: what a chord cuts short counts.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double length_of_arc(const Foot& from, const Foot& to);
 
