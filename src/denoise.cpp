@@ -507,8 +507,10 @@ double noise_level(const std::vector<Spatial>& points, std::vector<Spatial> norm
 void denoise(std::vector<Spatial>& points, std::vector<Spatial>& normals, unsigned threads)
 {
   const Scan scan(points, normals, threads);
-  const Denoiser denoiser(scan, threads);
   const std::size_t n = scan.size();
+  if(n == 0)
+    return;
+  const Denoiser denoiser(scan, threads);
   std::vector<Choice> choices(n);
   std::vector<Quadric_fit::Coefficients> fits(n);
   for_each_block(n, surfel_block, threads,

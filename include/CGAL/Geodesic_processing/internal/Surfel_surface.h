@@ -22,7 +22,7 @@ enum class Surfel_fit
 //
 // Around the surfel nearest to a place, found by a walk over the graph such that it stays on one
 // sheet, it is fitted to that surfel and its graph neighbours, with weights (1 - (d / h)^2)^4 of their
-// distances d, where h is three radii, in the mean of the neighbours.  Surfels beyond a sharp edge
+// distances d, where h is 2.3 radii, in the mean of the neighbours.  Surfels beyond a sharp edge
 // do not count: the weight falls to zero between 40 and 60 degrees of difference from the normal of
 // the nearest one, and the edge lies where the fits of both sides are equally far.
 //

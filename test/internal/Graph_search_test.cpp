@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Graph_search.h>
+#include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
+
+#include "clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+double length(const Surfel_cloud& cloud, const std::vector<Index>& chain)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i + 1 < chain.size(); ++i)
+    sum += norm(cloud.point[chain[i + 1]] - cloud.point[chain[i]]);
+  return sum;
+}
+
+TEST(Graph_search, finds_the_same_chains_by_all_methods)
+{
+  const Cloud torus = with_noise(torus_cloud(3000, 0.4), std::vector<double>(3200, 0.05), 0.2, 1);
+  const Surfel_cloud cloud = make_cloud(torus.points, torus.normals);
+  Graph_search search(cloud.graph, cloud.point);
+  std::mt19937 random(1);
+  std::size_t visited[3] = {0, 0, 0};
+  for(int i = 0; i < 100; ++i)
+  {
+    const Index a = Index(random() % torus.size()), b = Index(random() % torus.size());
+    const std::vector<Index> expected = search(a, b, Surfel_search::dijkstra);
+    ASSERT_FALSE(expected.empty());
+    EXPECT_EQ(expected.front(), a);
+    EXPECT_EQ(expected.back(), b);
+    visited[0] += search.visited();
+    EXPECT_EQ(search(a, b, Surfel_search::bidirectional), expected);
+    visited[1] += search.visited();
+    EXPECT_EQ(search(a, b, Surfel_search::a_star), expected);
+    visited[2] += search.visited();
+  }
+  EXPECT_LT(visited[1], visited[0]);
+  EXPECT_LT(visited[2], visited[1]);
+}
+
+TEST(Graph_search, finds_chains_of_one_length_on_lattices)
+{
+  // Many chains are as short there.
+  const Cloud square = square_cloud(30);
+  const Surfel_cloud cloud = make_cloud(square.points, square.normals);
+  Graph_search search(cloud.graph, cloud.point);
+  for(Index a = 0; a < 900; a += 37)
+    for(Index b = 0; b < 900; b += 41)
+    {
+      const double expected = length(cloud, search(a, b, Surfel_search::dijkstra));
+      // Sums of at most 60 roundings.
+      EXPECT_NEAR(length(cloud, search(a, b, Surfel_search::bidirectional)), expected, 1e-14);
+      EXPECT_NEAR(length(cloud, search(a, b, Surfel_search::a_star)), expected, 1e-14);
+    }
+}
+
+TEST(Graph_search, says_when_there_is_no_chain)
+{
+  Cloud two = square_cloud(5);
+  for(std::size_t i = 0; i < 25; ++i)
+    two.add(two.points[i] + Spatial{9., 0., 0.}, two.normals[i]);
+  const Surfel_cloud cloud = make_cloud(two.points, two.normals);
+  Graph_search search(cloud.graph, cloud.point);
+  for(const Surfel_search method :
+      {Surfel_search::dijkstra, Surfel_search::bidirectional, Surfel_search::a_star})
+  {
+    EXPECT_TRUE(search(cloud.site_of_surfel[0], cloud.site_of_surfel[30], method).empty());
+    EXPECT_EQ(search(3, 3, method), std::vector<Index>{3});
+  }
+}
+
+} // namespace

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Surfel_surface.h>
+
+#include "clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+Surfel_cloud cloud_of(const Cloud& cloud) { return make_cloud(cloud.points, cloud.normals); }
+
+TEST(Surfel_surface, is_a_sphere_where_surfels_are)
+{
+  const Cloud sphere = octahedron_sphere(4);
+  const Surfel_cloud cloud = cloud_of(sphere);
+  for(const Surfel_fit fit : {Surfel_fit::spheres, Surfel_fit::quadrics})
+  {
+    const Surfel_surface surface(cloud, fit);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> offset(-0.03, 0.03);
+    for(int i = 0; i < 200; ++i)
+    {
+      const Index site = Index(random() % sphere.size());
+      const Spatial p = cloud.point[site] + Spatial{offset(random), offset(random), offset(random)};
+      const Foot foot = surface.foot(p, site);
+      const Spatial centre = (-1. / cloud.frame.scale) * cloud.frame.origin;
+      const Spatial way = p - centre, expected = 1. / cloud.frame.scale * unit(way);
+      EXPECT_LT(norm(foot.point - centre - expected), 1e-13); // rounding of sums of twenty
+      EXPECT_NEAR(std::abs(dot(foot.normal, unit(way))), 1., 1e-13);
+    }
+  }
+}
+
+// The largest distance from a torus of feet of points near it.
+double error_on_torus(std::size_t n, Surfel_fit fit)
+{
+  const Surfel_cloud cloud = cloud_of(torus_cloud(n, 0.4));
+  const Surfel_surface surface(cloud, fit);
+  double sum = 0.;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0., 1.);
+  for(int i = 0; i < 500; ++i)
+  {
+    const Index a = Index(random() % cloud.number_of_sites());
+    const Index arc =
+        cloud.graph.first[a] + Index(random() % (cloud.graph.first[a + 1] - cloud.graph.first[a]));
+    const double t = share(random);
+    const Spatial p = (1. - t) * cloud.point[a] + t * cloud.point[cloud.graph.target[arc]];
+    const Spatial q = cloud.frame.origin + cloud.frame.scale * surface.foot(p, a).point;
+    const double d = std::hypot(std::hypot(q[0], q[1]) - 1., q[2]) - 0.4;
+    sum += d * d;
+  }
+  return std::sqrt(sum / 500.);
+}
+
+TEST(Surfel_surface, comes_nearer_to_a_torus_with_more_surfels)
+{
+  // Four times as many surfels, half of the spacing: second order for disks, planes and spheres, up to
+  // fourth for quadrics.
+  for(const auto& [fit, factor] :
+      {std::pair(Surfel_fit::planes, 2.5), std::pair(Surfel_fit::spheres, 3.),
+       std::pair(Surfel_fit::quadrics, 8.)})
+    EXPECT_GT(error_on_torus(2000, fit), factor * error_on_torus(8000, fit)) << int(fit);
+}
+
+TEST(Surfel_surface, has_disks)
+{
+  const Surfel_cloud cloud = cloud_of(square_cloud(11));
+  const Surfel_surface surface(cloud, Surfel_fit::disks);
+  // Above the inside the nearest point of the plane; beyond the border that of the last disk.
+  const Foot inside = surface.foot(cloud.point[60] + Spatial{0.01, 0.02, 0.05}, 60);
+  EXPECT_LT(norm(inside.point - cloud.point[60] - Spatial{0.01, 0.02, 0.}), 1e-15);
+  Index corner = 0;
+  for(Index i = 0; i < 121; ++i)
+    if(cloud.point[i][0] + cloud.point[i][1] > cloud.point[corner][0] + cloud.point[corner][1])
+      corner = i;
+  const Spatial away = unit({1., 1., 0.});
+  const Foot outside = surface.foot(cloud.point[corner] + 5. * away, corner);
+  EXPECT_LT(norm(outside.point - cloud.point[corner] - cloud.radius[corner] * away), 1e-14);
+}
+
+TEST(Surfel_surface, ends_with_its_surfels)
+{
+  const Surfel_cloud cloud = cloud_of(square_cloud(11));
+  const Surfel_surface surface(cloud, Surfel_fit::quadrics);
+  for(Index i = 0; i < 121; ++i)
+    if(std::abs(cloud.point[i][0]) > 0.99 * std::abs(cloud.point[0][0]))
+    {
+      const double side = cloud.point[i][0] > 0. ? 1. : -1.;
+      const Foot foot = surface.foot(cloud.point[i] + Spatial{side, 0., 0.01}, i);
+      EXPECT_LE(norm(foot.point - cloud.point[i]), 1.5 * cloud.radius[i] * (1. + 1e-12));
+      EXPECT_NEAR(dot(foot.rim, {side, 0., 0.}), 1., 1e-12);
+      EXPECT_NEAR(foot.point[2], 0., 1e-14);
+    }
+}
+
+TEST(Surfel_surface, has_sharp_edges)
+{
+  const Cloud cube = cube_cloud(10);
+  const Surfel_cloud cloud = cloud_of(cube);
+  const double half = 0.5 / cloud.frame.scale;
+  for(const Surfel_fit fit : {Surfel_fit::planes, Surfel_fit::spheres, Surfel_fit::quadrics})
+  {
+    const Surfel_surface surface(cloud, fit);
+    for(Index i = 0; i < cloud.number_of_sites(); ++i)
+    {
+      // Where the nearest surfel is on this side, the foot is in its plane.
+      const auto [u, v] = tangent_frame(cloud.normal[i]);
+      const Foot foot =
+          surface.foot(cloud.point[i] + 0.02 * u + 0.01 * v + 0.01 * cloud.normal[i], i);
+      EXPECT_NEAR(std::abs(dot(foot.point, cloud.normal[foot.site])), half, 1e-14);
+    }
+  }
+}
+
+} // namespace
