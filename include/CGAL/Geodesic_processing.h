@@ -10,6 +10,7 @@
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
+#include <CGAL/Geodesic_processing/Surfel_path_finder.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
@@ -21,8 +22,11 @@
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/principal_curvatures.h>
+#include <CGAL/Geodesic_processing/shorten_polyline.h>
 #include <CGAL/Geodesic_processing/speeds.h>
 #include <CGAL/Geodesic_processing/straightest_geodesic.h>
+#include <CGAL/Geodesic_processing/surfel_geodesic_path.h>
+#include <CGAL/Geodesic_processing/surfel_variants.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
 #endif // CGAL_GEODESIC_PROCESSING_H

@@ -148,6 +148,41 @@ TEST(path_energy, never_rises)
   }
 }
 
+// The quarter of space below z = 0 and before x = 0.
+struct Right_angle : Path_surface
+{
+  Foot foot(const Spatial& p, Index) const override
+  {
+    const Spatial on_top = {std::min(p[0], 0.), p[1], 0.}, on_side = {0., p[1], std::min(p[2], 0.)};
+    return norm(p - on_top) < norm(p - on_side) ? Foot{on_top, {0., 0., 1.}, {0., 0., 0.}, 0}
+                                                : Foot{on_side, {1., 0., 0.}, {0., 0., 0.}, 0};
+  }
+};
+
+TEST(path_energy, holds_segments_on_sharp_edges_by_their_weight)
+{
+  // Figure 2 of the paper.
+  const Right_angle surface;
+  double deepest[2];
+  for(const int with : {0, 1})
+  {
+    std::vector<Foot> path(12);
+    for(std::size_t i = 0; i < path.size(); ++i)
+      path[i] = surface.foot({double(i) - 5.5, 0.1 * double(i), 5.5 - double(i)}, 0);
+    Path_options options;
+    options.hold = Path_hold::energy;
+    options.beta = 2. * with;
+    minimize(surface, options, std::vector<double>(11, 1.), path);
+    deepest[with] = 0.;
+    for(std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      const Spatial middle = 0.5 * (path[i].point + path[i + 1].point);
+      deepest[with] = std::max(deepest[with], norm(surface.foot(middle, 0).point - middle));
+    }
+  }
+  EXPECT_LT(deepest[1], 0.8 * deepest[0]);
+}
+
 TEST(path_energy, keeps_segments_in_the_ratio_of_their_shares)
 {
   std::vector<double> share(20, 1.);

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Exact_points = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_set = CGAL::Point_set_3<Exact_points::Point_3>;
+
+const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+
+double great_circle(const Kernel::Point_3& p, const Kernel::Point_3& q)
+{
+  return 2. * std::asin(std::min(1., 0.5 * std::sqrt(CGAL::squared_distance(p, q))));
+}
+
+TEST(Surfel_path_finder, finds_great_circles_in_a_range)
+{
+  const Surfels surfels = sphere_surfels(3);
+  GP::Surfel_path_finder<Surfels> find(surfels, maps);
+  EXPECT_EQ(find.number_of_surfels(), surfels.size());
+  EXPECT_EQ(find.number_of_components(), 1u);
+  for(std::size_t to = 1; to < surfels.size(); to += 37)
+  {
+    const auto path = find(std::size_t(0), to);
+    const double truth = great_circle(surfels[0].first, surfels[to].first);
+    EXPECT_NEAR(path.front_distance, truth, 1e-8); // fourth order in steps of a hundredth
+    EXPECT_LE(path.length, path.front_distance * (1. + 1e-12));
+    EXPECT_LE(path.front_distance, path.start_length * (1. + 1e-12));
+    ASSERT_EQ(path.points.size(), path.locations.size());
+    EXPECT_EQ(path.points.front(), surfels[0].first);
+    EXPECT_EQ(path.points.back(), surfels[to].first);
+    EXPECT_EQ(path.locations.front().surfel, 0u);
+    EXPECT_EQ(path.locations.back().surfel, to);
+    EXPECT_GT(path.number_of_control_points, 0u);
+    for(const auto& level : path.levels)
+      EXPECT_LE(level.last_energy, level.first_energy);
+  }
+}
+
+TEST(Surfel_path_finder, names_the_nearest_surfel_of_each_point)
+{
+  const Surfels surfels = sphere_surfels(3);
+  GP::Surfel_path_finder<Surfels> find(surfels, maps);
+  const auto path = find(std::size_t(3), std::size_t(500));
+  for(std::size_t i = 0; i < path.points.size(); ++i)
+  {
+    const auto& [surfel, offset] = path.locations[i];
+    const auto& [centre, normal] = surfels[surfel];
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& [other, ignored] : surfels)
+      least = std::min(least, CGAL::squared_distance(other, path.points[i]));
+    // Two may be equally near.
+    EXPECT_LE(CGAL::squared_distance(centre, path.points[i]), least * (1. + 1e-9));
+    // The offsets are the way along the surfel's plane.
+    const double along = offset[0] * offset[0] + offset[1] * offset[1];
+    const double across = (path.points[i] - centre) * normal / std::sqrt(normal.squared_length());
+    EXPECT_NEAR(along + across * across, CGAL::squared_distance(centre, path.points[i]), 1e-14);
+  }
+}
+
+TEST(Surfel_path_finder, takes_point_sets)
+{
+  const Surfels surfels = sphere_surfels(2);
+  Point_set points(true);
+  for(const auto& [p, n] : surfels)
+    points.insert({p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()});
+  points.remove(points.begin() + 5);
+  GP::Surfel_path_finder<Point_set> find(points);
+  const auto path = find(*points.begin(), *(points.begin() + 17));
+  EXPECT_EQ(path.locations.back().surfel, *(points.begin() + 17));
+  EXPECT_EQ(path.points.back(), points.point(*(points.begin() + 17)));
+  EXPECT_THROW(find(*points.begin(), Point_set::Index(1u << 20)), GP::Invalid_argument_error);
+}
+
+TEST(Surfel_path_finder, joins_locations)
+{
+  const Surfels surfels = flat_surfels(2000);
+  GP::Surfel_path_finder<Surfels> find(surfels, maps);
+  using Location = GP::Surfel_path_finder<Surfels>::Location;
+  const auto& p = surfels[1].first;
+  const auto& q = surfels[2].first;
+  // Normals are those of the plane, whose tangents have an origin and two axes.
+  const auto path = find(Location{1, {0.003, 0.}}, Location{2, {0., 0.004}});
+  const double direct = std::sqrt(CGAL::squared_distance(p, q));
+  EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.front(), p)), 0.003, 1e-12);
+  EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.back(), q)), 0.004, 1e-12);
+  EXPECT_NEAR(path.front_distance,
+              std::sqrt(CGAL::squared_distance(path.points.front(), path.points.back())), 1e-9);
+  EXPECT_NEAR(path.front_distance, direct, 0.007 * (1. + 1e-12));
+  EXPECT_THROW(find(Location{1, {std::nan(""), 0.}}, Location{2, {0., 0.}}),
+               GP::Invalid_argument_error);
+}
+
+TEST(Surfel_path_finder, finds_like_paths_by_all_methods)
+{
+  const Surfels surfels = sphere_surfels(4);
+  const double truth = great_circle(surfels[0].first, surfels[1000].first);
+  for(const auto method :
+      {GP::Surfel_path_method::projected_quadrics, GP::Surfel_path_method::projected_spheres,
+       GP::Surfel_path_method::projected_planes, GP::Surfel_path_method::spheres,
+       GP::Surfel_path_method::planes, GP::Surfel_path_method::disks})
+  {
+    GP::Surfel_path_finder<Surfels> find(surfels, maps.surfel_path_method(method)
+                                                      .node_weight(0.7)
+                                                      .segment_weight(0.7)
+                                                      .number_of_control_points(60));
+    // A disk's middle touches the sphere, 2500 of which are of a radius of 0.06: 0.1 % of the radius.
+    EXPECT_NEAR(find(std::size_t(0), std::size_t(1000)).front_distance, truth, 4e-3 * truth);
+  }
+}
+
+TEST(Surfel_path_finder, finds_the_same_from_all_searches)
+{
+  const Surfels surfels = flat_surfels(1000);
+  double expected = 0.;
+  for(const auto search :
+      {GP::Surfel_search::dijkstra, GP::Surfel_search::bidirectional, GP::Surfel_search::a_star})
+  {
+    GP::Surfel_path_finder<Surfels> find(surfels, maps.surfel_search(search));
+    const double found = find(std::size_t(0), std::size_t(700)).front_distance;
+    if(expected == 0.)
+      expected = found;
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST(Surfel_path_finder, shares_what_is_prepared)
+{
+  const Surfels surfels = sphere_surfels(2);
+  GP::Surfel_path_finder<Surfels> find(
+      surfels,
+      maps.surfel_graph(GP::Surfel_graph::nearest).threads(2).surfel_noise(GP::Surfel_noise::kept));
+  auto copy = find;
+  EXPECT_EQ(&copy.kernel().prepared()->cloud(), &find.kernel().prepared()->cloud());
+  EXPECT_EQ(copy(std::size_t(1), std::size_t(90)).length,
+            find(std::size_t(1), std::size_t(90)).length);
+  EXPECT_EQ(find.noise(), 0.);
+}
+
+} // namespace

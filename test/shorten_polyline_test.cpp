@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/shorten_polyline.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+
+#include "Mesh_of.h"
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Point_3 = Kernel::Point_3;
+
+TEST(shorten_polyline, follows_a_mesh_by_its_tree)
+{
+  using Tree =
+      CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
+  const Mesh mesh = mesh_of(icosphere(4));
+  const Tree tree(faces(mesh).begin(), faces(mesh).end(), mesh);
+  // From one pole of the sphere around, with a bend.
+  std::vector<Point_3> polyline;
+  for(int i = 0; i <= 40; ++i)
+  {
+    const double a = 2. * i / 40., z = 0.3 * std::sin(GP::internal::pi * i / 40.);
+    polyline.emplace_back(std::cos(a), std::sin(a), z);
+  }
+  const auto path =
+      GP::shorten_polyline(polyline, [&](const Point_3& p) { return tree.squared_distance(p); });
+  // The faces lie below the sphere by up to an eighth of the squared edge, 0.07.
+  EXPECT_NEAR(path.distance, 2., 2. * 0.07 * 0.07 / 8. * 2.);
+  for(const Point_3& p : path.points)
+    EXPECT_LT(tree.squared_distance(p), 1e-6);
+}
+
+TEST(shorten_polyline, turns_around_sharp_edges)
+{
+  // Over the edge of a quarter of space, and 0.5 along it.
+  const auto squared_distance = [](const Point_3& p)
+  {
+    const double x = p.x(), z = p.z();
+    const double from_top = (x <= 0. ? 0. : x * x) + z * z,
+                 from_side = x * x + (z <= 0. ? 0. : z * z);
+    return std::min(from_top, from_side);
+  };
+  const std::vector<Point_3> polyline = {{-1., 0., 0.}, {0., 0., 0.}, {0., 0.5, -1.}};
+  const auto path = GP::shorten_polyline(polyline, squared_distance);
+  // What is cut at the edge is at most one segment of 76, halved four times.
+  const double truth = std::hypot(2., 0.5);
+  EXPECT_NEAR(path.distance, truth, truth / 76. / 16.);
+}
+
+TEST(shorten_polyline, ends_where_it_did)
+{
+  const std::vector<Point_3> polyline = {{0., 0., 0.}, {0.3, 0.8, 0.}, {1., 0., 0.}};
+  const auto path = GP::shorten_polyline(polyline, [](const Point_3& p) { return p.z() * p.z(); });
+  EXPECT_EQ(path.points.front(), polyline.front());
+  EXPECT_EQ(path.points.back(), polyline.back());
+  EXPECT_NEAR(path.distance, 1., 1e-9); // the energy is flat to 1e-11
+}
+
+TEST(shorten_polyline, refuses_what_is_no_polyline)
+{
+  const auto flat = [](const Point_3& p) { return p.z() * p.z(); };
+  EXPECT_THROW(GP::shorten_polyline(std::vector<Point_3>{{0., 0., 0.}}, flat),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::shorten_polyline(std::vector<Point_3>{{0., 0., 0.}, {1., 0., 0.}},
+                                    [](const Point_3&) { return std::nan(""); }),
+               GP::Invalid_argument_error);
+}
+
+} // namespace

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/surfel_geodesic_path.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+
+TEST(surfel_geodesic_path, is_straight_in_a_plane)
+{
+  const Surfels surfels = flat_surfels(1500);
+  const auto path = GP::surfel_geodesic_path(surfels, std::size_t(4), std::size_t(5), maps);
+  const double truth = std::sqrt(CGAL::squared_distance(surfels[4].first, surfels[5].first));
+  EXPECT_NEAR(path.front_distance, truth, 1e-9 * truth);
+}
+
+TEST(surfel_geodesic_path, is_the_same_by_any_number_of_threads)
+{
+  const Surfels surfels = sphere_surfels(3);
+  const GP::Surfel_path_finder<Surfels> finder(surfels, maps);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for(std::size_t i = 0; i < 40; ++i)
+    pairs.emplace_back(i, 600 - 7 * i);
+  const auto one = GP::surfel_geodesic_paths(finder, pairs),
+             three = GP::surfel_geodesic_paths<CGAL::Parallel_tag>(finder, pairs,
+                                                                   GP::parameters::threads(3u));
+  auto copy = finder;
+  ASSERT_EQ(one.size(), pairs.size());
+  for(std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    EXPECT_EQ(one[i].points, three[i].points);
+    EXPECT_EQ(one[i].points, copy(pairs[i].first, pairs[i].second).points);
+    EXPECT_EQ(one[i].front_distance, three[i].front_distance);
+  }
+}
+
+TEST(surfel_geodesic_path, is_empty_between_components)
+{
+  Surfels surfels = flat_surfels(200);
+  for(std::size_t i = 0; i < 200; ++i)
+    surfels.emplace_back(surfels[i].first + Kernel::Vector_3(9., 0., 0.), surfels[i].second);
+  const auto path = GP::surfel_geodesic_path(surfels, std::size_t(0), std::size_t(250), maps);
+  EXPECT_TRUE(path.empty());
+  EXPECT_TRUE(path.points.empty());
+  EXPECT_EQ(path.front_distance, std::numeric_limits<double>::infinity());
+}
+
+TEST(surfel_geodesic_path, refuses_surfels_that_are_none)
+{
+  const Surfels surfels = flat_surfels(100);
+  EXPECT_THROW(GP::surfel_geodesic_path(surfels, std::size_t(0), std::size_t(100), maps),
+               GP::Invalid_argument_error);
+}
+
+} // namespace
