@@ -165,7 +165,6 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
         "The angle between neighbours must lie between 0 and pi, and their "
         "number and rank above 0.");
   Surfel_cloud cloud;
-  const bool is_extended = options.graph == Surfel_graph::extended_spheres;
   const Agree agree = {std::cos(options.maximum_angle)};
   sort_surfels(std::move(points), std::move(normals), agree.cosine, options.threads, cloud);
 
@@ -175,7 +174,7 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
   set_radii(radii, near, options.rank, cloud);
   const auto graph = [&](const Rows& rows, const auto& meet)
   { cloud.graph = make_graph(cloud.point, rows, reach, options.threads, meet); };
-  if(is_extended)
+  if(options.graph == Surfel_graph::extended_spheres)
     graph(near, [&](Index i, Index j, double length)
           { return length <= options.influence * (cloud.radius[i] + cloud.radius[j]); });
   else

@@ -4,13 +4,20 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
+#include <CGAL/Point_set_3/IO.h>
+#include <CGAL/mst_orient_normals.h>
+#include <CGAL/pca_estimate_normals.h>
 
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <random>
+#include <string>
 
 namespace {
 
@@ -134,6 +141,71 @@ TEST(Surfel_path_finder, finds_the_same_from_all_searches)
     if(expected == 0.)
       expected = found;
     EXPECT_EQ(found, expected);
+  }
+}
+
+// Scans with normals, or with those that CGAL finds; empty where there are none.
+Point_set scan(const std::string& name)
+{
+  Point_set points;
+  const std::string file = GEODESIC_PROCESSING_DATA "/points/" + name;
+  if(!std::ifstream(file) || !CGAL::IO::read_point_set(file, points))
+    return {};
+  if(!points.has_normal_map())
+  {
+    points.add_normal_map();
+    CGAL::pca_estimate_normals<CGAL::Sequential_tag>(points, 18, points.parameters());
+    CGAL::mst_orient_normals(points, 18, points.parameters());
+  }
+  return points;
+}
+
+TEST(Surfel_path_finder, stays_on_the_surfels_of_scans)
+{
+  for(const std::string name :
+      {"bunny_scan_bun000_40k.ply", "ball_31k.ply", "kitten_normals_5k.xyz"})
+  {
+    const Point_set points = scan(name);
+    if(points.empty())
+      GTEST_SKIP() << "there are no scans";
+    std::vector<GP::internal::Spatial> place;
+    std::vector<GP::internal::Index> order;
+    for(const auto& index : points)
+      place.push_back({points.point(index).x(), points.point(index).y(), points.point(index).z()});
+    const GP::internal::Kd_tree tree(place, order);
+    std::vector<GP::internal::Kd_tree::Neighbor> near;
+    // As far as the sixth neighbour, as many as a surfel of an even cloud has.
+    std::vector<double> spacing;
+    for(const auto& p : place)
+    {
+      tree.nearest(place, p, 7, near);
+      spacing.push_back(std::sqrt(near.back().squared_distance));
+    }
+    GP::Surfel_path_finder<Point_set> find(points);
+    std::mt19937 random(1);
+    for(int i = 0; i < 25; ++i)
+    {
+      const auto path = find(*(points.begin() + random() % points.size()),
+                             *(points.begin() + random() % points.size()));
+      EXPECT_LE(path.front_distance, path.start_length * (1. + 1e-12));
+      for(std::size_t k = 0; k < path.points.size(); ++k)
+      {
+        tree.nearest(place, {path.points[k].x(), path.points[k].y(), path.points[k].z()}, 60, near);
+        std::vector<double> there;
+        for(const auto& neighbor : near)
+          there.push_back(spacing[neighbor.point]);
+        std::nth_element(there.begin(), there.begin() + 57, there.end());
+        EXPECT_LE(std::sqrt(near.front().squared_distance), there[57]) << name;
+        // From one surfel to the next the surface turns, but not to its other side.
+        if(k > 0)
+        {
+          EXPECT_GT(points.normal(path.locations[k - 1].surfel) *
+                        points.normal(path.locations[k].surfel),
+                    0.)
+              << name;
+        }
+      }
+    }
   }
 }
 
