@@ -7,15 +7,15 @@
 namespace CGAL::Geodesic_processing::internal {
 
 Graph_search::Graph_search(const Site_graph& graph, const std::vector<Spatial>& point)
-    : m_graph(graph), m_point(point)
+    : m_graph(&graph), m_point(&point)
 {}
 
 void Graph_search::begin(Side& side, Index site, const Spatial* goal)
 {
   if(side.sites.empty())
   {
-    side.sites.resize(m_point.size());
-    side.queue = Queue(m_point.size());
+    side.sites.resize(m_point->size());
+    side.queue = Queue(m_point->size());
   }
   side.queue.clear();
   side.goal = goal;
@@ -33,7 +33,7 @@ void Graph_search::reach(Side& side, Index index, double distance, Index from)
   site.from = from;
   // Sums of the same lengths in another order differ by rounding: the bound must not cut by it.
   constexpr double below = 1. - 1e-14;
-  const double bound = side.goal == nullptr ? 0. : below * norm(m_point[index] - *side.goal);
+  const double bound = side.goal == nullptr ? 0. : below * norm((*m_point)[index] - *side.goal);
   side.queue.push(index, distance + bound);
 }
 
@@ -43,8 +43,8 @@ Index Graph_search::spread(Side& side)
   Site& site = side.sites[index];
   site.run = m_run + 1;
   ++m_visited;
-  for(Index arc = m_graph.first[index]; arc < m_graph.first[index + 1]; ++arc)
-    reach(side, m_graph.target[arc], site.distance + m_graph.length[arc], index);
+  for(Index arc = m_graph->first[index]; arc < m_graph->first[index + 1]; ++arc)
+    reach(side, m_graph->target[arc], site.distance + m_graph->length[arc], index);
   return index;
 }
 
@@ -52,9 +52,9 @@ std::vector<Index> Graph_search::operator()(Index from, Index to, Surfel_search 
 {
   m_run += 2;
   m_visited = 0;
-  auto& [forward, backward] = m_sides;
+  Side &forward = m_sides[0], &backward = m_sides[1];
   const bool is_two_sided = method == Surfel_search::bidirectional;
-  begin(forward, from, method == Surfel_search::a_star ? &m_point[to] : nullptr);
+  begin(forward, from, method == Surfel_search::a_star ? &(*m_point)[to] : nullptr);
   if(is_two_sided)
     begin(backward, to, nullptr);
 
@@ -90,8 +90,8 @@ std::vector<Index> Graph_search::operator()(Index from, Index to, Surfel_search 
       }
     };
     meet(site);
-    for(Index arc = m_graph.first[site]; arc < m_graph.first[site + 1]; ++arc)
-      meet(m_graph.target[arc]);
+    for(Index arc = m_graph->first[site]; arc < m_graph->first[site + 1]; ++arc)
+      meet(m_graph->target[arc]);
   }
   std::vector<Index> chain;
   for(Index site = middle; site != none; site = forward.sites[site].from)

@@ -36,7 +36,7 @@ struct Surfel_path : Surface_path<SurfelRange>
 /// finds geodesic paths on a cloud of surfels, clean or noisy, one pair after the other.
 ///
 /// The shortest chain of arcs of a proximity graph is made a geodesic by minimizing an energy
-/// \cgalCite{cgal:rdsk-agpss-06}, with few control points first and then more, on a surface that is
+/// \cgalCite{cgal:rdsk-asg-06}, with few control points first and then more, on a surface that is
 /// fitted to the surfels where the path comes by.  It ends at one and a half radii from the last
 /// surfel: no path crosses a gap, or changes to another sheet.  Copies share the cloud and the
 /// graph, and may search at the same time.

@@ -132,6 +132,14 @@ enum segment_weight_t
 {
   segment_weight
 };
+enum outlier_percentage_t
+{
+  outlier_percentage
+};
+enum number_of_neighbors_t
+{
+  number_of_neighbors
+};
 
 } // namespace internal_np
 
@@ -190,6 +198,8 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, number_of_control_points_t, number_of_control_points)     \
   LINK(Geodesic_processing::internal_np, node_weight_t, node_weight)                               \
   LINK(Geodesic_processing::internal_np, segment_weight_t, segment_weight)                         \
+  LINK(Geodesic_processing::internal_np, outlier_percentage_t, outlier_percentage)                 \
+  LINK(Geodesic_processing::internal_np, number_of_neighbors_t, number_of_neighbors)               \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \

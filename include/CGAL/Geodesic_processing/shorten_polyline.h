@@ -29,7 +29,7 @@ struct Shortened_polyline
 /// \ingroup PkgGeodesicProcessingPaths
 ///
 /// makes a polyline near a surface a geodesic by the energy that `Surfel_path_finder` minimizes with
-/// `Surfel_path_method::disks`, \cgalCite{cgal:rdsk-agpss-06} on any surface that offers squared
+/// `Surfel_path_method::disks`, \cgalCite{cgal:rdsk-asg-06} on any surface that offers squared
 /// distances: a triangle mesh by its `AABB_tree`, an implicit surface by a formula.
 ///
 /// The ends stay.  The result is the geodesic nearby, as far as that can be told from a polyline:

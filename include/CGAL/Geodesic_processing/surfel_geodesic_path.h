@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// finds a geodesic path on a cloud of surfels by minimizing an energy. \cgalCite{cgal:rdsk-agpss-06}
+/// finds a geodesic path on a cloud of surfels by minimizing an energy. \cgalCite{cgal:rdsk-asg-06}
 ///
 /// \param surfels a model of `SurfelRange`
 /// \param from a surfel or a location

@@ -12,11 +12,11 @@ namespace CGAL::Geodesic_processing {
 enum class Surfel_graph
 {
   /// those whose spheres, of their radii, meet, and whose normals agree: near sheets stay apart.
-  /// \cgalCite{cgal:rdsk-agpss-06}
+  /// \cgalCite{cgal:rdsk-asg-06}
   extended_spheres,
   /// those whose spheres of influence meet, as large as the distance to the nearest surfel
   spheres,
-  /// each and its nearest ones \cgalCite{cgal:kz-pgpcs-04}
+  /// each and its nearest ones \cgalCite{cgal:kz-pcsg-04}
   nearest
 };
 
@@ -43,7 +43,7 @@ enum class Surfel_path_method
   spheres,
   /// drawn to fitted planes by the energy
   planes,
-  /// drawn to the disks of the surfels by the energy \cgalCite{cgal:rdsk-agpss-06}
+  /// drawn to the disks of the surfels by the energy \cgalCite{cgal:rdsk-asg-06}
   disks
 };
 

@@ -49,8 +49,8 @@ private:
   Index spread(Side& side);
   bool is_reached(const Side& side, Index site) const { return side.sites[site].run >= m_run; }
 
-  const Site_graph& m_graph;
-  const std::vector<Spatial>& m_point;
+  const Site_graph* m_graph;
+  const std::vector<Spatial>* m_point;
   std::array<Side, 2> m_sides; // the second for searches from both ends
   Index m_run = 0;
   std::size_t m_visited = 0;
