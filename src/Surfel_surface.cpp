@@ -11,7 +11,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// With 3 the error on a torus is 2.3 times larger; with less the fit needs more neighbours than it has.
+// With a support of 3 the error on a torus is 2.3 times as large.
 constexpr double support_in_radii = 2.3, reach_in_radii = 1.5;
 
 // Cosines of the differences of normals at which weights begin to fall, and are zero.
