@@ -39,14 +39,6 @@ std::vector<double> distances_on(const Triangulation& surface, Index source)
   return values(mesh, map);
 }
 
-Triangulation scaled(Triangulation surface, double factor)
-{
-  for(Point& p : surface.points)
-    for(double& x : p)
-      x *= factor;
-  return surface;
-}
-
 template <typename Method>
 void expect_scaled(double power_tolerance)
 {

@@ -643,10 +643,9 @@ TEST_F(Program, speeds_are_made_of_curvature)
   EXPECT_GT(along_edge(" --speed curvature-attractive --strength 1"),
             along_edge(" --speed curvature-attractive"));
 
-  for(const char* const command :
-      {"sample pipe.off --number 12", "sample cloud.xyz --number 5", "voronoi cloud.xyz --number 4",
-       "voronoi pipe.off --number 4", "remesh pipe.off --number 30",
-       "remesh cloud.xyz --number 20"})
+  for(const char* const command : {"sample pipe.off --number 12", "sample cloud.xyz --number 5",
+                                   "voronoi cloud.xyz --number 4", "voronoi pipe.off --number 4",
+                                   "remesh pipe.off --number 30", "remesh cloud.xyz --number 20"})
     for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
       json(std::string(command) + " --speed " + speed);
 }
