@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -195,6 +196,24 @@ void close_gaps(const Glued_surfels& surfels, const std::vector<Kernel::Point_3>
   }
 }
 
+// The sites moved in their tangent planes, by a part of their radii, so that no four of them lie on a
+// circle: among equal triangles the front takes those at lower addresses first.
+std::vector<Kernel::Point_3> in_general_position(const Glued_surfels& surfels)
+{
+  const Glued_triangles& t = surfels.triangles;
+  std::mt19937 random;
+  const auto part = [&] { return 1e-4 * (double(random()) / double(random.max()) - 0.5); };
+  std::vector<Kernel::Point_3> result;
+  for(std::size_t site = 0; site < surfels.tree.size(); ++site)
+  {
+    const auto [u, v] = tangent_frame(t.normal[site]);
+    const double a = part() * surfels.radius[site], b = part() * surfels.radius[site];
+    const Spatial p = t.point[site] + a * u + b * v;
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
 bool are_collinear(const std::vector<Kernel::Point_3>& points)
 {
   const auto other = std::find_if(points.begin(), points.end(),
@@ -215,8 +234,11 @@ Glued_mesh reconstruction(const Glued_surfels& surfels)
   std::vector<Face> faces;
   double questions = first_questions + questions_per_surfel * double(points.size());
   if(!are_collinear(points)) // which it says on standard error
-    advancing_front_surface_reconstruction(points.begin(), points.end(), std::back_inserter(faces),
+  {
+    const std::vector<Kernel::Point_3> moved = in_general_position(surfels);
+    advancing_front_surface_reconstruction(moved.begin(), moved.end(), std::back_inserter(faces),
                                            Small_in_surface{&surfels, &questions});
+  }
   orient(t, faces);
   close_gaps(surfels, points, faces);
   std::vector<std::array<double, 3>> places;
