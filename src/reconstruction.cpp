@@ -239,6 +239,10 @@ Glued_mesh reconstruction(const Glued_surfels& surfels)
     advancing_front_surface_reconstruction(moved.begin(), moved.end(), std::back_inserter(faces),
                                            Small_in_surface{&surfels, &questions});
   }
+  // It lists them by their addresses.
+  for(Face& face : faces)
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  std::sort(faces.begin(), faces.end());
   orient(t, faces);
   close_gaps(surfels, points, faces);
   std::vector<std::array<double, 3>> places;
