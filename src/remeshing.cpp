@@ -202,12 +202,14 @@ private:
     for(;;)
     {
       const double longest = longest_part * m_spacing / unit_size();
-      const std::vector<double> on_curves = spacing_on_curves();
+      const std::vector<double> on_curves =
+          m_goal.curve_spacing.empty() ? std::vector<double>() : spacing_on_curves();
       std::vector<bool> is_long(t().corner.size(), false);
       bool is_fine = true;
       for(Index side = 0; side < is_long.size(); ++side)
         if(slowness(side / 3) * t().length[side] > longest ||
-           (m_is_curve[side] && t().length[side] > longest_part * on_curves[side]))
+           (!on_curves.empty() && m_is_curve[side] &&
+            t().length[side] > longest_part * on_curves[side]))
         {
           is_fine = false;
           is_long[side] = true;

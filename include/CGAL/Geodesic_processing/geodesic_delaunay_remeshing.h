@@ -71,7 +71,7 @@ std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const 
 }
 
 // #sides: how far apart samples are to be on each where it is kept, in the domain's scale; zero
-// where that is left open.
+// where that is left open, and empty where it is for all.
 template <typename Surface, typename Domain, typename NamedParameters>
 std::vector<double> spacing_of_sides([[maybe_unused]] const Surface& surface, const Domain& domain,
                                      const NamedParameters& np)
@@ -83,9 +83,12 @@ std::vector<double> spacing_of_sides([[maybe_unused]] const Surface& surface, co
       throw Invalid_argument_error("A spacing along curves is negative or not finite.");
     return spacing;
   };
-  std::vector<double> result(domain.triangles()->corner.size(),
-                             checked(parameter(np, internal_np::curve_spacing, 0.)) / scale);
-  if constexpr(has_parameter<NamedParameters, internal_np::edge_spacing_map_t>)
+  constexpr bool has_map = has_parameter<NamedParameters, internal_np::edge_spacing_map_t>;
+  const double everywhere = checked(parameter(np, internal_np::curve_spacing, 0.)) / scale;
+  std::vector<double> result;
+  if(has_map || everywhere > 0.)
+    result.assign(domain.triangles()->corner.size(), everywhere);
+  if constexpr(has_map)
     for_each_side(surface, domain, parameter(np, internal_np::edge_spacing_map, 0),
                   [&](Index side, double spacing)
                   {
