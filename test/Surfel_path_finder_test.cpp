@@ -167,7 +167,8 @@ TEST(Surfel_path_finder, stays_on_the_surfels_of_scans)
   {
     const Point_set points = scan(name);
     if(points.empty())
-      GTEST_SKIP() << "there are no scans";
+      GTEST_SKIP()
+          << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
     std::vector<GP::internal::Spatial> place;
     std::vector<GP::internal::Index> order;
     for(const auto& index : points)
