@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -49,19 +48,10 @@ void sort_surfels(std::vector<Spatial> points, std::vector<Spatial> normals, dou
 void set_radii(const std::vector<double>& radii, const Rows& near, std::size_t rank,
                Surfel_cloud& cloud)
 {
-  const int exponent = -std::ilogb(cloud.frame.scale);
   cloud.radius.assign(cloud.number_of_sites(), 0.);
   for(Index s = 0; s < cloud.radius.size(); ++s)
     if(!radii.empty())
-    {
-      const double r = radii[cloud.surfel_of_site[s]];
-      if(!std::isfinite(r) || r < 0.)
-        throw Invalid_argument_error("The radius of surfel " +
-                                     std::to_string(cloud.surfel_of_site[s]) +
-                                     " is negative or not finite.");
-      // No larger than the cloud, where squares are safe.
-      cloud.radius[s] = std::min(std::ldexp(r, exponent), 8.);
-    }
+      cloud.radius[s] = scaled_radius(radii, cloud.surfel_of_site[s], cloud.frame);
     else if(near.begin(s) != near.end(s))
     {
       const std::size_t count = near.end(s) - near.begin(s);

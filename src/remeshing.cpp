@@ -133,6 +133,7 @@ public:
   Remeshing run()
   {
     set_spacing();
+    open_folds();
     refine();
     begin();
     m_result.is_finished = sample() && relax() && complete();
@@ -193,6 +194,29 @@ private:
     m_spacing = std::max(
         (quarter + std::sqrt(quarter * quarter + 2. / std::sqrt(3.) * area * n)) / n, border / n);
     m_spacing *= unit_size();
+  }
+
+  // Halves the sides of two triangles of the same corners, which no samples at these can tell apart.
+  void open_folds()
+  {
+    std::vector<bool> is_halved(t().corner.size(), false);
+    bool has_folds = false;
+    for(Index side = 0; side < is_halved.size(); ++side)
+    {
+      const Index other = t().twin[side], next = t().twin[next_side(side)];
+      if(other == none || next == none || other / 3 != next / 3 || other / 3 == side / 3)
+        continue;
+      has_folds = true;
+      for(Index k = 0; k < 3; ++k)
+        for(const Index around : {3 * (side / 3) + k, 3 * (other / 3) + k})
+        {
+          is_halved[around] = true;
+          if(t().twin[around] != none)
+            is_halved[t().twin[around]] = true;
+        }
+    }
+    if(has_folds)
+      use(halved(m_surface, is_halved));
   }
 
   void refine()

@@ -37,6 +37,15 @@ void normalize(std::vector<Spatial>& normals)
   }
 }
 
+double scaled_radius(const std::vector<double>& radii, Index surfel, const Frame& frame)
+{
+  const double radius = radii[surfel];
+  if(!std::isfinite(radius) || radius < 0.)
+    throw Invalid_argument_error("The radius of surfel " + std::to_string(surfel) +
+                                 " is negative or not finite.");
+  return std::min(std::ldexp(radius, -std::ilogb(frame.scale)), 8.);
+}
+
 std::vector<Index> originals(const std::vector<Spatial>& points,
                              const std::vector<Spatial>& normals, double cosine)
 {

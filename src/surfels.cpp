@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -465,15 +464,7 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
   radius.assign(n, 0.);
   for(Index s = 0; s < n; ++s)
     if(!radii.empty())
-    {
-      const double r = radii[result.surfel_of_site[s]];
-      if(!std::isfinite(r) || r < 0.)
-        throw Invalid_argument_error("The radius of surfel " +
-                                     std::to_string(result.surfel_of_site[s]) +
-                                     " is negative or not finite.");
-      // No larger than the cloud, where squares are safe.
-      radius[s] = std::min(std::ldexp(r, -std::ilogb(t.scale)), 8.);
-    }
+      radius[s] = scaled_radius(radii, result.surfel_of_site[s], frame);
     else if(s >= m)
       radius[s] = radius[copy_of[s]];
     else if(near.begin(s) != near.end(s))

@@ -3,92 +3,27 @@
 #ifndef CGAL_GEODESIC_PROCESSING_ESTIMATE_SURFELS_H
 #define CGAL_GEODESIC_PROCESSING_ESTIMATE_SURFELS_H
 
-#include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
 #include <CGAL/Geodesic_processing/internal/limits.h>
 #include <CGAL/Geodesic_processing/internal/read_surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfel_estimation.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/jet_estimate_normals.h>
-#include <CGAL/mst_orient_normals.h>
-#include <CGAL/remove_outliers.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
-
-namespace internal {
-
-struct Estimated_surfels
-{
-  std::vector<Spatial> normals;     // #points
-  std::vector<double> radii;        // #points
-  std::vector<std::size_t> removed; // outliers, which have no radius
-};
-
-template <typename Concurrency_tag>
-Estimated_surfels estimate_surfels(const std::vector<Spatial>& points, unsigned neighbors,
-                                   double outlier_percentage, unsigned threads)
-{
-  using Kernel = Simple_cartesian<double>;
-  using Entry = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::size_t>;
-  if(neighbors < 6)
-    throw Invalid_argument_error("A normal needs six neighbours.");
-  if(!(outlier_percentage >= 0.) || !(outlier_percentage <= 100.))
-    throw Invalid_argument_error("The percentage of outliers must lie between 0 and 100.");
-  if(points.size() <= neighbors)
-    throw Unsupported_surface_error("There are fewer points than neighbours that a normal needs.");
-  unit_frame(points); // which throws where they are not finite
-
-  std::vector<Entry> entries;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    entries.emplace_back(Kernel::Point_3(points[i][0], points[i][1], points[i][2]),
-                         Kernel::Vector_3(0., 0., 0.), i);
-  const auto np = CGAL::parameters::point_map(CGAL::Nth_of_tuple_property_map<0, Entry>())
-                      .normal_map(CGAL::Nth_of_tuple_property_map<1, Entry>());
-  Estimated_surfels result;
-  if(outlier_percentage > 0.)
-  {
-    const auto first = CGAL::remove_outliers<Concurrency_tag>(
-        entries, neighbors,
-        CGAL::parameters::point_map(CGAL::Nth_of_tuple_property_map<0, Entry>())
-            .threshold_percent(outlier_percentage));
-    for(auto entry = first; entry != entries.end(); ++entry)
-      result.removed.push_back(std::get<2>(*entry));
-    entries.erase(first, entries.end());
-  }
-  CGAL::jet_estimate_normals<Concurrency_tag>(entries, neighbors, np);
-  CGAL::mst_orient_normals(entries, neighbors, np);
-
-  result.normals.assign(points.size(), {0., 0., 1.});
-  result.radii.assign(points.size(), 0.);
-  std::vector<Spatial> kept, normals;
-  for(const auto& [point, normal, place] : entries)
-  {
-    kept.push_back(points[place]);
-    normals.push_back({normal.x(), normal.y(), normal.z()});
-    result.normals[place] = normals.back();
-  }
-  Cloud_options options;
-  options.threads = threads;
-  const Surfel_cloud cloud = make_cloud(std::move(kept), std::move(normals), {}, options);
-  for(std::size_t i = 0; i < entries.size(); ++i)
-    result.radii[std::get<2>(entries[i])] =
-        cloud.frame.scale * cloud.radius[cloud.site_of_surfel[i]];
-  return result;
-}
-
-} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
 /// makes surfels of points: normals by jets, oriented along a minimum spanning tree, and radii such
 /// that the disks of neighbours overlap.
 ///
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, as CGAL's own
-///         estimation of normals takes it
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
+///         threads, for normals where the library has been built with TBB.  The result is the same.
 /// \tparam Points a `Point_set_3`, which gets normals and a property `"radius"`, and loses outliers
 ///         (until `collect_garbage()` they can be had back); or any range, with maps to write to
 /// \cgalNamedParamsBegin
@@ -123,7 +58,7 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
       const auto& p = get(point_map, element);
       places.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     }
-    auto found = internal::estimate_surfels<Concurrency_tag>(
+    auto found = internal::estimate_surfels(
         places, parameter(np, internal_np::number_of_neighbors, 18u),
         parameter(np, internal_np::outlier_percentage, 0.), internal::threads<Concurrency_tag>(np));
     using Vector = typename boost::property_traits<decltype(normal_map)>::value_type;

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_NEIGHBORS_H
 
 #include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/locality.h>
 #include <CGAL/Geodesic_processing/internal/parallel.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 
@@ -28,6 +29,11 @@ void check_sizes(std::size_t points, std::size_t normals, std::size_t radii);
 // Throws Invalid_argument_error when one has no direction.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void normalize(std::vector<Spatial>& normals);
+
+// Of a surfel in the unit of its frame, no larger than the cloud, where squares are safe.
+// Throws Invalid_argument_error when it is negative or not finite.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double scaled_radius(const std::vector<double>& radii, Index surfel, const Frame& frame);
 
 // How two surfels can be neighbours on a surface.  The chord of a circular arc makes equal angles
 // with both normals, so that the sum of the normals is perpendicular to it; between two parallel

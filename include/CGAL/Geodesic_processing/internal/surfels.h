@@ -11,8 +11,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Largest circumradius of a triangle, in the smallest radius of its corners.  With 1.5 one triangle in a hundred is missing from random samples
-// of a plane, with 2 some are, with 2.5 none but along the border; larger ones bridge gaps.
+// Largest circumradius of a triangle, in the smallest radius of its corners.  With 1.5 one triangle
+// in a hundred is missing from random samples of a plane, with 2 some are, with 2.5 none but along
+// the border; larger ones bridge gaps.
 constexpr double largest_circumradius = 2.5;
 
 struct Surfel_options
