@@ -14,6 +14,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// How often noise is removed, until the level is this.
+constexpr int most_denoisings = 3;
+constexpr double noise_left = 0.05;
+
 Surfel_fit fit_of(Surfel_path_method method)
 {
   switch(method)
@@ -71,10 +75,16 @@ Prepared_cloud::Prepared_cloud(std::vector<Spatial> points, std::vector<Spatial>
               return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
             m_given_point = points;
             m_given_normal = normals;
-            denoise(points, normals, threads);
+            // Where there is much noise, normals are wrong by so much that a second time finds more.
+            double level = m_noise;
+            for(int i = 0; i < most_denoisings && (i == 0 || level > noise_left); ++i)
+            {
+              denoise(points, normals, threads);
+              level = noise_level(points, normals, threads);
+            }
             return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
           }()),
-      m_surface(m_cloud, fit_of(options.method))
+      m_surface(m_cloud, fit_of(options.method)), m_disks(m_cloud, Surfel_fit::disks)
 {
   if(m_given_point.empty())
     return;
@@ -119,8 +129,8 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
 {
   const Surfel_cloud& cloud = m_cloud->cloud();
   Cloud_path result;
-  const std::vector<Index> sites = m_search(from.site, to.site, m_cloud->options().search);
-  if(sites.empty())
+  result.start = m_search(from.site, to.site, m_cloud->options().search);
+  if(result.start.empty())
   {
     result.start_length = infinity;
     return result;
@@ -132,7 +142,7 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
     if(foot.point != chain.back().point)
       chain.push_back(foot);
   };
-  for(const Index site : sites)
+  for(const Index site : result.start)
     add({cloud.point[site], cloud.normal[site], {0., 0., 0.}, site});
   add(last);
   for(std::size_t i = 0; i + 1 < chain.size(); ++i)
@@ -143,8 +153,18 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
   result.path = shortened(m_cloud->surface(), options, chain);
   if(result.path.length > result.start_length)
   {
-    draw_curve(m_cloud->surface(), chain, result.path);
-    result.path.length = result.start_length;
+    // Noise and narrow valleys make arcs shorter than the surface below them.
+    Shortened_path start = result.path;
+    draw_curve(m_cloud->surface(), chain, start);
+    result.start_length = start.length;
+    // Where surfels are too far apart for what they show, fits jump from one to the next; disks overlap.
+    if(result.path.length > start.length)
+    {
+      options.hold = Path_hold::energy;
+      result.path = shortened(m_cloud->disks(), options, chain);
+    }
+    if(result.path.length > start.length)
+      result.path = start;
   }
   return result;
 }

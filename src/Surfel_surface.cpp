@@ -102,7 +102,7 @@ Foot Surfel_surface::on_disk(const Spatial& point, Index site) const
 {
   const Spatial way = point - m_cloud.point[site], normal = m_cloud.normal[site];
   const Spatial tangent = way - dot(way, normal) * normal;
-  const double length = norm(tangent), radius = m_cloud.radius[site];
+  const double length = norm(tangent), radius = m_reach[site] / reach_in_radii;
   Foot foot = {m_cloud.point[site] + tangent, normal, {0., 0., 0.}, site};
   if(length > radius)
     foot.point = m_cloud.point[site] + (radius / length) * tangent;

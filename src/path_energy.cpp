@@ -91,7 +91,8 @@ public:
       if(!(-slope > 0.1 * m_options.tolerance * m_now.energy.value))
         break;
       const double before = m_now.energy.value;
-      if(!search(direction, slope))
+      const bool is_straight = search(direction, slope);
+      if(!is_straight && !sweep())
         break;
       ++level.number_of_iterations;
       const double decrease = before - m_now.energy.value;
@@ -101,7 +102,8 @@ public:
       // Polak and Ribiere, with a fresh start where their factor is negative.
       const std::vector<Spatial> next = preconditioned(m_now.energy.gradient);
       const double product_now = product(m_now.energy.gradient, next);
-      const double factor = std::max(0., (product_now - product(gradient, next)) / product_before);
+      const double factor =
+          is_straight ? std::max(0., (product_now - product(gradient, next)) / product_before) : 0.;
       for(std::size_t i = 0; i < direction.size(); ++i)
         direction[i] = tangential(i, factor * direction[i]) - next[i];
       if(!(product(m_now.energy.gradient, direction) < -0.01 * product_now))
@@ -207,6 +209,41 @@ private:
     }
     return false;
   }
+
+  // Moves one projected node after the other between its neighbours: where feet jump, at sharp edges and
+  // where surfels disagree, no step of all nodes goes down although most of them could.
+  bool sweep()
+  {
+    if(m_options.hold == Path_hold::energy)
+      return false;
+    m_next = m_now;
+    std::vector<Spatial>& points = m_next.points;
+    for(int k = 0; k < sweeps; ++k)
+      for(std::size_t i = 1; i + 1 < points.size(); ++i)
+      {
+        const double before = 1. / m_share[i - 1], after = 1. / m_share[i];
+        const auto energy = [&](const Spatial& p)
+        {
+          const Spatial s = p - points[i - 1], t = points[i + 1] - p;
+          return before * dot(s, s) + after * dot(t, t);
+        };
+        const Foot foot =
+            m_surface.foot(1. / (before + after) * (before * points[i - 1] + after * points[i + 1]),
+                           m_next.feet[i].site);
+        if(energy(foot.point) < energy(points[i]))
+        {
+          points[i] = foot.point;
+          m_next.feet[i] = foot;
+        }
+      }
+    evaluate(m_next);
+    if(!(m_next.energy.value < m_now.energy.value))
+      return false;
+    std::swap(m_now, m_next);
+    return true;
+  }
+
+  static constexpr int sweeps = 4;
 
   const Path_surface& m_surface;
   const Path_options& m_options;

@@ -640,9 +640,13 @@ void draw(const std::string& filename, const Picture& picture)
   const bool is_mesh = surface.number_of_polygons() > 0;
   const Frame frame(surface.points);
   const std::vector<Point> points = frame(surface.points), markers = frame(picture.markers);
-  std::vector<std::vector<Point>> polylines;
-  for(const std::vector<Point>& polyline : picture.polylines)
-    polylines.push_back(frame(polyline));
+  const auto framed = [&](std::vector<std::vector<Point>> result)
+  {
+    for(std::vector<Point>& polyline : result)
+      polyline = frame(polyline);
+    return result;
+  };
+  const std::vector<std::vector<Point>> polylines = framed(picture.polylines);
   Range range = picture.labels.empty() ? range_of(picture.values) : Range();
   // Distances begin at zero, also where no vertex is a source.
   if(range.low > 0. && range.low < 0.2 * range.high)
@@ -676,6 +680,7 @@ void draw(const std::string& filename, const Picture& picture)
   }
   if(picture.with_sides)
     add_tubes(renderer, lines_of(sides_of(points, triangles)), thin, dark);
+  add_tubes(renderer, lines_of(framed(picture.chains)), 2. * thin, dark);
   add_tubes(renderer, lines_of(polylines), thick, red);
   const bool has_regions = !picture.labels.empty();
   for(const Point& marker : markers)

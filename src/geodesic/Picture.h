@@ -18,9 +18,10 @@ struct Picture
   std::string title = {};                // of the values
   std::vector<long long> labels = {};    // #points: coloured regions, grey where negative
   std::vector<std::vector<Point>> polylines = {};
-  std::vector<Point> markers = {};           // sources, seeds, ends of paths
-  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners of those that carry its lines
-  bool with_sides = false;                   // of a mesh's triangles
+  std::vector<Point> markers = {};             // sources, seeds, ends of paths
+  std::vector<std::uint32_t> triangles = {};   // of a cloud: corners of those that carry its lines
+  bool with_sides = false;                     // of a mesh's triangles
+  std::vector<std::vector<Point>> chains = {}; // thinner than polylines
 };
 
 // Draws a PNG file off screen.  A Display must exist.  Throws Output_error.

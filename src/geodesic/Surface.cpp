@@ -101,6 +101,13 @@ Cloud make_cloud(const Surface& surface)
     const Point &p = surface.file.points[i], &n = surface.file.normals[i];
     cloud.insert({p[0], p[1], p[2]}, {n[0], n[1], n[2]});
   }
+  const auto radii = surface.file.properties.find("radius");
+  if(radii != surface.file.properties.end())
+  {
+    const auto radius = cloud.add_property_map<double>("radius", 0.).first;
+    for(const Cloud::Index& surfel : cloud)
+      radius[surfel] = radii->second[surfel];
+  }
   return cloud;
 }
 

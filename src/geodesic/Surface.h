@@ -37,7 +37,7 @@ Surface repair(Surface_file file, const std::string& name, unsigned threads = 1)
 // vertex, so that a front passes from fan to fan.
 Mesh make_mesh(const Surface& surface);
 
-// With normals; surfel i is point i of the file.
+// With normals, and the file's property "radius" where it has one; surfel i is point i of the file.
 Cloud make_cloud(const Surface& surface);
 
 } // namespace program

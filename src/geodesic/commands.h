@@ -16,6 +16,7 @@ void add_matrix(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);
 void add_remesh(CLI::App& program);
+void add_surfels(CLI::App& program);
 
 } // namespace program
 

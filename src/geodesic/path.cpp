@@ -3,8 +3,8 @@
 #include "Output_file.h"
 #include "Picture.h"
 #include "Scanner.h"
+#include "cloud_paths.h"
 #include "commands.h"
-#include "queries.h"
 
 #include <cmath>
 
@@ -23,12 +23,16 @@ struct Path_options
 {
   End from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
   std::string method; // whose distances the path follows; none: a search for this one path
+  Cloud_path_options cloud;
+  bool start = false; // the chain of arcs as well
 };
 
 struct Result
 {
   std::vector<Point> points;
   double length = 0., front_distance = 0.;
+  std::vector<Point> start; // on a cloud
+  double start_length = 0.;
 };
 
 std::size_t vertex_of(const End& end)
@@ -37,6 +41,15 @@ std::size_t vertex_of(const End& end)
   if(vertices.size() != 1)
     throw Usage_error(std::string(end.vertex_option) + ": give one vertex.");
   return vertices[0];
+}
+
+template <typename Path>
+void keep(const Path& path, Result& result)
+{
+  for(const auto& p : path.points)
+    result.points.push_back({p.x(), p.y(), p.z()});
+  result.length = path.length;
+  result.front_distance = path.front_distance;
 }
 
 // The library's part: the path between two ends.
@@ -54,22 +67,46 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
   const Place from = place(options.from), to = place(options.to);
   job.stage("query");
   Result result;
-  const auto keep = [&](const auto& path)
-  {
-    for(const auto& p : path.points)
-      result.points.push_back({p.x(), p.y(), p.z()});
-    result.length = path.length;
-    result.front_distance = path.front_distance;
-  };
   std::visit(
       [&](const auto& begin, const auto& end)
       {
         if(options.method.empty())
-          keep(GP::Geodesic_path_finder<Surface_type>(domain)(begin, end));
+          keep(GP::Geodesic_path_finder<Surface_type>(domain)(begin, end), result);
         else
           with_method<Surface_type>(
-              options.method,
-              [&](auto method) { keep(GP::geodesic_path<decltype(method)>(domain, begin, end)); });
+              options.method, [&](auto method)
+              { keep(GP::geodesic_path<decltype(method)>(domain, begin, end), result); });
+      },
+      from, to);
+  return result;
+}
+
+// On a cloud the path of least energy.
+Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job)
+{
+  Path_finder find = make_path_finder(cloud, options.cloud, job);
+  using Place = std::variant<Path_finder::Site, Path_finder::Location>;
+  const auto place = [&](const End& end)
+  {
+    return end.point.empty()
+               ? Place(site<Cloud>(vertex_of(end)))
+               : Place(locate(GP::make_domain(cloud, GP::parameters::threads(job.threads())),
+                              end.point, end.point_option));
+  };
+  const Place from = place(options.from), to = place(options.to);
+  job.stage("query");
+  Result result;
+  std::visit(
+      [&](const auto& begin, const auto& end)
+      {
+        const auto path = find(begin, end);
+        keep(path, result);
+        for(const Cloud::Index surfel : path.start)
+        {
+          const auto p = find.point(surfel);
+          result.start.push_back({p.x(), p.y(), p.z()});
+        }
+        result.start_length = path.start_length;
       },
       from, to);
   return result;
@@ -100,29 +137,38 @@ void run_path(Job& job, const Path_options& options)
 
   job.stage("prepare");
   Result result;
-  on_surface(surface,
-             [&](const auto& mesh_or_cloud) { result = find_path(mesh_or_cloud, options, job); });
+  if(!surface.is_mesh() && options.method.empty())
+    result = find_cloud_path(make_cloud(surface), options, job);
+  else
+    on_surface(surface,
+               [&](const auto& mesh_or_cloud) { result = find_path(mesh_or_cloud, options, job); });
   if(result.points.empty())
     fail(surface.name, "no path joins the two places, they lie on different components");
   job.result()["length"] = json_number(result.length);
   job.result()["front_distance"] = json_number(result.front_distance);
   job.result()["points"] = result.points.size();
+  if(!result.start.empty())
+    job.result()["start_length"] = json_number(result.start_length);
   job.say("length          " + readable(result.length));
   job.say("points          " + std::to_string(result.points.size()));
 
   job.stage("write");
   job.write_values([&] { return points_text(result.points); });
+  std::vector<std::vector<Point>> chains;
+  if(options.start && !result.start.empty())
+    chains.push_back(result.start);
   if(!job.picture().empty())
-    draw(job.picture(), {&surface.file,
-                         {},
-                         "",
-                         {},
-                         {result.points},
-                         {result.points.front(), result.points.back()}});
+  {
+    Picture picture{&surface.file, {}, "", {}, {result.points}};
+    picture.markers = {result.points.front(), result.points.back()};
+    picture.chains = chains;
+    draw(job.picture(), picture);
+  }
   if(!job.output().empty())
   {
     Surface_file line;
-    line.polylines = {result.points};
+    line.polylines = chains;
+    line.polylines.insert(line.polylines.begin(), result.points);
     write_surface_file(job.output(), line);
   }
   job.finish();
@@ -148,6 +194,10 @@ void add_path(CLI::App& program)
           "follow its distances: dijkstra, fast-marching, euclidean, exact or heat; without, "
           "a search for this path alone")
       ->type_name("NAME");
+  add_cloud_path_options(*command, options->cloud);
+  command->add_flag(
+      "--start", options->start,
+      "on a cloud, draw and write the chain of arcs that the path starts from as well");
   command->callback([job, options] { run_path(*job, *options); });
 }
 

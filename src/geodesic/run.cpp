@@ -53,6 +53,7 @@ int run(int argc, char** argv)
   add_sample(program);
   add_voronoi(program);
   add_remesh(program);
+  add_surfels(program);
   try
   {
     program.parse(argc, argv);

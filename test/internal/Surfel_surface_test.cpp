@@ -74,7 +74,8 @@ TEST(Surfel_surface, has_disks)
 {
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
   const Surfel_surface surface(cloud, Surfel_fit::disks);
-  // Above the inside the nearest point of the plane; beyond the border that of the last disk.
+  // Above the inside the nearest point of the plane; beyond the border that of the last disk, whose
+  // neighbours are smaller than it is at the corner.
   const Foot inside = surface.foot(cloud.point[60] + Spatial{0.01, 0.02, 0.05}, 60);
   EXPECT_LT(norm(inside.point - cloud.point[60] - Spatial{0.01, 0.02, 0.}), 1e-15);
   Index corner = 0;
@@ -83,7 +84,11 @@ TEST(Surfel_surface, has_disks)
       corner = i;
   const Spatial away = unit({1., 1., 0.});
   const Foot outside = surface.foot(cloud.point[corner] + 5. * away, corner);
-  EXPECT_LT(norm(outside.point - cloud.point[corner] - cloud.radius[corner] * away), 1e-14);
+  double sum = cloud.radius[corner], number = 1.;
+  for(Index arc = cloud.graph.first[corner]; arc < cloud.graph.first[corner + 1]; ++arc, ++number)
+    sum += cloud.radius[cloud.graph.target[arc]];
+  EXPECT_LT(sum / number, cloud.radius[corner]);
+  EXPECT_LT(norm(outside.point - cloud.point[corner] - sum / number * away), 1e-14);
 }
 
 TEST(Surfel_surface, ends_with_its_surfels)

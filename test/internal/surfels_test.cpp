@@ -345,8 +345,6 @@ TEST(Surfels, threads_change_nothing)
   EXPECT_EQ(one.triangles.graph.first, four.triangles.graph.first);
   EXPECT_EQ(one.triangles.graph.target, four.triangles.graph.target);
   EXPECT_EQ(one.surfel_of_site, four.surfel_of_site);
-  EXPECT_EQ(smooth_surfels(cloud.points, cloud.normals, 2, 1),
-            smooth_surfels(cloud.points, cloud.normals, 2, 4));
 }
 
 TEST(Surfels, copies_hang_at_their_original)
@@ -514,7 +512,6 @@ TEST(Surfels, normals_need_not_be_of_unit_length_but_need_a_direction)
   EXPECT_EQ(cloud.glued().triangles.corner, expected.triangles.corner);
   cloud.normals[7] = {0., 0., 0.};
   EXPECT_THROW(cloud.glued(), Invalid_argument_error);
-  EXPECT_THROW(smooth_surfels(cloud.points, cloud.normals, 1), Invalid_argument_error);
   cloud.normals[7] = {std::nan(""), 0., 1.};
   EXPECT_THROW(cloud.glued(), Invalid_argument_error);
 }
@@ -542,48 +539,6 @@ TEST(Surfels, what_cannot_be_used_throws)
   options = {};
   options.rank = 0;
   EXPECT_THROW(cloud.glued(options), Invalid_argument_error);
-}
-
-TEST(Surfels, smoothing_leaves_exact_spheres_and_planes_where_they_are)
-{
-  for(const Cloud& cloud :
-      {random_sphere(1000), random_square(1000), Cloud{{{1., 2., 3.}}, {{0., 0., 1.}}}})
-  {
-    const std::vector<Spatial> smooth = smooth_surfels(cloud.points, cloud.normals, 3);
-    for(std::size_t i = 0; i < smooth.size(); ++i)
-      EXPECT_LT(norm(smooth[i] - cloud.points[i]), 1e-14); // a few dozen roundings of terms below 1
-  }
-}
-
-TEST(Surfels, smoothing_leaves_coincident_surfels_where_they_are)
-{
-  const std::vector<Spatial> points(100, {1., 2., 3.});
-  std::vector<Spatial> normals;
-  for(int i = 0; i < 100; ++i)
-    normals.push_back({i % 2 == 0 ? 1. : -1., 0., i % 3 - 1.});
-  EXPECT_EQ(smooth_surfels(points, normals, 3), points);
-  EXPECT_TRUE(smooth_surfels({}, {}, 3).empty());
-}
-
-TEST(Surfels, smoothing_takes_noise_away)
-{
-  Cloud cloud = random_sphere(4000);
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> noise(-0.05, 0.05);
-  for(Spatial& p : cloud.points)
-    p = (1. + noise(random)) * p;
-  double before = 0., after = 0., size = 0.;
-  const std::vector<Spatial> smooth = smooth_surfels(cloud.points, cloud.normals, 2);
-  for(std::size_t i = 0; i < 4000; ++i)
-  {
-    before += std::pow(norm(cloud.points[i]) - 1., 2);
-    after += std::pow(norm(smooth[i]) - 1., 2);
-    size += norm(smooth[i]) / 4000.;
-  }
-  // Means of about 16 effective neighbours, twice.
-  EXPECT_LT(after, before / 16.);
-  // The sphere does not shrink: the mean of 4,000 errors of 0.029 is off by 5e-4 in one of 20 cases.
-  EXPECT_NEAR(size, 1., 1e-3);
 }
 
 TEST(Surfels, places_are_located_on_the_tangent_plane_of_the_nearest_surfel)

@@ -26,7 +26,9 @@ namespace CGAL::Geodesic_processing {
 template <typename SurfelRange>
 struct Surfel_path : Surface_path<SurfelRange>
 {
-  double start_length = 0.;                 ///< of the chain of arcs that it started from
+  std::vector<typename internal::Surface_traits<SurfelRange>::Site>
+      start;                ///< the surfels of the chain of arcs that it started from
+  double start_length = 0.; ///< of that chain
   std::size_t number_of_control_points = 0; ///< the curve has about four points for each
   std::vector<Path_energy_level> levels;    ///< from coarse to fine
 };
@@ -90,8 +92,28 @@ public:
   /// below `number_of_components()`.
   std::size_t component(Site surfel) const { return cloud().component[place(surfel).site]; }
 
+  /// of arcs, each counted once.
+  std::size_t number_of_arcs() const { return cloud().graph.target.size() / 2; }
+  /// calls `f(surfel, surfel)` for the two ends of each arc.
+  template <typename Function>
+  void for_each_arc(Function f) const;
+
   /// the median of how far a surfel rises over its neighbours, in spacings; 0 when noise is `kept`.
   double noise() const { return m_finder.prepared()->noise(); }
+
+  /// \name A surfel as paths see it: where noise has been removed
+  /// @{
+  Point_3 point(Site surfel) const { return outer_point(cloud().point[place(surfel).site]); }
+  typename Traits::Vector_3 normal(Site surfel) const
+  {
+    const auto& n = cloud().normal[place(surfel).site];
+    return {n[0], n[1], n[2]};
+  }
+  double radius(Site surfel) const
+  {
+    return cloud().frame.scale * cloud().radius[place(surfel).site];
+  }
+  /// @}
 
   /// returns a path from one surfel or location to another; empty when they are not connected.
   /// \throws Invalid_argument_error when a surfel is none of the cloud's, or an offset not finite
@@ -115,6 +137,12 @@ public:
 
 private:
   const internal::Surfel_cloud& cloud() const { return m_finder.prepared()->cloud(); }
+  Site outer_site(internal::Index site) const { return (*m_sites)[cloud().surfel_of_site[site]]; }
+  Point_3 outer_point(const internal::Spatial& p) const
+  {
+    const auto& [origin, scale] = cloud().frame;
+    return {origin[0] + scale * p[0], origin[1] + scale * p[1], origin[2] + scale * p[2]};
+  }
 
   std::shared_ptr<const internal::Surfel_sites<SurfelRange>> m_sites;
   internal::Cloud_path_finder m_finder;
@@ -154,6 +182,17 @@ Surfel_path_finder<SurfelRange>::Surfel_path_finder(const SurfelRange& range,
 {}
 
 template <typename SurfelRange>
+template <typename Function>
+void Surfel_path_finder<SurfelRange>::for_each_arc(Function f) const
+{
+  const internal::Site_graph& graph = cloud().graph;
+  for(internal::Index site = 0; site + 1 < graph.first.size(); ++site)
+    for(internal::Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+      if(graph.target[arc] > site)
+        f(outer_site(site), outer_site(graph.target[arc]));
+}
+
+template <typename SurfelRange>
 internal::Tangent_location Surfel_path_finder<SurfelRange>::place(const Location& location) const
 {
   internal::Tangent_location result = place(location.surfel);
@@ -170,17 +209,18 @@ template <typename SurfelRange>
 Surfel_path<SurfelRange>
 Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
 {
-  const auto& [origin, scale] = cloud().frame;
+  const double scale = cloud().frame.scale;
   const internal::Shortened_path& path = found.path;
   Surfel_path<SurfelRange> result;
   for(const internal::Foot& foot : path.points)
   {
     const internal::Tangent_location location = m_finder.prepared()->location(foot);
-    result.locations.push_back({(*m_sites)[cloud().surfel_of_site[location.site]],
-                                {scale * location.offset[0], scale * location.offset[1]}});
-    result.points.emplace_back(origin[0] + scale * foot.point[0], origin[1] + scale * foot.point[1],
-                               origin[2] + scale * foot.point[2]);
+    result.locations.push_back(
+        {outer_site(location.site), {scale * location.offset[0], scale * location.offset[1]}});
+    result.points.push_back(outer_point(foot.point));
   }
+  for(const internal::Index site : found.start)
+    result.start.push_back(outer_site(site));
   result.length = scale * path.polyline_length;
   result.front_distance = path.points.empty() ? internal::infinity : scale * path.length;
   result.start_length = scale * found.start_length;

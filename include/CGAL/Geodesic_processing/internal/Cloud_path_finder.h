@@ -37,6 +37,7 @@ public:
 
   const Surfel_cloud& cloud() const { return m_cloud; }
   const Surfel_surface& surface() const { return m_surface; }
+  const Surfel_surface& disks() const { return m_disks; }
   const Cloud_path_options& options() const { return m_options; }
   double noise() const { return m_noise; }
 
@@ -50,13 +51,14 @@ private:
   std::vector<Spatial> m_given_point, m_given_normal; // #sites, where noise has been removed
   Cloud_path_options m_options;
   Surfel_cloud m_cloud;
-  Surfel_surface m_surface;
+  Surfel_surface m_surface, m_disks;
 };
 
 struct Cloud_path
 {
   Shortened_path path;      // in the cloud's scale; no points when there is none
-  double start_length = 0.; // of the chain of arcs
+  std::vector<Index> start; // the sites of the chain of arcs
+  double start_length = 0.; // of that chain, along arcs
 };
 
 // Finds paths, one pair after the other; copies share the cloud, and may search at the same time.
@@ -67,7 +69,8 @@ public:
 
   const std::shared_ptr<const Prepared_cloud>& prepared() const { return m_cloud; }
 
-  // Never longer than the chain of arcs that it starts from: where it would be, it is the chain.
+  // Never longer than the chain of arcs that it starts from: where it would be, it is drawn to the disks
+  // of the surfels, and where that is longer as well, it is the chain.
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
 
 private:

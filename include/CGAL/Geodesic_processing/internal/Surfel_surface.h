@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 enum class Surfel_fit
 {
-  disks,   // the nearest point of the surfels' disks
+  disks, // the nearest point of the surfels' disks, of no more than the mean of their neighbours' radii
   planes,  // the plane of the weighted mean point and normal (Alexa and others 2003)
   spheres, // the algebraic sphere through points and normals (Guennebaud, Germann and Gross 2008)
   quadrics // that sphere, and the surface of second order over it through what it leaves

@@ -69,16 +69,6 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
                            const std::vector<double>& radii = {},
                            const Surfel_options& options = {});
 
-// Points moved along their normals towards the surface that their 24 nearest neighbours suggest, as
-// often as `passes` says: noise goes, while exact surfels of planes and spheres stay where they are
-// to rounding, because what counts is how far a chord rises over the mean of its two normals.
-// Sharp edges become round: for scans, and for normals estimated from more points than these.
-// Throws as glue_surfels().
-CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<std::array<double, 3>> smooth_surfels(std::vector<std::array<double, 3>> points,
-                                                  std::vector<std::array<double, 3>> normals,
-                                                  unsigned passes, unsigned threads = 1);
-
 // A location on a cloud: a place in the tangent plane of a site, in the frame of tangent_frame()
 // and the domain's scale.
 struct Tangent_location
