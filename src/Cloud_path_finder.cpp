@@ -18,6 +18,9 @@ namespace {
 constexpr int most_denoisings = 3;
 constexpr double noise_left = 0.05;
 
+// Up to here the shortest chain of all is found in less time than the path is drawn from it.
+constexpr std::size_t small_cloud = 50000;
+
 Surfel_fit fit_of(Surfel_path_method method)
 {
   switch(method)
@@ -86,6 +89,8 @@ Prepared_cloud::Prepared_cloud(std::vector<Spatial> points, std::vector<Spatial>
           }()),
       m_surface(m_cloud, fit_of(options.method)), m_disks(m_cloud, Surfel_fit::disks)
 {
+  if(options.search == Surfel_search::coarse_to_fine && m_cloud.number_of_sites() > small_cloud)
+    m_regions = make_regions(m_cloud.graph, m_cloud.point, m_cloud.component);
   if(m_given_point.empty())
     return;
   // In the order and the frame of the cloud.
@@ -122,7 +127,8 @@ Tangent_location Prepared_cloud::location(const Foot& foot) const
 }
 
 Cloud_path_finder::Cloud_path_finder(std::shared_ptr<const Prepared_cloud> cloud)
-    : m_cloud(std::move(cloud)), m_search(m_cloud->cloud().graph, m_cloud->cloud().point)
+    : m_cloud(std::move(cloud)),
+      m_search(m_cloud->cloud().graph, m_cloud->cloud().point, m_cloud->regions())
 {}
 
 Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tangent_location& to)

@@ -160,28 +160,37 @@ void Kd_tree::visit_leaves(const Point& query, const double& bound, Visit&& visi
 void Kd_tree::nearest(const std::vector<Point>& points, const Point& query, std::size_t k,
                       std::vector<Neighbor>& result, double bound) const
 {
-  result.clear();
-  if(k == 0)
+  result.resize(std::min(k, m_size));
+  if(result.empty())
     return;
-  visit_leaves(
-      query, bound,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for(std::size_t i = begin; i < end; ++i)
-        {
-          const Neighbor found = {squared_distance(points[i], query), static_cast<Index>(i)};
-          if(found.squared_distance > bound || (result.size() == k && !(found < result.back())))
-            continue;
-          if(result.size() < k)
-            result.push_back(found);
-          std::size_t place = result.size() - 1;
-          for(; place > 0 && found < result[place - 1]; --place)
-            result[place] = result[place - 1];
-          result[place] = found;
-          if(result.size() == k)
-            bound = std::min(bound, result.back().squared_distance);
-        }
-      });
+  std::size_t size = 0;
+  visit_leaves(query, bound,
+               [&](std::size_t begin, std::size_t end)
+               {
+                 // What the loop needs, where no write can change it.
+                 const Point* const point = points.data();
+                 const Point at = query;
+                 Neighbor* const nearest = result.data();
+                 const std::size_t most = result.size();
+                 double far = bound;
+                 for(std::size_t i = begin; i < end; ++i)
+                 {
+                   const Neighbor found = {squared_distance(point[i], at), static_cast<Index>(i)};
+                   if(found.squared_distance > far ||
+                      (size == most && !(found < nearest[most - 1])))
+                     continue;
+                   if(size < most)
+                     ++size;
+                   std::size_t place = size - 1;
+                   for(; place > 0 && found < nearest[place - 1]; --place)
+                     nearest[place] = nearest[place - 1];
+                   nearest[place] = found;
+                   if(size == most)
+                     far = std::min(far, nearest[most - 1].squared_distance);
+                 }
+                 bound = far;
+               });
+  result.resize(size);
 }
 
 Index Kd_tree::nearest(const std::vector<Point>& points, const Point& query) const

@@ -92,8 +92,10 @@ Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
   for(const auto& arc : back)
     ++graph.first[arc.first + 1];
   std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
-  graph.target.resize(graph.first.back());
-  graph.length.resize(graph.first.back());
+  const std::size_t arcs = graph.first.back();
+  for_each_block(2, 1, threads,
+                 [&](std::size_t part, std::size_t, std::size_t)
+                 { part == 0 ? graph.target.resize(arcs) : graph.length.resize(arcs); });
   for_each_block(n, surfel_block, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {

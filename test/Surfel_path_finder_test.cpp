@@ -133,8 +133,8 @@ TEST(Surfel_path_finder, finds_the_same_from_all_searches)
 {
   const Surfels surfels = flat_surfels(1000);
   double expected = 0.;
-  for(const auto search :
-      {GP::Surfel_search::dijkstra, GP::Surfel_search::bidirectional, GP::Surfel_search::a_star})
+  for(const auto search : {GP::Surfel_search::dijkstra, GP::Surfel_search::bidirectional,
+                           GP::Surfel_search::a_star, GP::Surfel_search::coarse_to_fine})
   {
     GP::Surfel_path_finder<Surfels> find(surfels, maps.surfel_search(search));
     const double found = find(std::size_t(0), std::size_t(700)).front_distance;

@@ -101,7 +101,7 @@ Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job
       {
         const auto path = find(begin, end);
         keep(path, result);
-        for(const Cloud::Index surfel : path.start)
+        for(const Cloud::Index& surfel : path.start)
         {
           const auto p = find.point(surfel);
           result.start.push_back({p.x(), p.y(), p.z()});

@@ -100,6 +100,25 @@ TEST(Cloud_path_finder, follows_great_circles)
   }
 }
 
+TEST(Cloud_path_finder, follows_great_circles_from_coarse_to_fine)
+{
+  const Cloud sphere = ellipsoid_cloud(60000, {1., 1., 1.});
+  Cloud_path_options options;
+  Finder find(sphere);
+  EXPECT_NE(find.prepared().regions(), nullptr);
+  options.search = Surfel_search::a_star;
+  EXPECT_EQ(Finder(sphere, options).prepared().regions(), nullptr);
+  std::mt19937 random(1);
+  for(int i = 0; i < 20; ++i)
+  {
+    const std::size_t a = random() % sphere.size(), b = random() % sphere.size();
+    const double truth =
+        2. * std::asin(std::min(1., norm(sphere.points[b] - sphere.points[a]) / 2.));
+    // As above: the chain leaves no trace.
+    EXPECT_NEAR(find.scale() * find(a, b).path.length, truth, 1e-8);
+  }
+}
+
 TEST(Cloud_path_finder, unrolls_cylinders)
 {
   const Cloud cylinder = cylinder_cloud(100, 30, 15., 30.);

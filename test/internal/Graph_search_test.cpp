@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace {
@@ -14,6 +15,15 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
+
+constexpr double rounding = 1e-12; // sums of some hundreds of lengths
+
+bool has_arc(const Site_graph& graph, Index from, Index to)
+{
+  const auto begin = graph.target.begin();
+  const auto end = begin + graph.first[from + 1];
+  return std::find(begin + graph.first[from], end, to) != end;
+}
 
 double length(const Surfel_cloud& cloud, const std::vector<Index>& chain)
 {
@@ -63,15 +73,67 @@ TEST(Graph_search, finds_chains_of_one_length_on_lattices)
     }
 }
 
+TEST(Graph_search, finds_short_chains_from_coarse_to_fine)
+{
+  const Cloud sphere = ellipsoid_cloud(20000, {1., 1., 1.}), torus = torus_cloud(20000, 0.4);
+  const Cloud noisy = with_noise(torus, std::vector<double>(torus.size(), 0.02), 0.5, 1);
+  for(const Cloud& surfels : {sphere, torus, noisy})
+  {
+    const Surfel_cloud cloud = make_cloud(surfels.points, surfels.normals);
+    const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+    Graph_search search(cloud.graph, cloud.point, &regions);
+    std::mt19937 random(1);
+    double sum = 0.;
+    std::size_t visited = 0, visited_all = 0;
+    for(int i = 0; i < 100; ++i)
+    {
+      const Index a = Index(random() % cloud.number_of_sites()),
+                  b = Index(random() % cloud.number_of_sites());
+      const double shortest = length(cloud, search(a, b, Surfel_search::a_star));
+      visited_all += search.visited();
+      const std::vector<Index> chain = search(a, b, Surfel_search::coarse_to_fine);
+      visited += search.visited();
+      ASSERT_FALSE(chain.empty());
+      EXPECT_EQ(chain.front(), a);
+      EXPECT_EQ(chain.back(), b);
+      for(std::size_t k = 0; k + 1 < chain.size(); ++k)
+        EXPECT_TRUE(has_arc(cloud.graph, chain[k], chain[k + 1]));
+      // Lengths of 16 regions or more, each a tenth too long or too short, are known to some percent:
+      // by so much may the chain be the shortest of another way round.
+      const double excess = length(cloud, chain) / shortest - 1.;
+      EXPECT_LT(excess, 0.06);
+      EXPECT_GT(excess, -rounding);
+      sum += excess;
+    }
+    EXPECT_LT(sum / 100., 0.005);
+    EXPECT_LT(visited, visited_all);
+  }
+}
+
+TEST(Graph_search, leaves_nothing_out_between_near_sites)
+{
+  const Cloud torus = torus_cloud(3000, 0.4);
+  const Surfel_cloud cloud = make_cloud(torus.points, torus.normals);
+  const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+  Graph_search search(cloud.graph, cloud.point, &regions);
+  for(Index a = 0; a < cloud.number_of_sites(); a += 10)
+    for(Index arc = cloud.graph.first[a]; arc < cloud.graph.first[a + 1]; ++arc)
+    {
+      const Index b = cloud.graph.target[arc];
+      EXPECT_EQ(search(a, b, Surfel_search::coarse_to_fine), search(a, b, Surfel_search::a_star));
+    }
+}
+
 TEST(Graph_search, says_when_there_is_no_chain)
 {
   Cloud two = square_cloud(5);
   for(std::size_t i = 0; i < 25; ++i)
     two.add(two.points[i] + Spatial{9., 0., 0.}, two.normals[i]);
   const Surfel_cloud cloud = make_cloud(two.points, two.normals);
-  Graph_search search(cloud.graph, cloud.point);
-  for(const Surfel_search method :
-      {Surfel_search::dijkstra, Surfel_search::bidirectional, Surfel_search::a_star})
+  const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+  Graph_search search(cloud.graph, cloud.point, &regions);
+  for(const Surfel_search method : {Surfel_search::dijkstra, Surfel_search::bidirectional,
+                                    Surfel_search::a_star, Surfel_search::coarse_to_fine})
   {
     EXPECT_TRUE(search(cloud.site_of_surfel[0], cloud.site_of_surfel[30], method).empty());
     EXPECT_EQ(search(3, 3, method), std::vector<Index>{3});

@@ -37,7 +37,7 @@ struct Surfel_path : Surface_path<SurfelRange>
 ///
 /// finds geodesic paths on a cloud of surfels, clean or noisy, one pair after the other.
 ///
-/// The shortest chain of arcs of a proximity graph is made a geodesic by minimizing an energy
+/// A short chain of arcs of a proximity graph is made a geodesic by minimizing an energy
 /// \cgalCite{cgal:rdsk-asg-06}, with few control points first and then more, on a surface that is
 /// fitted to the surfels where the path comes by.  It ends at one and a half radii from the last
 /// surfel: no path crosses a gap, or changes to another sheet.  Copies share the cloud and the
@@ -71,7 +71,7 @@ public:
   ///   \cgalParamNBegin{surfel_graph} \cgalParamDescription{a `Surfel_graph`}
   ///     \cgalParamDefault{`extended_spheres`} \cgalParamNEnd
   ///   \cgalParamNBegin{surfel_search} \cgalParamDescription{a `Surfel_search`}
-  ///     \cgalParamDefault{`a_star`} \cgalParamNEnd
+  ///     \cgalParamDefault{`coarse_to_fine`} \cgalParamNEnd
   ///   \cgalParamNBegin{number_of_control_points} \cgalParamDescription{at most; paths of a few
   ///     surfels have fewer, and those over sharp edges more} \cgalParamDefault{75} \cgalParamNEnd
   ///   \cgalParamNBegin{node_weight} \cgalParamDescription{of the squared distances of control points,

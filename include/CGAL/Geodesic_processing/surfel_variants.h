@@ -21,9 +21,12 @@ enum class Surfel_graph
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// how the shortest chain of arcs between two surfels is found: the same one by all.
+/// how a short chain of arcs between two surfels is found: the shortest by all but the first.
 enum class Surfel_search
 {
+  /// a chain of regions first, then the shortest in these and their neighbours: in large clouds the
+  /// fastest by far, and the chain is a few tenths of a percent longer; the shortest below 50,000
+  coarse_to_fine,
   a_star,        ///< towards the goal, bounded below by the distance in space
   bidirectional, ///< from both ends
   dijkstra       ///< in all directions

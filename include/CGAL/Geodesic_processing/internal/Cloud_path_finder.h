@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
 #include <CGAL/Geodesic_processing/internal/Surfel_surface.h>
 #include <CGAL/Geodesic_processing/internal/path_energy.h>
+#include <CGAL/Geodesic_processing/internal/site_regions.h>
 #include <CGAL/Geodesic_processing/internal/surfels.h>
 
 #include <cstddef>
@@ -22,7 +23,7 @@ struct Cloud_path_options
   Cloud_options cloud;
   Surfel_path_method method = Surfel_path_method::projected_quadrics;
   Surfel_noise noise = Surfel_noise::removed_when_found;
-  Surfel_search search = Surfel_search::a_star;
+  Surfel_search search = Surfel_search::coarse_to_fine;
   Path_options path; // what holds it follows from the method
 };
 
@@ -36,6 +37,8 @@ public:
   Prepared_cloud(const Prepared_cloud&) = delete;
 
   const Surfel_cloud& cloud() const { return m_cloud; }
+  // None where the search needs none.
+  const Site_regions* regions() const { return m_regions.size() == 0 ? nullptr : &m_regions; }
   const Surfel_surface& surface() const { return m_surface; }
   const Surfel_surface& disks() const { return m_disks; }
   const Cloud_path_options& options() const { return m_options; }
@@ -51,6 +54,7 @@ private:
   std::vector<Spatial> m_given_point, m_given_normal; // #sites, where noise has been removed
   Cloud_path_options m_options;
   Surfel_cloud m_cloud;
+  Site_regions m_regions;
   Surfel_surface m_surface, m_disks;
 };
 

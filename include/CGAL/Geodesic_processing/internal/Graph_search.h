@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 #include <CGAL/Geodesic_processing/internal/Queue.h>
+#include <CGAL/Geodesic_processing/internal/site_regions.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 
@@ -15,13 +16,16 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Shortest chains of arcs between two sites, one pair after the other; each search touches what it
-// visits and nothing else.  The three methods find chains of one length, and the same chain where
-// no other is as short.  About 40 bytes a site.
+// visits and nothing else.  Three methods find chains of one length, and the same chain where no
+// other is as short; from coarse to fine, chains are the shortest within the regions of a short
+// chain of leaders and their neighbours, 0.3 % longer on average.  About 20 bytes a site, or 40 from both ends.
 class CGAL_GEODESIC_PROCESSING_EXPORT Graph_search
 {
 public:
-  // Both stay with the caller; a point for each site, no farther apart than their arc is long.
-  Graph_search(const Site_graph& graph, const std::vector<Spatial>& point);
+  // All stay with the caller; a point for each site, no farther apart than their arc is long.
+  // Without regions, searches from coarse to fine search the graph itself.
+  Graph_search(const Site_graph& graph, const std::vector<Spatial>& point,
+               const Site_regions* regions = nullptr);
 
   // The sites of the chain, both ends among them; none when they are not connected.
   std::vector<Index> operator()(Index from, Index to, Surfel_search method);
@@ -44,6 +48,8 @@ private:
     const Spatial* goal = nullptr;
   };
 
+  bool narrow(Index from, Index to);
+  std::vector<Index> find(Index from, Index to, Surfel_search method);
   void begin(Side& side, Index site, const Spatial* goal);
   void reach(Side& side, Index site, double distance, Index from);
   Index spread(Side& side);
@@ -51,7 +57,12 @@ private:
 
   const Site_graph* m_graph;
   const std::vector<Spatial>* m_point;
-  std::array<Side, 2> m_sides; // the second for searches from both ends
+  const Site_regions* m_regions;
+  std::vector<Graph_search> m_coarse; // over the regions, if any
+  std::vector<Index> m_open;          // #regions: the last search that has gone there
+  bool m_is_narrow = false;           // whether this one goes to open regions alone
+  double m_bound;                     // of the rest of a chain, in distances in space
+  std::array<Side, 2> m_sides;        // the second for searches from both ends
   Index m_run = 0;
   std::size_t m_visited = 0;
 };

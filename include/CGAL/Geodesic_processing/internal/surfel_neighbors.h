@@ -125,16 +125,16 @@ void visit_nearest(const std::vector<Spatial>& point, const Kd_tree& tree, std::
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    std::vector<Kd_tree::Neighbor> found;
-                   double bound = infinity;
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
                    {
-                     // As many lie around the point before, so that none of ours is farther than
-                     // theirs and the step from it; enlarged by more than the rounding of this sum.
-                     if(i > begin)
-                       bound = (bound + norm(point[i] - point[i - 1])) * (1. + 1e-12);
-                     tree.nearest(point, point[i], count + 1, found, bound * bound);
-                     bound = found.size() <= count ? infinity
-                                                   : std::sqrt(found.back().squared_distance);
+                     // As many were found around the point before: none of ours is farther than they.
+                     double bound = found.size() <= count ? infinity : 0.;
+                     for(const Kd_tree::Neighbor& neighbor : found)
+                     {
+                       const Spatial way = point[neighbor.point] - point[i];
+                       bound = std::max(bound, dot(way, way));
+                     }
+                     tree.nearest(point, point[i], count + 1, found, bound);
                      visit(block, i, found);
                    }
                  });
