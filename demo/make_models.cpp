@@ -10,10 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
 // A tube along a curve that winds around a torus, closed in both directions.
@@ -49,11 +51,16 @@ int main(int argc, char* argv[])
   CGAL::make_grid(
       120, 120, hills, [&](int i, int j) { return Point(i, j, height(i, j)); }, true);
 
-  std::ofstream cloud(folder + "/scan.xyz");
+  std::ofstream cloud(folder + "/scan.xyz"), noisy(folder + "/noisy.xyz");
   const Mesh knot = tube(600, 40);
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0., 0.02); // a third of the distance between points
   for(Mesh::Vertex_index v : knot.vertices())
+  {
     cloud << knot.point(v) << '\n';
+    noisy << knot.point(v) + Vector(noise(random), noise(random), noise(random)) << '\n';
+  }
   const bool written = CGAL::IO::write_polygon_mesh(folder + "/knot.off", knot) &&
-                       CGAL::IO::write_polygon_mesh(folder + "/hills.off", hills) && cloud;
+                       CGAL::IO::write_polygon_mesh(folder + "/hills.off", hills) && cloud && noisy;
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -55,6 +55,7 @@ fetch_models()
 
 $build/demo/make_models $models && $build/demo/make_picture $models/rings.png || exit 1
 terrain=$models/hills.off rings=$models/rings.png
+knot_scan=$models/scan.xyz noisy_scan=$models/noisy.xyz
 
 echo "Fetching models"
 if fetch_models; then
@@ -172,7 +173,14 @@ picture cloud-remesh "A surface of the scan, in 600 vertices." \
   remesh "$scan" --number 600 --lloyd 10
 picture cloud-voronoi "Nearest seeds on points with normals." \
   voronoi "$scan_with_normals" --number 30
-picture cloud-path "A shortest path on points." path "$scan" --from 0 --to 2000
+picture cloud-path "A shortest path on points, and the chain of arcs that it started from." \
+  path "$scan" --from 0 --to 2000 --start
+picture cloud-path-knot "The same on a cloud that was made for it." \
+  path "$knot_scan" --from 0 --to 12000 --start
+picture cloud-path-noise "Where there is noise it is removed first; the chain is that of the clean surfels." \
+  path "$noisy_scan" --from 0 --to 12000 --start
+picture cloud-graph "Which surfels of a scan are joined: those whose spheres meet and whose normals agree." \
+  surfels "$scan_with_normals" --arcs
 
 echo '</main><h2>The demo programs</h2><main>' >>$page
 program farthest_vertex "$animal" $build/farthest.ply

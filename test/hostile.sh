@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path
-# and matrix.  Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time,
+# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
+# surfels and matrix.  Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time,
 # without a NaN.
 set -u
 
@@ -49,6 +49,7 @@ check_all()
   check "$file" remesh --number 20 --keep-sharp 40 || failed=1
   check "$file" remesh --number 20 --fill-holes || failed=1
   check "$file" path --from 0 --to 1 || failed=1
+  check "$file" surfels || failed=1
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
   check "$file" matrix --number 5 --method exact || failed=1

@@ -680,7 +680,7 @@ void draw(const std::string& filename, const Picture& picture)
   }
   if(picture.with_sides)
     add_tubes(renderer, lines_of(sides_of(points, triangles)), thin, dark);
-  add_tubes(renderer, lines_of(framed(picture.chains)), 2. * thin, dark);
+  add_tubes(renderer, lines_of(framed(picture.chains)), thin, dark);
   add_tubes(renderer, lines_of(polylines), thick, red);
   const bool has_regions = !picture.labels.empty();
   for(const Point& marker : markers)

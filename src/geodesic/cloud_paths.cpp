@@ -77,4 +77,17 @@ Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& optio
   return radius.second ? Path_finder(cloud, np.radius_map(radius.first)) : Path_finder(cloud, np);
 }
 
+Surface_file seen_surfels(const Cloud& cloud, const Path_finder& finder)
+{
+  Surface_file result;
+  for(const Cloud::Index& surfel : cloud)
+  {
+    const auto p = finder.point(surfel);
+    const auto n = finder.normal(surfel);
+    result.points.push_back({p.x(), p.y(), p.z()});
+    result.normals.push_back({n.x(), n.y(), n.z()});
+  }
+  return result;
+}
+
 } // namespace program

@@ -31,6 +31,9 @@ void add_cloud_path_options(CLI::App& command, Cloud_path_options& options);
 // With the radii of the file's property "radius" where it has one.
 Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& options, const Job& job);
 
+// The surfels of a cloud as paths see them.
+Surface_file seen_surfels(const Cloud& cloud, const Path_finder& finder);
+
 } // namespace program
 
 #endif // GEODESIC_PROGRAM_CLOUD_PATHS_H

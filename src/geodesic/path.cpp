@@ -31,8 +31,10 @@ struct Result
 {
   std::vector<Point> points;
   double length = 0., front_distance = 0.;
-  std::vector<Point> start; // on a cloud
+  // On a cloud:
+  std::vector<Point> start;
   double start_length = 0.;
+  Surface_file surfels; // where a picture is wanted
 };
 
 std::size_t vertex_of(const End& end)
@@ -109,6 +111,8 @@ Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job
         result.start_length = path.start_length;
       },
       from, to);
+  if(!job.picture().empty())
+    result.surfels = seen_surfels(cloud, find);
   return result;
 }
 
@@ -159,7 +163,8 @@ void run_path(Job& job, const Path_options& options)
     chains.push_back(result.start);
   if(!job.picture().empty())
   {
-    Picture picture{&surface.file, {}, "", {}, {result.points}};
+    Picture picture{result.surfels.points.empty() ? &surface.file : &result.surfels};
+    picture.polylines = {result.points};
     picture.markers = {result.points.front(), result.points.back()};
     picture.chains = chains;
     draw(job.picture(), picture);

@@ -52,16 +52,13 @@ void run_surfels(Job& job, const Surfels_options& options)
       options.estimate || options.outliers > 0. ? prepare(cloud, options, job) : 0;
   const Path_finder finder = make_path_finder(cloud, {options.surfels}, job);
   job.stage("query");
-  Surface_file file;
-  std::vector<std::uint32_t> place(surface.file.points.size());
+  Surface_file file = seen_surfels(cloud, finder);
+  std::vector<std::uint32_t> place; // of surfels, without outliers
   std::vector<double>&radius = file.properties["radius"], &component = file.properties["component"];
   for(const Cloud::Index& surfel : cloud)
   {
-    const auto p = finder.point(surfel);
-    const auto n = finder.normal(surfel);
-    place[surfel] = static_cast<std::uint32_t>(file.points.size());
-    file.points.push_back({p.x(), p.y(), p.z()});
-    file.normals.push_back({n.x(), n.y(), n.z()});
+    place.resize(surfel + 1);
+    place[surfel] = static_cast<std::uint32_t>(radius.size());
     radius.push_back(finder.radius(surfel));
     component.push_back(double(finder.component(surfel)));
   }

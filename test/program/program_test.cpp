@@ -278,6 +278,7 @@ TEST_F(Program, bad_input_is_2_and_names_the_file)
   expect_failure("distance cloud.xyz --source-border", 2, "no border");
   expect_failure("distance cloud.xyz --source 0 --method exact", 2, "need a mesh");
   expect_failure("path cloud.xyz --from 0 --to 1 --method exact", 2, "need a mesh");
+  expect_failure("surfels square.ply", 2, "points alone");
   expect_failure("path apart.off --from 0 --to 3", 2, "no path");
   expect_failure("path apart.off --from 0 --to 6 -o a.vtp", 2, "no path");
 }
@@ -313,6 +314,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("distance square.ply --source 0", {"max", "unreached"});
   expect_keys("distance cloud.xyz --source 0", {"max", "unreached"});
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
+  expect_keys("path cloud.xyz --from 0 --to 143",
+              {"length", "front_distance", "points", "start_length"});
+  expect_keys("surfels cloud.xyz", {"outliers", "components", "arcs", "radius", "noise"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
   expect_keys("remesh square.ply --number 20", {"vertices_out", "faces_out", "added"});
@@ -335,6 +339,48 @@ TEST_F(Program, json_alone_is_on_standard_output)
     EXPECT_TRUE(nlohmann::json::parse(outcome.out)["repaired"].get<bool>());
     EXPECT_EQ(run(std::string(command) + " --quiet").out, "");
   }
+}
+
+TEST_F(Program, surfels_have_normals_radii_and_a_graph)
+{
+  const nlohmann::json lattice = json("surfels cloud.xyz --values r.txt -o s.ply");
+  // Inside of a lattice, written with six digits, the eighth neighbour is a diagonal away.
+  EXPECT_NEAR(lattice["radius"].get<double>(), 1. / 11., 1e-6);
+  EXPECT_EQ(numbers("r.txt").size(), 144u);
+  EXPECT_EQ(lattice["components"], 1);
+  EXPECT_EQ(lattice["noise"], 0.);
+  EXPECT_EQ(run("info s.ply --property radius --quiet --picture r.png").code, 0);
+  EXPECT_EQ(json("surfels s.ply")["radius"], lattice["radius"]);
+  // Spheres of influence of a lattice meet along its sides and diagonals, and touch, or fail to by
+  // rounding, two sides further on.
+  const int sides = 2 * 11 * 12, diagonals = 2 * 11 * 11, doubles = 2 * 10 * 12;
+  const int arcs = json("surfels cloud.xyz --surfel-graph spheres")["arcs"];
+  EXPECT_GE(arcs, sides + diagonals);
+  EXPECT_LE(arcs, sides + diagonals + doubles);
+  EXPECT_EQ(json("surfels cloud.xyz --arcs -o a.ply")["arcs"], lattice["arcs"]);
+
+  write("far.xyz", content(m_folder / "cloud.xyz") + "50 50 50 0 0 1\n");
+  const nlohmann::json far = json("surfels far.xyz --outliers 0.6 -o near.xyz.ply --values n.txt");
+  EXPECT_GE(far["outliers"].get<int>(), 1);
+  EXPECT_EQ(numbers("n.txt").size(), 145u - far["outliers"].get<std::size_t>());
+  EXPECT_LT(json("info near.xyz.ply")["bounding_box"][1][0].get<double>(), 2.);
+  expect_failure("surfels far.xyz --outliers 101", 1, "--outliers");
+  expect_failure("surfels far.xyz --surfel-graph none", 1, "extended-spheres");
+}
+
+TEST_F(Program, paths_on_clouds_are_no_longer_than_their_chains)
+{
+  for(const char* const method :
+      {"projected-quadrics", "projected-spheres", "projected-planes", "spheres", "planes", "disks"})
+  {
+    const nlohmann::json path = json("path cloud.xyz --from 5 --to 143 --start -o p.vtp "
+                                     "--surfel-path-method " +
+                                     std::string(method));
+    EXPECT_LE(path["front_distance"], path["start_length"]);
+    EXPECT_NEAR(path["front_distance"].get<double>(), std::hypot(6. / 11., 1.), 1e-3) << method;
+  }
+  EXPECT_LT(json("path cloud.xyz --from 5 --to 143 --control-points 3")["points"],
+            json("path cloud.xyz --from 5 --to 143")["points"]);
 }
 
 TEST_F(Program, info_knows_the_shape)
