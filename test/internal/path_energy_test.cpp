@@ -148,6 +148,30 @@ TEST(path_energy, never_rises)
   }
 }
 
+// The plane z = 0 but for a high block behind y = 0.
+struct Block : Path_surface
+{
+  Foot foot(const Spatial& p, Index) const override
+  {
+    const bool is_high = std::abs(p[0] - 4.) < 0.05 && p[1] > 0.;
+    return {{p[0], p[1], is_high ? 5. : 0.}, {0., 0., 1.}, {0., 0., 0.}, 0};
+  }
+};
+
+TEST(path_energy, goes_down_although_feet_jump)
+{
+  // To and fro; the node before the block would climb it with the smallest step of all.
+  const Block surface;
+  std::vector<Foot> path(41);
+  for(std::size_t i = 0; i < path.size(); ++i)
+    path[i] = surface.foot({0.2 * double(i), i == 20 ? -1e-9 : i % 2 == 0 ? 0.2 : -0.2, 0.}, 0);
+  const double before = polyline_length(path), straight = 8.;
+  const Path_energy_level level =
+      minimize(surface, Path_options(), std::vector<double>(path.size() - 1, 1.), path);
+  EXPECT_LT(level.last_energy, level.first_energy);
+  EXPECT_LT(polyline_length(path) - straight, 0.1 * (before - straight));
+}
+
 // The quarter of space below z = 0 and before x = 0.
 struct Right_angle : Path_surface
 {
