@@ -164,8 +164,21 @@ picture remesh-400 "in 400," remesh "$animal" --number 400 --lloyd 10
 picture remesh-1600 "and in 1,600." remesh "$animal" --number 1600 --lloyd 10
 picture remesh-image "A terrain with small triangles where a picture varies, here at the edges of rings." \
   remesh "$terrain" --number 3000 --density-image "$rings" --strength 8
+picture function-samples "On an animal a picture is seen along its shortest side: samples where it varies," \
+  sample "$animal" --number 1500 --density-image "$rings" --strength 8
+picture function-remesh "and triangles." \
+  remesh "$animal" --number 1500 --density-image "$rings" --strength 8
+picture remesh-even "A beast in 1,500 vertices, evenly," remesh "$beast" --number 1500 --lloyd 5
+picture remesh-bent "and with more of them where it bends." \
+  remesh "$beast" --number 1500 --lloyd 5 --speed curvature-attractive
 picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
 picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
+picture logmap "Normal coordinates around a place, as a chessboard: lines through it are straight." \
+  logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0
+picture logmap-exact "The same by the directions in which shortest paths leave." \
+  logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --method exact
+picture logmap-heat "And from distances by the flow of heat." \
+  logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --distances heat
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
 picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
   sample "$scan" --number 1500 --density-image "$rings"

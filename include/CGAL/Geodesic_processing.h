@@ -11,6 +11,7 @@
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+#include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/estimate_surfels.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 #include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
+#include <CGAL/Geodesic_processing/logarithmic_map.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/principal_curvatures.h>

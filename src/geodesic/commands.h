@@ -12,6 +12,7 @@ namespace program {
 void add_info(CLI::App& program);
 void add_distance(CLI::App& program);
 void add_path(CLI::App& program);
+void add_logmap(CLI::App& program);
 void add_matrix(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);

@@ -49,6 +49,7 @@ int run(int argc, char** argv)
   add_info(program);
   add_distance(program);
   add_path(program);
+  add_logmap(program);
   add_matrix(program);
   add_sample(program);
   add_voronoi(program);

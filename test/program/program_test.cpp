@@ -279,6 +279,8 @@ TEST_F(Program, bad_input_is_2_and_names_the_file)
   expect_failure("distance cloud.xyz --source 0 --method exact", 2, "need a mesh");
   expect_failure("path cloud.xyz --from 0 --to 1 --method exact", 2, "need a mesh");
   expect_failure("surfels square.ply", 2, "points alone");
+  expect_failure("logmap cloud.xyz --base 1 --method exact", 2, "need a mesh");
+  expect_failure("logmap cloud.xyz --base 1 --distances exact", 2, "need a mesh");
   expect_failure("path apart.off --from 0 --to 3", 2, "no path");
   expect_failure("path apart.off --from 0 --to 6 -o a.vtp", 2, "no path");
 }
@@ -316,6 +318,7 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
   expect_keys("path cloud.xyz --from 0 --to 143",
               {"length", "front_distance", "points", "start_length"});
+  expect_keys("logmap square.ply --base 40", {"reached", "cut_faces", "folded_faces"});
   expect_keys("surfels cloud.xyz", {"outliers", "components", "arcs", "radius", "noise"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
@@ -349,7 +352,7 @@ TEST_F(Program, surfels_have_normals_radii_and_a_graph)
   EXPECT_EQ(numbers("r.txt").size(), 144u);
   EXPECT_EQ(lattice["components"], 1);
   EXPECT_EQ(lattice["noise"], 0.);
-  EXPECT_EQ(run("info s.ply --property radius --quiet --picture r.png").code, 0);
+  EXPECT_EQ(run("surfels s.ply --quiet").code, 0);
   EXPECT_EQ(json("surfels s.ply")["radius"], lattice["radius"]);
   // Spheres of influence of a lattice meet along its sides and diagonals, and touch, or fail to by
   // rounding, two sides further on.
@@ -366,6 +369,38 @@ TEST_F(Program, surfels_have_normals_radii_and_a_graph)
   EXPECT_LT(json("info near.xyz.ply")["bounding_box"][1][0].get<double>(), 2.);
   expect_failure("surfels far.xyz --outliers 101", 1, "--outliers");
   expect_failure("surfels far.xyz --surfel-graph none", 1, "extended-spheres");
+}
+
+TEST_F(Program, logmap_writes_normal_coordinates)
+{
+  for(const char* const method : {"gradient", "exact"})
+  {
+    const nlohmann::json map = json("logmap square.ply --base 40 --up 0,1,0 --radius 0.4 --values "
+                                    "m.txt -o m.vtp --method " +
+                                    std::string(method));
+    EXPECT_EQ(map["cut_faces"], 0);
+    EXPECT_EQ(map["folded_faces"], 0);
+    const std::vector<double> uv = numbers("m.txt");
+    ASSERT_EQ(uv.size(), 162u);
+    std::size_t inside = 0;
+    for(std::size_t i = 0; i < 81; ++i)
+    {
+      const double x = double(i % 9) / 8. - 0.5, y = double(i / 9) / 8. - 0.5;
+      EXPECT_EQ(std::isfinite(uv[2 * i]), std::hypot(x, y) <= 0.4);
+      if(!std::isfinite(uv[2 * i]))
+        continue;
+      ++inside;
+      EXPECT_NEAR(uv[2 * i], x, 1e-12);
+      EXPECT_NEAR(uv[2 * i + 1], y, 1e-12);
+    }
+    EXPECT_EQ(map["reached"], inside);
+  }
+  EXPECT_EQ(json("logmap square.ply --base-at 0.3,0.3,1 --distances heat -o m.obj")["reached"], 81);
+  EXPECT_EQ(json("logmap cloud.xyz --base 50 -o m.ply")["reached"], 144);
+  expect_failure("logmap square.ply", 1, "--base");
+  expect_failure("logmap square.ply --base 1 --base-at 0,0,0", 1, "--base");
+  expect_failure("logmap square.ply --base 1 --method flat", 1, "gradient");
+  expect_failure("logmap square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
 }
 
 TEST_F(Program, paths_on_clouds_are_no_longer_than_their_chains)

@@ -140,6 +140,18 @@ enum number_of_neighbors_t
 {
   number_of_neighbors
 };
+enum stencil_length_t
+{
+  stencil_length
+};
+enum stencil_size_t
+{
+  stencil_size
+};
+enum up_direction_t
+{
+  up_direction
+};
 
 } // namespace internal_np
 
@@ -200,6 +212,9 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, segment_weight_t, segment_weight)                         \
   LINK(Geodesic_processing::internal_np, outlier_percentage_t, outlier_percentage)                 \
   LINK(Geodesic_processing::internal_np, number_of_neighbors_t, number_of_neighbors)               \
+  LINK(Geodesic_processing::internal_np, stencil_length_t, stencil_length)                         \
+  LINK(Geodesic_processing::internal_np, stencil_size_t, stencil_size)                             \
+  LINK(Geodesic_processing::internal_np, up_direction_t, up_direction)                             \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The north of a globe on a flat map that keeps directions and distances from the pole.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Point_2 = Kernel::Point_2;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // A side of a cube, blown up to a unit sphere.
+  Mesh mesh;
+  const auto blown_up = [](int i, int j)
+  {
+    const double x = i / 30. - 1., y = j / 30. - 1., size = std::sqrt(x * x + y * y + 1.);
+    return Point(x / size, y / size, 1. / size);
+  };
+  CGAL::make_grid(60, 60, mesh, blown_up, true);
+  const Vertex pole(30 + 61 * 30);
+
+  auto uv = mesh.add_property_map<Vertex, Point_2>("v:uv").first;
+  GP::logarithmic_map(mesh, pole, uv, GP::parameters::up_direction(Kernel::Vector_3(0, 1, 0)));
+
+  double largest = 0.;
+  for(Vertex v : mesh.vertices())
+  {
+    const Point& p = mesh.point(v);
+    const double size = std::hypot(p.x(), p.y()), angle = std::atan2(size, p.z());
+    if(v != pole)
+      largest = std::max(
+          largest, std::hypot(uv[v].x() - angle * p.x() / size, uv[v].y() - angle * p.y() / size));
+  }
+  const auto stretch = GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips);
+  std::cout << "Places on the map are off by " << largest << " at most; angles are stretched by "
+            << stretch.mean() << " in the mean and by " << stretch.worst << " at the rim.\n";
+
+  // Circles around the pole are longer on the map, as an angle is than its sine.
+  const double rim = std::atan(std::sqrt(2.));
+  return largest < 5e-3 && std::abs(stretch.worst - rim / std::sin(rim)) < 0.1 ? EXIT_SUCCESS
+                                                                               : EXIT_FAILURE;
+}

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_DISTORTION_H
+#define CGAL_GEODESIC_PROCESSING_DISTORTION_H
+
+#include <CGAL/Geodesic_processing/internal/singular_values.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingLogMap
+/// how a map of a mesh to the plane stretches a face, as the other way round, from the plane to the
+/// face: the singular values of its Jacobian.
+struct Face_distortion
+{
+  double most = 1.,
+         least = 1.;      ///< \f$ \sigma_1 \geq \sigma_2 \f$; infinite where the image has no area
+  bool is_folded = false; ///< the image is turned round
+  double area = 0.;       ///< of the face
+
+  /// \name Measures
+  /// of the literature, all of them least where \f$ \sigma_1 = \sigma_2 = 1 \f$ or, for those of angles
+  /// alone, where both are equal.
+  /// @{
+
+  /// \f$ \sigma_1 / \sigma_2 \f$ (Hormann and Greiner 2000, without the other way round).
+  double mips() const { return most / least; }
+  /// \f$ \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$.
+  double symmetric_mips() const { return most / least + least / most; }
+  /// \f$ (\sigma_1 - \sigma_2)^2 / 2 \f$, the energy of conformal maps.
+  double conformal() const { return 0.5 * (most - least) * (most - least); }
+  /// \f$ (\sigma_1^2 - 1)^2 + (\sigma_2^2 - 1)^2 \f$.
+  double green_lagrange() const
+  {
+    const double a = most * most - 1., b = least * least - 1.;
+    return a * a + b * b;
+  }
+  /// angles and areas: \f$ (\sigma_1/\sigma_2 + \sigma_2/\sigma_1)
+  /// (\sigma_1 \sigma_2 + 1/(\sigma_1 \sigma_2))^\theta \f$ (Degener, Meseth and Klein 2003).
+  double combined(double theta) const
+  {
+    const double area = most * least;
+    return symmetric_mips() * std::pow(area + 1. / area, theta);
+  }
+  /// \f$ (\sigma_1^2 + \sigma_2^2) / 2 \f$.
+  double dirichlet() const { return 0.5 * (most * most + least * least); }
+  /// the root of `dirichlet()` (Sander, Snyder, Gortler and Hoppe 2001).
+  double l2_stretch() const { return std::sqrt(dirichlet()); }
+  /// \f$ \sigma_1 \f$.
+  double linf_stretch() const { return most; }
+  /// \f$ \max(\sigma_1, 1/\sigma_2) \f$ (Sorkine and others 2002).
+  double symmetric_stretch() const { return (std::max)(most, 1. / least); }
+  /// the distance of the metric from that of the plane:
+  /// \f$ 2 \sqrt{\log^2 \sigma_1 + \log^2 \sigma_2} \f$.
+  double riemannian() const { return 2. * std::hypot(std::log(most), std::log(least)); }
+  /// @}
+};
+
+namespace internal {
+
+// The image of the corner of a face that a halfedge points to: of a map of vertices, or of halfedges.
+template <typename Mesh, typename UVMap>
+Planar image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const Mesh& mesh,
+                const UVMap& uv_map)
+{
+  const auto planar = [](const auto& value) -> Planar {
+    return {CGAL::to_double(value[0]), CGAL::to_double(value[1])};
+  };
+  using Key = typename boost::property_traits<UVMap>::key_type;
+  if constexpr(std::is_same_v<Key, typename boost::graph_traits<Mesh>::halfedge_descriptor>)
+    return planar(get(uv_map, h));
+  else
+    return planar(get(uv_map, target(h, mesh)));
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingLogMap
+///
+/// returns how a map to the plane distorts a face.
+///
+/// \param face a triangle of `mesh`
+/// \param uv_map of vertices, or of halfedges: of the corner that a halfedge of the face points to.
+///        Values are `Point_2` or arrays.
+/// \param np `vertex_point_map`
+template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
+Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descriptor face,
+                                const Mesh& mesh, UVMap uv_map,
+                                const NamedParameters& np = NamedParameters())
+{
+  const auto points = internal::parameter(np, CGAL::internal_np::vertex_point,
+                                          get_const_property_map(vertex_point, mesh));
+  std::array<internal::Planar, 3> image;
+  std::array<double, 3> lengths;
+  auto h = halfedge(face, mesh);
+  for(std::size_t k = 0; k < 3; ++k, h = next(h, mesh))
+  {
+    // Side k leads from the corner that h points to, to the next one.
+    image[k] = internal::image_of(h, mesh, uv_map);
+    const auto& p = get(points, target(h, mesh));
+    const auto& q = get(points, target(next(h, mesh), mesh));
+    lengths[k] = std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()),
+                            CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
+                            CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
+  }
+  const internal::Singular_values found = internal::singular_values(lengths, image);
+  return {found.most, found.least, found.is_folded, found.area};
+}
+
+/// \ingroup PkgGeodesicProcessingLogMap
+/// a measure of distortion over all faces that a map knows.
+template <typename Mesh>
+struct Mesh_distortion
+{
+  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
+
+  double integral = 0.; ///< over the area of the faces
+  double area = 0.;     ///< of these
+  double worst = 0.;    ///< the largest value
+  Face worst_face = boost::graph_traits<Mesh>::null_face();
+  std::size_t number_of_faces = 0;
+  std::size_t number_of_folded_faces = 0;
+
+  double mean() const { return integral / area; }
+};
+
+/// \ingroup PkgGeodesicProcessingLogMap
+///
+/// measures how a map to the plane distorts a mesh, integrated and at its worst.
+///
+/// \param uv_map as for `face_distortion()`.  Faces with a corner that is not a number are left out: those
+///        outside of a logarithmic map.
+/// \param measure a function of a `Face_distortion`, as `&Face_distortion::conformal`
+/// \param np `vertex_point_map`
+///
+/// O(n).
+template <typename Mesh, typename UVMap, typename Measure,
+          typename NamedParameters = internal::Default_parameters>
+Mesh_distortion<Mesh> mesh_distortion(const Mesh& mesh, UVMap uv_map, Measure measure,
+                                      const NamedParameters& np = NamedParameters())
+{
+  Mesh_distortion<Mesh> result;
+  for(const auto face : faces(mesh))
+  {
+    const Face_distortion distortion = face_distortion(face, mesh, uv_map, np);
+    if(std::isnan(distortion.most))
+      continue;
+    const double value = std::invoke(measure, distortion);
+    result.integral += distortion.area * value;
+    result.area += distortion.area;
+    if(result.number_of_faces++ == 0 || value > result.worst)
+    {
+      result.worst = value;
+      result.worst_face = face;
+    }
+    result.number_of_folded_faces += distortion.is_folded;
+  }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_DISTORTION_H

@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_LOGARITHMIC_MAP_H
+#define CGAL_GEODESIC_PROCESSING_LOGARITHMIC_MAP_H
+
+#include <CGAL/Geodesic_processing/internal/Log_engine.h>
+#include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/tags.h>
+
+#include <CGAL/Origin.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingMethods
+/// chooses tangent vectors by the gradient of squared distances from their base.
+///
+/// Distances are measured from the base and from a few places around it; by `Distance_method`.
+template <typename Distance_method = Euclidean_front>
+struct Gradient
+{};
+
+/// \ingroup PkgGeodesicProcessingLogMap
+/// the tangent plane at the base of a logarithmic map, in space.
+template <typename Surface>
+struct Tangent_frame
+{
+  using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
+  using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
+
+  Point_3 origin = ORIGIN;
+  Vector_3 u = NULL_VECTOR, v = NULL_VECTOR; ///< unit vectors along the axes of the map
+};
+
+namespace internal {
+
+template <typename Method>
+struct Log_engine;
+template <typename Distance_method>
+struct Log_engine<Gradient<Distance_method>> : Gradient_engine<Engine<Distance_method>>
+{
+  using Gradient_engine<Engine<Distance_method>>::Gradient_engine;
+};
+template <>
+struct Log_engine<Exact> : Exact_log_engine
+{
+  using Exact_log_engine::Exact_log_engine;
+};
+
+// A place in the plane as the value of a map: a `Point_2`, or an array.
+template <typename Value>
+Value planar_value(double u, double v)
+{
+  if constexpr(std::is_constructible_v<Value, double, double>)
+    return Value(u, v);
+  else
+    return Value{u, v};
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingLogMap
+///
+/// Riemannian normal coordinates around a place, one base after the other: of each site the tangent
+/// vector whose geodesic leads there, as long as the distance.
+///
+/// What a computation costs depends on the sites that it reaches.
+///
+/// \tparam Surface as for `geodesic_distances()`, not a domain
+/// \tparam Method `Gradient<Distance_method>`, or on a mesh `Exact`
+template <typename Surface, typename Method = Gradient<>>
+class Logarithmic_map
+{
+  static_assert(!internal::Is_cloud<Surface>::value || !std::is_same_v<Method, Exact>,
+                "Exact tangent vectors need a mesh; a surfel cloud has no edges to cross.");
+
+public:
+  using Domain = internal::Domain_of<Surface>;
+  using Site = typename Domain::Site;
+  using Location = typename Domain::Location;
+  using Vector_3 = typename Domain::Vector_3;
+  using Vector = std::array<double, 2>;
+
+  /// prepares the surface; `np` is what `make_domain()` takes.
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Logarithmic_map(const Surface& surface, const NamedParameters& np = NamedParameters())
+      : Logarithmic_map(Domain(surface, np))
+  {}
+  explicit Logarithmic_map(const Domain& domain)
+      : m_domain(domain), m_engine(domain.triangles()),
+        m_coordinates(domain.triangles()->number_of_sites(), outside)
+  {}
+
+  const Domain& domain() const { return m_domain; }
+
+  /// computes the map around a site or a location; what the last call found is forgotten.
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{sites farther away are outside}
+  ///     \cgalParamDefault{infinity} \cgalParamNEnd
+  ///   \cgalParamNBegin{up_direction} \cgalParamDescription{a vector in space, along whose part in the
+  ///     tangent plane the second axis points} \cgalParamDefault{the first axis runs along the first
+  ///     edge of the base} \cgalParamNEnd
+  ///   \cgalParamNBegin{stencil_length} \cgalParamDescription{how far from the base `Gradient` measures
+  ///     distances as well: the farther, the less noise and detail}
+  ///     \cgalParamDefault{0.6 mean lengths of the edges there, on a cloud 2.5} \cgalParamNEnd
+  ///   \cgalParamNBegin{stencil_size} \cgalParamDescription{from how many places}
+  ///     \cgalParamDefault{8} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Invalid_argument_error when the base is an isolated vertex, a length is negative or not a
+  ///         number, the stencil is smaller than three, or the direction is normal to the surface
+  template <typename Place, typename NamedParameters = internal::Default_parameters>
+  void compute(const Place& base, const NamedParameters& np = NamedParameters());
+
+  /// \name The last computation
+  /// @{
+
+  /// the tangent plane in space.  Around a vertex that is no plane its axes are those that agree best
+  /// with the edges.
+  Tangent_frame<Surface> frame() const;
+
+  /// returns the sites inside, nearly in the order of their distances.
+  std::vector<Site> reached() const
+  {
+    std::vector<Site> result;
+    for(const internal::Index site : m_reached)
+      result.push_back(m_domain.site(site));
+    return result;
+  }
+  bool is_inside(Site site) const { return std::isfinite(inner(site)[0]); }
+  /// returns the tangent vector of a site; not a number outside.
+  Vector operator()(Site site) const
+  {
+    return {scale() * inner(site)[0], scale() * inner(site)[1]};
+  }
+
+  /// returns how many faces are cut: the images of two corners are four times as far apart as the
+  /// corners.  Behind these the map is no longer one to one.
+  std::size_t number_of_cut_faces() const { return look().cut.size(); }
+  /// returns how many of the others are turned round.
+  std::size_t number_of_folded_faces() const { return look().folded; }
+  /// calls `f(face)` for each face that is cut; on a mesh.
+  template <typename Function>
+  void for_each_cut_face(Function f) const
+  {
+    for(const internal::Index triangle : look().cut)
+      f(m_domain.face(triangle));
+  }
+
+  /// writes the tangent vectors: values of `uv_map` are made of two numbers, which are not numbers outside.
+  template <typename UVMap>
+  void write(UVMap uv_map) const
+  {
+    using Value = typename boost::property_traits<UVMap>::value_type;
+    m_domain.write(
+        [&](internal::Index site)
+        {
+          return internal::planar_value<Value>(scale() * m_coordinates[site][0],
+                                               scale() * m_coordinates[site][1]);
+        },
+        uv_map);
+  }
+
+  /// returns the place to which a tangent vector leads, straight on: the exponential map.  Where it meets
+  /// a border, the place there.  On a mesh.
+  Location exponential(const Vector& vector) const
+  {
+    static_assert(!internal::Is_cloud<Surface>::value,
+                  "A surfel cloud has no straight lines; go on a mesh.");
+    return m_domain.outer(m_plane
+                              ->straight(std::atan2(vector[1], vector[0]) - m_turn,
+                                         std::hypot(vector[0], vector[1]) / scale())
+                              .locations.back());
+  }
+  /// @}
+
+private:
+  static constexpr internal::Planar outside = {std::numeric_limits<double>::quiet_NaN(),
+                                               std::numeric_limits<double>::quiet_NaN()};
+
+  double scale() const { return m_domain.triangles()->scale; }
+  const internal::Planar& inner(Site site) const { return m_coordinates[m_domain.index(site)]; }
+  internal::Log_triangles look() const
+  {
+    return internal::look_at_triangles(*m_domain.triangles(), m_reached, m_coordinates);
+  }
+
+  Domain m_domain;
+  internal::Log_engine<Method> m_engine;
+  std::vector<internal::Planar> m_coordinates; // #sites
+  std::vector<internal::Index> m_reached;
+  std::optional<internal::Tangent_plane> m_plane;
+  double m_turn = 0.; // of the map against the plane
+};
+
+template <typename Surface, typename Method>
+template <typename Place, typename NamedParameters>
+void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedParameters& np)
+{
+  using internal::parameter;
+  internal::Log_options options;
+  options.maximum_distance = internal::limits(m_domain, np).maximum_distance;
+  options.stencil_length = parameter(np, internal_np::stencil_length, 0.) / scale();
+  options.stencil_size = parameter(np, internal_np::stencil_size, options.stencil_size);
+  if(!(options.stencil_length >= 0.))
+    throw Invalid_argument_error("The length of the stencil is negative or not a number.");
+  if(options.stencil_size < 3)
+    throw Invalid_argument_error("A stencil has three places or more.");
+  m_plane.emplace(*m_domain.triangles(), internal::location(m_domain, base));
+  m_turn = 0.;
+  if constexpr(internal::has_parameter<NamedParameters, internal_np::up_direction_t>)
+  {
+    const auto up = parameter(np, internal_np::up_direction, Vector_3(NULL_VECTOR));
+    m_turn = internal::pi / 2. - m_plane->tangent_angle(internal::Spatial{CGAL::to_double(up.x()),
+                                                                          CGAL::to_double(up.y()),
+                                                                          CGAL::to_double(up.z())});
+  }
+  for(const internal::Index site : m_reached)
+    m_coordinates[site] = outside;
+  m_reached.clear();
+  const internal::Planar turn = {std::cos(m_turn), std::sin(m_turn)};
+  m_engine.run(*m_plane, options,
+               [&](internal::Index site, const internal::Planar& vector)
+               {
+                 m_reached.push_back(site);
+                 m_coordinates[site] = internal::turned(vector, turn);
+               });
+}
+
+template <typename Surface, typename Method>
+Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
+{
+  const auto vector = [&](double angle)
+  {
+    const internal::Spatial p = m_plane->direction(angle - m_turn);
+    return Vector_3(p[0], p[1], p[2]);
+  };
+  return {m_domain.point(m_plane->location()), vector(0.), vector(internal::pi / 2.)};
+}
+
+/// \ingroup PkgGeodesicProcessingLogMap
+///
+/// computes Riemannian normal coordinates around a place: of each vertex or surfel the tangent vector whose
+/// geodesic leads there.
+///
+/// \tparam Method `Gradient<Distance_method>` (the default: `Gradient<Euclidean_front>`), or on a mesh
+///         `Exact`
+/// \param surface as for `geodesic_distances()`
+/// \param base a site or a location
+/// \param uv_map receives tangent vectors: values are made of two numbers, which are not numbers outside
+/// \param np what `make_domain()` takes, and `Logarithmic_map::compute()`
+/// \returns the tangent plane in space
+/// \throws as `Logarithmic_map::compute()`
+template <typename Method = Gradient<>, typename Surface, typename Place, typename UVMap,
+          typename NamedParameters = internal::Default_parameters>
+auto logarithmic_map(const Surface& surface, const Place& base, UVMap uv_map,
+                     const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  Logarithmic_map<typename decltype(domain)::Surface, Method> map(domain);
+  map.compute(base, np);
+  map.write(uv_map);
+  return map.frame();
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_LOGARITHMIC_MAP_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Picture.h"
+#include "Scanner.h"
+#include "commands.h"
+#include "queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace program {
+
+namespace {
+
+struct Logmap_options
+{
+  std::string base, base_at, up;
+  double radius = std::numeric_limits<double>::infinity();
+  std::string method = "gradient";
+  std::string distances = "euclidean";
+};
+
+struct Result
+{
+  std::vector<std::array<double, 2>> uv; // #vertices, not numbers outside
+  Point base;
+  std::size_t reached = 0, cut = 0, folded = 0;
+};
+
+template <typename Surface_type, typename Method>
+Result map_around(const GP::internal::Domain_of<Surface_type>& domain,
+                  const Logmap_options& options, Job& job)
+{
+  GP::Logarithmic_map<Surface_type, Method> map(domain);
+  job.stage("query");
+  const auto limits = GP::parameters::maximum_distance(options.radius);
+  const auto compute = [&](const auto& base)
+  {
+    if(options.up.empty())
+      return map.compute(base, limits);
+    const Point up = parse_point(options.up, "--up");
+    map.compute(base, limits.up_direction(Kernel::Vector_3(up[0], up[1], up[2])));
+  };
+  if(options.base_at.empty())
+    compute(site<Surface_type>(parse_integers(options.base, "--base").front()));
+  else
+    compute(locate(domain, options.base_at, "--base-at"));
+  Result result;
+  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
+    result.uv.push_back(map(site<Surface_type>(i)));
+  const auto base = map.frame().origin;
+  result.base = {base.x(), base.y(), base.z()};
+  result.reached = map.reached().size();
+  result.cut = map.number_of_cut_faces();
+  result.folded = map.number_of_folded_faces();
+  return result;
+}
+
+// The library's part.
+template <typename Surface_type>
+Result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  if constexpr(is_mesh<Surface_type>)
+    if(options.method == "exact")
+      return map_around<Surface_type, GP::Exact>(domain, options, job);
+  Result result;
+  with_method<Surface_type>(
+      options.distances, [&](auto method)
+      { result = map_around<Surface_type, GP::Gradient<decltype(method)>>(domain, options, job); });
+  return result;
+}
+
+void check(const Logmap_options& options)
+{
+  if(options.base.empty() == options.base_at.empty())
+    throw Usage_error("logmap: give either --base or --base-at.");
+  if(!options.base.empty() && parse_integers(options.base, "--base").size() != 1)
+    throw Usage_error("--base: give one vertex.");
+  if(!options.base_at.empty())
+    parse_point(options.base_at, "--base-at");
+  if(!options.up.empty())
+    parse_point(options.up, "--up");
+  if(!(options.radius >= 0.))
+    throw Usage_error("--radius: a distance is not negative.");
+  if(options.method != "gradient" && options.method != "exact")
+    throw Usage_error("--method " + shown(options.method) +
+                      ": the methods are gradient and exact.");
+  check_method(options.distances);
+}
+
+double largest(const std::vector<std::array<double, 2>>& uv)
+{
+  double result = 0.;
+  for(const auto& [u, v] : uv)
+    if(std::isfinite(u))
+      result = std::max(result, std::hypot(u, v));
+  return result;
+}
+
+// A chessboard whose squares are a fifth of the largest distance wide; -1 outside.
+std::vector<long long> chessboard(const std::vector<std::array<double, 2>>& uv)
+{
+  const double size = largest(uv), width = size > 0. ? size / 5. : 1.;
+  std::vector<long long> result;
+  for(const auto& [u, v] : uv)
+    result.push_back(std::isfinite(u) ? (std::llround(u / width) + std::llround(v / width)) & 1
+                                      : -1);
+  return result;
+}
+
+void run_logmap(Job& job, const Logmap_options& options)
+{
+  check(options);
+  const Surface& surface = job.read();
+  check_method(options.method == "exact" ? options.method : options.distances, surface);
+  if(!options.base.empty())
+    check_vertex(surface, parse_integers(options.base, "--base").front());
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
+  job.result()["reached"] = result.reached;
+  job.result()["cut_faces"] = result.cut;
+  job.result()["folded_faces"] = result.folded;
+  job.say("reached         " + std::to_string(result.reached) + " vertices");
+  job.say("cut             " + std::to_string(result.cut) + " faces");
+  job.say("folded          " + std::to_string(result.folded) + " faces");
+
+  job.stage("write");
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(const auto& [u, v] : result.uv)
+          text += number_text(u) + ' ' + number_text(v) + '\n';
+        return text;
+      });
+  if(!job.picture().empty())
+  {
+    Picture picture{&surface.file};
+    picture.labels = chessboard(result.uv);
+    picture.markers = {result.base};
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+  {
+    Surface_file file = surface.file;
+    file.uv.clear();
+    const double size = largest(result.uv);
+    for(const auto& [u, v] : result.uv)
+    {
+      file.properties["u"].push_back(u);
+      file.properties["v"].push_back(v);
+      // The disk in the middle of a picture.
+      const bool is_inside = std::isfinite(u) && size > 0.;
+      file.uv.push_back(
+          {is_inside ? 0.5 + 0.5 * u / size : 0., is_inside ? 0.5 + 0.5 * v / size : 0.});
+    }
+    write_surface_file(job.output(), file);
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_logmap(CLI::App& program)
+{
+  CLI::App* const command =
+      program.add_subcommand("logmap", "the surface around a place, in normal coordinates");
+  const auto job = std::make_shared<Job>(*command);
+  const auto options = std::make_shared<Logmap_options>();
+  command->add_option("--base", options->base, "a vertex by its place in the file")->type_name("V");
+  command->add_option("--base-at", options->base_at, "the place nearest to a point")
+      ->type_name("x,y,z");
+  command->add_option("--radius", options->radius, "go no farther")->type_name("R");
+  command->add_option("--up", options->up, "where the second axis points")->type_name("x,y,z");
+  command
+      ->add_option("--method", options->method,
+                   "gradient, of squared distances; or exact, by directions of shortest paths")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--distances", options->distances,
+                   "for the gradient: dijkstra, fast-marching, euclidean, exact or heat")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->callback([job, options] { run_logmap(*job, *options); });
+}
+
+} // namespace program

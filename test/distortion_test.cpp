@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/distortion.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Halfedge = Mesh::Halfedge_index;
+using UV = std::array<double, 2>;
+
+TEST(distortion, measures_are_those_of_the_literature)
+{
+  const GP::Face_distortion d{2., 0.5, false, 1.};
+  EXPECT_DOUBLE_EQ(d.mips(), 4.);
+  EXPECT_DOUBLE_EQ(d.symmetric_mips(), 4.25);
+  EXPECT_DOUBLE_EQ(d.conformal(), 1.125);
+  EXPECT_DOUBLE_EQ(d.green_lagrange(), 9. + 0.5625);
+  EXPECT_DOUBLE_EQ(d.combined(1.), 8.5); // areas are kept
+  EXPECT_DOUBLE_EQ(d.dirichlet(), 2.125);
+  EXPECT_DOUBLE_EQ(d.l2_stretch(), std::sqrt(2.125));
+  EXPECT_DOUBLE_EQ(d.linf_stretch(), 2.);
+  EXPECT_DOUBLE_EQ(d.symmetric_stretch(), 2.);
+  EXPECT_DOUBLE_EQ(d.riemannian(), 2. * std::sqrt(2.) * std::log(2.));
+  const GP::Face_distortion none{};
+  EXPECT_EQ(none.mips(), 1.);
+  EXPECT_EQ(none.symmetric_mips(), 2.);
+  EXPECT_EQ(none.conformal(), 0.);
+  EXPECT_EQ(none.green_lagrange(), 0.);
+  EXPECT_EQ(none.combined(3.), 16.);
+  EXPECT_EQ(none.riemannian(), 0.);
+}
+
+// By the map of a sphere around its pole, near it: the coefficients of |u|^2, or of |u|^4, that the
+// curvature gives (Gauss's lemma and the sine of the distance).
+TEST(distortion, near_the_base_of_normal_coordinates_is_that_of_the_curvature)
+{
+  // A cap whose vertices lie on rings 0.01 apart, in normal coordinates.
+  const Triangulation cap = rings(
+      400, 29, [](double s) { return std::sin(0.01 + 0.29 * s); },
+      [](double s) { return std::cos(0.01 + 0.29 * s); });
+  Mesh mesh = mesh_of(cap);
+  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
+  for(const Vertex v : mesh.vertices())
+  {
+    const auto& p = mesh.point(v);
+    const double size = std::hypot(p.x(), p.y()), r = std::atan2(size, p.z());
+    uv[v] = size > 0. ? UV{r * p.x() / size, r * p.y() / size} : UV{0., 0.};
+  }
+  const auto largest = [&](auto measure) { return GP::mesh_distortion(mesh, uv, measure).worst; };
+  const double r = 0.3, square = r * r, fourth = square * square;
+  using D = GP::Face_distortion;
+  // The next order is r^2 / 10 of these at most, 1 %, and a ring is 3 % of the radius: 7 % of its square.
+  EXPECT_NEAR(largest(&D::mips) - 1., square / 6., 0.07 * square / 6.);
+  EXPECT_NEAR(largest(&D::conformal), fourth / 72., 0.14 * fourth / 72.);
+  EXPECT_NEAR(largest(&D::green_lagrange), fourth / 9., 0.14 * fourth / 9.);
+  EXPECT_NEAR(largest(&D::riemannian), square / 3., 0.07 * square / 3.);
+  EXPECT_NEAR(largest(&D::symmetric_stretch) - 1., square / 6., 0.07 * square / 6.);
+  EXPECT_NEAR(largest(&D::linf_stretch), 1., 1e-3); // sides are chords, of arcs of 0.01
+}
+
+TEST(distortion, of_halfedges_and_of_vertices_is_the_same)
+{
+  Mesh mesh = mesh_of(icosphere(1));
+  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
+  const auto corners = mesh.add_property_map<Halfedge, UV>("h:uv").first;
+  for(const Vertex v : mesh.vertices())
+    uv[v] = {mesh.point(v).x(), mesh.point(v).y() + 0.3 * mesh.point(v).z()};
+  for(const Halfedge h : mesh.halfedges())
+    corners[h] = uv[mesh.target(h)];
+  for(const Face f : mesh.faces())
+  {
+    const auto a = GP::face_distortion(f, mesh, uv), b = GP::face_distortion(f, mesh, corners);
+    EXPECT_EQ(a.most, b.most);
+    EXPECT_EQ(a.least, b.least);
+    EXPECT_EQ(a.is_folded, b.is_folded);
+  }
+}
+
+TEST(distortion, is_summed_over_what_is_known)
+{
+  Mesh mesh = mesh_of(square(4));
+  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
+  for(const Vertex v : mesh.vertices())
+    uv[v] = {2. * mesh.point(v).x(), mesh.point(v).y()};
+  const auto all = GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips);
+  EXPECT_NEAR(all.area, 1., 1e-14);
+  EXPECT_NEAR(all.integral, 2., 1e-13);
+  EXPECT_NEAR(all.mean(), 2., 1e-13);
+  EXPECT_NEAR(all.worst, 2., 1e-13);
+  EXPECT_EQ(all.number_of_faces, 32u);
+  EXPECT_EQ(all.number_of_folded_faces, 0u);
+  uv[Vertex(0)] = {std::numeric_limits<double>::quiet_NaN(), 0.};
+  EXPECT_LT(GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips).number_of_faces, 32u);
+}
+
+} // namespace
