@@ -147,14 +147,14 @@ public:
 
   /// returns how many faces are cut: the images of two corners are four times as far apart as the
   /// corners.  Behind these the map is no longer one to one.
-  std::size_t number_of_cut_faces() const { return look().cut.size(); }
+  std::size_t number_of_cut_faces() const { return m_triangles.cut.size(); }
   /// returns how many of the others are turned round.
-  std::size_t number_of_folded_faces() const { return look().folded; }
+  std::size_t number_of_folded_faces() const { return m_triangles.folded; }
   /// calls `f(face)` for each face that is cut; on a mesh.
   template <typename Function>
   void for_each_cut_face(Function f) const
   {
-    for(const internal::Index triangle : look().cut)
+    for(const internal::Index triangle : m_triangles.cut)
       f(m_domain.face(triangle));
   }
 
@@ -191,15 +191,12 @@ private:
 
   double scale() const { return m_domain.triangles()->scale; }
   const internal::Planar& inner(Site site) const { return m_coordinates[m_domain.index(site)]; }
-  internal::Log_triangles look() const
-  {
-    return internal::look_at_triangles(*m_domain.triangles(), m_reached, m_coordinates);
-  }
 
   Domain m_domain;
   internal::Log_engine<Method> m_engine;
   std::vector<internal::Planar> m_coordinates; // #sites
   std::vector<internal::Index> m_reached;
+  internal::Log_triangles m_triangles;
   std::optional<internal::Tangent_plane> m_plane;
   double m_turn = 0.; // of the map against the plane
 };
@@ -236,6 +233,7 @@ void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedPar
                  m_reached.push_back(site);
                  m_coordinates[site] = internal::turned(vector, turn);
                });
+  m_triangles = internal::look_at_triangles(*m_domain.triangles(), m_reached, m_coordinates);
 }
 
 template <typename Surface, typename Method>

@@ -18,7 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 // Shortest chains of arcs between two sites, one pair after the other; each search touches what it
 // visits and nothing else.  Three methods find chains of one length, and the same chain where no
 // other is as short; from coarse to fine, chains are the shortest within the regions of a short
-// chain of leaders and their neighbours, 0.3 % longer on average.  About 20 bytes a site, or 40 from both ends.
+// chain of leaders and their neighbours, 0.3 % longer on average.  About 20 bytes a site, or 40 from
+// both ends.
 class CGAL_GEODESIC_PROCESSING_EXPORT Graph_search
 {
 public:
