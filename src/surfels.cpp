@@ -485,25 +485,28 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
   return result;
 }
 
-Tangent_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point)
+Tangent_location locate(const Kd_tree& tree, const std::vector<Spatial>& points,
+                        const std::vector<Spatial>& normals, const std::vector<double>& radii,
+                        const Frame& frame, const std::array<double, 3>& point)
 {
-  const Glued_triangles& t = surfels.triangles;
+  if(tree.size() == 0)
+    throw Invalid_argument_error("There is nothing to locate a point on: the surface is empty.");
   Spatial query;
   for(int k = 0; k < 3; ++k)
   {
     if(!std::isfinite(point[k]))
       throw Invalid_argument_error("The coordinates of the point to locate are not finite.");
     // So far away that only the direction matters, and squares still do not overflow.
-    query[k] = std::clamp(std::ldexp(point[k], -std::ilogb(t.scale)) -
-                              std::ldexp(t.origin[k], -std::ilogb(t.scale)),
+    query[k] = std::clamp(std::ldexp(point[k], -std::ilogb(frame.scale)) -
+                              std::ldexp(frame.origin[k], -std::ilogb(frame.scale)),
                           -1e100, 1e100);
   }
   Tangent_location location;
-  location.site = surfels.tree.nearest(t.point, query);
-  const Spatial offset = query - t.point[location.site];
-  const auto [u, v] = tangent_frame(t.normal[location.site]);
+  location.site = tree.nearest(points, query);
+  const Spatial offset = query - points[location.site];
+  const auto [u, v] = tangent_frame(normals[location.site]);
   const double x = dot(offset, u), y = dot(offset, v), length = std::hypot(x, y);
-  const double most = largest_circumradius * surfels.radius[location.site];
+  const double most = largest_circumradius * radii[location.site];
   const double shrink = length > most ? most / length : 1.;
   location.offset = {shrink * x, shrink * y};
   return location;

@@ -111,6 +111,23 @@ TEST(Surfel_path_finder, joins_locations)
                GP::Invalid_argument_error);
 }
 
+TEST(Surfel_path_finder, locates_points)
+{
+  const Surfels surfels = flat_surfels(2000);
+  GP::Surfel_path_finder<Surfels> find(surfels, maps);
+  const Kernel::Point_3 from(0.21, 0.34, 0.), to(0.81, 0.72, 0.);
+  const auto path = find(find.locate(from), find.locate(to));
+  EXPECT_LT(CGAL::squared_distance(path.points.front(), from), 1e-24);
+  EXPECT_LT(CGAL::squared_distance(path.points.back(), to), 1e-24);
+  const auto above = find.locate(surfels[7].first + Kernel::Vector_3(0., 0., 3.));
+  EXPECT_EQ(above.surfel, 7u);
+  EXPECT_NEAR(std::hypot(above.offset[0], above.offset[1]), 0., 1e-12);
+  EXPECT_THROW(find.locate(Kernel::Point_3(std::nan(""), 0., 0.)), GP::Invalid_argument_error);
+  const Surfels nothing;
+  GP::Surfel_path_finder<Surfels> nowhere(nothing, maps);
+  EXPECT_THROW(nowhere.locate(from), GP::Invalid_argument_error);
+}
+
 TEST(Surfel_path_finder, finds_like_paths_by_all_methods)
 {
   const Surfels surfels = sphere_surfels(4);

@@ -90,10 +90,8 @@ Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job
   using Place = std::variant<Path_finder::Site, Path_finder::Location>;
   const auto place = [&](const End& end)
   {
-    return end.point.empty()
-               ? Place(site<Cloud>(vertex_of(end)))
-               : Place(locate(GP::make_domain(cloud, GP::parameters::threads(job.threads())),
-                              end.point, end.point_option));
+    return end.point.empty() ? Place(site<Cloud>(vertex_of(end)))
+                             : Place(find.locate(parse_point_3(end.point, end.point_option)));
   };
   const Place from = place(options.from), to = place(options.to);
   job.stage("query");

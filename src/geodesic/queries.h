@@ -66,13 +66,18 @@ void with_method(const std::string& word, Function f)
     f(GP::Euclidean_front());
 }
 
+inline Kernel::Point_3 parse_point_3(const std::string& text, const std::string& option)
+{
+  const Point p = parse_point(text, option);
+  return {p[0], p[1], p[2]};
+}
+
 // The place on the surface nearest to a point "x,y,z".
 template <typename Domain>
 typename Domain::Location locate(const Domain& domain, const std::string& text,
                                  const std::string& option)
 {
-  const Point p = parse_point(text, option);
-  return GP::Surface_locator<typename Domain::Surface>(domain)(Kernel::Point_3(p[0], p[1], p[2]));
+  return GP::Surface_locator<typename Domain::Surface>(domain)(parse_point_3(text, option));
 }
 
 // Corners of the triangles that a picture of a cloud draws lines on: as many as fit side by side.

@@ -10,6 +10,8 @@
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 
+#include <CGAL/number_utils.h>
+
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -115,6 +117,16 @@ public:
   }
   /// @}
 
+  /// returns the location nearest to a point in space.  O(log n) on most clouds.
+  /// \throws Invalid_argument_error when a coordinate is not finite or the cloud is empty
+  template <typename Point>
+  Location locate(const Point& point) const
+  {
+    return outer(internal::locate(
+        cloud().tree, cloud().point, cloud().normal, cloud().radius, cloud().frame,
+        {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())}));
+  }
+
   /// returns a path from one surfel or location to another; empty when they are not connected.
   /// \throws Invalid_argument_error when a surfel is none of the cloud's, or an offset not finite
   template <typename Place1, typename Place2>
@@ -131,6 +143,11 @@ public:
     return {cloud().site_of_surfel[m_sites->place(surfel)], {0., 0.}};
   }
   internal::Tangent_location place(const Location& location) const;
+  Location outer(const internal::Tangent_location& location) const
+  {
+    const double scale = cloud().frame.scale;
+    return {outer_site(location.site), {scale * location.offset[0], scale * location.offset[1]}};
+  }
   Surfel_path<SurfelRange> outer(const internal::Cloud_path& found) const;
   const internal::Cloud_path_finder& kernel() const { return m_finder; }
   /// @}
@@ -214,9 +231,7 @@ Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
   Surfel_path<SurfelRange> result;
   for(const internal::Foot& foot : path.points)
   {
-    const internal::Tangent_location location = m_finder.prepared()->location(foot);
-    result.locations.push_back(
-        {outer_site(location.site), {scale * location.offset[0], scale * location.offset[1]}});
+    result.locations.push_back(outer(m_finder.prepared()->location(foot)));
     result.points.push_back(outer_point(foot.point));
   }
   for(const internal::Index site : found.start)

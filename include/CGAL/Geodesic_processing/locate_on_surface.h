@@ -35,8 +35,6 @@ public:
   {
     const std::array<double, 3> p = {CGAL::to_double(point.x()), CGAL::to_double(point.y()),
                                      CGAL::to_double(point.z())};
-    if(m_domain.number_of_sites() == 0)
-      throw Invalid_argument_error("There is nothing to locate a point on: the surface is empty.");
     if constexpr(internal::Is_cloud<Surface>::value)
     {
       const internal::Tangent_location place = internal::locate(m_domain.surfels(), p);

@@ -5,6 +5,8 @@
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 #include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/locality.h>
+#include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include <array>
 #include <vector>
@@ -79,10 +81,17 @@ struct Tangent_location
 
 // The site nearest to a point in the caller's coordinates, and the point's projection to its
 // tangent plane, at most 2.5 radii from the site: as far as its triangles' circumcentres may be.
-// The cloud must not be empty.
-// Throws Invalid_argument_error when a coordinate is not finite.
+// Sites behind those of the tree are not looked at.
+// Throws Invalid_argument_error when a coordinate is not finite or there is no site.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Tangent_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point);
+Tangent_location locate(const Kd_tree& tree, const std::vector<Spatial>& points,
+                        const std::vector<Spatial>& normals, const std::vector<double>& radii,
+                        const Frame& frame, const std::array<double, 3>& point);
+inline Tangent_location locate(const Glued_surfels& surfels, const std::array<double, 3>& point)
+{
+  const Glued_triangles& t = surfels.triangles;
+  return locate(surfels.tree, t.point, t.normal, surfels.radius, {t.origin, t.scale}, point);
+}
 
 // The same place in a triangle at the site or at a neighbour of it, or the site itself where there
 // are none.  Outside of these triangles: the nearest place on one of them, measured in the tangent
