@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -13,6 +15,9 @@ namespace {
 
 // With a support of 3 the error on a torus is 2.3 times as large.
 constexpr double support_in_radii = 2.3, reach_in_radii = 1.5;
+// Of the ninth decile of the radii around.  On four scans, paths then leave the surfels at 121 points of
+// 70,000 instead of 254; with 1.2 at 138.
+constexpr double reach_in_large_radii = 1.3;
 
 // Cosines of the differences of normals at which weights begin to fall, and are zero.
 constexpr double full = 0.76604444311897804 /* 40 degrees */, zero = 0.5 /* 60 degrees */;
@@ -62,17 +67,21 @@ Sphere fitted_sphere(const Sums& s)
 
 Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit)
     : m_cloud(cloud), m_fit(fit), m_squared_support(cloud.number_of_sites()),
-      m_reach(cloud.number_of_sites())
+      m_disk(cloud.number_of_sites()), m_reach(cloud.number_of_sites())
 {
   const Site_graph& graph = cloud.graph;
+  std::vector<double> around;
   for(Index site = 0; site < m_squared_support.size(); ++site)
   {
-    double sum = cloud.radius[site];
+    around = {cloud.radius[site]};
     for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-      sum += cloud.radius[graph.target[arc]];
-    const double mean = sum / double(graph.first[site + 1] - graph.first[site] + 1);
+      around.push_back(cloud.radius[graph.target[arc]]);
+    const double mean = std::accumulate(around.begin(), around.end(), 0.) / double(around.size());
+    const auto large = around.begin() + std::ptrdiff_t(9 * around.size() / 10);
+    std::nth_element(around.begin(), large, around.end());
     m_squared_support[site] = support_in_radii * mean * (support_in_radii * mean);
-    m_reach[site] = reach_in_radii * std::min(mean, cloud.radius[site]);
+    m_disk[site] = std::min(mean, cloud.radius[site]);
+    m_reach[site] = std::min(reach_in_radii * m_disk[site], reach_in_large_radii * *large);
   }
 }
 
@@ -102,7 +111,7 @@ Foot Surfel_surface::on_disk(const Spatial& point, Index site) const
 {
   const Spatial way = point - m_cloud.point[site], normal = m_cloud.normal[site];
   const Spatial tangent = way - dot(way, normal) * normal;
-  const double length = norm(tangent), radius = m_reach[site] / reach_in_radii;
+  const double length = norm(tangent), radius = m_disk[site];
   Foot foot = {m_cloud.point[site] + tangent, normal, {0., 0., 0.}, site};
   if(length > radius)
     foot.point = m_cloud.point[site] + (radius / length) * tangent;

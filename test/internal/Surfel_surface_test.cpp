@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -104,6 +105,30 @@ TEST(Surfel_surface, ends_with_its_surfels)
       EXPECT_NEAR(dot(foot.rim, {side, 0., 0.}), 1., 1e-12);
       EXPECT_NEAR(foot.point[2], 0., 1e-14);
     }
+}
+
+TEST(Surfel_surface, leaves_a_hole_open_around_a_surfel_alone_in_it)
+{
+  // A square lattice, without what is nearer than six steps to its middle.
+  Cloud square;
+  for(int i = -12; i <= 12; ++i)
+    for(int j = -12; j <= 12; ++j)
+      if(i * i + j * j == 0 || i * i + j * j >= 36)
+        square.add({double(i), double(j), 0.}, {0., 0., 1.});
+  const Surfel_cloud cloud = cloud_of(square);
+  const Surfel_surface surface(cloud, Surfel_fit::quadrics);
+  Index middle = 0;
+  for(Index site = 0; site < cloud.number_of_sites(); ++site)
+    if(cloud.radius[site] > cloud.radius[middle])
+      middle = site;
+  double around = 0.;
+  const Site_graph& graph = cloud.graph;
+  for(Index arc = graph.first[middle]; arc < graph.first[middle + 1]; ++arc)
+    around = std::max(around, cloud.radius[graph.target[arc]]);
+  EXPECT_LT(2. * around, cloud.radius[middle]);
+  const Foot foot = surface.foot(cloud.point[middle] + Spatial{2. * around, 0., 0.}, middle);
+  EXPECT_EQ(foot.site, middle);
+  EXPECT_LE(norm(foot.point - cloud.point[middle]), 1.3 * around * (1. + 1e-12));
 }
 
 TEST(Surfel_surface, has_sharp_edges)
