@@ -141,6 +141,18 @@ Planar Log_fit::operator()(double distance, const double* from_stencil) const
   return size > 0. ? (distance / size) * way : Planar{0., 0.};
 }
 
+Planar step_in_plane(const Tangent_plane& plane, const Spatial& normal, const Spatial& step)
+{
+  const Spatial up = plane.normal();
+  Spatial along = step - dot(step, normal) * normal;
+  // Where the normals are opposite to each other, no rotation is the least one.
+  if(const double sum = 1. + dot(normal, up); sum > 0.)
+    along = along - (dot(along, up) / sum) * (normal + up);
+  const Planar seen = {dot(along, plane.x()), dot(along, plane.y())};
+  const double size = norm(seen);
+  return size > 0. ? (norm(step) / size) * seen : Planar{0., 0.};
+}
+
 Log_triangles look_at_triangles(const Glued_triangles& t, const std::vector<Index>& reached,
                                 const std::vector<Planar>& coordinates)
 {

@@ -27,6 +27,16 @@ Spatial area_vector(const Glued_triangles& t, Index corner)
 
 } // namespace
 
+Spatial site_normal(const Glued_triangles& t, Index site)
+{
+  if(t.is_cloud())
+    return t.normal[site];
+  Spatial sum = {0., 0., 0.};
+  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    sum = sum + area_vector(t, t.star[i]);
+  return unit(sum);
+}
+
 Tangent_plane::Tangent_plane(const Glued_triangles& t, const Location& at)
     : m_triangles(t), m_at(cleaned(t, at))
 {
@@ -51,6 +61,7 @@ Tangent_plane::Tangent_plane(const Glued_triangles& t, const Location& at)
   if(site != none)
   {
     m_whole = 0.;
+    normal = site_normal(t, site);
     bool is_border = false;
     for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
     {
@@ -58,7 +69,6 @@ Tangent_plane::Tangent_plane(const Glued_triangles& t, const Location& at)
       m_sides.emplace_back(corner, m_whole);
       sides.emplace_back(m_whole, vector_of(t, corner));
       m_whole += interior_angle(t, corner);
-      normal = normal + area_vector(t, corner);
       if(t.twin[previous_side(corner)] == none)
       {
         is_border = true;

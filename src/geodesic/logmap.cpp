@@ -66,6 +66,8 @@ Result find_map(const Surface_type& surface, const Logmap_options& options, Job&
   if constexpr(is_mesh<Surface_type>)
     if(options.method == "exact")
       return map_around<Surface_type, GP::Exact>(domain, options, job);
+  if(options.method == "discrete-exponential")
+    return map_around<Surface_type, GP::Discrete_exponential>(domain, options, job);
   Result result;
   with_method<Surface_type>(
       options.distances, [&](auto method)
@@ -85,9 +87,10 @@ void check(const Logmap_options& options)
     parse_point(options.up, "--up");
   if(!(options.radius >= 0.))
     throw Usage_error("--radius: a distance is not negative.");
-  if(options.method != "gradient" && options.method != "exact")
+  if(options.method != "gradient" && options.method != "exact" &&
+     options.method != "discrete-exponential")
     throw Usage_error("--method " + shown(options.method) +
-                      ": the methods are gradient and exact.");
+                      ": the methods are gradient, exact and discrete-exponential.");
   check_method(options.distances);
 }
 
@@ -180,7 +183,8 @@ void add_logmap(CLI::App& program)
   command->add_option("--up", options->up, "where the second axis points")->type_name("x,y,z");
   command
       ->add_option("--method", options->method,
-                   "gradient, of squared distances; or exact, by directions of shortest paths")
+                   "gradient, of squared distances; exact, by directions of shortest paths; or "
+                   "discrete-exponential, along edges")
       ->type_name("NAME")
       ->capture_default_str();
   command

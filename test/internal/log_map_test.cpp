@@ -89,6 +89,30 @@ TEST(log_map, the_fit_is_exact_in_the_plane)
   }
 }
 
+TEST(log_map, steps_come_to_the_base_along_great_circles)
+{
+  const Glued_surface surface(icosphere(3));
+  const Index base = surface.site(0);
+  const Tangent_plane plane(surface.t(), surface.at(0));
+  for(const double angle : {0., 1., 2., 4.})
+    for(const double distance : {0., 0.5, 2., 3.1})
+    {
+      // The direction in which the great circle goes on, and that to its left.
+      const Spatial start = plane.direction(angle), up = plane.normal();
+      const Spatial normal = std::cos(distance) * up + std::sin(distance) * start,
+                    on = std::cos(distance) * start + -std::sin(distance) * up;
+      const Spatial left = cross(up, start);
+      const Planar u = {std::cos(angle), std::sin(angle)};
+      EXPECT_LT(norm(step_in_plane(plane, normal, 0.1 * on) - 0.1 * u), 1e-13);
+      EXPECT_LT(norm(step_in_plane(plane, normal, 0.1 * left) - 0.1 * Planar{-u[1], u[0]}), 1e-13);
+      // What leaves the plane is laid into it, at its full length.
+      const Spatial slanted = 0.3 * on + 0.4 * normal;
+      EXPECT_LT(norm(step_in_plane(plane, normal, slanted) - 0.5 * u), 1e-13);
+    }
+  EXPECT_NEAR(norm(step_in_plane(plane, -1. * plane.normal(), plane.x())), 1., 1e-13);
+  EXPECT_LT(norm(plane.normal() - site_normal(surface.t(), base)), 1e-13);
+}
+
 TEST(log_map, cut_and_folded_triangles_are_counted)
 {
   const Glued_surface surface(square(3)); // 18 triangles

@@ -397,6 +397,7 @@ TEST_F(Program, logmap_writes_normal_coordinates)
   }
   EXPECT_EQ(json("logmap square.ply --base-at 0.3,0.3,1 --distances heat -o m.obj")["reached"], 81);
   EXPECT_EQ(json("logmap cloud.xyz --base 50 -o m.ply")["reached"], 144);
+  EXPECT_EQ(json("logmap cloud.xyz --base 50 --method discrete-exponential")["reached"], 144);
   expect_failure("logmap square.ply", 1, "--base");
   expect_failure("logmap square.ply --base 1 --base-at 0,0,0", 1, "--base");
   expect_failure("logmap square.ply --base 1 --method flat", 1, "gradient");

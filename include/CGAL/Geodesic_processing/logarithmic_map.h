@@ -31,6 +31,14 @@ template <typename Distance_method = Euclidean_front>
 struct Gradient
 {};
 
+/// \ingroup PkgGeodesicProcessingMethods
+/// chooses tangent vectors by the discrete exponential map \cgalCite{cgal:sgw-idcde-06}, for comparison.
+///
+/// Along shortest chains of edges each step is turned, with the normal of its vertex, to the tangent plane of the
+/// base and added; as quick as `Dijkstra`.  Errors need not get smaller with the edges.
+struct Discrete_exponential
+{};
+
 /// \ingroup PkgGeodesicProcessingLogMap
 /// the tangent plane at the base of a logarithmic map, in space.
 template <typename Surface>
@@ -57,6 +65,44 @@ struct Log_engine<Exact> : Exact_log_engine
 {
   using Exact_log_engine::Exact_log_engine;
 };
+template <>
+struct Log_engine<Discrete_exponential> : Discrete_exponential_engine
+{
+  using Discrete_exponential_engine::Discrete_exponential_engine;
+};
+
+// The tangent plane at the base of a map, and by how much the axes of the map are turned in it.
+struct Turned_plane
+{
+  Tangent_plane plane;
+  double turn = 0.;
+};
+
+template <typename Domain, typename Place, typename NamedParameters>
+Turned_plane turned_plane(const Domain& domain, const Place& base, const NamedParameters& np)
+{
+  Turned_plane result{Tangent_plane(*domain.triangles(), location(domain, base))};
+  if constexpr(has_parameter<NamedParameters, internal_np::up_direction_t>)
+  {
+    using Vector_3 = typename Domain::Vector_3;
+    const auto up = parameter(np, internal_np::up_direction, Vector_3(NULL_VECTOR));
+    result.turn =
+        pi / 2. - result.plane.tangent_angle(Spatial{
+                      CGAL::to_double(up.x()), CGAL::to_double(up.y()), CGAL::to_double(up.z())});
+  }
+  return result;
+}
+
+template <typename Domain>
+typename Domain::Location exponential(const Domain& domain, const Turned_plane& at,
+                                      const std::array<double, 2>& vector)
+{
+  static_assert(!Is_cloud<typename Domain::Surface>::value,
+                "A surfel cloud has no straight lines; go on a mesh.");
+  const double angle = std::atan2(vector[1], vector[0]) - at.turn;
+  const double length = std::hypot(vector[0], vector[1]) / domain.triangles()->scale;
+  return domain.outer(at.plane.straight(angle, length).locations.back());
+}
 
 // A place in the plane as the value of a map: a `Point_2`, or an array.
 template <typename Value>
@@ -78,7 +124,7 @@ Value planar_value(double u, double v)
 /// What a computation costs depends on the sites that it reaches.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
-/// \tparam Method `Gradient<Distance_method>`, or on a mesh `Exact`
+/// \tparam Method `Gradient<Distance_method>`, `Discrete_exponential`, or on a mesh `Exact`
 template <typename Surface, typename Method = Gradient<>>
 class Logarithmic_map
 {
@@ -107,7 +153,8 @@ public:
   /// computes the map around a site or a location; what the last call found is forgotten.
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{sites farther away are outside}
+  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{sites farther away, of
+  ///     `Discrete_exponential` by chains of edges, are outside}
   ///     \cgalParamDefault{infinity} \cgalParamNEnd
   ///   \cgalParamNBegin{up_direction} \cgalParamDescription{a vector in space, along whose part in the
   ///     tangent plane the second axis points} \cgalParamDefault{the first axis runs along the first
@@ -174,14 +221,10 @@ public:
 
   /// returns the place to which a tangent vector leads, straight on: the exponential map.  Where it meets
   /// a border, the place there.  On a mesh.
+  /// \throws Invalid_argument_error when the vector is not finite
   Location exponential(const Vector& vector) const
   {
-    static_assert(!internal::Is_cloud<Surface>::value,
-                  "A surfel cloud has no straight lines; go on a mesh.");
-    return m_domain.outer(m_plane
-                              ->straight(std::atan2(vector[1], vector[0]) - m_turn,
-                                         std::hypot(vector[0], vector[1]) / scale())
-                              .locations.back());
+    return internal::exponential(m_domain, *m_plane, vector);
   }
   /// @}
 
@@ -197,8 +240,7 @@ private:
   std::vector<internal::Planar> m_coordinates; // #sites
   std::vector<internal::Index> m_reached;
   internal::Log_triangles m_triangles;
-  std::optional<internal::Tangent_plane> m_plane;
-  double m_turn = 0.; // of the map against the plane
+  std::optional<internal::Turned_plane> m_plane;
 };
 
 template <typename Surface, typename Method>
@@ -214,20 +256,12 @@ void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedPar
     throw Invalid_argument_error("The length of the stencil is negative or not a number.");
   if(options.stencil_size < 3)
     throw Invalid_argument_error("A stencil has three places or more.");
-  m_plane.emplace(*m_domain.triangles(), internal::location(m_domain, base));
-  m_turn = 0.;
-  if constexpr(internal::has_parameter<NamedParameters, internal_np::up_direction_t>)
-  {
-    const auto up = parameter(np, internal_np::up_direction, Vector_3(NULL_VECTOR));
-    m_turn = internal::pi / 2. - m_plane->tangent_angle(internal::Spatial{CGAL::to_double(up.x()),
-                                                                          CGAL::to_double(up.y()),
-                                                                          CGAL::to_double(up.z())});
-  }
+  m_plane.emplace(internal::turned_plane(m_domain, base, np));
   for(const internal::Index site : m_reached)
     m_coordinates[site] = outside;
   m_reached.clear();
-  const internal::Planar turn = {std::cos(m_turn), std::sin(m_turn)};
-  m_engine.run(*m_plane, options,
+  const internal::Planar turn = {std::cos(m_plane->turn), std::sin(m_plane->turn)};
+  m_engine.run(m_plane->plane, options,
                [&](internal::Index site, const internal::Planar& vector)
                {
                  m_reached.push_back(site);
@@ -241,10 +275,10 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 {
   const auto vector = [&](double angle)
   {
-    const internal::Spatial p = m_plane->direction(angle - m_turn);
+    const internal::Spatial p = m_plane->plane.direction(angle - m_plane->turn);
     return Vector_3(p[0], p[1], p[2]);
   };
-  return {m_domain.point(m_plane->location()), vector(0.), vector(internal::pi / 2.)};
+  return {m_domain.point(m_plane->plane.location()), vector(0.), vector(internal::pi / 2.)};
 }
 
 /// \ingroup PkgGeodesicProcessingLogMap
@@ -252,8 +286,8 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 /// computes Riemannian normal coordinates around a place: of each vertex or surfel the tangent vector whose
 /// geodesic leads there.
 ///
-/// \tparam Method `Gradient<Distance_method>` (the default: `Gradient<Euclidean_front>`), or on a mesh
-///         `Exact`
+/// \tparam Method `Gradient<Distance_method>` (the default: `Gradient<Euclidean_front>`),
+///         `Discrete_exponential`, or on a mesh `Exact`
 /// \param surface as for `geodesic_distances()`
 /// \param base a site or a location
 /// \param uv_map receives tangent vectors: values are made of two numbers, which are not numbers outside
@@ -270,6 +304,30 @@ auto logarithmic_map(const Surface& surface, const Place& base, UVMap uv_map,
   map.compute(base, np);
   map.write(uv_map);
   return map.frame();
+}
+
+/// \ingroup PkgGeodesicProcessingLogMap
+///
+/// returns the place of a mesh to which a tangent vector leads, straight on: the inverse of
+/// `logarithmic_map()`, whose axes are these when `up_direction` is the same.
+///
+/// Beyond the radius up to which shortest paths are unique it goes on straight.  Where it meets a border, the
+/// place there is returned.
+///
+/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; a cloud has no straight lines
+/// \param base a vertex or a location
+/// \param vector in the tangent plane of the base
+/// \param np `up_direction`, as for `Logarithmic_map::compute()`, and what `make_domain()` takes
+/// \throws Invalid_argument_error when the base is an isolated vertex, the vector is not finite, or the direction
+///         is normal to the surface
+///
+/// O(number of faces crossed) after `make_domain()`.  \cgalCite{cgal:ps-sgps-98}
+template <typename Mesh, typename Place, typename NamedParameters = internal::Default_parameters>
+auto exponential_map(const Mesh& mesh, const Place& base, const std::array<double, 2>& vector,
+                     const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(mesh, np);
+  return internal::exponential(domain, internal::turned_plane(domain, base, np), vector);
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -4,11 +4,14 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_ENGINE_H
 
 #include <CGAL/Geodesic_processing/internal/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/front.h>
 #include <CGAL/Geodesic_processing/internal/log_map.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/tangent_plane.h>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -113,6 +116,53 @@ public:
 private:
   std::shared_ptr<const Glued_triangles> m_triangles;
   Window_propagation m_windows;
+};
+
+// Sums of steps along shortest chains of arcs.
+class Discrete_exponential_engine
+{
+public:
+  explicit Discrete_exponential_engine(std::shared_ptr<const Glued_triangles> triangles)
+      : m_triangles(triangles), m_front(std::move(triangles), Front_kind::arcs),
+        m_vectors(m_triangles->number_of_sites())
+  {}
+
+  template <typename Visit>
+  void run(const Tangent_plane& plane, const Log_options& options, Visit visit)
+  {
+    Front_limits limits;
+    limits.maximum_distance = options.maximum_distance;
+    m_front.run(point_source(plane.location()), limits);
+    for(const Index site : m_front.reached())
+      m_vectors[site] = {std::numeric_limits<double>::quiet_NaN(), 0.};
+    for(const Index site : m_front.reached())
+    {
+      sum_up(plane, site);
+      visit(site, m_vectors[site]);
+    }
+  }
+
+private:
+  void sum_up(const Tangent_plane& plane, Index site)
+  {
+    const Glued_triangles& t = *m_triangles;
+    std::vector<Index> chain; // back to the first one that is known
+    for(; site != none && std::isnan(m_vectors[site][0]); site = m_front.predecessor(site))
+      chain.push_back(site);
+    for(; !chain.empty(); chain.pop_back())
+    {
+      const Index next = chain.back();
+      m_vectors[next] = site == none
+                            ? step_in_plane(plane, plane.normal(), t.point[next] - plane.point())
+                            : m_vectors[site] + step_in_plane(plane, site_normal(t, site),
+                                                              t.point[next] - t.point[site]);
+      site = next;
+    }
+  }
+
+  std::shared_ptr<const Glued_triangles> m_triangles;
+  Front m_front;
+  std::vector<Planar> m_vectors; // #sites, of the last run
 };
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -55,6 +55,12 @@ private:
   std::vector<Planar> m_stencil;
 };
 
+// What the discrete exponential map (Schmidt, Grimm and Wyvill 2006) adds for a step from a site with
+// a normal: the step, laid into the site's own plane at its full length, which the least rotation between
+// the normals takes to the plane of the base.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Planar step_in_plane(const Tangent_plane& plane, const Spatial& normal, const Spatial& step);
+
 // What a map of sites to the plane does to triangles.
 struct Log_triangles
 {

@@ -14,6 +14,11 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// The unit normal of a site: the surfel's own, or on a mesh that of the triangles around, weighted by their
+// areas; zero where these have none.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Spatial site_normal(const Glued_triangles& triangles, Index site);
+
 // The directions in which a surface leaves a place.
 //
 // A polar angle is the angle on the surface, as of a Departure: counterclockwise, around a site from the
@@ -38,6 +43,7 @@ public:
   // that its sides are at their own angles in the mean.
   const Spatial& x() const { return m_x; }
   const Spatial& y() const { return m_y; }
+  Spatial normal() const { return cross(m_x, m_y); }
   Spatial direction(double tangent_angle) const
   {
     return std::cos(tangent_angle) * m_x + std::sin(tangent_angle) * m_y;

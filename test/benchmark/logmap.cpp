@@ -1,0 +1,673 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far from the truth are normal coordinates, and is what theory says about them true?
+#include <CGAL/Geodesic_processing.h>
+
+#include "clouds.h"
+#include "models.h"
+#include "normal_coordinates.h"
+#include "report.h"
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <complex>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace benchmarks;
+namespace GP = CGAL::Geodesic_processing;
+namespace test = CGAL::Geodesic_processing::test;
+using test::Measure_near_base;
+using Complex = std::complex<double>;
+using Size = Mesh::size_type;
+
+constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+
+constexpr double half_pi = CGAL_PI / 2.;
+
+// ------------------------------------------------------------------------------------------ spheres
+
+// Random points of the unit sphere and their Delaunay triangles.
+Mesh random_sphere(std::size_t n)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<Kernel::Point_3> points;
+  while(points.size() < n)
+  {
+    const auto p = Kernel::Vector_3(normal(random), normal(random), normal(random));
+    points.push_back(CGAL::ORIGIN + p / std::sqrt(p.squared_length()));
+  }
+  Mesh mesh;
+  CGAL::convex_hull_3(points.begin(), points.end(), mesh);
+  return mesh;
+}
+
+// Means over bases, in percent.
+template <typename Method>
+double mean_error(const Mesh& mesh, double stencil_length)
+{
+  GP::Logarithmic_map<Mesh, Method> map(mesh);
+  const std::size_t number_of_bases = num_vertices(mesh) > 100000 ? 2 : 6;
+  double result = 0.;
+  for(std::size_t i = 0; i < number_of_bases; ++i)
+  {
+    map.compute(Vertex(Size(i * num_vertices(mesh) / number_of_bases)),
+                GP::parameters::maximum_distance(half_pi).stencil_length(stencil_length));
+    result += 100. * test::mean_error_on_sphere(map, [&](Vertex v) { return mesh.point(v); }) /
+              double(number_of_bases);
+  }
+  return result;
+}
+
+// A row for each method, a column for each mesh; each has four times the vertices of the one before.
+class Error_table
+{
+public:
+  explicit Error_table(std::vector<Mesh> meshes) : m_meshes(std::move(meshes)) {}
+
+  template <typename Method>
+  void add(const std::string& name, double stencil_length = 0., std::size_t most_vertices = all)
+  {
+    std::vector<std::string> row = {name};
+    std::vector<double> errors;
+    for(const Mesh& mesh : m_meshes)
+      if(num_vertices(mesh) <= most_vertices)
+      {
+        errors.push_back(mean_error<Method>(mesh, stencil_length));
+        row.push_back(digits(errors.back()));
+      }
+      else
+        row.push_back("-");
+    row.push_back(order(errors));
+    m_rows.push_back(row);
+  }
+
+  void print(const std::string& title) const
+  {
+    std::vector<std::string> head = {title};
+    for(const Mesh& mesh : m_meshes)
+      head.push_back(std::to_string(num_vertices(mesh)));
+    head.push_back("order");
+    Table table(head);
+    for(const auto& row : m_rows)
+      table.add(row);
+    table.print();
+  }
+
+private:
+  // The exponent of the length of the edges, between the first and the last.
+  static std::string order(const std::vector<double>& errors)
+  {
+    if(errors.size() < 2)
+      return "-";
+    return number(std::log2(errors.front() / errors.back()) / double(errors.size() - 1), 2);
+  }
+
+  std::vector<Mesh> m_meshes;
+  std::vector<std::vector<std::string>> m_rows;
+};
+
+void add_methods(Error_table& table)
+{
+  table.add<GP::Gradient<>>("Gradient<Euclidean_front>");
+  table.add<GP::Gradient<>>("  stencil of 0.1", 0.1);
+  table.add<GP::Gradient<>>("  stencil of 0.2", 0.2);
+  table.add<GP::Gradient<GP::Exact>>("Gradient<Exact>", 0., 20000);
+  table.add<GP::Gradient<GP::Heat>>("Gradient<Heat>", 0., 20000);
+  table.add<GP::Gradient<GP::Fast_marching>>("Gradient<Fast_marching>");
+  table.add<GP::Gradient<GP::Fast_marching>>("  stencil of 0.2", 0.2);
+  table.add<GP::Gradient<GP::Dijkstra>>("Gradient<Dijkstra>");
+  table.add<GP::Exact>("Exact");
+  table.add<GP::Discrete_exponential>("Discrete_exponential");
+}
+
+void compare_on_spheres(bool quick)
+{
+  std::printf(
+      "Unit sphere: mean error of tangent vectors relative to the distance, in percent, of all "
+      "vertices\nnearer than half of pi\n");
+  std::vector<Mesh> regular, irregular;
+  for(const unsigned level : quick ? std::vector<unsigned>{4, 5} : std::vector<unsigned>{5, 6, 7})
+  {
+    regular.push_back(icosphere(level));
+    irregular.push_back(random_sphere(num_vertices(regular.back())));
+  }
+  Error_table on_regular(std::move(regular)), on_irregular(std::move(irregular));
+  add_methods(on_regular);
+  on_regular.print("icosphere");
+  std::printf(
+      "Bars for Gradient<Euclidean_front>: 0.2 at 10242 and 0.06 at 163842 vertices; order 1.\n\n");
+  add_methods(on_irregular);
+  on_irregular.print("random points");
+}
+
+void compare_on_clouds(std::size_t n)
+{
+  Table table({"cloud of a sphere", "surfels", "Gradient<Euclidean_front>"});
+  test::Cloud at_random, spiral;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const test::Spatial p = GP::internal::unit({normal(random), normal(random), normal(random)}),
+                        q = test::on_spiral(i, n);
+    at_random.add(p, p);
+    spiral.add(q, q);
+  }
+  const auto add = [&](const std::string& name, const test::Cloud& cloud)
+  {
+    using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
+    Cloud points(true);
+    for(const auto& p : cloud.points)
+      points.insert({p[0], p[1], p[2]}, {p[0], p[1], p[2]});
+    GP::Logarithmic_map<Cloud> map(points);
+    double sum = 0.;
+    for(const std::size_t base : {0, 1, 2, 3})
+    {
+      map.compute(Cloud::Index(base * cloud.size() / 4), GP::parameters::maximum_distance(half_pi));
+      sum += test::mean_error_on_sphere(map, [&](Cloud::Index i) { return points.point(i); }) / 4.;
+    }
+    table.add({name, std::to_string(cloud.size()), digits(100. * sum)});
+  };
+  add("random", at_random);
+  add("spiral", spiral);
+  add("octahedron", test::octahedron_sphere(5));
+  table.print();
+  std::printf("Bar: 2.\n\n");
+}
+
+// ------------------------------------------------------------------------------------------ others
+
+// The largest difference of two maps in what both reach, relative to the largest distance.
+template <typename Map, typename Truth>
+double largest_error(const Map& map, Truth truth)
+{
+  double error = 0., size = 0.;
+  for(const Vertex v : map.reached())
+  {
+    const auto found = map(v), known = truth(v);
+    error = std::max(error, std::hypot(found[0] - known[0], found[1] - known[1]));
+    size = std::max(size, std::hypot(known[0], known[1]));
+  }
+  return error / size;
+}
+
+void compare_on_developables(std::size_t n)
+{
+  Table table({"largest error", "Gradient<Euclidean_front>", "Exact"});
+  const auto add =
+      [&](const std::string& name, const Mesh& mesh, Vertex base, auto limits, auto truth)
+  {
+    GP::Logarithmic_map<Mesh> gradient(mesh);
+    GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
+    gradient.compute(base, limits);
+    exact.compute(base, limits);
+    table.add({name, digits(largest_error(gradient, truth(gradient))),
+               digits(largest_error(exact, truth(exact)))});
+  };
+  const Mesh plane = jittered_square(n + 1);
+  const Vertex middle(Size((n + 2) * (n / 2)));
+  add("square, jittered", plane, middle, GP::parameters::up_direction(Kernel::Vector_3(0., 1., 0.)),
+      [&](const auto&)
+      {
+        return [&](Vertex v)
+        {
+          const auto way = plane.point(v) - plane.point(middle);
+          return std::array<double, 2>{way.x(), way.y()};
+        };
+      });
+  // It is flat: triangles on sides of a polygon, whose third corners lie a bit farther out.
+  const Mesh cylinder = mesh_of(test::cylinder(n, n / 2, 1., 6.));
+  const Vertex base(Size(n * (n / 4)));
+  const double side = 2. * std::sin(CGAL_PI / double(n)), step = 6. / double(n / 2),
+               height = std::hypot(step, 1. - std::cos(CGAL_PI / double(n)));
+  add("cylinder", cylinder, base,
+      GP::parameters::maximum_distance(2.5).up_direction(Kernel::Vector_3(0., 0., 1.)),
+      [&](const auto&)
+      {
+        return [&](Vertex v)
+        {
+          const auto &p = cylinder.point(v), &o = cylinder.point(base);
+          const double turn =
+              std::remainder(std::atan2(p.y(), p.x()) - std::atan2(o.y(), o.x()), 2. * CGAL_PI);
+          return std::array<double, 2>{turn / (2. * CGAL_PI) * double(n) * side,
+                                       (p.z() - o.z()) / step * height};
+        };
+      });
+  table.print();
+  std::printf("Bar: 1e-6.\n\n");
+}
+
+double diagonal(const Mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for(const Vertex v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  return std::sqrt(squared_distance(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
+                                    Kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
+}
+
+// How far from the base a map is one to one: up to where it is cut first.
+double radius_of_injectivity(const Mesh& mesh, const GP::Logarithmic_map<Mesh, GP::Exact>& map)
+{
+  double radius = std::numeric_limits<double>::infinity();
+  map.for_each_cut_face(
+      [&](Face f)
+      {
+        for(const Vertex v : vertices_around_face(mesh.halfedge(f), mesh))
+          radius = std::min(radius, std::hypot(map(v)[0], map(v)[1]));
+      });
+  return radius;
+}
+
+std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number)
+{
+  std::mt19937 random(3);
+  std::vector<Vertex> result;
+  while(result.size() < number)
+    if(const Vertex v(Size(random() % num_vertices(mesh))); !mesh.is_isolated(v))
+      result.push_back(v);
+  return result;
+}
+
+// Below which a part of the values is.
+double part_below(std::vector<double> values, double part)
+{
+  std::sort(values.begin(), values.end());
+  return values.empty() ? std::nan("") : values[std::size_t(part * double(values.size() - 1))];
+}
+
+double angle_between(const std::array<double, 2>& a, const std::array<double, 2>& b)
+{
+  return std::fabs(std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
+}
+
+// Angles against the exact map, in degrees, around some vertices up to a radius.
+template <typename Method>
+std::vector<double> angles_against_exact(const Mesh& mesh, double radius)
+{
+  GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
+  GP::Logarithmic_map<Mesh, Method> map(exact.domain());
+  const auto limits = GP::parameters::maximum_distance(radius);
+  std::vector<double> angles;
+  for(const Vertex base : random_vertices(mesh, 8))
+  {
+    exact.compute(base, limits);
+    map.compute(base, limits);
+    const double whole = radius_of_injectivity(mesh, exact);
+    for(const Vertex v : exact.reached())
+      if(v != base && map.is_inside(v) && std::hypot(exact(v)[0], exact(v)[1]) < whole)
+        angles.push_back(angle_between(exact(v), map(v)) * 180. / CGAL_PI);
+  }
+  return angles;
+}
+
+void compare_on_models(const std::vector<std::string>& names)
+{
+  Table table({"model", "angles", "Gradient<Euclidean_front>", "Gradient<Fast_marching>",
+               "Discrete_exponential"});
+  bool is_any = false;
+  for(const std::string& name : names)
+  {
+    const auto mesh = model(name);
+    if(!mesh)
+      continue;
+    is_any = true;
+    const double radius = 0.15 * diagonal(*mesh);
+    const auto shown = [](const std::vector<double>& angles)
+    { return digits(median(angles)) + " / " + digits(part_below(angles, 0.9)); };
+    const auto gradient = angles_against_exact<GP::Gradient<>>(*mesh, radius);
+    table.add({name, std::to_string(gradient.size()), shown(gradient),
+               shown(angles_against_exact<GP::Gradient<GP::Fast_marching>>(*mesh, radius)),
+               shown(angles_against_exact<GP::Discrete_exponential>(*mesh, radius))});
+  }
+  if(!is_any)
+  {
+    std::printf("No models: there is no folder %s.\n\n", GEODESIC_PROCESSING_DATA);
+    return;
+  }
+  std::printf(
+      "Models: angles against Exact in degrees, median / 90 %%, around eight vertices up to 0.15 "
+      "of the\nbounding box's diagonal and to where the map is cut\n");
+  table.print();
+}
+
+// The angle at which a path leaves a vertex towards a point of a face at it, as a share of all angles.
+double share_of_turn(const Mesh& mesh, Vertex base, const Kernel::Point_3& towards)
+{
+  const auto angle = [](const Kernel::Vector_3& a, const Kernel::Vector_3& b)
+  { return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b); };
+  const Kernel::Point_3& o = mesh.point(base);
+  double turned = 0., best = std::numeric_limits<double>::infinity(), result = 0.;
+  auto h = mesh.opposite(mesh.halfedge(base)); // leaves the base
+  const auto first = h;
+  do
+  {
+    const auto next = mesh.opposite(mesh.prev(h));
+    const auto a = mesh.point(mesh.target(h)) - o, b = mesh.point(mesh.target(next)) - o;
+    const double all = angle(a, b), begun = angle(a, towards - o);
+    // How far the direction is from this face.
+    const double outside = begun + angle(towards - o, b) - all;
+    if(outside < best)
+    {
+      best = outside;
+      result = turned + begun;
+    }
+    turned += all;
+    h = next;
+  } while(h != first);
+  return result / turned;
+}
+
+// Directions of shortest paths by CGAL's exact algorithm.
+void compare_with_peer(const std::string& name, const Mesh& mesh)
+{
+  using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+  const Vertex base(Size(num_vertices(mesh) / 2));
+  CGAL::Surface_mesh_shortest_path<Traits> paths(mesh);
+  paths.add_source_point(base);
+  GP::Logarithmic_map<Mesh, GP::Exact> map(mesh);
+  map.compute(base, GP::parameters::maximum_distance(0.15 * diagonal(mesh)));
+  std::vector<Complex> ours, theirs;
+  Complex turn = 0.;
+  for(const Vertex v : map.reached())
+  {
+    std::vector<Kernel::Point_3> path;
+    const double distance =
+        paths.shortest_path_points_to_source_points(v, std::back_inserter(path)).first;
+    if(path.size() < 2)
+      continue;
+    theirs.push_back(
+        std::polar(distance, 2. * CGAL_PI * share_of_turn(mesh, base, path[path.size() - 2])));
+    ours.emplace_back(map(v)[0], map(v)[1]);
+    turn += ours.back() * std::conj(theirs.back()) / std::norm(theirs.back());
+  }
+  std::vector<double> errors;
+  for(std::size_t i = 0; i < ours.size(); ++i)
+    errors.push_back(std::abs(theirs[i] * turn / std::abs(turn) - ours[i]) / std::abs(ours[i]));
+  std::printf(
+      "Exact beside CGAL's shortest paths on %s, %zu vectors: relative difference in the median "
+      "%s,\n90 %% below %s, largest %s.  Bar: 0.02.\n\n",
+      name.c_str(), errors.size(), digits(median(errors)).c_str(),
+      digits(part_below(errors, 0.9)).c_str(),
+      digits(*std::max_element(errors.begin(), errors.end())).c_str());
+}
+
+// ------------------------------------------------------------------------------------------- theory
+
+// A longer stencil, of a length that does not shrink with the edges: with the default one errors of
+// neighbours differ, in parts of an edge, as much on finer meshes.
+constexpr double stencil_of_theory = 0.2;
+
+template <typename Method>
+std::vector<std::string> coefficients(const Mesh& mesh, Vertex base)
+{
+  GP::Logarithmic_map<Mesh, Method> map(mesh);
+  map.compute(base, GP::parameters::maximum_distance(0.65).stencil_length(stencil_of_theory));
+  const auto faces = test::faces_around(mesh, map, 0.05, 0.6);
+  std::vector<std::string> result;
+  for(const Measure_near_base& measure : test::measures_near_base())
+    result.push_back(number(test::fitted_coefficient(measure, faces), 4));
+  return result;
+}
+
+void compare_with_theory(bool quick)
+{
+  std::printf("Distortion near the base: coefficients c of measure = value at the base + c |u|^m + "
+              "c' |u|^(m+2),\nfitted to faces nearer than 0.6, beside the formula\n");
+  const Mesh sphere = icosphere(quick ? 5 : 6);
+  const auto patch = test::hyperbolic_patch(quick ? 40 : 80, 0.2);
+  const Mesh hyperbolic = mesh_of(patch.surface);
+  const Vertex middle(Size(patch.base));
+  const auto measures = test::measures_near_base();
+  const auto gradient = coefficients<GP::Gradient<>>(sphere, Vertex(1000)),
+             exact = coefficients<GP::Exact>(sphere, Vertex(1000)),
+             hyperbolic_gradient = coefficients<GP::Gradient<>>(hyperbolic, middle),
+             hyperbolic_exact = coefficients<GP::Exact>(hyperbolic, middle);
+  Table table({"measure", "m", "K = 1", "Gradient", "Exact", "K = -1", "Gradient", "Exact"});
+  for(std::size_t i = 0; i < measures.size(); ++i)
+    table.add({measures[i].name, std::to_string(measures[i].power),
+               number(measures[i].coefficient(1.), 4), gradient[i], exact[i],
+               number(measures[i].coefficient(-1.), 4), hyperbolic_gradient[i],
+               hyperbolic_exact[i]});
+  table.print();
+  std::printf(
+      "%zu vertices of an icosphere, %zu of a pseudosphere, jittered; stencils of length %.1f.  "
+      "Exact "
+      "unfolds\nflat faces, and bends at vertices.  Bar: 5 %% for Gradient, or 0.05/6 of zero.\n\n",
+      std::size_t(num_vertices(sphere)), std::size_t(num_vertices(hyperbolic)), stencil_of_theory);
+}
+
+// The part of a sphere around its first vertex, which stays the first.
+test::Triangulation cap(unsigned level, double radius)
+{
+  const test::Triangulation sphere = test::icosphere(level);
+  const GP::internal::Spatial top = sphere.points[0];
+  std::vector<GP::internal::Index> place(sphere.points.size(), GP::internal::none);
+  test::Triangulation result;
+  for(std::size_t i = 0; i < sphere.points.size(); ++i)
+    if(GP::internal::dot(sphere.points[i], top) > std::cos(radius))
+    {
+      place[i] = GP::internal::Index(result.points.size());
+      result.points.push_back(sphere.points[i]);
+    }
+  for(std::size_t c = 0; c < sphere.corners.size(); c += 3)
+  {
+    const auto* corner = &sphere.corners[c];
+    if(place[corner[0]] != GP::internal::none && place[corner[1]] != GP::internal::none &&
+       place[corner[2]] != GP::internal::none)
+      result.corners.insert(result.corners.end(),
+                            {place[corner[0]], place[corner[1]], place[corner[2]]});
+  }
+  return result;
+}
+
+// The least squares conformal map, moved and scaled to agree with normal coordinates at the base.
+std::vector<std::array<double, 2>> conformal_map(Mesh mesh, Vertex base)
+{
+  namespace SMP = CGAL::Surface_mesh_parameterization;
+  auto uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
+  const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  SMP::parameterize(mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv);
+  double images = 0., edges = 0.;
+  for(const Vertex v : vertices_around_target(base, mesh))
+  {
+    images += std::sqrt(squared_distance(uv[v], uv[base]));
+    edges += std::sqrt(squared_distance(mesh.point(v), mesh.point(base)));
+  }
+  std::vector<std::array<double, 2>> result;
+  for(const Vertex v : mesh.vertices())
+  {
+    const auto way = edges / images * (uv[v] - uv[base]);
+    result.push_back({way.x(), way.y()});
+  }
+  return result;
+}
+
+void compare_linearity(bool quick)
+{
+  std::printf("Optimality: sup |d(x,y) - |f(x) - f(y)|| / |f(y)|^2 of neighbours y of the base and "
+              "all x nearer "
+              "than 0.6,\non caps of spheres: bounded for normal coordinates alone\n");
+  Table table({"cap", "edge", "Exact", "Gradient", "orthogonal projection", "LSCM"});
+  for(unsigned level = 3; level <= (quick ? 5u : 6u); ++level)
+  {
+    const Mesh mesh = mesh_of(cap(level, 0.8));
+    const Vertex base(0);
+    const auto limits = GP::parameters::maximum_distance(0.7);
+    GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
+    GP::Logarithmic_map<Mesh> gradient(exact.domain());
+    exact.compute(base, limits);
+    gradient.compute(base, limits.stencil_length(stencil_of_theory));
+    const auto frame = exact.frame();
+    const auto conformal = conformal_map(mesh, base);
+    const auto shown = [&](const auto& f)
+    { return digits(test::departure_from_linearity(mesh, base, 0.6, f)); };
+    table.add({std::to_string(num_vertices(mesh)), digits(mean_edge(mesh)), shown(exact),
+               shown(gradient),
+               shown(
+                   [&](Vertex v)
+                   {
+                     const auto way = mesh.point(v) - frame.origin;
+                     return std::array<double, 2>{way * frame.u, way * frame.v};
+                   }),
+               shown([&](Vertex v) { return conformal[v]; })});
+  }
+  table.print();
+}
+
+void compare_on_cylinder()
+{
+  std::printf(
+      "Cylinder of radius 1, nearer than 1: mean less its value where nothing is distorted\n");
+  const Mesh mesh = mesh_of(test::cylinder(120, 60, 1., 4.));
+  const Vertex base(120 * 30);
+  GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
+  GP::Logarithmic_map<Mesh> gradient(exact.domain());
+  exact.compute(base, GP::parameters::maximum_distance(1.));
+  gradient.compute(base, GP::parameters::maximum_distance(1.));
+  const auto frame = exact.frame();
+  Table table({"measure", "Gradient", "Exact", "orthogonal projection"});
+  for(const Measure_near_base& measure : test::measures_near_base())
+  {
+    const auto shown = [&](const auto& f)
+    {
+      const auto uv = boost::make_function_property_map<Vertex>(f);
+      return digits(
+          std::fabs(GP::mesh_distortion(mesh, uv, measure.measure).mean() - measure.at_base));
+    };
+    table.add({measure.name, shown([&](Vertex v) { return gradient(v); }),
+               shown([&](Vertex v) { return exact(v); }),
+               shown(
+                   [&](Vertex v)
+                   {
+                     const auto way = mesh.point(v) - frame.origin;
+                     const double outside = exact.is_inside(v) ? 0. : std::nan("");
+                     return std::array<double, 2>{way * frame.u + outside, way * frame.v};
+                   })});
+  }
+  table.print();
+}
+
+// -------------------------------------------------------------------------------------------- noise
+
+// Root mean squares of angles, in degrees: against the exact map of the same surface; and against the sphere
+// below the noise, after the best rotation.
+struct Noise_errors
+{
+  double exact, sphere;
+};
+
+template <typename Map>
+Noise_errors noise_errors(const Mesh& mesh, const GP::Logarithmic_map<Mesh, GP::Exact>& exact,
+                          const Map& map)
+{
+  const auto frame = map.frame();
+  double against_exact = 0., number = 0.;
+  std::vector<double> turns; // on the sphere
+  Complex mean = 0.;
+  for(const Vertex v : exact.reached())
+  {
+    const auto found = map(v), known = test::vector_on_sphere(frame, mesh.point(v));
+    if(!map.is_inside(v) || std::hypot(found[0], found[1]) == 0.) // the base
+      continue;
+    against_exact += std::pow(angle_between(exact(v), found), 2);
+    turns.push_back(std::atan2(known[0] * found[1] - known[1] * found[0],
+                               known[0] * found[0] + known[1] * found[1]));
+    mean += std::polar(1., turns.back());
+    ++number;
+  }
+  double against_sphere = 0.;
+  for(const double turn : turns)
+    against_sphere += std::pow(std::remainder(turn - std::arg(mean), 2. * CGAL_PI), 2);
+  return {std::sqrt(against_exact / number) * 180. / CGAL_PI,
+          std::sqrt(against_sphere / number) * 180. / CGAL_PI};
+}
+
+template <typename Method>
+void add_noise_row(Table& table, const std::string& name, double noise, const Mesh& mesh,
+                   const std::vector<double>& rings)
+{
+  GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
+  GP::Logarithmic_map<Mesh, Method> map(exact.domain());
+  const auto limits = GP::parameters::maximum_distance(1.);
+  const double edge = mean_edge(mesh);
+  const auto bases = random_vertices(mesh, 4);
+  std::vector<Noise_errors> errors(rings.size(), {0., 0.});
+  for(const Vertex base : bases)
+  {
+    exact.compute(base, limits);
+    for(std::size_t i = 0; i < rings.size(); ++i)
+    {
+      map.compute(base, limits.stencil_length(rings[i] * edge));
+      const Noise_errors found = noise_errors(mesh, exact, map);
+      errors[i].exact += found.exact / double(bases.size());
+      errors[i].sphere += found.sphere / double(bases.size());
+    }
+  }
+  std::vector<std::string> row = {number(100. * noise, 0), name};
+  for(const Noise_errors& e : errors)
+    row.push_back(number(e.exact, 2) + " / " + number(e.sphere, 2));
+  table.add(row);
+}
+
+void compare_noise(unsigned level)
+{
+  std::printf(
+      "Noise: root mean squares of angles, in degrees, nearer than 1: against Exact on the same "
+      "mesh "
+      "/\nagainst the sphere below, after the best rotation; noise in percent of an edge in each "
+      "coordinate,\nstencils in rings of neighbours\n");
+  Table table({"noise", "method", "default", "1 ring", "2 rings", "3 rings"});
+  const Mesh clean = icosphere(level);
+  const std::vector<double> rings = {0., 1., 2., 3.};
+  for(const double noise : {0., 0.01, 0.05})
+  {
+    // As much as an even distribution spreads.
+    const Mesh mesh =
+        mesh_of(test::shaken(test::icosphere(level), std::sqrt(3.) * noise * mean_edge(clean)));
+    add_noise_row<GP::Gradient<GP::Dijkstra>>(table, "Gradient<Dijkstra>", noise, mesh, rings);
+    add_noise_row<GP::Gradient<GP::Fast_marching>>(table, "Gradient<Fast_marching>", noise, mesh,
+                                                   rings);
+    add_noise_row<GP::Gradient<>>(table, "Gradient<Euclidean_front>", noise, mesh, rings);
+    add_noise_row<GP::Gradient<GP::Heat>>(table, "Gradient<Heat>", noise, mesh, rings);
+    add_noise_row<GP::Gradient<GP::Exact>>(table, "Gradient<Exact>", noise, mesh, rings);
+    add_noise_row<GP::Exact>(table, "Exact", noise, mesh, {0.});
+    add_noise_row<GP::Discrete_exponential>(table, "Discrete_exponential", noise, mesh, {0.});
+  }
+  table.print();
+}
+
+} // namespace
+
+// logmap [--quick]
+int main(int argc, char* argv[])
+{
+  const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
+  std::printf(
+      "Normal coordinates: tangent vectors of Gradient, with several methods for distances, and of "
+      "Exact.\n\n");
+  compare_on_spheres(quick);
+  compare_on_clouds(quick ? 2500 : 10000);
+  compare_on_developables(quick ? 40 : 100);
+  compare_on_models(quick ? std::vector<std::string>{"elephant_2k8", "kitten_9k"}
+                          : std::vector<std::string>{"bunny_37k", "armadillo_26k", "nefertiti_35k",
+                                                     "boot_20k", "fandisk_6k5", "kitten_9k",
+                                                     "camel_10k", "eight_5k", "elephant_2k8"});
+  compare_with_peer("a sphere", icosphere(4));
+  if(const auto kitten = model("kitten_9k"); kitten && !quick)
+    compare_with_peer("kitten_9k", *kitten);
+  compare_with_theory(quick);
+  compare_linearity(quick);
+  compare_on_cylinder();
+  compare_noise(quick ? 4 : 5);
+}
