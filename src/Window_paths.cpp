@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 // The way back: from any place to where the sources are.
@@ -23,6 +24,8 @@ constexpr double rounding = 1e-12;
 constexpr double same_direction = 1e-6;
 // Paths that are nowhere farther from each other than this part of their length are one.
 constexpr double same_path = 1e-6;
+// A line that is followed back meets its source to this part of a side, and touches sites to this angle.
+constexpr double same_place = 1e-6;
 // Where a whole circle of places is equally far from a source, there is no end of paths.
 constexpr std::size_t most_paths = 64;
 
@@ -34,6 +37,28 @@ double polar_angle(const Glued_triangles& t, Index corner, const Planar& directi
   for(Index i = t.first[t.corner[corner]]; t.star[i] != corner; ++i)
     result += interior_angle(t, t.star[i]);
   return result;
+}
+
+// That of a direction in the layout of a triangle, from a clean location in it: Departure's.
+double polar_angle_at(const Glued_triangles& t, const Location& from, const Planar& way)
+{
+  const auto corners = unfolded(t, from.triangle);
+  if(const Index corner = corner_of(from); corner != none)
+    return polar_angle(t, corner,
+                       turned_back(way, corners[next_side(corner) % 3] - corners[corner % 3]));
+  const Index side = side_of(from);
+  if(side == none)
+    return std::atan2(way[1], way[0]);
+  const Planar back = turned_back(way, corners[next_side(side) % 3] - corners[side % 3]);
+  return std::atan2(std::max(0., back[1]), back[0]) + (t.twin[side] < side ? pi : 0.);
+}
+
+// The direction of a side in the layout of its triangle.
+Planar direction_of(const std::array<Planar, 3>& corners, Index side)
+{
+  const Planar way = corners[next_side(side) % 3] - corners[side % 3];
+  const double size = norm(way);
+  return size > 0. ? (1. / size) * way : Planar{1., 0.};
 }
 
 // Whether rounding has led a path astray.
@@ -344,18 +369,77 @@ Departure Window_propagation::departure(const Location& to) const
       unfolded_point(corners, *seen_from(t, triangle, result.next)) - unfolded_point(corners, here);
   result.from = {triangle, none, here};
   result.angle = std::atan2(way[1], way[0]);
-  result.polar_angle = result.angle;
-  if(const Index corner = corner_of(result.from); corner != none)
-  {
-    const Planar side = corners[next_side(corner) % 3] - corners[corner % 3];
-    result.polar_angle = polar_angle(t, corner, turned_back(way, side));
-  }
-  else if(const Index on = side_of(result.from); on != none)
-  {
-    const Planar back = turned_back(way, corners[next_side(on) % 3] - corners[on % 3]);
-    result.polar_angle = std::atan2(std::max(0., back[1]), back[0]) + (t.twin[on] < on ? pi : 0.);
-  }
+  result.polar_angle = polar_angle_at(t, result.from, way);
   return result;
+}
+
+double Window_propagation::polar_angle_of_departure(Index site) const
+{
+  const auto comes_from_site = [&]
+  { return m_sites[site].origin < m_sites.size() && m_sites[site].corner != none; };
+  while(comes_from_site() && m_sites[m_sites[site].origin].corner != none)
+    site = m_sites[site].origin;
+  if(m_sites[site].corner == none)
+    return 0.;
+  // A line may touch a saddle site on either side.
+  for(const double touch : {0., same_place, -same_place})
+    if(const auto found = polar_angle_of_line(m_sites[site], touch))
+      return *found;
+  return departure(at_site(*m_triangles, site)).polar_angle;
+}
+
+// Follows a line to the point that it came from: it leaves a triangle to the right of the third corner
+// or to the left, by an angle of more than `touch`.  Nothing where it misses the point.
+std::optional<double> Window_propagation::polar_angle_of_line(const Arrival& arrival,
+                                                              double touch) const
+{
+  const Glued_triangles& t = *m_triangles;
+  Location end;
+  double length = arrival.distance;
+  if(arrival.origin < m_sites.size())
+  {
+    end = at_site(t, arrival.origin);
+    length -= m_sites[arrival.origin].distance;
+  }
+  else
+  {
+    const Piece& piece = m_pieces[arrival.origin - m_sites.size()];
+    if(piece.begin != piece.end)
+      return std::nullopt;
+    end = cleaned(t, {piece.triangle, none, piece.begin});
+    length -= piece.offset;
+  }
+  const std::vector<Index> goals = triangles_at(t, end);
+
+  Index side = next_side(arrival.corner); // through which the line leaves its triangle
+  auto corners = unfolded(t, side / 3);
+  Planar from = corners[arrival.corner % 3];
+  Planar goal = from + length * turned(arrival.direction, direction_of(corners, arrival.corner));
+  for(;;)
+  {
+    if(std::find(goals.begin(), goals.end(), side / 3) != goals.end())
+    {
+      const Location in_triangle = {side / 3, none, *seen_from(t, side / 3, end)};
+      const Planar place = unfolded_point(corners, in_triangle.barycentric);
+      if(norm(place - goal) < same_place * t.length[side])
+        return polar_angle_at(t, in_triangle, from - place);
+    }
+    const Planar way = goal - from;
+    const bool is_past = dot(corners[side % 3] - goal, way) > 0. &&
+                         dot(corners[next_side(side) % 3] - goal, way) > 0.;
+    if(is_past || t.twin[side] == none)
+      return std::nullopt;
+    // To the layout of the triangle across the side.
+    const Planar begin = corners[side % 3], direction = direction_of(corners, side);
+    side = t.twin[side];
+    corners = unfolded(t, side / 3);
+    const Planar turn = turned_back(-1. * direction_of(corners, side), direction);
+    from = corners[next_side(side) % 3] + turned(from - begin, turn);
+    goal = corners[next_side(side) % 3] + turned(goal - begin, turn);
+    const Planar apex = corners[previous_side(side) % 3] - from;
+    const double sine = internal::cross(goal - from, apex);
+    side = sine > touch * norm(goal - from) * norm(apex) ? next_side(side) : previous_side(side);
+  }
 }
 
 // Appends the way from a site to the source that its windows came from, without the site itself, and
@@ -392,14 +476,12 @@ double Window_propagation::append_arrival(const Arrival& arrival, std::vector<Lo
 {
   const Glued_triangles& t = *m_triangles;
   const auto corners = unfolded(t, arrival.corner / 3);
-  const Planar side = corners[next_side(arrival.corner) % 3] - corners[arrival.corner % 3];
-  const double size = norm(side);
   const double gain = arrival.distance - (arrival.origin < m_sites.size()
                                               ? m_sites[arrival.origin].distance
                                               : m_pieces[arrival.origin - m_sites.size()].offset);
   return append_line({arrival.corner / 3, none, at_corner(arrival.corner)},
-                     turned(arrival.direction, size > 0. ? (1. / size) * side : Planar{1., 0.}),
-                     gain, arrival.origin, path);
+                     turned(arrival.direction, direction_of(corners, arrival.corner)), gain,
+                     arrival.origin, path);
 }
 
 // Appends the straight line to the site or the piece of a source that is seen in a direction of the

@@ -96,7 +96,7 @@ class Exact_log_engine
 {
 public:
   explicit Exact_log_engine(std::shared_ptr<const Glued_triangles> triangles)
-      : m_triangles(triangles), m_windows(std::move(triangles))
+      : m_windows(std::move(triangles))
   {}
 
   template <typename Visit>
@@ -107,14 +107,12 @@ public:
     m_windows.run(point_source(plane.location()), limits);
     for(const Index site : m_windows.reached())
     {
-      const Departure departure = m_windows.departure(at_site(*m_triangles, site));
-      const double angle = plane.tangent_angle(departure.polar_angle);
+      const double angle = plane.tangent_angle(m_windows.polar_angle_of_departure(site));
       visit(site, m_windows.distance(site) * Planar{std::cos(angle), std::sin(angle)});
     }
   }
 
 private:
-  std::shared_ptr<const Glued_triangles> m_triangles;
   Window_propagation m_windows;
 };
 

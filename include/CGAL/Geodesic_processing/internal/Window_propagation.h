@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -68,6 +69,9 @@ public:
   std::vector<std::vector<Location>> paths(const Location& from, double tolerance) const;
   // How the shortest path leaves the source, the other way.
   Departure departure(const Location& to) const;
+  // The polar angle alone, for sites, more than ten times as fast: of the path only the straight line next
+  // to the source is followed.  Zero at the source.
+  double polar_angle_of_departure(Index site) const;
 
 private:
   struct Window
@@ -151,6 +155,7 @@ private:
   double append_chain(Index site, std::vector<Location>& path) const;
   void branch(Index site, const std::vector<Location>& path,
               std::vector<std::vector<Location>>& paths) const;
+  std::optional<double> polar_angle_of_line(const Arrival& arrival, double touch) const;
   double append_arrival(const Arrival& arrival, std::vector<Location>& path) const;
   double append_line(const Location& from, const Planar& way, double length, Index origin,
                      std::vector<Location>& path) const;
