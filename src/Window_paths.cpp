@@ -26,6 +26,8 @@ constexpr double same_direction = 1e-6;
 constexpr double same_path = 1e-6;
 // A line that is followed back meets its source to this part of a side, and touches sites to this angle.
 constexpr double same_place = 1e-6;
+// It crosses a side at its end when it is nearer to it than this part of it.
+constexpr double at_end = 1e-9;
 // Where a whole circle of places is equally far from a source, there is no end of paths.
 constexpr std::size_t most_paths = 64;
 
@@ -59,6 +61,94 @@ Planar direction_of(const std::array<Planar, 3>& corners, Index side)
   const Planar way = corners[next_side(side) % 3] - corners[side % 3];
   const double size = norm(way);
   return size > 0. ? (1. / size) * way : Planar{1., 0.};
+}
+
+// A line in the layout of a triangle.
+struct Line
+{
+  Index triangle;
+  Planar from, goal;
+};
+
+// Whether a point lies to the left of a line, seen from its begin, by an angle of more than `touch`.
+bool is_left(const Line& line, const Planar& point, double touch)
+{
+  const Planar way = line.goal - line.from, there = point - line.from;
+  return cross(way, there) > touch * norm(way) * norm(there);
+}
+
+// The side through which a line leaves the triangle that it begins in.
+Index first_side(const std::array<Planar, 3>& corners, const Line& line, double touch)
+{
+  for(const Index begin : {0, 1, 2})
+  {
+    const Index end = (begin + 1) % 3;
+    if((corners[begin] == line.from || !is_left(line, corners[begin], touch)) &&
+       (corners[end] == line.from || is_left(line, corners[end], touch)))
+      return 3 * line.triangle + begin;
+  }
+  return 3 * line.triangle;
+}
+
+// Follows a line to the point where it should end: it leaves a triangle to the right of the third corner
+// or to the left, by an angle of more than `touch`.  Returns it in the layout of its last triangle, or
+// nothing where it misses the point.  Where it crosses sides is appended to `crossings`, unless null.
+std::optional<Line> followed(const Glued_triangles& t, Line line, const Location& end, double touch,
+                             std::vector<Location>* crossings)
+{
+  const std::vector<Index> goals = triangles_at(t, end);
+  auto corners = unfolded(t, line.triangle);
+  Index side = first_side(corners, line, touch);
+  // A shortest path crosses no triangle twice.
+  for(std::size_t i = 0; i < t.number_of_triangles(); ++i)
+  {
+    if(std::find(goals.begin(), goals.end(), line.triangle) != goals.end())
+    {
+      const Planar place = unfolded_point(corners, *seen_from(t, line.triangle, end));
+      if(norm(place - line.goal) < same_place * t.length[side])
+        return Line{line.triangle, line.from, place};
+    }
+    const Planar way = line.goal - line.from, begin = corners[side % 3],
+                 on = corners[next_side(side) % 3] - begin;
+    const bool is_before =
+        dot(begin - line.goal, way) < 0. || dot(begin + on - line.goal, way) < 0.;
+    if(!is_before || t.twin[side] == none)
+      return std::nullopt;
+    if(crossings != nullptr)
+    {
+      const double across = cross(way, on);
+      const double share = across > 0. ? cross(way, line.from - begin) / across : 0.;
+      crossings->push_back(cleaned(t, {line.triangle, none,
+                                       on_side(side, share < at_end        ? 0.
+                                                     : share > 1. - at_end ? 1.
+                                                                           : share)}));
+    }
+    // To the layout of the triangle across the side.
+    const Planar direction = direction_of(corners, side);
+    side = t.twin[side];
+    line.triangle = side / 3;
+    corners = unfolded(t, line.triangle);
+    const Planar turn = turned_back(-1. * direction_of(corners, side), direction);
+    line.from = corners[next_side(side) % 3] + turned(line.from - begin, turn);
+    line.goal = corners[next_side(side) % 3] + turned(line.goal - begin, turn);
+    side = is_left(line, corners[previous_side(side) % 3], touch) ? next_side(side)
+                                                                  : previous_side(side);
+  }
+  return std::nullopt;
+}
+
+// A line may touch a saddle site on either side.
+std::optional<Line> followed(const Glued_triangles& t, const Line& line, const Location& end,
+                             std::vector<Location>* crossings = nullptr)
+{
+  for(const double touch : {0., same_place, -same_place})
+  {
+    if(crossings != nullptr)
+      crossings->clear();
+    if(const auto found = followed(t, line, end, touch, crossings))
+      return found;
+  }
+  return std::nullopt;
 }
 
 // Whether rounding has led a path astray.
@@ -381,65 +471,37 @@ double Window_propagation::polar_angle_of_departure(Index site) const
     site = m_sites[site].origin;
   if(m_sites[site].corner == none)
     return 0.;
-  // A line may touch a saddle site on either side.
-  for(const double touch : {0., same_place, -same_place})
-    if(const auto found = polar_angle_of_line(m_sites[site], touch))
-      return *found;
+  const Arrival& arrival = m_sites[site];
+  const auto corners = unfolded(*m_triangles, arrival.corner / 3);
+  const Planar from = corners[arrival.corner % 3];
+  const Line line = {arrival.corner / 3, from,
+                     from + gain(arrival) *
+                                turned(arrival.direction, direction_of(corners, arrival.corner))};
+  if(const auto end = point_of(arrival.origin))
+    if(const auto found = followed(*m_triangles, line, *end))
+      return polar_angle_at(
+          *m_triangles, {found->triangle, none, *seen_from(*m_triangles, found->triangle, *end)},
+          found->from - found->goal);
   return departure(at_site(*m_triangles, site)).polar_angle;
 }
 
-// Follows a line to the point that it came from: it leaves a triangle to the right of the third corner
-// or to the left, by an angle of more than `touch`.  Nothing where it misses the point.
-std::optional<double> Window_propagation::polar_angle_of_line(const Arrival& arrival,
-                                                              double touch) const
+// The point that windows come from, if it is one.
+std::optional<Location> Window_propagation::point_of(Index origin) const
 {
-  const Glued_triangles& t = *m_triangles;
-  Location end;
-  double length = arrival.distance;
-  if(arrival.origin < m_sites.size())
-  {
-    end = at_site(t, arrival.origin);
-    length -= m_sites[arrival.origin].distance;
-  }
-  else
-  {
-    const Piece& piece = m_pieces[arrival.origin - m_sites.size()];
-    if(piece.begin != piece.end)
-      return std::nullopt;
-    end = cleaned(t, {piece.triangle, none, piece.begin});
-    length -= piece.offset;
-  }
-  const std::vector<Index> goals = triangles_at(t, end);
+  if(origin < m_sites.size())
+    return at_site(*m_triangles, origin);
+  const Piece& piece = m_pieces[origin - m_sites.size()];
+  if(piece.begin != piece.end)
+    return std::nullopt;
+  return cleaned(*m_triangles, {piece.triangle, none, piece.begin});
+}
 
-  Index side = next_side(arrival.corner); // through which the line leaves its triangle
-  auto corners = unfolded(t, side / 3);
-  Planar from = corners[arrival.corner % 3];
-  Planar goal = from + length * turned(arrival.direction, direction_of(corners, arrival.corner));
-  for(;;)
-  {
-    if(std::find(goals.begin(), goals.end(), side / 3) != goals.end())
-    {
-      const Location in_triangle = {side / 3, none, *seen_from(t, side / 3, end)};
-      const Planar place = unfolded_point(corners, in_triangle.barycentric);
-      if(norm(place - goal) < same_place * t.length[side])
-        return polar_angle_at(t, in_triangle, from - place);
-    }
-    const Planar way = goal - from;
-    const bool is_past = dot(corners[side % 3] - goal, way) > 0. &&
-                         dot(corners[next_side(side) % 3] - goal, way) > 0.;
-    if(is_past || t.twin[side] == none)
-      return std::nullopt;
-    // To the layout of the triangle across the side.
-    const Planar begin = corners[side % 3], direction = direction_of(corners, side);
-    side = t.twin[side];
-    corners = unfolded(t, side / 3);
-    const Planar turn = turned_back(-1. * direction_of(corners, side), direction);
-    from = corners[next_side(side) % 3] + turned(from - begin, turn);
-    goal = corners[next_side(side) % 3] + turned(goal - begin, turn);
-    const Planar apex = corners[previous_side(side) % 3] - from;
-    const double sine = internal::cross(goal - from, apex);
-    side = sine > touch * norm(goal - from) * norm(apex) ? next_side(side) : previous_side(side);
-  }
+// How long the line is by which windows came.
+double Window_propagation::gain(const Arrival& arrival) const
+{
+  return arrival.distance - (arrival.origin < m_sites.size()
+                                 ? m_sites[arrival.origin].distance
+                                 : m_pieces[arrival.origin - m_sites.size()].offset);
 }
 
 // Appends the way from a site to the source that its windows came from, without the site itself, and
@@ -476,12 +538,9 @@ double Window_propagation::append_arrival(const Arrival& arrival, std::vector<Lo
 {
   const Glued_triangles& t = *m_triangles;
   const auto corners = unfolded(t, arrival.corner / 3);
-  const double gain = arrival.distance - (arrival.origin < m_sites.size()
-                                              ? m_sites[arrival.origin].distance
-                                              : m_pieces[arrival.origin - m_sites.size()].offset);
   return append_line({arrival.corner / 3, none, at_corner(arrival.corner)},
-                     turned(arrival.direction, direction_of(corners, arrival.corner)), gain,
-                     arrival.origin, path);
+                     turned(arrival.direction, direction_of(corners, arrival.corner)),
+                     gain(arrival), arrival.origin, path);
 }
 
 // Appends the straight line to the site or the piece of a source that is seen in a direction of the
@@ -491,6 +550,21 @@ double Window_propagation::append_line(const Location& from, const Planar& way, 
 {
   const Glued_triangles& t = *m_triangles;
   const Location first = path.back();
+  if(const auto end = point_of(origin))
+  {
+    const Planar here = unfolded_point(unfolded(t, from.triangle), from.barycentric);
+    const double size = norm(way);
+    const Planar there = here + (size > 0. ? std::max(length, 0.) / size : 0.) * way;
+    std::vector<Location> crossings;
+    if(followed(t, {from.triangle, here, there}, *end, &crossings))
+    {
+      crossings.push_back(*end);
+      for(const Location& location : crossings)
+        if(!is_same_point(t, path.back(), location))
+          path.push_back(location);
+      return length;
+    }
+  }
   const double angle = std::atan2(way[1], way[0]);
   for(const Location& on : straightest(t, from, angle, std::max(length, 0.)).locations)
     if(const Location location = cleaned(t, on); !is_same_point(t, path.back(), location))

@@ -6,7 +6,6 @@
 #include <CGAL/Geodesic_processing/internal/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/front.h>
 #include <CGAL/Geodesic_processing/internal/log_map.h>
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/tangent_plane.h>
 
 #include <cmath>

@@ -155,7 +155,8 @@ private:
   double append_chain(Index site, std::vector<Location>& path) const;
   void branch(Index site, const std::vector<Location>& path,
               std::vector<std::vector<Location>>& paths) const;
-  std::optional<double> polar_angle_of_line(const Arrival& arrival, double touch) const;
+  std::optional<Location> point_of(Index origin) const;
+  double gain(const Arrival& arrival) const;
   double append_arrival(const Arrival& arrival, std::vector<Location>& path) const;
   double append_line(const Location& from, const Planar& way, double length, Index origin,
                      std::vector<Location>& path) const;
