@@ -76,6 +76,20 @@ TEST(tangent_plane, stretches_angles_around_a_cone)
   }
 }
 
+TEST(tangent_plane, lies_across_the_normal)
+{
+  const Glued_surface surface(torus(30, 20));
+  for(const Index i : {0u, 77u, 300u})
+  {
+    const Spatial normal = Tangent_plane(surface.t(), surface.at(i)).normal();
+    EXPECT_LT(norm(normal - site_normal(surface.t(), surface.site(i))), rounding);
+  }
+  // By symmetry.
+  const Triangulation sphere = icosphere(2);
+  const Glued_surface round(sphere);
+  EXPECT_LT(norm(site_normal(round.t(), round.site(0)) - sphere.points[0]), rounding);
+}
+
 TEST(tangent_plane, needs_a_triangle)
 {
   Triangulation lonely = square(2);

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/path_locations.h>
+
+#include "Glued_surface.h"
+#include "path_checks.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// A plate of cubes with two holes, whose edges, diagonals and corners lie on straight lines.
+TEST(Line_touches_a_saddle, and_its_path_is_found)
+{
+  const Glued_surface surface(double_ring(3));
+  const Glued_triangles& t = surface.t();
+  Window_propagation windows(surface.triangles());
+  for(const Index from : {Index(0), Index(100), Index(surface.size() / 2)})
+  {
+    ASSERT_TRUE(windows.run({surface.source(from)}));
+    for(const Index site : windows.reached())
+    {
+      const auto path = windows.path(at_site(t, site));
+      ASSERT_FALSE(path.empty());
+      expect_path_on_surface(t, path, at_site(t, site), surface.at(from));
+      EXPECT_NEAR(path_length(t, path), windows.distance(site), 1e-12); // some tens of faces
+    }
+  }
+}
+
+} // namespace
