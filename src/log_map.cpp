@@ -16,9 +16,6 @@ namespace {
 // Of the length of a stencil, that a path must have got on before a border.
 constexpr double least_part = 0.3;
 
-// How much longer than its side an image must be for a cut.
-constexpr double jump = 4.;
-
 // The sums of products of vectors.
 struct Normal_matrix
 {
@@ -172,10 +169,10 @@ Log_triangles look_at_triangles(const Glued_triangles& t, const std::vector<Inde
       }
       if(!is_inside || !is_first)
         continue;
-      bool is_cut = false;
+      bool has_cut = false;
       for(Index k = 0; k < 3; ++k)
-        is_cut = is_cut || norm(image[(k + 1) % 3] - image[k]) > jump * t.length[3 * triangle + k];
-      if(is_cut)
+        has_cut = has_cut || is_cut(t, 3 * triangle + k, image[k], image[(k + 1) % 3]);
+      if(has_cut)
         result.cut.push_back(triangle);
       else if(cross(image[1] - image[0], image[2] - image[0]) < 0.)
         ++result.folded;

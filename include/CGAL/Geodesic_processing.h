@@ -11,6 +11,7 @@
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+#include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/estimate_surfels.h>
 #include <CGAL/Geodesic_processing/exceptions.h>

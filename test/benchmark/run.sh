@@ -13,6 +13,7 @@
 #   remeshing    only this one
 #   surfels      only this one
 #   logmap       only this one
+#   decal        only this one
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -25,11 +26,11 @@ for argument in "$@"; do
   case $argument in
     --quick) options=(--quick) ;;
     --patient) patient=(--patient) ;;
-    accuracy | speed | exact | sampling | remeshing | surfels | logmap) programs+=("$argument") ;;
-    *) sed -n '5,17s/^# \{0,1\}//p' "$0"; exit 1 ;;
+    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal) programs+=("$argument") ;;
+    *) sed -n '5,18s/^# \{0,1\}//p' "$0"; exit 1 ;;
   esac
 done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap)
+[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

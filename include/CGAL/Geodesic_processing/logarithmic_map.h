@@ -228,6 +228,12 @@ public:
   }
   /// @}
 
+  /// \name Between the map and the kernels
+  /// @{
+  const std::vector<internal::Index>& inner_reached() const { return m_reached; }
+  const std::vector<internal::Planar>& inner_coordinates() const { return m_coordinates; }
+  /// @}
+
 private:
   static constexpr internal::Planar outside = {std::numeric_limits<double>::quiet_NaN(),
                                                std::numeric_limits<double>::quiet_NaN()};

@@ -68,9 +68,15 @@ struct Log_triangles
   std::size_t folded = 0; // of the others, those turned round
 };
 
-// Looks at the triangles all of whose corners have been reached.  One is cut where the ends of a side are
-// four times as far apart as the side is long: on a sphere the map stretches as much 2.47 radii away
-// from its base, and jumps behind a cut locus are as large as the distance.
+// Whether a map jumps along a side: the images of its ends are four times as far apart as it is long.  On a
+// sphere the map stretches as much 2.47 radii away from its base, and jumps behind a cut locus are as
+// large as the distance.
+inline bool is_cut(const Glued_triangles& triangles, Index side, const Planar& p, const Planar& q)
+{
+  return norm(q - p) > 4. * triangles.length[side];
+}
+
+// Looks at the triangles all of whose corners have been reached.
 //
 // reached  sites; coordinates  #sites, those of the others are not a number
 CGAL_GEODESIC_PROCESSING_EXPORT

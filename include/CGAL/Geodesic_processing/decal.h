@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_DECAL_H
+#define CGAL_GEODESIC_PROCESSING_DECAL_H
+
+#include <CGAL/Geodesic_processing/internal/decal.h>
+#include <CGAL/Geodesic_processing/logarithmic_map.h>
+
+#include <CGAL/IO/Color.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// red, green, blue and opacity in [0, 1]; the colours are not multiplied by the opacity.
+using Decal_color = std::array<double, 4>;
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// a place in an image: (0, 0) is its lower left corner and (1, 1) the upper right one.
+using Decal_coordinates = std::array<double, 2>;
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// an image: its colours at places from (0, 0) to (1, 1).
+using Decal_image = std::function<Decal_color(const Decal_coordinates&)>;
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// a vertex or surfel on which a decal lies, and its place in the image.
+template <typename Surface>
+struct Decal_site
+{
+  typename internal::Surface_traits<Surface>::Site site;
+  Decal_coordinates coordinates;
+};
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// a face and where its corners lie in an image, in the order of the halfedges around the face from
+/// the source of `halfedge(face)` on.
+template <typename TriangleMesh>
+struct Decal_face
+{
+  typename boost::graph_traits<TriangleMesh>::face_descriptor face;
+  std::array<Decal_coordinates, 3> coordinates;
+};
+
+/// \ingroup PkgGeodesicProcessingDecals
+///
+/// where an image lies on a surface.
+template <typename Surface, bool is_cloud = internal::Is_cloud<Surface>::value>
+struct Decal
+{
+  Tangent_frame<Surface> frame;           ///< the middle, the way right, and the way up
+  std::vector<Decal_site<Surface>> sites; ///< those on which the image lies
+  /// those of which it covers a part; places of corners may be beyond the image.  Faces that are cut,
+  /// see `Logarithmic_map`, stay without.
+  std::vector<Decal_face<Surface>> faces;
+};
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// the same on a cloud, which has no faces.
+template <typename SurfelRange>
+struct Decal<SurfelRange, true>
+{
+  Tangent_frame<SurfelRange> frame;
+  std::vector<Decal_site<SurfelRange>> sites;
+};
+
+/// \ingroup PkgGeodesicProcessingDecals
+///
+/// places images on a surface, one after the other, such that distances and directions from their middles
+/// are kept: by a `Logarithmic_map`.
+///
+/// What is prepared does not depend on the place; what a place costs depends on how many sites are nearer
+/// than the corners of the image.
+///
+/// \tparam Surface, Method as for `Logarithmic_map`
+template <typename Surface, typename Method = Gradient<>>
+class Decal_placer
+{
+  using Map = Logarithmic_map<Surface, Method>;
+
+public:
+  using Domain = typename Map::Domain;
+
+  /// prepares the surface; `np` is what `make_domain()` takes.
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Decal_placer(const Surface& surface, const NamedParameters& np = NamedParameters())
+      : m_map(surface, np)
+  {}
+  explicit Decal_placer(const Domain& domain) : m_map(domain) {}
+
+  const Domain& domain() const { return m_map.domain(); }
+
+  /// returns where an image of a width and a height, in the surface's unit, lies when its middle is
+  /// at a site or a location.
+  ///
+  /// \param np what `Logarithmic_map::compute()` takes but for the distance: `up_direction` is up in
+  ///        the image
+  /// \throws Invalid_argument_error as `Logarithmic_map::compute()`, and when the width or the height is
+  ///         not positive and finite
+  template <typename Place, typename NamedParameters = internal::Default_parameters>
+  Decal<Surface> place(const Place& middle, double width, double height,
+                       const NamedParameters& np = NamedParameters());
+
+private:
+  template <typename Place, typename NamedParameters>
+  void compute(const Place& middle, double maximum_distance, const NamedParameters& np)
+  {
+    m_map.compute(middle,
+                  internal::chain(np).maximum_distance(maximum_distance * triangles().scale));
+  }
+  template <typename Place, typename NamedParameters>
+  std::vector<internal::Index> covered_triangles(const Place& middle, const internal::Planar& half,
+                                                 const NamedParameters& np);
+  const internal::Glued_triangles& triangles() const { return *m_map.domain().triangles(); }
+
+  Map m_map;
+};
+
+// Triangles that the image covers have corners beyond it: mostly no farther than the longest side at the
+// middle, else one looks again.
+template <typename Surface, typename Method>
+template <typename Place, typename NamedParameters>
+std::vector<internal::Index>
+Decal_placer<Surface, Method>::covered_triangles(const Place& middle, const internal::Planar& half,
+                                                 const NamedParameters& np)
+{
+  double margin = internal::longest_side_around(triangles(), internal::location(domain(), middle));
+  for(std::size_t reached_before = 0;;)
+  {
+    compute(middle, internal::norm(half) + margin, np);
+    internal::Decal_triangles found = internal::triangles_of_decal(
+        triangles(), m_map.inner_reached(), m_map.inner_coordinates(), half);
+    const std::size_t reached = m_map.inner_reached().size();
+    if(!(found.longest_side > 0.) || reached == reached_before)
+      return std::move(found.inside);
+    margin = (std::max)(2. * margin, 1.1 * found.longest_side);
+    reached_before = reached;
+  }
+}
+
+template <typename Surface, typename Method>
+template <typename Place, typename NamedParameters>
+Decal<Surface> Decal_placer<Surface, Method>::place(const Place& middle, double width,
+                                                    double height, const NamedParameters& np)
+{
+  if(!(width > 0. && height > 0. && std::isfinite(width) && std::isfinite(height)))
+    throw Invalid_argument_error("The width or the height of a decal is not positive and finite.");
+  const double scale = triangles().scale;
+  const internal::Planar half = {width / scale / 2., height / scale / 2.};
+  const auto coordinates = [&](internal::Index site) -> Decal_coordinates
+  {
+    const internal::Planar& uv = m_map.inner_coordinates()[site];
+    return {0.5 + 0.5 * uv[0] / half[0], 0.5 + 0.5 * uv[1] / half[1]};
+  };
+  Decal<Surface> decal;
+  if constexpr(internal::Is_cloud<Surface>::value)
+    compute(middle, internal::norm(half), np);
+  else
+    for(const internal::Index triangle : covered_triangles(middle, half, np))
+    {
+      const internal::Index* const corner = &triangles().corner[3 * triangle];
+      decal.faces.push_back(
+          {domain().face(triangle),
+           {coordinates(corner[0]), coordinates(corner[1]), coordinates(corner[2])}});
+    }
+  for(const internal::Index site : m_map.inner_reached())
+  {
+    const internal::Planar& uv = m_map.inner_coordinates()[site];
+    if(std::abs(uv[0]) <= half[0] && std::abs(uv[1]) <= half[1])
+      decal.sites.push_back({domain().site(site), coordinates(site)});
+  }
+  decal.frame = m_map.frame();
+  return decal;
+}
+
+namespace internal {
+
+inline Planar between(const std::array<Planar, 3>& corners, const std::array<double, 3>& shares)
+{
+  return shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
+}
+
+// Between colours of users and ours.
+inline Rgba to_rgba(const CGAL::IO::Color& color)
+{
+  return {color.red() / 255., color.green() / 255., color.blue() / 255., color.alpha() / 255.};
+}
+inline Rgba to_rgba(const std::array<double, 3>& color)
+{
+  return {color[0], color[1], color[2], 1.};
+}
+inline Rgba to_rgba(const Rgba& color) { return color; }
+
+inline void assign(CGAL::IO::Color& color, const Rgba& rgba)
+{
+  const auto byte = [](double x)
+  { return static_cast<unsigned char>(std::lround(255. * std::clamp(x, 0., 1.))); };
+  color = CGAL::IO::Color(byte(rgba[0]), byte(rgba[1]), byte(rgba[2]), byte(rgba[3]));
+}
+inline void assign(std::array<double, 3>& color, const Rgba& rgba)
+{
+  color = {rgba[0], rgba[1], rgba[2]};
+}
+inline void assign(Rgba& color, const Rgba& rgba) { color = rgba; }
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingDecals
+///
+/// paints an image over the colours of the vertices or surfels on which it lies.
+///
+/// \param image a function as `Decal_image`
+/// \param color_map has the colours, `CGAL::IO::Color`, `Decal_color` or three `double`s, and receives them
+template <typename Surface, typename Image, typename ColorMap>
+void composite_decal(const Decal<Surface>& decal, const Image& image, ColorMap color_map)
+{
+  for(const auto& [site, coordinates] : decal.sites)
+  {
+    typename boost::property_traits<ColorMap>::value_type color = get(color_map, site);
+    internal::assign(color, internal::over(image(coordinates), internal::to_rgba(color)));
+    put(color_map, site, color);
+  }
+}
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// an image and where it lies.
+template <typename Surface>
+struct Decal_layer
+{
+  Decal<Surface> decal;
+  Decal_image image;
+};
+
+/// \ingroup PkgGeodesicProcessingDecals
+/// an image in which faces of a mesh have places of their own.
+template <typename TriangleMesh>
+struct Decal_texture
+{
+  std::size_t width = 0, height = 0;
+  std::vector<Decal_color> texels;             ///< rows from the lowest one up
+  std::vector<Decal_face<TriangleMesh>> faces; ///< each once
+  Decal_coordinates background = {0., 0.};     ///< of all corners of all other faces
+};
+
+/// \ingroup PkgGeodesicProcessingDecals
+///
+/// paints several images, the later ones over those before, into one that textures the mesh.
+///
+/// \param layers of the same mesh, from the lowest one up
+/// \param segments how many steps from texel to texel there are along two sides of each covered face; along
+///        the third one there are as many, longer ones
+/// \param background where there is no image
+/// \throws Invalid_argument_error for no segments, and when there are more than 2<SUP>28</SUP> texels
+template <typename TriangleMesh>
+Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMesh>>& layers,
+                                        std::size_t segments,
+                                        const Decal_color& background = {1., 1., 1., 1.})
+{
+  static_assert(!internal::Is_cloud<TriangleMesh>::value,
+                "A surfel cloud has no faces to carry a texture; see composite_decal().");
+  Decal_texture<TriangleMesh> texture;
+  // The first triangle of the texture is the background.
+  std::map<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::size_t> triangle_of;
+  for(const auto& layer : layers)
+    for(const auto& covered : layer.decal.faces)
+      if(triangle_of.try_emplace(covered.face, triangle_of.size() + 1).second)
+        texture.faces.push_back({covered.face, {}});
+
+  const internal::Texture_cells cells(texture.faces.size() + 1, segments);
+  texture.width = cells.width();
+  texture.height = cells.height();
+  texture.texels.assign(texture.width * texture.height, background);
+  texture.background = cells.corners(0)[0];
+  for(std::size_t i = 0; i < texture.faces.size(); ++i)
+    texture.faces[i].coordinates = cells.corners(i + 1);
+
+  for(const auto& layer : layers)
+    for(const auto& [face, corners] : layer.decal.faces)
+      cells.for_each_texel(
+          triangle_of.at(face),
+          [&, &corners = corners](std::size_t texel, const std::array<double, 3>& shares)
+          {
+            const Decal_coordinates place = internal::between(corners, shares);
+            if(place[0] >= 0. && place[0] <= 1. && place[1] >= 0. && place[1] <= 1.)
+              texture.texels[texel] = internal::over(layer.image(place), texture.texels[texel]);
+          });
+  return texture;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_DECAL_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How long does it take to place an image on a large mesh?
+#include <CGAL/Geodesic_processing.h>
+
+#include "models.h"
+#include "report.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace benchmarks;
+namespace GP = CGAL::Geodesic_processing;
+
+constexpr std::size_t wanted_faces = 2000;
+
+// The side of a square of so many faces of the mean area.
+double side_of(const Mesh& mesh, std::size_t number)
+{
+  double area = 0.;
+  for(const Face f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    area += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                         mesh.point(mesh.target(mesh.next(h)))));
+  }
+  return std::sqrt(area * double(number) / double(num_faces(mesh)));
+}
+
+template <typename Method>
+void add_row(Table& table, const std::string& name, const std::string& method, const Mesh& mesh,
+             const GP::Mesh_domain<Mesh>& domain)
+{
+  const double side = side_of(mesh, wanted_faces);
+  std::mt19937 random(1);
+  const auto somewhere = [&] { return Vertex(Mesh::size_type(random() % num_vertices(mesh))); };
+
+  // The first image of a placer touches its memory for the first time.
+  std::vector<double> prepare, cold, warm, per_face, faces;
+  for(int i = 0; i < 5; ++i)
+  {
+    std::optional<GP::Decal_placer<Mesh, Method>> fresh;
+    prepare.push_back(1000. * seconds([&] { fresh.emplace(domain); }));
+    cold.push_back(1000. * seconds([&] { fresh->place(somewhere(), side, side); }));
+  }
+  GP::Decal_placer<Mesh, Method> placer(domain);
+  placer.place(somewhere(), side, side);
+  for(int i = 0; i < 41; ++i)
+  {
+    const Vertex middle = somewhere();
+    GP::Decal<Mesh> decal;
+    warm.push_back(1000. * seconds([&] { decal = placer.place(middle, side, side); }));
+    faces.push_back(double(decal.faces.size()));
+    per_face.push_back(warm.back() / faces.back());
+  }
+  const double bake = seconds(
+      [&, decal = placer.place(somewhere(), side, side)]
+      {
+        const GP::Decal_image plain = [](const auto&) { return GP::Decal_color{1., 0., 0., 0.5}; };
+        GP::bake_decals<Mesh>({{decal, plain}}, 8);
+      });
+  table.add({name, std::to_string(num_vertices(mesh)), method, number(median(faces), 0),
+             number(median(warm), 2), number(*std::max_element(warm.begin(), warm.end()), 2),
+             number(double(wanted_faces) * median(per_face), 2), number(median(prepare), 2),
+             number(median(cold), 2), number(1000. * bake, 1)});
+}
+
+void add_rows(Table& table, const std::string& name, const Mesh& mesh)
+{
+  const auto domain = GP::make_domain(mesh);
+  add_row<GP::Gradient<>>(table, name, "gradient", mesh, domain);
+  add_row<GP::Exact>(table, name, "exact", mesh, domain);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
+  Table table({"mesh", "vertices", "method", "faces", "place [ms]", "slowest [ms]",
+               "for 2,000 faces [ms]", "new placer [ms]", "its first place [ms]", "bake [ms]"});
+  add_rows(table, "icosphere 5", icosphere(5));
+  if(const auto mesh = model("bunny_37k"))
+    add_rows(table, "bunny_37k", *mesh);
+  if(!quick)
+  {
+    add_rows(table, "icosphere 7", icosphere(7));
+    if(const auto mesh = model("mni152_grey_matter_533k"))
+      add_rows(table, "mni152_grey_matter_533k", *mesh);
+  }
+  std::printf("Images of %zu faces at random vertices of a prepared domain, one thread, medians\n",
+              wanted_faces);
+  table.print();
+  std::printf("Bars, on mni152: a place at most 10 ms, the first one of a placer at most 30 ms.\n");
+}

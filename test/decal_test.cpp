@@ -1,0 +1,425 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/decal.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+#  if defined(__GNUC__) && !defined(__clang__)
+// OpenMesh's properties push back a T() that this compiler takes for uninitialized.
+#    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#  endif
+#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#  include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#endif
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Vector_3 = Kernel::Vector_3;
+using GP::Decal_color;
+using GP::Decal_coordinates;
+
+template <typename TriangleMesh>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+corners_of(typename boost::graph_traits<TriangleMesh>::face_descriptor face,
+           const TriangleMesh& mesh)
+{
+  const auto h = halfedge(face, mesh);
+  return {source(h, mesh), target(h, mesh), target(next(h, mesh), mesh)};
+}
+
+// All of a decal, to compare.
+template <typename Surface>
+auto numbers(const GP::Decal<Surface>& decal)
+{
+  std::vector<double> result;
+  for(const auto& [site, place] : decal.sites)
+    result.insert(result.end(), {double(std::size_t(site)), place[0], place[1]});
+  for(const auto& [face, places] : decal.faces)
+  {
+    result.push_back(double(std::size_t(face)));
+    for(const auto& place : places)
+      result.insert(result.end(), place.begin(), place.end());
+  }
+  return result;
+}
+
+// Of a plane mesh: where all corners lie, and that the faces, and only those, are there that have a
+// point of the rectangle.  A sample of points may miss one of which the rectangle has a tiny part.
+void expect_flat(const Mesh& mesh, const GP::Decal<Mesh>& decal, double width, double height)
+{
+  const auto place_of = [&](const Vector_3& way) -> Decal_coordinates {
+    return {0.5 + way * decal.frame.u / width, 0.5 + way * decal.frame.v / height};
+  };
+  const auto way_to = [&](Vertex v) { return mesh.point(v) - decal.frame.origin; };
+  const auto expect_at = [&](Vertex v, const Decal_coordinates& place)
+  {
+    // What Logarithmic_map is exact to on a plane, 1e-12 of the extent, in widths.
+    EXPECT_NEAR(place[0], place_of(way_to(v))[0], 1e-11);
+    EXPECT_NEAR(place[1], place_of(way_to(v))[1], 1e-11);
+  };
+  const auto is_inside = [](const Decal_coordinates& place)
+  { return place[0] > 0. && place[0] < 1. && place[1] > 0. && place[1] < 1.; };
+
+  std::set<Face> covered;
+  for(const auto& [face, places] : decal.faces)
+  {
+    EXPECT_TRUE(covered.insert(face).second);
+    for(std::size_t k = 0; k < 3; ++k)
+      expect_at(corners_of(face, mesh)[k], places[k]);
+  }
+  for(const auto& [vertex, place] : decal.sites)
+    expect_at(vertex, place);
+  std::size_t inside = 0, certain = 0;
+  for(const Vertex v : mesh.vertices())
+    inside += is_inside(place_of(way_to(v)));
+  EXPECT_EQ(inside, decal.sites.size());
+  for(const Face f : mesh.faces())
+  {
+    const auto corners = corners_of(f, mesh);
+    const int steps = 30;
+    bool has_point = false;
+    for(int i = 0; i <= steps; ++i)
+      for(int j = 0; i + j <= steps; ++j)
+        has_point =
+            has_point || is_inside(place_of((double(i) / steps) * way_to(corners[0]) +
+                                            (double(j) / steps) * way_to(corners[1]) +
+                                            (1. - double(i + j) / steps) * way_to(corners[2])));
+    certain += has_point;
+    if(has_point)
+    {
+      EXPECT_EQ(covered.count(f), 1u);
+    }
+  }
+  EXPECT_LE(certain, covered.size());
+  EXPECT_GE(certain + 3, covered.size());
+}
+
+TEST(decal, lies_flat_on_a_plane)
+{
+  for(const double factor : {1., 1e-6, 1e6})
+  {
+    const Mesh mesh = mesh_of(scaled(square(20, 0.25), factor));
+    const double width = 0.4 * factor, height = 0.25 * factor;
+    const auto decal =
+        GP::Decal_placer<Mesh>(mesh).place(location_of(417, {0.2, 0.3, 0.5}), width, height,
+                                           GP::parameters::up_direction(Vector_3(1., 2., 5.)));
+    EXPECT_NEAR(decal.frame.v * Vector_3(1., 2., 0.), std::sqrt(5.), 1e-12); // rounding
+    EXPECT_GT(decal.faces.size(), 50u);
+    expect_flat(mesh, decal, width, height);
+  }
+}
+
+TEST(decal, reaches_into_faces_much_larger_than_those_at_its_middle)
+{
+  // Columns are from 5e-5 to 0.6 wide, rows 0.04 high: at the middle one cannot see how far away the
+  // corners of the last columns are.
+  Triangulation surface = square(24);
+  for(auto& p : surface.points)
+    p[0] = std::pow(1.5, 24. * p[0]) * 1e-4;
+  const Mesh mesh = mesh_of(surface);
+  const auto decal = GP::Decal_placer<Mesh>(mesh).place(
+      Vertex(25 * 12 + 12), 2., 0.1, GP::parameters::up_direction(Vector_3(0., 1., 0.)));
+  expect_flat(mesh, decal, 2., 0.1);
+  double farthest = 0.;
+  for(const auto& [face, places] : decal.faces)
+    for(const auto& place : places)
+      farthest = std::max(farthest, place[0]);
+  EXPECT_GT(farthest, 1.03); // more than that longest side beyond the rectangle
+}
+
+TEST(decal, keeps_distances_and_directions_on_a_sphere)
+{
+  const Mesh mesh = mesh_of(icosphere(5));
+  GP::Decal_placer<Mesh> placer(mesh);
+  const double width = 1., height = 0.6;
+  const auto decal =
+      placer.place(Vertex(77), width, height, GP::parameters::up_direction(Vector_3(0., 0., 1.)));
+  const auto tangent = [&](Vertex vertex)
+  {
+    const Vector_3 to = mesh.point(vertex) - CGAL::ORIGIN, base = decal.frame.origin - CGAL::ORIGIN;
+    const double u = to * decal.frame.u, v = to * decal.frame.v, size = std::hypot(u, v);
+    const double angle = std::atan2(size, to * base);
+    return size > 0. ? Decal_coordinates{angle * u / size, angle * v / size}
+                     : Decal_coordinates{0., 0.};
+  };
+  // Tangent vectors are off by 0.1 % of at most 0.6 in the mean, and by a few times as much at worst.
+  const double tolerance = 0.004;
+  std::set<Face> covered;
+  for(const auto& [face, places] : decal.faces)
+  {
+    covered.insert(face);
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const auto truth = tangent(corners_of(face, mesh)[k]);
+      EXPECT_NEAR((places[k][0] - 0.5) * width, truth[0], tolerance);
+      EXPECT_NEAR((places[k][1] - 0.5) * height, truth[1], tolerance);
+    }
+  }
+  // A face with a corner in the rectangle is there, if by more than the tolerance; one that is on one
+  // side of it is not.
+  std::size_t certain = 0;
+  for(const Face f : mesh.faces())
+  {
+    bool has_corner = false, is_on_one_side = false;
+    for(const int c : {0, 1})
+    {
+      const double half = (c == 0 ? width : height) / 2.;
+      double low = 1e9, high = -1e9;
+      for(const Vertex v : corners_of(f, mesh))
+      {
+        low = std::min(low, tangent(v)[c]);
+        high = std::max(high, tangent(v)[c]);
+      }
+      is_on_one_side = is_on_one_side || low > half + tolerance || high < -half - tolerance;
+    }
+    for(const Vertex v : corners_of(f, mesh))
+      has_corner = has_corner || (std::abs(tangent(v)[0]) < width / 2. - tolerance &&
+                                  std::abs(tangent(v)[1]) < height / 2. - tolerance);
+    if(has_corner)
+    {
+      ++certain;
+      EXPECT_EQ(covered.count(f), 1u);
+    }
+    if(is_on_one_side)
+    {
+      EXPECT_EQ(covered.count(f), 0u);
+    }
+  }
+  EXPECT_GT(certain, 500u);
+}
+
+TEST(decal, a_moved_one_is_like_a_new_one)
+{
+  const Mesh mesh = mesh_of(icosphere(4));
+  GP::Decal_placer<Mesh> placer(mesh);
+  for(const int vertex : {0, 100, 2000, 7})
+  {
+    GP::Decal_placer<Mesh> fresh(placer.domain());
+    const double size = vertex == 100 ? 2. : 0.3;
+    const auto np = GP::parameters::up_direction(Vector_3(0.1, 0.2, 1.));
+    EXPECT_EQ(numbers(placer.place(Vertex(vertex), size, 0.5, np)),
+              numbers(fresh.place(Vertex(vertex), size, 0.5, np)));
+  }
+}
+
+TEST(decal, may_be_smaller_than_a_face)
+{
+  const Mesh mesh = mesh_of(square(4));
+  GP::Decal_placer<Mesh> placer(mesh);
+  const auto small = placer.place(location_of(9, {0.3, 0.3, 0.4}), 1e-3, 1e-3);
+  ASSERT_EQ(small.faces.size(), 1u);
+  EXPECT_EQ(small.faces[0].face, Face(9));
+  EXPECT_TRUE(small.sites.empty());
+  // On a side, around a vertex.
+  EXPECT_EQ(placer.place(location_of(9, {0.5, 0., 0.5}), 1e-3, 1e-3).faces.size(), 2u);
+  EXPECT_EQ(placer.place(Vertex(12), 1e-3, 1e-3).faces.size(), degree(Vertex(12), mesh));
+}
+
+TEST(decal, ends_at_a_border)
+{
+  const Mesh mesh = mesh_of(square(10));
+  GP::Decal_placer<Mesh> placer(mesh);
+  // All of the square, seen from its corner.
+  EXPECT_EQ(placer.place(Vertex(0), 5., 5.).faces.size(), num_faces(mesh));
+  EXPECT_EQ(placer.place(Vertex(0), 5., 5.).sites.size(), num_vertices(mesh));
+}
+
+TEST(decal, does_not_overlap_behind_a_cylinder)
+{
+  // As wide as two and a half turns: it ends where it meets itself.
+  const Mesh mesh = mesh_of(cylinder(60, 30, 1., 6.));
+  GP::Decal_placer<Mesh, GP::Exact> placer(mesh);
+  const auto decal =
+      placer.place(Vertex(60 * 15), 16., 2., GP::parameters::up_direction(Vector_3(0., 0., 1.)));
+  std::size_t around = 0;
+  for(const auto& [face, places] : decal.faces)
+  {
+    for(const auto& place : places)
+      EXPECT_LE(std::abs(place[0] - 0.5) * 16., CGAL_PI + 1e-6);
+    for(int k = 0; k < 3; ++k) // as long as the sides are: nowhere across the cut
+      EXPECT_LT(std::abs(places[k][0] - places[(k + 1) % 3][0]) * 16., 0.3);
+    ++around;
+  }
+  EXPECT_GT(around, 2u * 60u * 9u); // ten rings or so, less what is cut
+}
+
+TEST(decal, colours_are_put_over_one_another)
+{
+  Mesh mesh = mesh_of(square(10));
+  GP::Decal_placer<Mesh> placer(mesh);
+  const auto left_half_green = [](const Decal_coordinates& p) {
+    return p[0] < 0.5 ? Decal_color{0., 1., 0., 1.} : Decal_color{0., 0., 0., 0.};
+  };
+  const auto half_blue = [](const Decal_coordinates&) { return Decal_color{0., 0., 1., 0.5}; };
+  const auto up = GP::parameters::up_direction(Vector_3(0., 1., 0.));
+  const auto large = placer.place(Vertex(60), 0.5, 0.5, up),
+             small = placer.place(Vertex(60), 0.3, 0.3, up);
+
+  auto colors = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color", CGAL::IO::red()).first;
+  GP::composite_decal(large, left_half_green, colors);
+  GP::composite_decal(small, half_blue, colors);
+  auto exact = mesh.add_property_map<Vertex, Decal_color>("v:rgba", {1., 0., 0., 1.}).first;
+  GP::composite_decal(large, left_half_green, exact);
+  GP::composite_decal(small, half_blue, exact);
+  for(const Vertex v : mesh.vertices())
+  {
+    const double x = mesh.point(v).x() - 0.5, y = mesh.point(v).y() - 0.5;
+    const bool is_in_large = std::max(std::abs(x), std::abs(y)) < 0.26,
+               is_in_small = std::max(std::abs(x), std::abs(y)) < 0.16;
+    Decal_color expected = {1., 0., 0., 1.};
+    if(is_in_large && x < -0.05)
+      expected = {0., 1., 0., 1.};
+    if(std::abs(x) < 0.05)
+      continue; // whether a vertex at the middle is left of it, is a matter of rounding
+    if(is_in_small)
+      for(int c = 0; c < 3; ++c)
+        expected[c] = 0.5 * expected[c] + (c == 2 ? 0.5 : 0.);
+    for(int c = 0; c < 4; ++c)
+    {
+      EXPECT_NEAR(exact[v][c], expected[c], 1e-15);      // rounding
+      EXPECT_NEAR(colors[v][c], 255. * expected[c], 1.); // a byte for each of two images
+    }
+  }
+}
+
+TEST(decal, a_baked_texture_has_the_colours_of_the_images)
+{
+  const Mesh mesh = mesh_of(icosphere(3));
+  GP::Decal_placer<Mesh> placer(mesh);
+  // Linear images: interpolation between texels does not change them.
+  const auto ramp = [](const Decal_coordinates& p) { return Decal_color{p[0], p[1], 0., 1.}; };
+  const auto glass = [](const Decal_coordinates&) { return Decal_color{0., 0., 1., 0.25}; };
+  const std::vector<GP::Decal_layer<Mesh>> layers = {{placer.place(Vertex(0), 0.8, 0.8), ramp},
+                                                     {placer.place(Vertex(20), 0.7, 0.5), glass}};
+  const auto texture = GP::bake_decals(layers, 6, {0.5, 0.5, 0.5, 1.});
+  ASSERT_EQ(texture.texels.size(), texture.width * texture.height);
+  const auto at = [&](const Decal_coordinates& place)
+  {
+    const double x = place[0] * double(texture.width) - 0.5 + 1e-9,
+                 y = place[1] * double(texture.height) - 0.5 + 1e-9;
+    return texture.texels[std::size_t(y) * texture.width + std::size_t(x)];
+  };
+  EXPECT_EQ(at(texture.background), (Decal_color{0.5, 0.5, 0.5, 1.}));
+  std::set<Face> covered;
+  for(const auto& [face, corners] : texture.faces)
+  {
+    EXPECT_TRUE(covered.insert(face).second);
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      Decal_color expected = {0.5, 0.5, 0.5, 1.};
+      bool is_sure = true;
+      for(const auto& layer : layers)
+        for(const auto& one : layer.decal.faces)
+          if(one.face == face)
+          {
+            const auto& p = one.coordinates[k];
+            const double beyond = std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)) - 0.5;
+            is_sure = is_sure && std::abs(beyond) > 1e-9;
+            if(beyond < 0.)
+              expected = GP::internal::over(layer.image(p), expected);
+          }
+      if(is_sure)
+      {
+        for(int c = 0; c < 4; ++c)
+          EXPECT_NEAR(at(corners[k])[c], expected[c],
+                      1e-12); // rounding: corners are middles of texels
+      }
+    }
+  }
+  std::set<Face> either;
+  for(const auto& layer : layers)
+    for(const auto& one : layer.decal.faces)
+      either.insert(one.face);
+  EXPECT_EQ(covered, either);
+  EXPECT_LT(either.size(), layers[0].decal.faces.size() + layers[1].decal.faces.size()); // overlap
+  EXPECT_THROW(GP::bake_decals(layers, 0), GP::Invalid_argument_error);
+  EXPECT_EQ(GP::bake_decals<Mesh>({}, 3).faces.size(), 0u);
+}
+
+// Faces, sites and baked faces of one decal on any mesh.
+template <typename TriangleMesh>
+std::array<std::size_t, 3> counts_on_sphere()
+{
+  Numbered<TriangleMesh> sphere;
+  fill(sphere, icosphere(3));
+  const auto decal =
+      GP::Decal_placer<TriangleMesh>(sphere.mesh)
+          .place(sphere.vertices[5], 0.83, 0.47, // no rim along an edge
+                 GP::parameters::up_direction(
+                     typename GP::Decal_placer<TriangleMesh>::Domain::Vector_3(0.1f, 0.3f, 1.f)));
+  const GP::Decal_image red = [](const Decal_coordinates&) { return Decal_color{1., 0., 0., 1.}; };
+  return {decal.faces.size(), decal.sites.size(),
+          GP::bake_decals<TriangleMesh>({{decal, red}}, 2).faces.size()};
+}
+
+TEST(decal, takes_any_mesh)
+{
+  const auto counts = counts_on_sphere<Mesh>();
+  EXPECT_GT(counts[0], 20u);
+  EXPECT_EQ(counts[2], counts[0]);
+  EXPECT_EQ(counts_on_sphere<CGAL::Polyhedron_3<Kernel>>(), counts);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  EXPECT_EQ(counts_on_sphere<OpenMesh::TriMesh_ArrayKernelT<>>(), counts);
+#endif
+}
+
+TEST(decal, lies_on_the_surfels_of_a_cloud)
+{
+  CGAL::Point_set_3<Kernel::Point_3> cloud;
+  cloud.add_normal_map();
+  for(int i = 0; i <= 20; ++i)
+    for(int j = 0; j <= 20; ++j)
+      cloud.insert(Kernel::Point_3(0.05 * i, 0.05 * j, 0.), Vector_3(0., 0., 1.));
+  auto colors = cloud.add_property_map<std::array<double, 3>>("rgb", {1., 1., 1.}).first;
+  GP::Decal_placer<CGAL::Point_set_3<Kernel::Point_3>> placer(cloud);
+  const auto decal = placer.place(*(cloud.begin() + 10 * 21 + 10), 0.44, 0.28,
+                                  GP::parameters::up_direction(Vector_3(0., 1., 0.)));
+  EXPECT_EQ(decal.sites.size(), 9u * 5u);
+  for(const auto& [surfel, place] : decal.sites)
+  {
+    // Chords of fronts on clouds: the error is 1 % of the distance at most.
+    EXPECT_NEAR((place[0] - 0.5) * 0.44, cloud.point(surfel).x() - 0.5, 0.003);
+    EXPECT_NEAR((place[1] - 0.5) * 0.28, cloud.point(surfel).y() - 0.5, 0.003);
+  }
+  GP::composite_decal(
+      decal,
+      [](const Decal_coordinates&) {
+        return Decal_color{1., 0., 0., 0.5};
+      },
+      colors);
+  std::size_t painted = 0;
+  for(const auto& surfel : cloud)
+    painted += colors[surfel] == std::array<double, 3>{1., 0.5, 0.5};
+  EXPECT_EQ(painted, decal.sites.size());
+}
+
+TEST(decal, refuses_what_makes_no_sense)
+{
+  const Mesh mesh = mesh_of(square(3));
+  GP::Decal_placer<Mesh> placer(mesh);
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinite = std::numeric_limits<double>::infinity();
+  for(const double wrong : {0., -1., nan, infinite})
+  {
+    EXPECT_THROW(placer.place(Vertex(5), wrong, 1.), GP::Invalid_argument_error);
+    EXPECT_THROW(placer.place(Vertex(5), 1., wrong), GP::Invalid_argument_error);
+  }
+  EXPECT_THROW(placer.place(Vertex(99), 1., 1.), GP::Invalid_argument_error);
+  EXPECT_THROW(placer.place(Vertex(5), 1., 1., GP::parameters::up_direction(Vector_3(0., 0., 1.))),
+               GP::Invalid_argument_error);
+}
+
+} // namespace
