@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Image.h"
 
+#include "Output_file.h"
 #include "Scanner.h"
 #include "Surface_file.h"
 #include "errors.h"
@@ -36,26 +37,51 @@ struct Between
   }
 };
 
+// Calls f(pixel, share) for the four pixels around a place.
+template <typename Function>
+void for_each_pixel_around(const Image& image, double u, double v, Function f)
+{
+  const Between column(u, image.width), row(v, image.height);
+  for(const bool right : {false, true})
+    for(const bool up : {false, true})
+      f((up ? row.second : row.first) * image.width + (right ? column.second : column.first),
+        (right ? column.share : 1. - column.share) * (up ? row.share : 1. - row.share));
+}
+
 } // namespace
 
 Colour Image::at(double u, double v) const
 {
-  const Between column(u, width), row(v, height);
   Colour result = {0., 0., 0.};
-  for(const bool right : {false, true})
-    for(const bool up : {false, true})
-    {
-      const double share =
-          (right ? column.share : 1. - column.share) * (up ? row.share : 1. - row.share);
-      const Colour& pixel =
-          pixels[(up ? row.second : row.first) * width + (right ? column.second : column.first)];
-      for(std::size_t c = 0; c < 3; ++c)
-        result[c] += share * pixel[c];
-    }
+  for_each_pixel_around(*this, u, v,
+                        [&](std::size_t pixel, double share)
+                        {
+                          for(std::size_t c = 0; c < 3; ++c)
+                            result[c] += share * pixels[pixel][c];
+                        });
+  return result;
+}
+
+std::array<double, 4> Image::with_opacity_at(double u, double v) const
+{
+  std::array<double, 4> result = {0., 0., 0., 0.};
+  for_each_pixel_around(*this, u, v,
+                        [&](std::size_t pixel, double share)
+                        {
+                          const double part = opacity.empty() ? share : share * opacity[pixel];
+                          for(std::size_t c = 0; c < 3; ++c)
+                            result[c] += part * pixels[pixel][c];
+                          result[3] += part;
+                        });
+  if(result[3] > 0.)
+    for(std::size_t c = 0; c < 3; ++c)
+      result[c] /= result[3];
   return result;
 }
 
 #ifdef GEODESIC_PROCESSING_HAS_PNG
+
+void check_images(const std::string&) {}
 
 Image read_image(const std::string& filename)
 {
@@ -84,20 +110,59 @@ Image read_image(const std::string& filename)
     fail(filename, complaint);
   // The file begins with the highest row; what is transparent has a colour as well.
   image.pixels.resize(image.width * image.height);
+  image.opacity.resize(image.pixels.size());
   for(std::size_t row = 0; row < image.height; ++row)
     for(std::size_t column = 0; column < image.width; ++column)
+    {
+      const png_byte* const value = &values[4 * (row * image.width + column)];
+      const std::size_t pixel = (image.height - 1 - row) * image.width + column;
       for(std::size_t c = 0; c < 3; ++c)
-        image.pixels[(image.height - 1 - row) * image.width + column][c] =
-            values[4 * (row * image.width + column) + c] / 255.;
+        image.pixels[pixel][c] = value[c] / 255.;
+      image.opacity[pixel] = value[3] / 255.;
+    }
   return image;
+}
+
+void write_image(const std::string& filename, const Image& image)
+{
+  std::vector<png_byte> values;
+  values.reserve(3 * image.pixels.size());
+  for(std::size_t row = image.height; row-- > 0;)
+    for(std::size_t column = 0; column < image.width; ++column)
+      for(const double part : image.pixels[row * image.width + column])
+        values.push_back(static_cast<png_byte>(std::lround(255. * std::clamp(part, 0., 1.))));
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGB;
+  // The size is asked for first.
+  png_alloc_size_t size = 0;
+  std::string bytes;
+  if(png_image_write_to_memory(&png, nullptr, &size, 0, values.data(), 0, nullptr) != 0)
+    bytes.resize(size);
+  if(bytes.empty() ||
+     png_image_write_to_memory(&png, bytes.data(), &size, 0, values.data(), 0, nullptr) == 0)
+    throw Output_error(filename + ": it cannot be written as an image.");
+  bytes.resize(size);
+  write_file(filename, bytes);
 }
 
 #else
 
+void check_images(const std::string& filename)
+{
+  throw Usage_error(filename +
+                    ": this program was built without libpng, which reads and writes images.");
+}
+
 Image read_image(const std::string& filename)
 {
-  throw Usage_error(filename + ": this program was built without libpng, which reads images.");
+  check_images(filename);
+  return {};
 }
+
+void write_image(const std::string& filename, const Image&) { check_images(filename); }
 
 #endif
 

@@ -31,6 +31,8 @@ void draw(const std::string& filename, const Picture&)
 #  include <vtkCellData.h>
 #  include <vtkContourFilter.h>
 #  include <vtkFloatArray.h>
+#  include <vtkIdList.h>
+#  include <vtkImageData.h>
 #  include <vtkLightKit.h>
 #  include <vtkLookupTable.h>
 #  include <vtkNew.h>
@@ -47,6 +49,7 @@ void draw(const std::string& filename, const Picture&)
 #  include <vtkSphereSource.h>
 #  include <vtkStripper.h>
 #  include <vtkTextProperty.h>
+#  include <vtkTexture.h>
 #  include <vtkTubeFilter.h>
 #  include <vtkUnsignedCharArray.h>
 #  include <vtkWindowToImageFilter.h>
@@ -63,7 +66,7 @@ namespace program {
 namespace {
 
 constexpr int width = 1600, height = 1200;
-constexpr Colour plain = {0.80, 0.82, 0.85}, dark = {0.08, 0.08, 0.12}, red = {0.86, 0.11, 0.12};
+constexpr Colour dark = {0.08, 0.08, 0.12}, red = {0.86, 0.11, 0.12};
 // Radii, in units of half the longest side of the bounding box.
 constexpr double thin = 0.0022, thick = 0.011, ball = 0.024;
 
@@ -233,6 +236,15 @@ void add_ball(vtkRenderer* renderer, const Point& center, double radius, const C
   renderer->AddActor(actor);
 }
 
+// How skins shine.
+void finish(vtkActor* actor)
+{
+  actor->GetProperty()->SetAmbient(0.12);
+  actor->GetProperty()->SetDiffuse(0.9);
+  actor->GetProperty()->SetSpecular(0.08);
+  actor->GetProperty()->SetSpecularPower(25.);
+}
+
 void add_skin(vtkRenderer* renderer, const Skin& skin)
 {
   const vtkSmartPointer<vtkPolyData> data = triangles_of(skin.points, skin.corners);
@@ -270,10 +282,61 @@ void add_skin(vtkRenderer* renderer, const Skin& skin)
   }
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.12);
-  actor->GetProperty()->SetDiffuse(0.9);
-  actor->GetProperty()->SetSpecular(0.08);
-  actor->GetProperty()->SetSpecularPower(25.);
+  finish(actor);
+  renderer->AddActor(actor);
+}
+
+// A skin with a picture on it.
+void add_textured_skin(vtkRenderer* renderer, const std::vector<Point>& points,
+                       const Surface_file& surface, const Image& image)
+{
+  // Normals first, with creases: then each corner is a point, as places in the picture are its own.
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(triangles_of(points, surface.corners));
+  normals->SetFeatureAngle(40.);
+  normals->ConsistencyOff();
+  normals->Update();
+  vtkPolyData* const smooth = normals->GetOutput();
+  std::vector<Point> corners;
+  vtkNew<vtkFloatArray> corner_normals, places;
+  corner_normals->SetNumberOfComponents(3);
+  places->SetNumberOfComponents(2);
+  std::vector<std::uint32_t> numbers;
+  vtkNew<vtkIdList> cell;
+  for(vtkIdType f = 0; f < smooth->GetNumberOfCells(); ++f)
+  {
+    smooth->GetCellPoints(f, cell);
+    for(vtkIdType k = 0; k < 3; ++k)
+    {
+      numbers.push_back(static_cast<std::uint32_t>(corners.size()));
+      places->InsertNextTuple(surface.corner_uv[corners.size()].data());
+      corner_normals->InsertNextTuple(
+          smooth->GetPointData()->GetNormals()->GetTuple(cell->GetId(k)));
+      smooth->GetPoint(cell->GetId(k), corners.emplace_back().data());
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> data = triangles_of(corners, numbers);
+  data->GetPointData()->SetNormals(corner_normals);
+  data->GetPointData()->SetTCoords(places);
+
+  vtkNew<vtkImageData> pixels;
+  pixels->SetDimensions(static_cast<int>(image.width), static_cast<int>(image.height), 1);
+  pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* byte = static_cast<unsigned char*>(pixels->GetScalarPointer());
+  for(const Colour& pixel : image.pixels)
+    for(const double part : pixel)
+      *byte++ = static_cast<unsigned char>(std::lround(255. * part));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(pixels);
+  texture->InterpolateOn();
+  texture->RepeatOff();
+
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  finish(actor);
   renderer->AddActor(actor);
 }
 
@@ -654,7 +717,8 @@ void draw(const std::string& filename, const Picture& picture)
 
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1., 1., 1.);
-  std::vector<Colour> colours(points.size(), plain);
+  std::vector<Colour> colours =
+      picture.colours.empty() ? std::vector<Colour>(points.size(), plain) : picture.colours;
   if(!picture.labels.empty())
     std::transform(picture.labels.begin(), picture.labels.end(), colours.begin(), colour_of_label);
   else if(!picture.values.empty())
@@ -673,7 +737,9 @@ void draw(const std::string& filename, const Picture& picture)
   }
   else
   {
-    if(is_mesh)
+    if(picture.texture != nullptr)
+      add_textured_skin(renderer, points, surface, *picture.texture);
+    else if(is_mesh)
       add_skin(renderer, {points, {}, triangles, colours});
     if(!range.empty())
       lines = add_isolines(renderer, points, triangles, picture.values, range);
@@ -688,7 +754,9 @@ void draw(const std::string& filename, const Picture& picture)
   if(!range.empty())
     add_bar(renderer, range, picture.title);
 
-  std::vector<Point> places = has_regions ? std::vector<Point>() : markers;
+  std::vector<Point> places = frame(picture.places);
+  if(!has_regions)
+    places.insert(places.end(), markers.begin(), markers.end());
   for(const std::vector<Point>& polyline : polylines)
     for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
       places.push_back(polyline[i]);

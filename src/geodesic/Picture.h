@@ -3,6 +3,7 @@
 #ifndef GEODESIC_PROGRAM_PICTURE_H
 #define GEODESIC_PROGRAM_PICTURE_H
 
+#include "Image.h"
 #include "Surface_file.h"
 
 #include <string>
@@ -22,6 +23,9 @@ struct Picture
   std::vector<std::uint32_t> triangles = {};   // of a cloud: corners of those that carry its lines
   bool with_sides = false;                     // of a mesh's triangles
   std::vector<std::vector<Point>> chains = {}; // thinner than polylines
+  std::vector<Colour> colours = {};            // #points
+  const Image* texture = nullptr;              // of a mesh, seen through its corner_uv
+  std::vector<Point> places = {};              // to be seen, like markers and polylines
 };
 
 // Draws a PNG file off screen.  A Display must exist.  Throws Output_error.

@@ -23,6 +23,9 @@ struct Surface_file
   std::vector<std::size_t> first = {0};  // #polygons + 1: where each polygon begins in `corners`
   std::vector<Point> normals;            // empty or #points
   std::vector<std::array<double, 2>> uv; // empty or #points
+  std::vector<std::array<double, 2>>
+      corner_uv;        // written to OBJ, never read: instead of uv; #corners
+  std::string material; // written to OBJ, never read: a file of one, "decal"
   std::vector<std::array<std::uint32_t, 2>> edges;       // lines between points, of PLY alone
   std::vector<std::vector<Point>> polylines;             // written, never read
   std::map<std::string, std::vector<double>> properties; // each #points
@@ -53,7 +56,7 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name);
 void check_can_write(const std::string& filename);
 
 // Writes the file completely or not at all: first beside it, then renamed.
-// PLY (binary) and VTP carry normals, properties and polylines, PLY edges too; OBJ carries texture coordinates,
+// PLY (binary) and VTP carry normals, properties and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates,
 // normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
 // Throws Output_error when it cannot be written.
 void write_surface_file(const std::string& filename, const Surface_file& surface,

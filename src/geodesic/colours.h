@@ -10,6 +10,9 @@ namespace program {
 
 using Colour = std::array<double, 3>; // red, green, blue in [0, 1]
 
+// Of surfaces.
+inline constexpr Colour plain = {0.80, 0.82, 0.85};
+
 // Where nothing is known: unreached, unlabelled.
 inline constexpr Colour grey = {0.72, 0.72, 0.72};
 

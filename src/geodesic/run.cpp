@@ -50,6 +50,7 @@ int run(int argc, char** argv)
   add_distance(program);
   add_path(program);
   add_logmap(program);
+  add_decal(program);
   add_matrix(program);
   add_sample(program);
   add_voronoi(program);

@@ -6,8 +6,11 @@ namespace program {
 
 std::string to_obj(const Surface_file& surface)
 {
-  const bool normals = !surface.normals.empty(), uv = !surface.uv.empty();
+  const bool normals = !surface.normals.empty(), corner_uv = !surface.corner_uv.empty(),
+             uv = corner_uv || !surface.uv.empty();
   std::string text;
+  if(!surface.material.empty())
+    text = "mtllib " + surface.material + "\nusemtl decal\n";
   const auto line = [&text](const char* keyword, const auto& numbers)
   {
     text += keyword;
@@ -19,8 +22,10 @@ std::string to_obj(const Surface_file& surface)
   for(const std::vector<Point>& polyline : surface.polylines)
     for(const Point& point : polyline)
       line("v", point);
-  for(const std::array<double, 2>& place : surface.uv)
-    line("vt", place);
+  std::map<std::array<double, 2>, std::size_t> number_of; // of corners' places, each written once
+  for(const std::array<double, 2>& place : corner_uv ? surface.corner_uv : surface.uv)
+    if(!corner_uv || number_of.try_emplace(place, number_of.size() + 1).second)
+      line("vt", place);
   for(const Point& normal : surface.normals)
     line("vn", normal);
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
@@ -31,7 +36,9 @@ std::string to_obj(const Surface_file& surface)
       const std::string index = std::to_string(surface.corners[c] + 1);
       text += ' ' + index;
       if(uv || normals)
-        text += '/' + (uv ? index : std::string());
+        text += '/' + (corner_uv ? std::to_string(number_of.at(surface.corner_uv[c]))
+                       : uv      ? index
+                                 : std::string());
       if(normals)
         text += '/' + index;
     }

@@ -2,7 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace program {
+
+namespace {
+
+// Whether a property is a part of a colour as most programs write it, a byte.
+bool is_byte(const std::pair<const std::string, std::vector<double>>& property)
+{
+  const auto& [name, values] = property;
+  return (name == "red" || name == "green" || name == "blue") &&
+         std::all_of(values.begin(), values.end(),
+                     [](double x) { return x >= 0. && x <= 255. && x == std::floor(x); });
+}
+
+} // namespace
 
 std::string to_ply(const Surface_file& surface)
 {
@@ -18,8 +35,22 @@ std::string to_ply(const Surface_file& surface)
                       "\nproperty double x\nproperty double y\nproperty double z\n";
   if(!surface.normals.empty())
     bytes += "property double nx\nproperty double ny\nproperty double nz\n";
+  std::vector<bool> are_bytes;
   for(const auto& property : surface.properties)
-    bytes += "property double " + one_word(property.first) + "\n";
+  {
+    are_bytes.push_back(is_byte(property));
+    bytes += (are_bytes.back() ? "property uchar " : "property double ") +
+             one_word(property.first) + "\n";
+  }
+  const auto append_properties = [&](auto value_of)
+  {
+    std::size_t k = 0;
+    for(const auto& property : surface.properties)
+      if(const double value = value_of(property.second); are_bytes[k++])
+        append_little_endian(bytes, static_cast<std::uint8_t>(value));
+      else
+        append_little_endian(bytes, value);
+  };
   if(surface.number_of_polygons() > 0)
     bytes += "element face " + std::to_string(surface.number_of_polygons()) +
              "\nproperty list uchar int vertex_indices\n";
@@ -35,17 +66,16 @@ std::string to_ply(const Surface_file& surface)
     if(!surface.normals.empty())
       for(const double x : surface.normals[i])
         append_little_endian(bytes, x);
-    for(const auto& property : surface.properties)
-      append_little_endian(bytes, property.second[i]);
+    append_properties([i](const std::vector<double>& values) { return values[i]; });
   }
   for(const std::vector<Point>& polyline : surface.polylines)
     for(const Point& point : polyline)
     {
       for(const double x : point)
         append_little_endian(bytes, x);
-      const std::size_t others = (surface.normals.empty() ? 0 : 3) + surface.properties.size();
-      for(std::size_t k = 0; k < others; ++k)
+      for(std::size_t k = 0; k < 3 && !surface.normals.empty(); ++k)
         append_little_endian(bytes, 0.);
+      append_properties([](const std::vector<double>&) { return 0.; });
     }
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
   {
