@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
-# surfels, logmap and matrix.  Whatever is in a file, the program ends with 0, or with 2 and one
+# surfels, logmap, decal and matrix.  Whatever is in a file, the program ends with 0, or with 2 and one
 # sentence, in time, without a NaN.
 set -u
 
@@ -56,6 +56,7 @@ check_all()
   check "$file" path --from 0 --to 1 || failed=1
   check "$file" surfels || failed=1
   check "$file" logmap --base 0 || failed=1
+  check "$file" decal --base 0 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
   check "$file" matrix --number 5 --method exact || failed=1
@@ -65,7 +66,7 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 12 times each: no crash, no hang, no NaN"
+  echo "$# files, 15 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

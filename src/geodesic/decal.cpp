@@ -66,8 +66,8 @@ struct Colour_map
   }
 };
 
-// So many steps from texel to texel along the sides of faces that no pixel of an image is lost, but no more
-// than 2^24 texels altogether.
+// So many steps from texel to texel along the sides of faces that they are twice as many as the pixels of an
+// image, which interpolation then does not blur, but no more than 2^24 altogether.
 std::size_t segments(const std::vector<GP::Decal_layer<Mesh>>& layers,
                      const std::vector<Stamp>& stamps)
 {
@@ -77,7 +77,7 @@ std::size_t segments(const std::vector<GP::Decal_layer<Mesh>>& layers,
     const double pixels = double(stamps[i].image.width) * double(stamps[i].image.height),
                  covered = double(std::max<std::size_t>(layers[i].decal.faces.size(), 1));
     // A face has half of the texels of a square.
-    most = std::max(most, std::sqrt(2. * pixels / covered));
+    most = std::max(most, std::sqrt(2. * 2. * pixels / covered));
     faces += covered;
   }
   const double limit = std::sqrt(2. * double(1 << 24) / faces) - 5.;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Image.h"
 
+#include "compass_rose.h"
 #include "errors.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +33,48 @@ TEST(Image, of_one_pixel_is_plain)
   const Image image{1, 1, {{0.2, 0.3, 0.4}}};
   for(const double u : {-1e300, -0.5, 0., 0.3, 1., 1e300})
     EXPECT_EQ(image.at(u, 1. - u), (Colour{0.2, 0.3, 0.4}));
+}
+
+TEST(Image, what_is_transparent_lends_no_colour)
+{
+  const Image image{2, 1, {{1., 0., 0.}, {0., 1., 0.}}, {1., 0.}};
+  const auto middle = image.with_opacity_at(0.5, 0.5);
+  EXPECT_EQ(middle, (std::array<double, 4>{1., 0., 0., 0.5}));
+  EXPECT_EQ(image.with_opacity_at(1., 0.5)[3], 0.);
+  // Without opacities all is opaque.
+  const Image opaque{2, 1, {{1., 0., 0.}, {0., 1., 0.}}};
+  EXPECT_EQ(opaque.with_opacity_at(0.5, 0.5), (std::array<double, 4>{0.5, 0.5, 0., 1.}));
+}
+
+#ifdef GEODESIC_PROCESSING_HAS_PNG
+TEST(Image, is_read_as_it_was_written)
+{
+  const Image image{
+      3,
+      2,
+      {{0., 0., 0.}, {0.2, 0.4, 0.6}, {1., 1., 1.}, {1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
+  const std::string name = testing::TempDir() + "image_test.png";
+  program::write_image(name, image);
+  const Image again = program::read_image(name);
+  std::remove(name.c_str());
+  EXPECT_EQ(again.width, 3u);
+  EXPECT_EQ(again.height, 2u);
+  ASSERT_EQ(again.pixels.size(), 6u);
+  for(std::size_t i = 0; i < 6; ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(again.pixels[i][c], image.pixels[i][c], 1e-15); // multiples of 1/255
+  EXPECT_EQ(again.opacity, std::vector<double>(6, 1.));
+}
+#endif
+
+TEST(Image, a_compass_rose_has_red_above_and_is_round)
+{
+  const Image rose = program::compass_rose();
+  const auto above = rose.at(0.51, 0.75), below = rose.at(0.49, 0.25);
+  EXPECT_GT(above[0], above[2] + 0.5);
+  EXPECT_LT(below[0], below[2]);
+  EXPECT_EQ(rose.with_opacity_at(0.01, 0.01)[3], 0.);
+  EXPECT_EQ(rose.with_opacity_at(0.5, 0.5)[3], 1.);
 }
 
 } // namespace

@@ -281,6 +281,11 @@ TEST_F(Program, bad_input_is_2_and_names_the_file)
   expect_failure("surfels square.ply", 2, "points alone");
   expect_failure("logmap cloud.xyz --base 1 --method exact", 2, "need a mesh");
   expect_failure("logmap cloud.xyz --base 1 --distances exact", 2, "need a mesh");
+  expect_failure("decal cloud.xyz --base 1 --method exact", 2, "need a mesh");
+  expect_failure("decal cloud.xyz --base 1 -o d.obj", 2, "no faces");
+  expect_failure("decal square.ply --base 81", 2, "square.ply: there is no vertex 81");
+  expect_failure("decal square.ply --base 40 --image none.png", 2,
+                 "none.png: there is no such file");
   expect_failure("path apart.off --from 0 --to 3", 2, "no path");
   expect_failure("path apart.off --from 0 --to 6 -o a.vtp", 2, "no path");
 }
@@ -319,6 +324,7 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("path cloud.xyz --from 0 --to 143",
               {"length", "front_distance", "points", "start_length"});
   expect_keys("logmap square.ply --base 40", {"reached", "cut_faces", "folded_faces"});
+  expect_keys("decal square.ply --base 40", {"covered"});
   expect_keys("surfels cloud.xyz", {"outliers", "components", "arcs", "radius", "noise"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
@@ -402,6 +408,61 @@ TEST_F(Program, logmap_writes_normal_coordinates)
   expect_failure("logmap square.ply --base 1 --base-at 0,0,0", 1, "--base");
   expect_failure("logmap square.ply --base 1 --method flat", 1, "gradient");
   expect_failure("logmap square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
+}
+
+TEST_F(Program, decals_lie_in_colours_and_textures)
+{
+  // A compass rose from 0.2 to 0.8, up to the right: the middles of both of its rays are at 0.5.
+  const nlohmann::json decal =
+      json("decal square.ply --base 40 --up 1,0,0 --width 0.6 --values c.txt "
+           "-o d.ply");
+  EXPECT_EQ(decal["covered"], 25);
+  EXPECT_EQ(decal["faces"], 6 * 6 * 2);
+  const std::vector<double> colours = numbers("c.txt");
+  ASSERT_EQ(colours.size(), 3u * 81u);
+  const auto colour = [&](int column, int row)
+  {
+    const auto begin = colours.begin() + 3 * (9 * row + column);
+    return std::vector<double>(begin, begin + 3);
+  };
+  const std::vector<double> plain = {204., 209., 217.}; // of a surface without colours
+  EXPECT_EQ(colour(0, 0), plain);
+  EXPECT_EQ(colour(2, 2), plain); // outside of the ring
+  EXPECT_NE(colour(4, 4), plain);
+  EXPECT_NE(colour(6, 4), plain);
+  EXPECT_EQ(json("info d.ply")["vertices"], 81);
+
+  // Two, the second one of its own size, over the first.
+  const nlohmann::json two =
+      json("decal square.ply --base 40,0 --up 0,1,0 --width 0.6 --width 0.3 --height 0.6 "
+           "--height 0.2 --method exact -o two.obj");
+  EXPECT_GT(two["faces"].get<int>(), 72);
+  EXPECT_EQ(content(m_folder / "two.obj").substr(0, 15), "mtllib two.mtl\n");
+  EXPECT_NE(content(m_folder / "two.mtl").find("map_Kd two_texture.png\n"), std::string::npos);
+  EXPECT_EQ(content(m_folder / "two_texture.png").substr(1, 3), "PNG");
+  EXPECT_EQ(json("info two.obj")["faces"], 128);
+
+  // A black picture; its height follows its own.
+  write("black.png", png(4, std::string(2 * 5, '\0')));
+  EXPECT_EQ(json("decal square.ply --base-at 0.5,0.5,0 --up 0,1,0 --width 0.6 --image black.png "
+                 "--values c.txt")["covered"],
+            5 * 3);
+  EXPECT_EQ(numbers("c.txt")[3 * 40], 0.);
+  EXPECT_EQ(json("decal cloud.xyz --base 65 --image black.png -o c.ply --values c.txt")["faces"],
+            0);
+  EXPECT_EQ(numbers("c.txt")[3 * 65], 0.);
+
+  expect_failure("decal square.ply", 1, "--base");
+  expect_failure("decal square.ply --base 1 --base-at 0,0,0", 1, "--base");
+  expect_failure("decal square.ply --base 1,2,3 --width 1 --width 2", 1, "each of the 3");
+  expect_failure("decal square.ply --base 1 --width 0", 1, "--width");
+  expect_failure("decal square.ply --base 1 --height nan", 1, "--height");
+  expect_failure("decal square.ply --base 1 --up 1,2", 1, "--up");
+  expect_failure("decal square.ply --base 1 --method flat", 1, "gradient");
+  expect_failure("decal square.ply --base 1 --texels -1", 1, "--texels");
+  expect_failure("decal square.ply --base 40 --texels 100000000", 2, "texels");
+  expect_failure("decal square.ply --base 1 -o d.off", 1, ".obj");
+  expect_failure("decal square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
 }
 
 TEST_F(Program, paths_on_clouds_are_no_longer_than_their_chains)

@@ -74,6 +74,39 @@ TEST(Write_files, off_and_obj_give_the_shape_back_to_the_last_bit)
   EXPECT_EQ(program::read_surface_file(folder / "a.off").normals, surface.normals);
 }
 
+TEST(Write_files, ply_has_colours_as_bytes)
+{
+  const Folder folder;
+  Surface_file surface = strip_of_triangles();
+  surface.properties["red"] = {0., 17., 255., 3.};
+  surface.properties["green"] = {0., 0.5, 1., 0.}; // no bytes
+  surface.polylines = {{{0., 0., 0.}, {1., 0., 0.}}};
+  program::write_surface_file(folder / "a.ply", surface);
+  const std::string bytes = program::to_ply(surface);
+  EXPECT_NE(bytes.find("property uchar red\n"), std::string::npos);
+  EXPECT_NE(bytes.find("property double green\n"), std::string::npos);
+  Surface_file again = program::read_surface_file(folder / "a.ply");
+  for(auto& [name, values] : again.properties)
+  {
+    EXPECT_EQ(values.size(), 6u); // those of the line too
+    values.resize(4);
+  }
+  EXPECT_EQ(again.properties, surface.properties);
+  EXPECT_EQ(again.corners, surface.corners);
+}
+
+TEST(Write_files, obj_has_a_place_in_the_texture_for_each_corner)
+{
+  Surface_file surface = strip_of_triangles();
+  surface.normals.clear();
+  surface.corner_uv = {{0., 0.}, {1., 0.}, {0., 1.}, {0., 0.}, {0.5, 0.5}, {1., 0.}};
+  surface.material = "a.mtl";
+  const std::string text = program::to_obj(surface);
+  EXPECT_EQ(text.substr(0, text.find("v ")), "mtllib a.mtl\nusemtl decal\n");
+  EXPECT_NE(text.find("vt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\nf 1/1 2/2 3/3\nf 3/1 2/4 4/2\n"),
+            std::string::npos);
+}
+
 TEST(Write_files, points_without_faces_stay_points)
 {
   const Folder folder;
