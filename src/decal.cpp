@@ -50,34 +50,45 @@ bool meets(const std::array<Planar, N>& polygon, const Planar& half)
   return true;
 }
 
-// A triangle with the images of its corners.
-struct Image
-{
-  Index triangle;
-  std::array<Planar, 3> corners;
-  bool has(Index k) const { return std::isfinite(corners[k][0]); }
-  bool has_all() const { return has(0) && has(1) && has(2); }
-};
+bool has_image(const Triangle_image& image, Index k) { return std::isfinite(image.corners[k][0]); }
 
-bool is_side_cut(const Glued_triangles& t, const Image& image, Index k)
+bool is_side_cut(const Glued_triangles& t, const Triangle_image& image, Index k)
 {
   return is_cut(t, 3 * image.triangle + k, image.corners[k], image.corners[(k + 1) % 3]);
 }
 
-bool belongs(const Glued_triangles& t, const Image& image, const Planar& half)
+// Makes a triangle that is cut whole: similar to itself, on its longest side that is not cut.  False where it
+// has none.
+bool make_whole(const Glued_triangles& t, Triangle_image& image)
 {
-  return meets(image.corners, half) && !is_side_cut(t, image, 0) && !is_side_cut(t, image, 1) &&
-         !is_side_cut(t, image, 2);
+  Index longest = none;
+  int cuts = 0;
+  for(Index k = 0; k < 3; ++k)
+    if(is_side_cut(t, image, k))
+      ++cuts;
+    else if(longest == none ||
+            t.length[3 * image.triangle + k] > t.length[3 * image.triangle + longest])
+      longest = k;
+  if(cuts == 0)
+    return true;
+  const double length = longest == none ? 0. : t.length[3 * image.triangle + longest];
+  if(!(length > 0.))
+    return false;
+  const Planar &p = image.corners[longest], &q = image.corners[(longest + 1) % 3];
+  image.corners[(longest + 2) % 3] =
+      p + turned(apex(t, 3 * image.triangle + longest), (1. / length) * (q - p));
+  return true;
 }
 
-bool may_belong(const Glued_triangles& t, const Image& image, const Planar& half)
+// Of a triangle without all of its images.
+bool may_belong(const Glued_triangles& t, const Triangle_image& image, const Planar& half)
 {
   for(Index k = 0; k < 3; ++k)
   {
     const Planar &p = image.corners[k], &q = image.corners[(k + 1) % 3];
-    if(image.has(k) && meets(std::array<Planar, 1>{p}, half))
+    if(has_image(image, k) && meets(std::array<Planar, 1>{p}, half))
       return true;
-    if(image.has(k) && image.has((k + 1) % 3) && !is_side_cut(t, image, k) &&
+    if(has_image(image, k) && has_image(image, (k + 1) % 3) && !is_side_cut(t, image, k) &&
        meets(std::array<Planar, 2>{p, q}, half))
       return true;
   }
@@ -101,23 +112,24 @@ Decal_triangles triangles_of_decal(const Glued_triangles& t, const std::vector<I
   for(const Index site : reached)
     for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
     {
-      Image image = {t.star[i] / 3, {}};
-      bool is_first = true; // of its reached corners
+      Triangle_image image = {t.star[i] / 3, {}};
+      bool is_first = true /* of its reached corners */, is_reached = true;
       for(Index k = 0; k < 3; ++k)
       {
         const Index corner = t.corner[3 * image.triangle + k];
         image.corners[k] = coordinates[corner];
-        is_first = is_first && (site <= corner || !image.has(k));
+        is_reached = is_reached && has_image(image, k);
+        is_first = is_first && (site <= corner || !has_image(image, k));
       }
       if(!is_first)
         continue;
-      if(!image.has_all())
+      if(!is_reached)
       {
         if(may_belong(t, image, half))
           result.longest_side = std::max(result.longest_side, longest_side_of(t, image.triangle));
       }
-      else if(belongs(t, image, half))
-        result.inside.push_back(image.triangle);
+      else if(make_whole(t, image) && meets(image.corners, half))
+        result.inside.push_back(image);
     }
   return result;
 }

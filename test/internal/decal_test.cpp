@@ -50,7 +50,9 @@ TEST(decal, triangles_are_those_of_the_cells_that_a_rectangle_meets)
   const Planar half = {0.19 / surface.scale(), 0.05 / surface.scale()};
   const Decal_triangles found = triangles_of_decal(surface.t(), map.reached, map.coordinates, half);
   EXPECT_EQ(found.longest_side, 0.);
-  const std::set<Index> inside(found.inside.begin(), found.inside.end());
+  std::set<Index> inside;
+  for(const auto& image : found.inside)
+    inside.insert(image.triangle);
   EXPECT_EQ(inside.size(), found.inside.size());
   std::size_t cells = 0;
   for(Index f = 0; f < surface.t().number_of_triangles(); ++f)
@@ -101,19 +103,30 @@ TEST(decal, says_how_long_sides_are_where_it_has_not_all_corners)
   const Decal_triangles found =
       triangles_of_decal(surface.t(), far.reached, far.coordinates, {half, half});
   EXPECT_EQ(found.longest_side, 0.);
-  EXPECT_EQ(found.inside, all.inside);
+  EXPECT_EQ(found.inside.size(), all.inside.size());
 }
 
-TEST(decal, cut_triangles_stay_out)
+TEST(decal, cut_triangles_are_made_whole)
 {
-  const Glued_surface surface(square(10));
+  const Glued_surface surface(square(10, 0.2));
   Flat_map map(surface.t());
+  const Flat_map truth = map;
   const Planar half = {1. / surface.scale(), 1. / surface.scale()};
   const Index moved = surface.site(60);
-  map.coordinates[moved] = 0.9 * half; // as if around a handle
+  map.coordinates[moved] = 0.9 * half; // as if behind a cut locus
   const auto found = triangles_of_decal(surface.t(), map.reached, map.coordinates, half);
-  EXPECT_EQ(found.inside.size(), surface.t().number_of_triangles() -
-                                     (surface.t().first[moved + 1] - surface.t().first[moved]));
+  EXPECT_EQ(found.inside.size(), surface.t().number_of_triangles());
+  for(const auto& [triangle, corners] : found.inside)
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Planar& place = truth.coordinates[surface.t().corner[3 * triangle + k]];
+      EXPECT_LT(norm(corners[k] - place), 1e-13); // rounding
+    }
+  // Those without a whole side stay out.
+  for(const Index near : {Index(61), Index(71), Index(70)})
+    map.coordinates[surface.site(near)] = (double(near) - 65.) * half;
+  EXPECT_LT(triangles_of_decal(surface.t(), map.reached, map.coordinates, half).inside.size(),
+            found.inside.size());
 }
 
 TEST(decal, longest_sides_are_those_around)

@@ -58,8 +58,8 @@ struct Decal
 {
   Tangent_frame<Surface> frame;           ///< the middle, the way right, and the way up
   std::vector<Decal_site<Surface>> sites; ///< those on which the image lies
-  /// those of which it covers a part; places of corners may be beyond the image.  Faces that are cut,
-  /// see `Logarithmic_map`, stay without.
+  /// those of which it covers a part; places of corners may be beyond the image.  A face that is cut,
+  /// see `Logarithmic_map`, has the places that one of its sides gives it.
   std::vector<Decal_face<Surface>> faces;
 };
 
@@ -117,8 +117,8 @@ private:
                   internal::chain(np).maximum_distance(maximum_distance * triangles().scale));
   }
   template <typename Place, typename NamedParameters>
-  std::vector<internal::Index> covered_triangles(const Place& middle, const internal::Planar& half,
-                                                 const NamedParameters& np);
+  std::vector<internal::Triangle_image>
+  covered_triangles(const Place& middle, const internal::Planar& half, const NamedParameters& np);
   const internal::Glued_triangles& triangles() const { return *m_map.domain().triangles(); }
 
   Map m_map;
@@ -128,7 +128,7 @@ private:
 // middle, else one looks again.
 template <typename Surface, typename Method>
 template <typename Place, typename NamedParameters>
-std::vector<internal::Index>
+std::vector<internal::Triangle_image>
 Decal_placer<Surface, Method>::covered_triangles(const Place& middle, const internal::Planar& half,
                                                  const NamedParameters& np)
 {
@@ -155,27 +155,22 @@ Decal<Surface> Decal_placer<Surface, Method>::place(const Place& middle, double 
     throw Invalid_argument_error("The width or the height of a decal is not positive and finite.");
   const double scale = triangles().scale;
   const internal::Planar half = {width / scale / 2., height / scale / 2.};
-  const auto coordinates = [&](internal::Index site) -> Decal_coordinates
-  {
-    const internal::Planar& uv = m_map.inner_coordinates()[site];
+  const auto coordinates = [&half](const internal::Planar& uv) -> Decal_coordinates {
     return {0.5 + 0.5 * uv[0] / half[0], 0.5 + 0.5 * uv[1] / half[1]};
   };
   Decal<Surface> decal;
   if constexpr(internal::Is_cloud<Surface>::value)
     compute(middle, internal::norm(half), np);
   else
-    for(const internal::Index triangle : covered_triangles(middle, half, np))
-    {
-      const internal::Index* const corner = &triangles().corner[3 * triangle];
+    for(const auto& [triangle, corners] : covered_triangles(middle, half, np))
       decal.faces.push_back(
           {domain().face(triangle),
-           {coordinates(corner[0]), coordinates(corner[1]), coordinates(corner[2])}});
-    }
+           {coordinates(corners[0]), coordinates(corners[1]), coordinates(corners[2])}});
   for(const internal::Index site : m_map.inner_reached())
   {
     const internal::Planar& uv = m_map.inner_coordinates()[site];
     if(std::abs(uv[0]) <= half[0] && std::abs(uv[1]) <= half[1])
-      decal.sites.push_back({domain().site(site), coordinates(site)});
+      decal.sites.push_back({domain().site(site), coordinates(uv)});
   }
   decal.frame = m_map.frame();
   return decal;

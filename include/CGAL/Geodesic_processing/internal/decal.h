@@ -16,13 +16,23 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 double longest_side_around(const Glued_triangles& triangles, const Location& at);
 
+// A triangle with the images of its corners.
+struct Triangle_image
+{
+  Index triangle;
+  std::array<Planar, 3> corners;
+};
+
 // The triangles that a rectangle around the base of a map to the plane lies on.
 struct Decal_triangles
 {
-  std::vector<Index> inside; // all corners of which have an image; none is cut
-  double longest_side = 0.;  // of those that have not; zero when all of the rectangle is inside
+  std::vector<Triangle_image> inside; // all corners of which have an image
+  double longest_side = 0.; // of those that have not; zero when all of the rectangle is inside
 };
 
+// One that is cut has the image that its longest side that is not gives it, as long as that is there: so
+// on either side of a cut locus the image goes on as far as that, without a hole.
+//
 // A triangle belongs to the rectangle when the inner parts of both meet in the plane.  One without all
 // of its images is noticed by a corner or a side that meets it: as a rectangle is connected, those that
 // it goes through are when the triangles at the base have theirs.
