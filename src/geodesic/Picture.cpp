@@ -663,11 +663,11 @@ std::vector<Point> sample(const std::vector<Point>& points,
 }
 
 View place_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
-                  const std::vector<Point>& places, bool has_bar)
+                  const std::vector<Point>& places, const std::vector<Point>& normals, bool has_bar)
 {
   // The bar takes a strip at the right.
   const double free_share = has_bar ? 0.86 : 1.;
-  const View view = choose_view(samples, places, free_share * width / height);
+  const View view = choose_view(samples, places, free_share * width / height, normals);
   const Point position = view.center + view.distance * view.back;
   vtkCamera* const camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(view.center.data());
@@ -760,7 +760,8 @@ void draw(const std::string& filename, const Picture& picture)
   for(const std::vector<Point>& polyline : polylines)
     for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
       places.push_back(polyline[i]);
-  const View view = place_camera(renderer, sample(points, surface.corners), places, !range.empty());
+  const View view = place_camera(renderer, sample(points, surface.corners), places, picture.normals,
+                                 !range.empty());
   // Splats stick out of the triangles that carry a cloud's lines: bring the lines to the front.
   if(!is_mesh && lines != nullptr)
   {

@@ -26,6 +26,7 @@ struct Picture
   std::vector<Colour> colours = {};            // #points
   const Image* texture = nullptr;              // of a mesh, seen through its corner_uv
   std::vector<Point> places = {};              // to be seen, like markers and polylines
+  std::vector<Point> normals = {};             // unit vectors out of the sides to be seen
 };
 
 // Draws a PNG file off screen.  A Display must exist.  Throws Output_error.

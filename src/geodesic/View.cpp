@@ -103,7 +103,8 @@ void fit(View& view, const std::vector<Point>& samples, double aspect)
 
 } // namespace
 
-View choose_view(const std::vector<Point>& samples, const std::vector<Point>& places, double aspect)
+View choose_view(const std::vector<Point>& samples, const std::vector<Point>& places, double aspect,
+                 const std::vector<Point>& normals)
 {
   Point low = samples[0], high = samples[0];
   for(const Point& p : samples)
@@ -127,8 +128,11 @@ View choose_view(const std::vector<Point>& samples, const std::vector<Point>& pl
                                                                              : 20.;
     const View view = view_from(flat ? 2 : 1, azimuth, elevation);
     const Seen seen = look(view, samples, places);
-    const double score = seen.area + 2. * seen.share + 0.25 * std::cos(azimuth * radians) +
-                         0.05 * std::sin(azimuth * radians);
+    double towards = 0.;
+    for(const Point& normal : normals)
+      towards += dot(view.back, normal) / static_cast<double>(normals.size());
+    const double score = 2. * towards + seen.area + 2. * seen.share +
+                         0.25 * std::cos(azimuth * radians) + 0.05 * std::sin(azimuth * radians);
     if(score > best_score)
     {
       best_score = score;

@@ -22,8 +22,9 @@ inline constexpr double view_angle = 20.; // degrees, vertical
 // A view from which much of the surface and most of the given places are seen, right way up as far
 // as that can be told, and which fills a picture of width : height = aspect.
 // samples: points spread evenly over the surface, in a box of size about one.
-View choose_view(const std::vector<Point>& samples, const std::vector<Point>& places,
-                 double aspect);
+// normals: unit vectors; the camera sees the sides to which they point.
+View choose_view(const std::vector<Point>& samples, const std::vector<Point>& places, double aspect,
+                 const std::vector<Point>& normals = {});
 
 } // namespace program
 

@@ -39,9 +39,10 @@ struct Stamp
 
 struct Result
 {
-  std::vector<Colour> colours; // #vertices
-  std::size_t faces = 0;       // that are covered
-  std::set<std::size_t> covered;
+  std::vector<Colour> colours;   // #vertices
+  std::size_t faces = 0;         // that are covered
+  std::set<std::size_t> covered; // vertices
+  std::vector<Point> middles, normals;
   Image texture; // of a mesh
   std::vector<std::array<double, 2>> corner_uv;
 };
@@ -127,6 +128,10 @@ Result paint(const GP::internal::Domain_of<Surface_type>& domain, const std::vec
     const auto& decal = layers.back().decal;
     using Site = typename GP::Decal_placer<Surface_type, Method>::Domain::Site;
     GP::composite_decal(decal, image, Colour_map<Site>{&result.colours});
+    const auto& [middle, right, up] = decal.frame;
+    const auto normal = CGAL::cross_product(right, up);
+    result.middles.push_back({middle.x(), middle.y(), middle.z()});
+    result.normals.push_back({normal.x(), normal.y(), normal.z()});
     for(const auto& covered : decal.sites)
       result.covered.insert(static_cast<std::size_t>(covered.site));
   }
@@ -301,8 +306,8 @@ void run_decal(Job& job, const Decal_options& options)
     picture.colours = result.colours;
     if(surface.is_mesh())
       picture.texture = &result.texture;
-    for(const std::size_t vertex : result.covered)
-      picture.places.push_back(file.points[vertex]);
+    picture.places = result.middles;
+    picture.normals = result.normals;
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
