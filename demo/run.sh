@@ -54,7 +54,7 @@ fetch_models()
 }
 
 $build/demo/make_models $models && $build/demo/make_picture $models/rings.png || exit 1
-terrain=$models/hills.off rings=$models/rings.png
+terrain=$models/hills.off knot=$models/knot.off rings=$models/rings.png
 knot_scan=$models/scan.xyz noisy_scan=$models/noisy.xyz
 
 echo "Fetching models"
@@ -179,15 +179,16 @@ picture logmap-exact "The same by the directions in which shortest paths leave."
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --method exact
 picture logmap-heat "And from distances by the flow of heat." \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --distances heat
-picture decal "Two pictures on a real model: lines through their middles keep lengths and directions." \
-  decal "$bunny" --base-at 0.25,-0.1,0.3 --base-at 0.1,0.05,0.4 --up 0,1,0 --width 0.35 --width 0.25
-picture decal-rough "On a rough one it meets itself behind bumps." \
-  decal "$animal" --base-at 0,45,60 --up 0,1,0 --width 55
-picture decal-arm "An arm in a sleeve: a picture that goes all around it." \
-  decal "$animal" --base-at 0,0,-100 --up 0,1,0 --width 40
-picture decal-image "Pictures of rings, and of a compass, on a terrain." \
-  decal "$terrain" --base-at 35,40,20 --base-at 85,80,20 --up 0,1,0 --width 60 --width 40
-picture decal-cloud "On a scan the surfels are coloured." decal "$knot_scan" --base 12000 --width 1.8
+picture decal "Two pictures on an animal: lines through their middles keep lengths and directions." \
+  decal "$bunny" --base-at 0.25,-0.1,0.3 --base-at 0.1,0.05,0.4 --up 0,1,0
+picture decal-rough "On a rough shell." \
+  decal "$animal" --base-at 0,45,60 --up 0,1,0
+picture decal-sleeve "One that goes all around a tail." decal "$animal" --base-at 0,-20,100 --up 0,1,0
+picture decal-knot "And around a knot." decal "$knot" --base-at -2,1.8,1.5 --up 0,1,0
+picture decal-image "Rings on a terrain, twice." \
+  decal "$terrain" --base-at 35,40,20 --base-at 85,80,20 --up 0,1,0 --width 60 --width 40 --image "$rings"
+picture decal-cloud "On a scan it is surfels that have the colours." \
+  decal "$knot_scan" --base-at -2,1.8,1.5 --up 0,1,0
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
 picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
   sample "$scan" --number 1500 --density-image "$rings"
