@@ -236,6 +236,17 @@ void add_ball(vtkRenderer* renderer, const Point& center, double radius, const C
   renderer->AddActor(actor);
 }
 
+// With normals, and points where creases end once on each side of them.
+vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* triangles)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(triangles);
+  normals->SetFeatureAngle(40.);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
 // How skins shine.
 void finish(vtkActor* actor)
 {
@@ -262,14 +273,7 @@ void add_skin(vtkRenderer* renderer, const Skin& skin)
 
   vtkNew<vtkPolyDataMapper> mapper;
   if(skin.normals.empty())
-  {
-    vtkNew<vtkPolyDataNormals> normals;
-    normals->SetInputData(data);
-    normals->SetFeatureAngle(40.);
-    normals->ConsistencyOff();
-    mapper->SetInputConnection(normals->GetOutputPort());
-    mapper->Update();
-  }
+    mapper->SetInputData(with_normals(data));
   else
   {
     vtkNew<vtkFloatArray> normals;
@@ -291,12 +295,7 @@ void add_textured_skin(vtkRenderer* renderer, const std::vector<Point>& points,
                        const Surface_file& surface, const Image& image)
 {
   // Normals first, with creases: then each corner is a point, as places in the picture are its own.
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(triangles_of(points, surface.corners));
-  normals->SetFeatureAngle(40.);
-  normals->ConsistencyOff();
-  normals->Update();
-  vtkPolyData* const smooth = normals->GetOutput();
+  const vtkSmartPointer<vtkPolyData> smooth = with_normals(triangles_of(points, surface.corners));
   std::vector<Point> corners;
   vtkNew<vtkFloatArray> corner_normals, places;
   corner_normals->SetNumberOfComponents(3);
