@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
@@ -151,10 +151,10 @@ template <typename Place, typename NamedParameters>
 Decal<Surface> Decal_placer<Surface, Method>::place(const Place& middle, double width,
                                                     double height, const NamedParameters& np)
 {
-  if(!(width > 0. && height > 0. && std::isfinite(width) && std::isfinite(height)))
-    throw Invalid_argument_error("The width or the height of a decal is not positive and finite.");
   const double scale = triangles().scale;
   const internal::Planar half = {width / scale / 2., height / scale / 2.};
+  if(!(half[0] > 0. && half[1] > 0. && std::isfinite(half[0]) && std::isfinite(half[1])))
+    throw Invalid_argument_error("The width or the height of a decal is not positive and finite.");
   const auto coordinates = [&half](const internal::Planar& uv) -> Decal_coordinates {
     return {0.5 + 0.5 * uv[0] / half[0], 0.5 + 0.5 * uv[1] / half[1]};
   };
