@@ -111,7 +111,7 @@ picture()
 }
 
 # program NAME ARGUMENTS...: a demo program; its question is the first line of its source.  A
-# result that it leaves, the last argument then, is shown by its distances.
+# result that it leaves, the last argument then, is shown by its distances or another $property.
 program()
 {
   local name=$1 question answer picture=''
@@ -121,7 +121,7 @@ program()
   if answer=$("$build/demo/$name" "$@" 2>&1); then
     printf '%s\n' "$answer"
     rm -f "$gallery/$name.png"
-    if [[ ${!#} == *.ply ]] && "$build/geodesic" info "${!#}" --property distance --quiet \
+    if [[ ${!#} == *.ply ]] && "$build/geodesic" info "${!#}" --property "${property:-distance}" --quiet \
          --picture "$gallery/$name.png" >>$log 2>&1; then
       picture="<img src=\"$name.png\" alt=\"\">"
     fi
@@ -173,7 +173,7 @@ picture remesh-bent "and with more of them where it bends." \
   remesh "$beast" --number 1500 --lloyd 5 --speed curvature-attractive
 picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
 picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
-picture logmap "Normal coordinates around a place, as a chessboard: lines through it are straight." \
+picture logmap "Normal coordinates around a place: rings of equal distances, and straight lines." \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0
 picture logmap-exact "The same by the directions in which shortest paths leave." \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --method exact
@@ -211,6 +211,7 @@ program covering_radius "$animal" $build/covering.ply
 program attracted_samples "$part" $build/attracted.ply
 program two_speeds $build/two_speeds.ply
 program cut_locus "$bunny" $build/cut_locus.ply
+property=graticule program flat_globe $build/flat_globe.ply
 program methods_compared "$small"
 program mesh_or_cloud "$animal" $build/cloud.ply
 program nearest_of_many "$bear" $build/lands.ply

@@ -5,7 +5,7 @@
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
-#include "compass_rose.h"
+#include "drawings.h"
 #include "queries.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
+#include "drawings.h"
 #include "queries.h"
 
 #include <algorithm>
@@ -25,8 +26,9 @@ struct Logmap_options
 struct Result
 {
   std::vector<std::array<double, 2>> uv; // #vertices, not numbers outside
-  Point base;
+  Point base, normal;
   std::size_t reached = 0, cut = 0, folded = 0;
+  std::vector<std::size_t> cut_faces; // of a mesh
 };
 
 template <typename Surface_type, typename Method>
@@ -50,10 +52,14 @@ Result map_around(const GP::internal::Domain_of<Surface_type>& domain,
   Result result;
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
     result.uv.push_back(map(site<Surface_type>(i)));
-  const auto base = map.frame().origin;
+  const auto [base, right, up] = map.frame();
+  const auto normal = CGAL::cross_product(right, up);
   result.base = {base.x(), base.y(), base.z()};
+  result.normal = {normal.x(), normal.y(), normal.z()};
   result.reached = map.reached().size();
   result.cut = map.number_of_cut_faces();
+  if constexpr(is_mesh<Surface_type>)
+    map.for_each_cut_face([&](Mesh::Face_index face) { result.cut_faces.push_back(face); });
   result.folded = map.number_of_folded_faces();
   return result;
 }
@@ -103,15 +109,45 @@ double largest(const std::vector<std::array<double, 2>>& uv)
   return result;
 }
 
-// A chessboard whose squares are a fifth of the largest distance wide; -1 outside.
-std::vector<long long> chessboard(const std::vector<std::array<double, 2>>& uv)
+// The disk in the middle of a picture; its corner is outside.
+std::array<double, 2> in_picture(const std::array<double, 2>& uv, double size)
 {
-  const double size = largest(uv), width = size > 0. ? size / 5. : 1.;
-  std::vector<long long> result;
-  for(const auto& [u, v] : uv)
-    result.push_back(std::isfinite(u) ? (std::llround(u / width) + std::llround(v / width)) & 1
-                                      : -1);
-  return result;
+  if(!std::isfinite(uv[0]) || !(size > 0.))
+    return {0., 0.};
+  return {0.5 + 0.5 * uv[0] / size, 0.5 + 0.5 * uv[1] / size};
+}
+
+// Rings and rays around the base; on a mesh across the faces that are inside and not cut.
+void draw_map(const Job& job, const Result& result)
+{
+  Surface_file file = job.surface().file;
+  const double size = largest(result.uv);
+  Picture picture{&file};
+  picture.markers = {result.base};
+  picture.normals = {result.normal};
+  Image grid = polar_grid();
+  if(file.corners.empty())
+    for(const auto& [u, v] : result.uv)
+      picture.labels.push_back(polar_cell(u / size, v / size, 10));
+  else
+  {
+    for(std::size_t i = 0; i < grid.pixels.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c)
+        grid.pixels[i][c] = grid.opacity[i] * grid.pixels[i][c] + (1. - grid.opacity[i]) * plain[c];
+    for(const std::uint32_t corner : file.corners)
+      file.corner_uv.push_back(in_picture(result.uv[corner], size));
+    const auto leave_out = [&](std::size_t face)
+    {
+      std::fill_n(file.corner_uv.begin() + 3 * static_cast<std::ptrdiff_t>(face), 3,
+                  std::array<double, 2>{0., 0.});
+    };
+    for(std::size_t i = 0; i < file.corners.size(); ++i)
+      if(!std::isfinite(result.uv[file.corners[i]][0]))
+        leave_out(i / 3);
+    std::for_each(result.cut_faces.begin(), result.cut_faces.end(), leave_out);
+    picture.texture = &grid;
+  }
+  draw(job.picture(), picture);
 }
 
 void run_logmap(Job& job, const Logmap_options& options)
@@ -143,12 +179,7 @@ void run_logmap(Job& job, const Logmap_options& options)
         return text;
       });
   if(!job.picture().empty())
-  {
-    Picture picture{&surface.file};
-    picture.labels = chessboard(result.uv);
-    picture.markers = {result.base};
-    draw(job.picture(), picture);
-  }
+    draw_map(job, result);
   if(!job.output().empty())
   {
     Surface_file file = surface.file;
@@ -158,10 +189,7 @@ void run_logmap(Job& job, const Logmap_options& options)
     {
       file.properties["u"].push_back(u);
       file.properties["v"].push_back(v);
-      // The disk in the middle of a picture.
-      const bool is_inside = std::isfinite(u) && size > 0.;
-      file.uv.push_back(
-          {is_inside ? 0.5 + 0.5 * u / size : 0., is_inside ? 0.5 + 0.5 * v / size : 0.});
+      file.uv.push_back(in_picture({u, v}, size));
     }
     write_surface_file(job.output(), file);
   }

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Image.h"
 
-#include "compass_rose.h"
+#include "drawings.h"
 #include "errors.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace {
 
@@ -66,6 +68,24 @@ TEST(Image, is_read_as_it_was_written)
   EXPECT_EQ(again.opacity, std::vector<double>(6, 1.));
 }
 #endif
+
+TEST(Image, a_polar_grid_has_dark_and_light_cells_in_turn)
+{
+  EXPECT_EQ(program::polar_cell(1., 0.1, 20), -1);
+  EXPECT_EQ(program::polar_cell(std::nan(""), 0., 20), -1);
+  // Across a ring, and across a ray.
+  const double angle = std::acos(-1.) / 24.;
+  const int cell = program::polar_cell(0.525 * std::cos(angle), 0.525 * std::sin(angle), 20);
+  EXPECT_EQ(program::polar_cell(0.575 * std::cos(angle), 0.575 * std::sin(angle), 20), 1 - cell);
+  EXPECT_EQ(program::polar_cell(0.525 * std::cos(angle), -0.525 * std::sin(angle), 20), 1 - cell);
+  const Image grid = program::polar_grid();
+  EXPECT_EQ(grid.pixels.size(), grid.width * grid.height);
+  EXPECT_EQ(grid.opacity.front(), 0.);
+  const auto colour = [&](double x, double y) { return grid.at(0.5 + 0.5 * x, 0.5 + 0.5 * y); };
+  const double c = std::cos(angle), s = std::sin(angle);
+  EXPECT_NE(colour(0.525 * c, 0.525 * s), colour(0.575 * c, 0.575 * s));
+  EXPECT_EQ(colour(0.525 * c, 0.525 * s), colour(0.575 * c, -0.575 * s));
+}
 
 TEST(Image, a_compass_rose_has_red_above_and_is_round)
 {

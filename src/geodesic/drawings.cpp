@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compass_rose.h"
+#include "drawings.h"
 
 #include <cmath>
 #include <optional>
@@ -9,10 +9,11 @@ namespace program {
 
 namespace {
 
-constexpr Colour paper = {0.98, 0.96, 0.88}, ink = {0.10, 0.18, 0.36}, red = {0.86, 0.11, 0.12};
+constexpr Colour paper = {0.98, 0.96, 0.88}, ink = {0.10, 0.18, 0.36}, red = {0.86, 0.11, 0.12},
+                 sea = {0.30, 0.50, 0.72};
 
 // Of a place from (-1, -1) to (1, 1); nothing outside of the ring.
-std::optional<Colour> colour_at(double x, double y)
+std::optional<Colour> of_rose(double x, double y)
 {
   const double radius = std::hypot(x, y);
   if(radius > 1.)
@@ -37,11 +38,17 @@ std::optional<Colour> colour_at(double x, double y)
   return paper;
 }
 
-} // namespace
-
-Image compass_rose()
+std::optional<Colour> of_grid(double x, double y)
 {
-  constexpr std::size_t size = 256, samples = 4;
+  const int cell = polar_cell(x, y, 20);
+  return cell < 0 ? std::nullopt : std::optional<Colour>(cell > 0 ? sea : paper);
+}
+
+// A square image; a pixel is the mean of what a function has in it.
+template <typename Function>
+Image drawn(std::size_t size, Function colour_at)
+{
+  constexpr std::size_t samples = 4; // along the sides of a pixel
   Image image;
   image.width = image.height = size;
   for(std::size_t row = 0; row < size; ++row)
@@ -52,8 +59,8 @@ Image compass_rose()
       for(std::size_t j = 0; j < samples; ++j)
         for(std::size_t i = 0; i < samples; ++i)
         {
-          const auto place = [](std::size_t pixel, std::size_t sample)
-          { return 2. * (double(pixel * samples + sample) + 0.5) / (size * samples) - 1.; };
+          const auto place = [size](std::size_t pixel, std::size_t sample)
+          { return 2. * (double(pixel * samples + sample) + 0.5) / double(size * samples) - 1.; };
           if(const auto colour = colour_at(place(column, i), place(row, j)))
           {
             for(std::size_t c = 0; c < 3; ++c)
@@ -67,6 +74,21 @@ Image compass_rose()
       image.opacity.push_back(number / (samples * samples));
     }
   return image;
+}
+
+} // namespace
+
+Image compass_rose() { return drawn(256, of_rose); }
+
+Image polar_grid() { return drawn(1024, of_grid); }
+
+int polar_cell(double x, double y, int rings)
+{
+  const double radius = std::hypot(x, y);
+  if(!(radius <= 1.))
+    return -1;
+  const double turn = std::atan2(y, x) / (2. * std::acos(-1.));
+  return (static_cast<int>(radius * rings) + static_cast<int>(std::floor(24. * turn))) & 1;
 }
 
 } // namespace program
