@@ -74,7 +74,7 @@ build_release()
 }
 
 # Optimized, as otherwise the tests take longer than the build; but not what only uses the library, as
-# otherwise the build takes longer than the tests.  The library is a shared one that keeps to its own
+# otherwise the build takes longer than the tests, and commands only a little.  The library is a shared one that keeps to its own
 # copies of the standard library's functions: they would be those that are not optimized, which
 # makes kernels four times as slow.  With its checks an access to an array is too long to be inlined
 # unless that is asked for: then kernels take half of the time.  Assertions are on.
@@ -86,7 +86,7 @@ build_sanitizer()
     -DBUILD_SHARED_LIBS=ON -DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Bsymbolic-functions \
     -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON \
     "-DGEODESIC_PROCESSING_CLIENT_OPTIONS=-O0;-g0" \
-    "-DGEODESIC_PROCESSING_COMMAND_OPTIONS=-O0;-g0" \
+    "-DGEODESIC_PROCESSING_COMMAND_OPTIONS=-O1;-g0" \
     -DGEODESIC_PROCESSING_PICTURES=OFF -DGEODESIC_PROCESSING_FUZZERS=ON \
     -DGEODESIC_PROCESSING_DATA="$data" >build/sanitizer.log ||
     { cat build/sanitizer.log; return 1; }
