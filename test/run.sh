@@ -74,10 +74,10 @@ build_release()
 }
 
 # Optimized, as otherwise the tests take longer than the build; but not what only uses the library, as
-# otherwise the build takes longer than the tests, and commands only a little.  The library is a shared one that keeps to its own
-# copies of the standard library's functions: they would be those that are not optimized, which
-# makes kernels four times as slow.  With its checks an access to an array is too long to be inlined
-# unless that is asked for: then kernels take half of the time.  Assertions are on.
+# otherwise the build takes longer than the tests, and commands only a little.  The library is a shared
+# one that keeps to its own copies of the standard library's functions: else they would be those that are
+# not optimized, which makes kernels four times as slow.  With its checks an access to an array is too
+# long to be inlined unless that is asked for: then kernels take half of the time.  Assertions are on.
 build_sanitizer()
 {
   CC=clang-14 CXX=clang++-14 cmake -S . -B $sanitizer -G Ninja -DCMAKE_BUILD_TYPE=None \
