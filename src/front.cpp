@@ -36,6 +36,11 @@ constexpr double worth_a_correction = 1e-12;
 // On a curved surface, where a front errs anyway, that is done only when it falls by more than this
 // fraction of a side: the same errors, and a quarter faster where half of the triangles are obtuse.
 constexpr double worth_a_retraction = 1e-2;
+// A neighbour that spread before this site had a distance spreads once more into the triangle between when it
+// is nearer, by more than this fraction of the side, than the front of this site makes it.  On the side of a
+// cube blown up to a sphere distances were off by up to 2.8 %; they are by up to 0.06 % with this fraction, 0.7 %
+// with 3e-2 and 0.04 % with 1e-4, for a tenth of the time more than without.
+constexpr double worth_a_return = 1e-3;
 // A spoke that leaves the source's line by more than this sine, beyond a half turn, lies in the shadow
 // of its site: the front gets there another way.
 constexpr double in_shadow = -1e-12;
@@ -672,7 +677,10 @@ bool Front::spread_all_around(Index index)
     const Planar& opened = opening(left);
     const Planar next = turned(angle, opened);
     if(next[1] >= in_shadow)
-      cross_circle(index, place(left), false, opened, angle, least_curvature);
+    {
+      if(cross_circle(index, place(left), false, opened, angle, least_curvature))
+        cross_from_neighbour(index, place(left), false, angle, least_curvature);
+    }
     ++seen;
     angle = next;
     if(angle[1] < 0.)
@@ -694,7 +702,10 @@ bool Front::spread_all_around(Index index)
     const Planar& opened = opening(right);
     const Planar next = turned(angle, opened);
     if(next[1] >= in_shadow)
-      cross_circle(index, place(right), true, opened, angle, least_curvature);
+    {
+      if(cross_circle(index, place(right), true, opened, angle, least_curvature))
+        cross_from_neighbour(index, place(right), true, angle, least_curvature);
+    }
     angle = next;
     if(angle[1] >= 0.)
       offer_along(index, place(right), lit);
@@ -709,8 +720,9 @@ bool Front::spread_all_around(Index index)
 }
 
 // Offers the end of a triangle's far side what a circular front gives it that crosses the side
-// nearer to the source: the triangle's right one or, mirrored, its left one, as the site sees them.
-void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
+// nearer to the source: the triangle's right one or, mirrored, its left one, as the site sees them.  Whether
+// it takes that.
+bool Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
                          const Planar& opening, const Planar& angle, double least_curvature)
 {
   const Spokes::Spoke* const right = &m_spokes->spokes[place.spoke];
@@ -720,7 +732,7 @@ void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
   // A distance still waiting along a side, too long, would bend the circle far too much.
   const bool is_guess = (z.state & (blind_flag | final_flag)) == blind_flag;
   if(!(z.distance < infinity) || is_guess)
-    return;
+    return false;
   const double base = near.length;
   const Planar y = far.length * opening;
   // A front on a polyhedron bends at least as much as one that has come straight all the way, and so
@@ -734,7 +746,7 @@ void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
     most -= (target.state & final_flag ? worth_a_correction : worth_an_offer) *
             (target.distance - m_lowest_offset);
   if(curvature * (far.length - most) * (far.length + most) >= 2. * (most + dot(y, source)))
-    return;
+    return false;
   // Fronts of two sources are never mixed.
   if(is_same_front(index, near.end))
     curvature =
@@ -742,10 +754,10 @@ void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
   double gain;
   Planar back;
   if(!pass({source, curvature}, base, y, gain, back))
-    return;
+    return false;
   const double distance = x.distance + gain;
   if(!(distance < m_sites[far.end].distance))
-    return;
+    return false;
   // From the plane in which the crossed side lies on the first axis to the corner of the target.
   Planar direction;
   if(mirrored)
@@ -753,16 +765,44 @@ void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
     const Planar side = Planar{base, 0.} - y;
     const double size = norm(side);
     if(size == 0.)
-      return;
+      return false;
     direction = turned_back(back, (1. / size) * side);
     direction[1] = -direction[1];
   }
   else
     direction = turned_back(back, {-opening[0], -opening[1]});
   const Index corner = m_triangles->star[place.star];
-  offer(far.end,
-        {distance, direction, mirrored ? next_side(corner) : previous_side(corner), flags, 0.},
-        m_sources[index]);
+  return offer(
+      far.end,
+      {distance, direction, mirrored ? next_side(corner) : previous_side(corner), flags, 0.},
+      m_sources[index]);
+}
+
+// Once more from the other end of the side that is crossed, when it is nearer than the front of this site makes
+// it: a front came there past the other side of a vertex where the surface bends like a sphere.
+void Front::cross_from_neighbour(Index index, const Spoke_place& place, bool mirrored,
+                                 const Planar& angle, double least_curvature)
+{
+  const Glued_triangles& t = *m_triangles;
+  const Spokes::Spoke& near = m_spokes->spokes[place.spoke + (mirrored ? 1 : 0)];
+  const Site& x = m_sites[index];
+  const Site& z = m_sites[near.end];
+  if((z.state & (final_flag | origin_flag | blind_flag)) != final_flag ||
+     !is_same_front(index, near.end))
+    return;
+  const double curvature = (x.state | z.state) & flat_flag ? 0. : least_curvature;
+  const double difference = z.distance - x.distance, length = near.length;
+  const double surplus = 0.5 * curvature * (length - difference) * (length + difference) -
+                         (difference + length * angle[0]);
+  if(!(surplus > worth_a_return * length))
+    return;
+  const Index here = t.star[place.star], corner = mirrored ? previous_side(here) : next_side(here);
+  Planar source;
+  if(!source_at(corner, !mirrored, source))
+    return;
+  const Spoke_place there = place_of(t, *m_spokes, near.end, corner);
+  cross_circle(near.end, there, !mirrored, m_spokes->spokes[there.spoke].opening,
+               {source[0], -source[1]}, 1. / (z.distance - offset_at(near.end)));
 }
 
 // Without a direction: the circle, or the straight line, that its distance and that of a neighbour
