@@ -117,6 +117,20 @@ double mean_length_around(const Glued_triangles& t, const Location& at)
   return number > 0. ? sum / number : 0.;
 }
 
+double mean_bend_around(const Glued_triangles& t, const Location& at)
+{
+  double sum = 0., number = 0.;
+  for(const Index triangle : triangles_at(t, cleaned(t, at)))
+  {
+    std::array<Spatial, 3> normal;
+    for(Index k = 0; k < 3; ++k)
+      normal[k] = site_normal(t, t.corner[3 * triangle + k]);
+    for(Index k = 0; k < 3; ++k, ++number)
+      sum += std::acos(std::clamp(dot(normal[k], normal[(k + 1) % 3]), -1., 1.));
+  }
+  return number > 0. ? sum / number : 0.;
+}
+
 Log_fit::Log_fit(std::vector<Planar> stencil) : m_stencil(std::move(stencil)) {}
 
 Planar Log_fit::operator()(double distance, const double* from_stencil) const

@@ -89,6 +89,19 @@ TEST(log_map, the_fit_is_exact_in_the_plane)
   }
 }
 
+TEST(log_map, sides_bend_by_their_angles)
+{
+  // Normals at vertices of a subdivided icosahedron are nearly those of the sphere: an angle is as long as
+  // its side, but for what arcs are longer than chords and normals are off.
+  const Glued_surface surface(icosphere(3));
+  const double scale = surface.t().scale;
+  for(const Index vertex : {0u, 20u, 300u})
+    EXPECT_NEAR(mean_bend_around(surface.t(), surface.at(vertex)),
+                scale * mean_length_around(surface.t(), surface.at(vertex)), 0.01);
+  const Glued_surface flat(square(4));
+  EXPECT_EQ(mean_bend_around(flat.t(), flat.at(5)), 0.);
+}
+
 TEST(log_map, steps_come_to_the_base_along_great_circles)
 {
   const Glued_surface surface(icosphere(3));

@@ -161,7 +161,8 @@ public:
   ///     edge of the base} \cgalParamNEnd
   ///   \cgalParamNBegin{stencil_length} \cgalParamDescription{how far from the base `Gradient` measures
   ///     distances as well: the farther, the less noise and detail}
-  ///     \cgalParamDefault{0.6 mean lengths of the edges there, on a cloud 2.5} \cgalParamNEnd
+  ///     \cgalParamDefault{from 0.6 mean lengths of the edges there, where they bend by a third or more,
+  ///     to 4 where it is flat; on a cloud 2.5} \cgalParamNEnd
   ///   \cgalParamNBegin{stencil_size} \cgalParamDescription{from how many places}
   ///     \cgalParamDefault{8} \cgalParamNEnd
   /// \cgalNamedParamsEnd

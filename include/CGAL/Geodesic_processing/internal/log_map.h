@@ -39,6 +39,10 @@ Stencil stencil_of_sites(const Glued_triangles& triangles, const Tangent_plane& 
 CGAL_GEODESIC_PROCESSING_EXPORT
 double mean_length_around(const Glued_triangles& triangles, const Location& at);
 
+// The mean angle between the normals at the ends of these sides: how far they are from flat, or how rough.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double mean_bend_around(const Glued_triangles& triangles, const Location& at);
+
 // Tangent vectors from distances (Brun, Westin, Herberthson and Knutsson 2005): of the place p and
 // of the stencil q_j, the squares d^2(q_j, x) - d^2(p, x) - |q_j|^2 are -2 <log x, q_j> but for terms
 // of higher order in q_j, the odd ones of which a stencil that is symmetric does not see.
