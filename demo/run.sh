@@ -19,7 +19,7 @@ failures=0
 started=$SECONDS
 
 packages=(g++ cmake ninja-build ccache
-  libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev
+  libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev
   libcli11-dev nlohmann-json3-dev libpng-dev libvtk9-dev xvfb xauth)
 
 install_packages "${packages[@]}" || exit 1

@@ -3,11 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/curvature.h>
 
 #include <CGAL/Geodesic_processing/internal/front.h>
+#include <CGAL/Geodesic_processing/internal/nearest_quadric.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/rows.h>
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -165,54 +163,26 @@ Curvature normal_cycle(const Glued_triangles& t, const Parts& parts, const Front
   return {result.least, result.most, result.most_direction, result.least_direction};
 }
 
-// The surface of second order over the plane of a ball of surfels, the site's first, that is nearest to
-// them in the sense of least squares (Cazals and Pouget 2005, degree 2).
+// Of the quadric that is nearest to a ball of surfels, the site's first.
 Curvature fitted(const Glued_triangles& t, const std::vector<Index>& ball)
 {
-  Spatial centre = {0., 0., 0.};
-  for(const Index site : ball)
-    centre = centre + (1. / double(ball.size())) * t.point[site];
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for(const Index site : ball)
-  {
-    const Spatial way = t.point[site] - centre;
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j)
-        spread(i, j) += way[i] * way[j];
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> plane;
-  plane.computeDirect(spread);
-  const auto normal_of_plane = plane.eigenvectors().col(0);
-  const Spatial up = {normal_of_plane[0], normal_of_plane[1], normal_of_plane[2]};
   const Index origin = ball.front();
-  const auto [x, y] = tangent_frame(up);
-  double size = 0.;
+  std::vector<Spatial> points;
   for(const Index site : ball)
-    size = std::max(size, norm(t.point[site] - t.point[origin]));
-  if(!(size > 0.))
+    points.push_back(t.point[site]);
+  const Quadric quadric = nearest_quadric(t.point[origin], points);
+  if(!(quadric.unit > 0.))
     return {};
-
-  // In units of the ball, such that the sums are of one size.
-  Eigen::Matrix<double, 6, 6> sums = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> heights = Eigen::Matrix<double, 6, 1>::Zero(), powers;
-  for(const Index site : ball)
-  {
-    const Spatial way = (1. / size) * (t.point[site] - t.point[origin]);
-    const double u = dot(way, x), v = dot(way, y);
-    powers << 1., u, v, 0.5 * u * u, u * v, 0.5 * v * v;
-    sums += powers * powers.transpose();
-    heights += dot(way, up) * powers;
-  }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 6, 6>> decomposition;
-  decomposition.setThreshold(1e-12); // surfels on a conic leave some of the surface open
-  const Eigen::Matrix<double, 6, 1> surface = decomposition.compute(sums).solve(heights);
+  const std::array<double, 6>& surface = quadric.coefficients;
 
   // Its second fundamental form above the site, in orthonormal directions; positive where it bends away
   // from the surfel's normal.
-  const Spatial along_u = x + surface[1] * up, along_v = y + surface[2] * up;
+  const Spatial along_u = quadric.x + surface[1] * quadric.up,
+                along_v = quadric.y + surface[2] * quadric.up;
   const Spatial e = unit(along_u), f = unit(along_v - dot(along_v, e) * e);
   const double length = norm(along_u), c_0 = dot(along_v, e), c_1 = dot(along_v, f);
-  const double slope = size * std::sqrt(1. + surface[1] * surface[1] + surface[2] * surface[2]);
+  const double slope =
+      quadric.unit * std::sqrt(1. + surface[1] * surface[1] + surface[2] * surface[2]);
   const double a = -surface[3] / (slope * length * length);
   const double b = (-surface[4] / (slope * length) - c_0 * a) / c_1;
   const double c = (-surface[5] / slope - 2. * c_0 * c_1 * b - c_0 * c_0 * a) / (c_1 * c_1);

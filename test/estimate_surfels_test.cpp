@@ -55,7 +55,7 @@ TEST(estimate_surfels, removes_outliers)
   for(int i = 0; i < 6; ++i)
     far.insert(*points.insert({3. + i, 2. * i, 1.}));
   const std::size_t before = points.size();
-  // Of 648 points 99.08 %, rounded down, are 642.
+  // Of 648 points 0.92 % are 5.96.
   EXPECT_EQ(GP::estimate_surfels(points,
                                  GP::parameters::outlier_percentage(0.92).number_of_neighbors(12u)),
             6u);

@@ -34,7 +34,7 @@ done
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
-  libsuitesparse-dev libopenblas-dev libtbb-dev || exit 1
+  libsuitesparse-dev libopenblas-dev || exit 1
 
 mkdir -p "$build"
 {

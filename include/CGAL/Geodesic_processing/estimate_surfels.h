@@ -19,11 +19,11 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// makes surfels of points: normals by jets, oriented along a minimum spanning tree, and radii such
-/// that the disks of neighbours overlap.
+/// makes surfels of points: normals of fitted surfaces of second order \cgalCite{cgal:cp-edqpf-05}, oriented
+/// along a minimum spanning tree, and radii such that the disks of neighbours overlap.
 ///
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
-///         threads, for normals where the library has been built with TBB.  The result is the same.
+///         threads.  The result is the same.
 /// \tparam Points a `Point_set_3`, which gets normals and a property `"radius"`, and loses outliers
 ///         (until `collect_garbage()` they can be had back); or any range, with maps to write to
 /// \cgalNamedParamsBegin

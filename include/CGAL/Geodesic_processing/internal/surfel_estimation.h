@@ -18,9 +18,9 @@ struct Estimated_surfels
   std::vector<std::size_t> removed; // outliers, which have no radius
 };
 
-// Normals by jets through so many neighbours, oriented along a minimum spanning tree, and radii as
+// Normals of the nearest quadrics of so many neighbours, oriented along a minimum spanning tree, and radii as
 // make_cloud() sets them; without the given percentage of points, those farthest from their
-// neighbours.
+// neighbours in the mean of squares.
 //
 // Throws Invalid_argument_error when a coordinate is not finite or a number makes no sense, and
 // Unsupported_surface_error when there are fewer points than neighbours.  O(n log n).
