@@ -73,8 +73,9 @@ void expect_agreement_of_heat_and_front(const Triangulation& shape)
   const Glued_surface surface(shape);
   const auto front = distances(surface, Method::euclidean_front, {surface.source(0)});
   const auto heat = distances(surface, Method::heat, {surface.source(0)});
-  // Heat errs by 1 to 2 percent.
-  EXPECT_LT(mean_difference(heat, front), 0.03);
+  // The errors of both on coarse scans: heat's of 3 percent (femur_3k9, against exact distances) and the
+  // front's of 0.6.
+  EXPECT_LT(mean_difference(heat, front), 0.036);
 }
 
 TEST(Surfaces_agree, with_their_refinement)
