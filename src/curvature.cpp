@@ -200,8 +200,9 @@ std::vector<Curvature> curvatures(const std::shared_ptr<const Glued_triangles>& 
   std::vector<Curvature> result(t.number_of_sites());
   const Parts all = t.is_cloud() ? Parts() : parts(t);
   // Straight fronts are near enough for a ball, and never take back what they know: a Euclidean one does,
-  // for milliseconds at each site of a lantern of Schwarz.
-  for_each_row(Front(triangles, Front_kind::planar), result.size(), {}, threads,
+  // for milliseconds at each site of a lantern of Schwarz.  Surfels have arcs in many directions.
+  const Front_kind kind = t.is_cloud() ? Front_kind::arcs : Front_kind::planar;
+  for_each_row(Front(triangles, kind), result.size(), {}, threads,
                [&](std::size_t i, Front& front, Front_limits limits)
                {
                  const Index site = Index(i);

@@ -15,6 +15,7 @@
 #include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/estimate_surfels.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/exponential_map.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>

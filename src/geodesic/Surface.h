@@ -16,6 +16,13 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
 
+// Of a point or a vector.
+template <typename Triple>
+Point coordinates(const Triple& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
 // An input after repair: a mesh of triangles where the file has faces, else a cloud with normals.
 // Vertices keep the numbers that they have in the file; none is added or removed.
 struct Surface

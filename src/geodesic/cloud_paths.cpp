@@ -82,10 +82,8 @@ Surface_file seen_surfels(const Cloud& cloud, const Path_finder& finder)
   Surface_file result;
   for(const Cloud::Index& surfel : cloud)
   {
-    const auto p = finder.point(surfel);
-    const auto n = finder.normal(surfel);
-    result.points.push_back({p.x(), p.y(), p.z()});
-    result.normals.push_back({n.x(), n.y(), n.z()});
+    result.points.push_back(coordinates(finder.point(surfel)));
+    result.normals.push_back(coordinates(finder.normal(surfel)));
   }
   return result;
 }

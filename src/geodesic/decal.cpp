@@ -128,10 +128,8 @@ Result paint(const GP::internal::Domain_of<Surface_type>& domain, const std::vec
     const auto& decal = layers.back().decal;
     using Site = typename GP::Decal_placer<Surface_type, Method>::Domain::Site;
     GP::composite_decal(decal, image, Colour_map<Site>{&result.colours});
-    const auto& [middle, right, up] = decal.frame;
-    const auto normal = CGAL::cross_product(right, up);
-    result.middles.push_back({middle.x(), middle.y(), middle.z()});
-    result.normals.push_back({normal.x(), normal.y(), normal.z()});
+    result.middles.push_back(coordinates(decal.frame.origin));
+    result.normals.push_back(coordinates(decal.frame.normal()));
     for(const auto& covered : decal.sites)
       result.covered.insert(static_cast<std::size_t>(covered.site));
   }

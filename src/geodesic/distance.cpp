@@ -49,9 +49,8 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
   if(!options.source_at.empty())
   {
     const typename Domain::Location location = locate(domain, options.source_at, "--source-at");
-    const auto p = domain.point(domain.inner(location));
     sources.emplace_back(location);
-    result.sources.push_back({p.x(), p.y(), p.z()});
+    result.sources.push_back(coordinates(domain.point(domain.inner(location))));
   }
   if constexpr(is_mesh<Surface_type>)
     if(options.source_border)

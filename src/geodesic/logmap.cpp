@@ -52,10 +52,9 @@ Result map_around(const GP::internal::Domain_of<Surface_type>& domain,
   Result result;
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
     result.uv.push_back(map(site<Surface_type>(i)));
-  const auto [base, right, up] = map.frame();
-  const auto normal = CGAL::cross_product(right, up);
-  result.base = {base.x(), base.y(), base.z()};
-  result.normal = {normal.x(), normal.y(), normal.z()};
+  const auto frame = map.frame();
+  result.base = coordinates(frame.origin);
+  result.normal = coordinates(frame.normal());
   result.reached = map.reached().size();
   result.cut = map.number_of_cut_faces();
   if constexpr(is_mesh<Surface_type>)

@@ -49,7 +49,7 @@ template <typename Path>
 void keep(const Path& path, Result& result)
 {
   for(const auto& p : path.points)
-    result.points.push_back({p.x(), p.y(), p.z()});
+    result.points.push_back(coordinates(p));
   result.length = path.length;
   result.front_distance = path.front_distance;
 }
@@ -102,10 +102,7 @@ Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job
         const auto path = find(begin, end);
         keep(path, result);
         for(const Cloud::Index& surfel : path.start)
-        {
-          const auto p = find.point(surfel);
-          result.start.push_back({p.x(), p.y(), p.z()});
-        }
+          result.start.push_back(coordinates(find.point(surfel)));
         result.start_length = path.start_length;
       },
       from, to);

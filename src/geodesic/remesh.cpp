@@ -87,8 +87,7 @@ Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job
       { result.added = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np).added; });
   for(const auto v : mesh.vertices())
   {
-    const auto& p = mesh.point(v);
-    result.file.points.push_back({p.x(), p.y(), p.z()});
+    result.file.points.push_back(coordinates(mesh.point(v)));
     if(!job.values().empty())
       result.text += place_text(surface, get(locations, v)) + '\n';
   }

@@ -52,8 +52,7 @@ Result find_samples(const Surface_type& surface, const Sample_options& options, 
   result.triangles = picture_triangles(domain, job);
   for(const auto& sample : samples)
   {
-    const auto p = domain.point(domain.inner(sample));
-    result.points.push_back({p.x(), p.y(), p.z()});
+    result.points.push_back(coordinates(domain.point(domain.inner(sample))));
     result.text += place_text(surface, sample) + '\n';
     if constexpr(!is_mesh<Surface_type>)
       result.normals.push_back(job.surface().file.normals[std::size_t(sample.surfel)]);

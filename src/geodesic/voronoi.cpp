@@ -72,7 +72,7 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
     {
       result.lines.emplace_back();
       for(const auto& p : line.points)
-        result.lines.back().push_back({p.x(), p.y(), p.z()});
+        result.lines.back().push_back(coordinates(p));
     }
   }
   else

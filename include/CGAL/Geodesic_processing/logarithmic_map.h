@@ -5,12 +5,12 @@
 
 #include <CGAL/Geodesic_processing/internal/Log_engine.h>
 #include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/turned_plane.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -49,6 +49,8 @@ struct Tangent_frame
 
   Point_3 origin = ORIGIN;
   Vector_3 u = NULL_VECTOR, v = NULL_VECTOR; ///< unit vectors along the axes of the map
+
+  Vector_3 normal() const { return CGAL::cross_product(u, v); }
 };
 
 namespace internal {
@@ -70,39 +72,6 @@ struct Log_engine<Discrete_exponential> : Discrete_exponential_engine
 {
   using Discrete_exponential_engine::Discrete_exponential_engine;
 };
-
-// The tangent plane at the base of a map, and by how much the axes of the map are turned in it.
-struct Turned_plane
-{
-  Tangent_plane plane;
-  double turn = 0.;
-};
-
-template <typename Domain, typename Place, typename NamedParameters>
-Turned_plane turned_plane(const Domain& domain, const Place& base, const NamedParameters& np)
-{
-  Turned_plane result{Tangent_plane(*domain.triangles(), location(domain, base))};
-  if constexpr(has_parameter<NamedParameters, internal_np::up_direction_t>)
-  {
-    using Vector_3 = typename Domain::Vector_3;
-    const auto up = parameter(np, internal_np::up_direction, Vector_3(NULL_VECTOR));
-    result.turn =
-        pi / 2. - result.plane.tangent_angle(Spatial{
-                      CGAL::to_double(up.x()), CGAL::to_double(up.y()), CGAL::to_double(up.z())});
-  }
-  return result;
-}
-
-template <typename Domain>
-typename Domain::Location exponential(const Domain& domain, const Turned_plane& at,
-                                      const std::array<double, 2>& vector)
-{
-  static_assert(!Is_cloud<typename Domain::Surface>::value,
-                "A surfel cloud has no straight lines; go on a mesh.");
-  const double angle = std::atan2(vector[1], vector[0]) - at.turn;
-  const double length = std::hypot(vector[0], vector[1]) / domain.triangles()->scale;
-  return domain.outer(at.plane.straight(angle, length).locations.back());
-}
 
 // A place in the plane as the value of a map: a `Point_2`, or an array.
 template <typename Value>
@@ -311,30 +280,6 @@ auto logarithmic_map(const Surface& surface, const Place& base, UVMap uv_map,
   map.compute(base, np);
   map.write(uv_map);
   return map.frame();
-}
-
-/// \ingroup PkgGeodesicProcessingLogMap
-///
-/// returns the place of a mesh to which a tangent vector leads, straight on: the inverse of
-/// `logarithmic_map()`, whose axes are these when `up_direction` is the same.
-///
-/// Beyond the radius up to which shortest paths are unique it goes on straight.  Where it meets a border, the
-/// place there is returned.
-///
-/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; a cloud has no straight lines
-/// \param base a vertex or a location
-/// \param vector in the tangent plane of the base
-/// \param np `up_direction`, as for `Logarithmic_map::compute()`, and what `make_domain()` takes
-/// \throws Invalid_argument_error when the base is an isolated vertex, the vector is not finite, or the direction
-///         is normal to the surface
-///
-/// O(number of faces crossed) after `make_domain()`.  \cgalCite{cgal:ps-sgps-98}
-template <typename Mesh, typename Place, typename NamedParameters = internal::Default_parameters>
-auto exponential_map(const Mesh& mesh, const Place& base, const std::array<double, 2>& vector,
-                     const NamedParameters& np = NamedParameters())
-{
-  const auto domain = make_domain(mesh, np);
-  return internal::exponential(domain, internal::turned_plane(domain, base, np), vector);
 }
 
 } // namespace CGAL::Geodesic_processing
