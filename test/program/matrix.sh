@@ -52,11 +52,28 @@ attempt()
   [ -z "$complaint" ]
 }
 
+# A twentieth of the longest side of the bounding box; 1 where there is none.
+twentieth_of_extent()
+{
+  "$program" info "$1" --json --quiet 2>/dev/null |
+    awk '/"bounding_box"/ { inside = 1 }
+      inside && /[0-9]/ { gsub(/[ ,]/, ""); x[n++] = $0 }
+      n == 6 { exit }
+      END {
+        most = 0
+        for(c = 0; c < 3; ++c)
+          if(x[c + 3] - x[c] > most)
+            most = x[c + 3] - x[c]
+        printf("%.9g", (most > 0 && most < 1e300) ? most / 20 : 1)
+      }'
+}
+
 all_of_a_file()
 {
-  local file=$1 failed=0 limit=10 method
+  local file=$1 failed=0 limit=10 method deviation
   # About 40 bytes a vertex with its faces.
   [ "$(stat -c %s "$file")" -lt 2000000 ] || limit=60
+  deviation=$(twentieth_of_extent "$file")
   attempt "$file" $limit info || failed=1
   for method in euclidean exact fast-marching dijkstra heat; do
     attempt "$file" $limit distance --source 0 --method $method || failed=1
@@ -77,12 +94,12 @@ all_of_a_file()
   attempt "$file" $limit voronoi --number 10 --speed curvature-repulsive || failed=1
   attempt "$file" $limit remesh --number 50 --lloyd 2 --keep-sharp 60 --fit || failed=1
   attempt "$file" $limit remesh --number 50 --fill-holes || failed=1
-  attempt "$file" $limit remesh --number 50 --maximum-deviation 0.5 || failed=1
+  attempt "$file" $limit remesh --number 50 --maximum-deviation "$deviation" || failed=1
   attempt "$file" $limit matrix --sources 0,1,2 --limit 0.1 || failed=1
   return $failed
 }
 
-export -f attempt all_of_a_file
+export -f attempt twentieth_of_extent all_of_a_file
 export program work
 if find "$folder" -type f -regex '.*\.\(ply\|off\|obj\|stl\|xyz\|pwn\|vtp\)' -print0 | sort -z |
    xargs -0 -n 1 -P "$jobs" bash -c 'all_of_a_file "$1"' _; then
