@@ -247,8 +247,9 @@ TEST(Front, is_as_near_where_a_grid_is_skew)
     const auto d =
         run(surface, Kind::euclidean, {surface.source(surface.in(triangle, barycentric))});
     for(Index i = 0; i < d.size(); ++i)
-      // The source lies by an eighth of the square of an edge, 1e-4, below the sphere.
-      EXPECT_NEAR(d[i] / great_circle(unit(place), side.points[i]), 1., d[i] > 0.2 ? 1e-3 : 0.1)
+      // What front.cpp says at worth_a_return; and the source lies by an eighth of the square of an edge, 1e-4,
+      // below the sphere.
+      EXPECT_NEAR(d[i] / great_circle(unit(place), side.points[i]), 1., d[i] > 0.2 ? 2.5e-3 : 0.1)
           << triangle << " " << i;
   }
 }
