@@ -161,8 +161,8 @@ void run_logmap(Job& job, const Logmap_options& options)
   Result result;
   on_surface(surface,
              [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
-  job.result()["reached"] = result.reached;
-  job.result()["cut_faces"] = result.cut;
+  job.result()["values"] = result.reached;
+  job.result()["cut"] = result.cut;
   job.result()["folded_faces"] = result.folded;
   job.say("reached         " + std::to_string(result.reached) + " vertices");
   job.say("cut             " + std::to_string(result.cut) + " faces");

@@ -323,7 +323,7 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("path square.ply --from 0 --to 80", {"length", "front_distance", "points"});
   expect_keys("path cloud.xyz --from 0 --to 143",
               {"length", "front_distance", "points", "start_length"});
-  expect_keys("logmap square.ply --base 40", {"reached", "cut_faces", "folded_faces"});
+  expect_keys("logmap square.ply --base 40", {"values", "cut", "folded_faces"});
   expect_keys("decal square.ply --base 40", {"covered"});
   expect_keys("surfels cloud.xyz", {"outliers", "components", "arcs", "radius", "noise"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
@@ -384,7 +384,7 @@ TEST_F(Program, logmap_writes_normal_coordinates)
     const nlohmann::json map = json("logmap square.ply --base 40 --up 0,1,0 --radius 0.4 --values "
                                     "m.txt -o m.vtp --method " +
                                     std::string(method));
-    EXPECT_EQ(map["cut_faces"], 0);
+    EXPECT_EQ(map["cut"], 0);
     EXPECT_EQ(map["folded_faces"], 0);
     const std::vector<double> uv = numbers("m.txt");
     ASSERT_EQ(uv.size(), 162u);
@@ -399,11 +399,11 @@ TEST_F(Program, logmap_writes_normal_coordinates)
       EXPECT_NEAR(uv[2 * i], x, 1e-12);
       EXPECT_NEAR(uv[2 * i + 1], y, 1e-12);
     }
-    EXPECT_EQ(map["reached"], inside);
+    EXPECT_EQ(map["values"], inside);
   }
-  EXPECT_EQ(json("logmap square.ply --base-at 0.3,0.3,1 --distances heat -o m.obj")["reached"], 81);
-  EXPECT_EQ(json("logmap cloud.xyz --base 50 -o m.ply")["reached"], 144);
-  EXPECT_EQ(json("logmap cloud.xyz --base 50 --method discrete-exponential")["reached"], 144);
+  EXPECT_EQ(json("logmap square.ply --base-at 0.3,0.3,1 --distances heat -o m.obj")["values"], 81);
+  EXPECT_EQ(json("logmap cloud.xyz --base 50 -o m.ply")["values"], 144);
+  EXPECT_EQ(json("logmap cloud.xyz --base 50 --method discrete-exponential")["values"], 144);
   expect_failure("logmap square.ply", 1, "--base");
   expect_failure("logmap square.ply --base 1 --base-at 0,0,0", 1, "--base");
   expect_failure("logmap square.ply --base 1 --method flat", 1, "gradient");
