@@ -38,9 +38,9 @@ constexpr double worth_a_correction = 1e-12;
 constexpr double worth_a_retraction = 1e-2;
 // A neighbour that spread before this site had a distance spreads once more into the triangle between when it
 // is nearer, by more than this fraction of the side, than the front of this site makes it.  On the side of a
-// cube blown up to a sphere distances were off by up to 2.8 %, 0.04 % in the mean; with this fraction by 0.23 and
-// 0.008 %, with 1e-2 by 0.44 and 0.013 %, with 1e-3 by 0.20 and 0.007 %, but that takes a tenth of the time.
-constexpr double worth_a_return = 3e-3;
+// cube blown up to a sphere distances were off by up to 2.8 %, 0.04 % in the mean; with this fraction by 0.20 and
+// 0.007 %, with 1e-2 by 0.44 and 0.013 %, with none by 0.20 and 0.0066 %.
+constexpr double worth_a_return = 1e-3;
 // A spoke that leaves the source's line by more than this sine, beyond a half turn, lies in the shadow
 // of its site: the front gets there another way.
 constexpr double in_shadow = -1e-12;
@@ -98,6 +98,14 @@ bool source_by_distances(double length, double difference, Circle& circle)
   return true;
 }
 
+// By how much more a front gains along a side of this length than a circle of this curvature does, where
+// `cosine` is that of the angle between side and source.
+double excess(double curvature, double length, double difference, double cosine)
+{
+  return difference + length * cosine -
+         0.5 * curvature * (length - difference) * (length + difference);
+}
+
 // The curvature at x of the circle that has the source's direction at x and gains `difference`
 // along a side of this length, or `least` where that is more.  With d = difference, l = length, c =
 // cosine of the angle between side and source, |l e - r u| = r + d gives
@@ -108,7 +116,8 @@ double bent(double least, double length, double difference, double cosine, doubl
 {
   const double denominator = (length - difference) * (length + difference);
   const double bend = difference + length * cosine;
-  const bool is_more = denominator > 0. && bend - 0.5 * least * denominator > 1e-11 * distance;
+  const bool is_more =
+      denominator > 0. && excess(least, length, difference, cosine) > 1e-11 * distance;
   return is_more ? 2. * bend / denominator : least;
 }
 
@@ -677,10 +686,7 @@ bool Front::spread_all_around(Index index)
     const Planar& opened = opening(left);
     const Planar next = turned(angle, opened);
     if(next[1] >= in_shadow)
-    {
-      if(cross_circle(index, place(left), false, opened, angle, least_curvature))
-        cross_from_neighbour(index, place(left), false, angle, least_curvature);
-    }
+      cross_circle(index, place(left), false, opened, angle, least_curvature);
     ++seen;
     angle = next;
     if(angle[1] < 0.)
@@ -702,10 +708,7 @@ bool Front::spread_all_around(Index index)
     const Planar& opened = opening(right);
     const Planar next = turned(angle, opened);
     if(next[1] >= in_shadow)
-    {
-      if(cross_circle(index, place(right), true, opened, angle, least_curvature))
-        cross_from_neighbour(index, place(right), true, angle, least_curvature);
-    }
+      cross_circle(index, place(right), true, opened, angle, least_curvature);
     angle = next;
     if(angle[1] >= 0.)
       offer_along(index, place(right), lit);
@@ -720,9 +723,8 @@ bool Front::spread_all_around(Index index)
 }
 
 // Offers the end of a triangle's far side what a circular front gives it that crosses the side
-// nearer to the source: the triangle's right one or, mirrored, its left one, as the site sees them.  Whether
-// it takes that.
-bool Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
+// nearer to the source: the triangle's right one or, mirrored, its left one, as the site sees them.
+void Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
                          const Planar& opening, const Planar& angle, double least_curvature)
 {
   const Spokes::Spoke* const right = &m_spokes->spokes[place.spoke];
@@ -732,7 +734,7 @@ bool Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
   // A distance still waiting along a side, too long, would bend the circle far too much.
   const bool is_guess = (z.state & (blind_flag | final_flag)) == blind_flag;
   if(!(z.distance < infinity) || is_guess)
-    return false;
+    return;
   const double base = near.length;
   const Planar y = far.length * opening;
   // A front on a polyhedron bends at least as much as one that has come straight all the way, and so
@@ -746,18 +748,23 @@ bool Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
     most -= (target.state & final_flag ? worth_a_correction : worth_an_offer) *
             (target.distance - m_lowest_offset);
   if(curvature * (far.length - most) * (far.length + most) >= 2. * (most + dot(y, source)))
-    return false;
+    return;
   // Fronts of two sources are never mixed.
+  bool has_nearer_neighbour = false;
   if(is_same_front(index, near.end))
-    curvature =
-        bent(curvature, base, z.distance - x.distance, angle[0], x.distance - offset_at(index));
+  {
+    const double difference = z.distance - x.distance;
+    has_nearer_neighbour = excess(curvature, base, difference, angle[0]) < -worth_a_return * base &&
+                           (z.state & (final_flag | origin_flag | blind_flag)) == final_flag;
+    curvature = bent(curvature, base, difference, angle[0], x.distance - offset_at(index));
+  }
   double gain;
   Planar back;
   if(!pass({source, curvature}, base, y, gain, back))
-    return false;
+    return;
   const double distance = x.distance + gain;
   if(!(distance < m_sites[far.end].distance))
-    return false;
+    return;
   // From the plane in which the crossed side lies on the first axis to the corner of the target.
   Planar direction;
   if(mirrored)
@@ -765,44 +772,42 @@ bool Front::cross_circle(Index index, const Spoke_place& place, bool mirrored,
     const Planar side = Planar{base, 0.} - y;
     const double size = norm(side);
     if(size == 0.)
-      return false;
+      return;
     direction = turned_back(back, (1. / size) * side);
     direction[1] = -direction[1];
   }
   else
     direction = turned_back(back, {-opening[0], -opening[1]});
   const Index corner = m_triangles->star[place.star];
-  return offer(
-      far.end,
-      {distance, direction, mirrored ? next_side(corner) : previous_side(corner), flags, 0.},
-      m_sources[index]);
+  const Index arrived = mirrored ? next_side(corner) : previous_side(corner);
+  const bool is_taken = offer(far.end, {distance, direction, arrived, flags, 0.}, m_sources[index]);
+  // Once more from there: a front came to it past the other side of a vertex where the surface bends like a
+  // sphere.  That ends, as nothing is taken twice.
+  if(is_taken && has_nearer_neighbour && was_reached_after(index, near.end))
+    cross_from(mirrored ? previous_side(corner) : next_side(corner), !mirrored);
 }
 
-// Once more from the other end of the side that is crossed, when it is nearer than the front of this site makes
-// it: a front came there past the other side of a vertex where the surface bends like a sphere.
-void Front::cross_from_neighbour(Index index, const Spoke_place& place, bool mirrored,
-                                 const Planar& angle, double least_curvature)
+// Whether a site was reached by one that has spread after this neighbour did.
+bool Front::was_reached_after(Index site, Index neighbour) const
 {
   const Glued_triangles& t = *m_triangles;
-  const Spokes::Spoke& near = m_spokes->spokes[place.spoke + (mirrored ? 1 : 0)];
-  const Site& x = m_sites[index];
-  const Site& z = m_sites[near.end];
-  if((z.state & (final_flag | origin_flag | blind_flag)) != final_flag ||
-     !is_same_front(index, near.end))
-    return;
-  const double curvature = (x.state | z.state) & flat_flag ? 0. : least_curvature;
-  const double difference = z.distance - x.distance, length = near.length;
-  const double surplus = 0.5 * curvature * (length - difference) * (length + difference) -
-                         (difference + length * angle[0]);
-  if(!(surplus > worth_a_return * length))
-    return;
-  const Index here = t.star[place.star], corner = mirrored ? previous_side(here) : next_side(here);
+  const Index corner = m_sites[site].corner;
+  const auto is_later = [&](Index other)
+  { return m_sites[t.corner[other]].distance > m_sites[neighbour].distance; };
+  return is_later(next_side(corner)) || is_later(previous_side(corner));
+}
+
+// Through the triangle of a corner, from its site.
+void Front::cross_from(Index corner, bool mirrored)
+{
+  const Glued_triangles& t = *m_triangles;
+  const Index site = t.corner[corner];
   Planar source;
-  if(!source_at(corner, !mirrored, source))
+  if(!source_at(corner, mirrored, source))
     return;
-  const Spoke_place there = place_of(t, *m_spokes, near.end, corner);
-  cross_circle(near.end, there, !mirrored, m_spokes->spokes[there.spoke].opening,
-               {source[0], -source[1]}, 1. / (z.distance - offset_at(near.end)));
+  const Spoke_place place = place_of(t, *m_spokes, site, corner);
+  cross_circle(site, place, mirrored, m_spokes->spokes[place.spoke].opening,
+               {source[0], -source[1]}, 1. / (m_sites[site].distance - offset_at(site)));
 }
 
 // Without a direction: the circle, or the straight line, that its distance and that of a neighbour

@@ -63,20 +63,22 @@ packages=(g++ cmake ninja-build ccache git
 sources() { git ls-files --cached --others --exclude-standard '*.h' '*.cpp'; }
 check_format() { sources | xargs -r clang-format-14 --dry-run -Werror; }
 
+# What only uses the library is not optimized, as otherwise the build takes longer than the tests.
+clients="-DGEODESIC_PROCESSING_CLIENT_OPTIONS=-O0;-g0"
+
 build_release()
 {
   cmake -S . -B $release -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON \
-    -DGEODESIC_PROCESSING_DEMOS=ON -DGEODESIC_PROCESSING_DOCS=ON \
+    -DGEODESIC_PROCESSING_DEMOS=ON -DGEODESIC_PROCESSING_DOCS=ON "$clients" \
     -DGEODESIC_PROCESSING_DATA="$data" >build/release.log || { cat build/release.log; return 1; }
   tail -n 4 build/release.log
   cmake --build $release -j "$jobs" -- -k 0
 }
 
-# Optimized, as otherwise the tests take longer than the build; but not what only uses the library, as
-# otherwise the build takes longer than the tests, and commands only a little.  The library is a shared
-# one that keeps to its own copies of the standard library's functions: else they would be those that are
-# not optimized, which makes kernels four times as slow.  With its checks an access to an array is too
+# Optimized, as otherwise the tests take longer than the build; the program only a little.  The library is a
+# shared one that keeps to its own copies of the standard library's functions: else they would be those that
+# are not optimized, which makes kernels four times as slow.  With its checks an access to an array is too
 # long to be inlined unless that is asked for: then kernels take half of the time.  Assertions are on.
 build_sanitizer()
 {
@@ -84,9 +86,8 @@ build_sanitizer()
     -DCMAKE_CXX_FLAGS="-O2 -mllvm -inline-threshold=600 -Qunused-arguments -gline-tables-only -fno-omit-frame-pointer \
       -fsanitize=address,undefined -fno-sanitize-recover=undefined -D_GLIBCXX_ASSERTIONS" \
     -DBUILD_SHARED_LIBS=ON -DCMAKE_SHARED_LINKER_FLAGS=-Wl,-Bsymbolic-functions \
-    -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON \
-    "-DGEODESIC_PROCESSING_CLIENT_OPTIONS=-O0;-g0" \
-    "-DGEODESIC_PROCESSING_COMMAND_OPTIONS=-O1;-g0" \
+    -DGEODESIC_PROCESSING_WARNINGS_AS_ERRORS=ON -DGEODESIC_PROCESSING_TESTS=ON "$clients" \
+    "-DGEODESIC_PROCESSING_PROGRAM_OPTIONS=-O1;-g0" \
     -DGEODESIC_PROCESSING_PICTURES=OFF -DGEODESIC_PROCESSING_FUZZERS=ON \
     -DGEODESIC_PROCESSING_DATA="$data" >build/sanitizer.log ||
     { cat build/sanitizer.log; return 1; }

@@ -101,10 +101,10 @@ private:
   void spread_euclidean(Index site);
   bool spread_all_around(Index site);
   void spread_blindly(Index site);
-  bool cross_circle(Index site, const Spoke_place& place, bool mirrored, const Planar& opening,
+  void cross_circle(Index site, const Spoke_place& place, bool mirrored, const Planar& opening,
                     const Planar& angle, double least_curvature);
-  void cross_from_neighbour(Index site, const Spoke_place& place, bool mirrored,
-                            const Planar& angle, double least_curvature);
+  bool was_reached_after(Index site, Index neighbour) const;
+  void cross_from(Index corner, bool mirrored);
 
   void spread_on_cloud(Index site);
   void cross_on_cloud(Index from, const Spatial* source, Index along, Index target);
