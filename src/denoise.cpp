@@ -26,8 +26,10 @@ constexpr double first_radius = 2.8, growth = 1.25;
 constexpr int first_clustered = 5;
 constexpr Index cluster_size = 8;
 
-// In standard deviations: how far estimates may be apart, and surfels from a fit.
-constexpr double agreement = 3., outlying = 3.5;
+// In standard deviations: how far the heights and the slopes of estimates may be apart, and surfels from
+// a fit.  Slopes of scans are not independent: with 3 for them as well, paths on a scanned plane are off
+// by 0.060 % instead of 0.046 %.
+constexpr double agreement = 3., slope_agreement = 5., outlying = 3.5;
 
 constexpr double normals_agree = 0.5; // 60 degrees: the other side of a thin sheet does not count
 
@@ -148,6 +150,19 @@ public:
     return true;
   }
 
+  // Takes from what is seen how much it rises beyond the second order where the surface goes on
+  // bending as the fit says: with the Hessian H by  x H x / (1 + sqrt(1 - |H x|^2))  in all, which is
+  // right for spheres and cylinders.
+  static void straighten(const Quadric_fit::Coefficients& c, Seen& seen)
+  {
+    const Quadric_fit::Place& p = seen.place;
+    const double x = c[3] * p.x + c[4] * p.y, y = c[4] * p.x + c[5] * p.y;
+    const double cosine = std::sqrt(1. - std::min(x * x + y * y, steepest));
+    seen.height -= (c[3] * p.xx + 2. * c[4] * p.xy + c[5] * p.yy) * (1. / (1. + cosine) - 0.5);
+    seen.slope_x -= x * (1. / cosine - 1.);
+    seen.slope_y -= y * (1. / cosine - 1.);
+  }
+
   // What a fit suggests for a surfel nearby.
   Surfel moved(const Spatial& point, const Quadric_fit::Coefficients& c) const
   {
@@ -161,6 +176,9 @@ public:
   }
 
 private:
+  // Of the squared sine of the slope: normals that differ by more do not agree.
+  static constexpr double steepest = 1. - normals_agree * normals_agree;
+
   Spatial m_origin, m_up, m_u, m_v;
   double m_over;
 };
@@ -346,15 +364,17 @@ public:
                    if(n > number)
                      continue;
                    const Quadric_fit::Coefficients c = fit.coefficients(n);
-                   const Estimate e = {c[0], fit.variance(n)};
+                   const Estimate e = {
+                       {c[0], c[1], c[2]},
+                       {fit.variance(0, n), fit.variance(1, n), fit.variance(2, n)}};
                    if(!std::all_of(estimates.begin(), estimates.begin() + size,
                                    [&](const Estimate& other) { return agree(e, other); }))
                      continue;
                    is_any = true;
                    estimates[size++] = e;
-                   if(e.variance < least)
+                   if(e.variance[0] < least)
                    {
-                     least = e.variance;
+                     least = e.variance[0];
                      choice = {scale, n};
                      result = c;
                    }
@@ -406,16 +426,23 @@ public:
   }
 
 private:
+  // Of the height and the slopes.
   struct Estimate
   {
-    double height, variance;
+    std::array<double, 3> value, variance;
   };
 
   // Whether the difference of two estimates, one of which has used what the other has, is chance.
   static bool agree(const Estimate& a, const Estimate& b)
   {
-    const double difference = a.height - b.height;
-    return difference * difference <= agreement * agreement * std::abs(a.variance - b.variance);
+    for(int k = 0; k < 3; ++k)
+    {
+      const double difference = a.value[k] - b.value[k];
+      const double most = k == 0 ? agreement : slope_agreement;
+      if(difference * difference > most * most * std::abs(a.variance[k] - b.variance[k]))
+        return false;
+    }
+    return true;
   }
 
   bool is_noisy(Index i) const
@@ -473,6 +500,8 @@ private:
         if(!(scale < first_clustered ? chart.see(m_scan.point[j], m_scan.normal[j], seen)
                                      : chart.see(m_clusters.samples[j], seen)))
           continue;
+        if(has_last)
+          Chart::straighten(last, seen);
         if(has_last && std::abs(seen.height - Quadric_fit::height(last, seen.place)) > most)
           continue;
         fit.add_height(number * height_weight, seen.place, seen.height);

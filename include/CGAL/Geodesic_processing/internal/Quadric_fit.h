@@ -83,8 +83,13 @@ public:
   // After factorize(): the first `number` coefficients, the others zero.
   Coefficients coefficients(int number) const { return solved(m_right, number); }
 
-  // The variance of c_0 where weights are inverse variances.
-  double variance(int number) const { return solved({1., 0., 0., 0., 0., 0.}, number)[0]; }
+  // The variance of c_i, i < 3, where weights are inverse variances.
+  double variance(int i, int number) const
+  {
+    Coefficients unit = {};
+    unit[i] = 1.;
+    return solved(unit, number)[i];
+  }
 
 private:
   Coefficients solved(Coefficients c, int number) const

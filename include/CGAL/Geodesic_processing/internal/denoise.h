@@ -29,11 +29,12 @@ double noise_level(const std::vector<Spatial>& points, std::vector<Spatial> norm
 //
 // At each surfel planes and surfaces of second order are fitted to the heights and the slopes of
 // the surfels within a radius, weighted by the variances of both, which are those that fits to the
-// 24 nearest leave; at radii from 2.8 to 33 spacings.  Of all these the one with the least variance
-// is taken whose height at the surfel agrees with those of larger variance (Lepski 1991): so a
-// radius grows until the surface bends in another way.  What is farther from the fit of the radius
-// before than noise can be does not count, nor do surfels whose normals do not agree: edges stay.
-// Far from the surfel eight others count as one.
+// 24 nearest leave; at radii from 2.8 to 33 spacings.  Beyond the second order a surface is taken to
+// go on as a sphere or a cylinder that bends as the fit of the radius before does.  Of all these the
+// one with the least variance is taken whose height and slopes at the surfel agree with those of
+// larger variance (Lepski 1991): so a radius grows until the surface bends in another way.  What is
+// farther from the fit of the radius before than noise can be does not count, nor do surfels whose
+// normals do not agree: edges stay.  Far from the surfel eight others count as one.
 //
 // Throws as glue_surfels().  O(n log n); about 70 microseconds per surfel and thread.
 CGAL_GEODESIC_PROCESSING_EXPORT
