@@ -29,7 +29,7 @@ enum class Surfel_fit
 // It ends 1.5 radii from the nearest surfel, along its tangent plane: of its own, or the mean of its
 // neighbours' where that is less, because next to a gap a surfel's neighbours are farther away.  One
 // radius would leave holes of 2 % of the area in random samples, 1.5 of 0.01 %.  Nor is it farther than
-// 1.3 times the radius that one in ten of the neighbours exceeds: a surfel beside denser ones, alone in
+// 1.1 times the radius that one in ten of the neighbours exceeds: a surfel beside denser ones, alone in
 // a hole of a scan, does not close that.
 class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
 {
