@@ -7,37 +7,136 @@
 #include <Eigen/Sparse>
 #ifdef GEODESIC_PROCESSING_HAS_CHOLMOD
 #  include <Eigen/CholmodSupport>
+#  if __has_include(<dlfcn.h>)
+#    include <dlfcn.h>
+#  endif
 #else
 #  include <Eigen/SparseCholesky>
 #endif
+
+#include <mutex>
+#include <new>
 
 namespace CGAL::Geodesic_processing::internal {
 
 #ifdef GEODESIC_PROCESSING_HAS_CHOLMOD
 
-struct Sparse_solver::Solver : Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Lower>
+namespace {
+
+// Threads inside of a factorization gain nothing at a hundred thousand unknowns, and sums would depend
+// on their number.  Whether BLAS is OpenBLAS is known only where the program runs.
+void hold_blas_at_one_thread()
 {
-  Solver() { cholmod().print = 0; } // it warns on standard output
-  bool is_definite() const { return info() == Eigen::Success; }
+#  ifdef RTLD_DEFAULT
+  static std::once_flag is_held;
+  const auto hold = []
+  {
+    if(void* const function = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
+      reinterpret_cast<void (*)(int)>(function)(1);
+  };
+  std::call_once(is_held, hold);
+#  endif
+}
+
+// The state of one call: shared, it would be written by several threads.
+struct Common : cholmod_common
+{
+  Common()
+  {
+    cholmod_start(this);
+    print = 0; // it warns on standard output
+    supernodal = CHOLMOD_SUPERNODAL;
+  }
+  ~Common() { cholmod_finish(this); }
+};
+
+} // namespace
+
+struct Sparse_solver::Solver
+{
+  Solver(const Sparse_matrix& matrix, Elimination elimination)
+  {
+    hold_blas_at_one_thread();
+    Common common;
+    if(elimination == Elimination::sparse)
+    {
+      common.nmethods = 2; // the better of the two, or the one that is there
+      common.method[0].ordering = CHOLMOD_METIS;
+      common.method[1].ordering = CHOLMOD_AMD;
+    }
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+    factor = cholmod_analyze(&view, &common);
+  }
+  Solver(const Solver& other)
+  {
+    Common common;
+    factor = cholmod_copy_factor(other.factor, &common);
+  }
+  ~Solver()
+  {
+    Common common;
+    cholmod_free_factor(&factor, &common);
+  }
+
+  bool factorize(const Sparse_matrix& matrix)
+  {
+    Common common;
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+    return factor && cholmod_factorize(&view, factor, &common) && factor->minor == factor->n;
+  }
+
+  Vector solve(const Vector& right) const
+  {
+    Common common;
+    cholmod_dense view = Eigen::viewAsCholmod(right.const_cast_derived());
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, &view, &common);
+    if(!solution)
+      throw std::bad_alloc();
+    const Vector result = Vector::Map(static_cast<const double*>(solution->x), right.size());
+    cholmod_free_dense(&solution, &common);
+    return result;
+  }
+
+  cholmod_factor* factor = nullptr;
 };
 
 #else
 
-struct Sparse_solver::Solver : Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower>
+struct Sparse_solver::Solver
 {
-  bool is_definite() const { return info() == Eigen::Success && !(vectorD().minCoeff() <= 0.); }
+  Solver(const Sparse_matrix& matrix, Elimination) : pattern(matrix)
+  {
+    ldlt.analyzePattern(pattern);
+  }
+  Solver(const Solver& other) : Solver(other.pattern, Elimination::quick) {}
+
+  bool factorize(const Sparse_matrix& matrix)
+  {
+    ldlt.factorize(matrix);
+    return ldlt.info() == Eigen::Success && !(ldlt.vectorD().minCoeff() <= 0.);
+  }
+  Vector solve(const Vector& right) const { return ldlt.solve(right); }
+
+  Sparse_matrix pattern; // Eigen's factorizations cannot be copied
+  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> ldlt;
 };
 
 #endif
 
-Sparse_solver::Sparse_solver(const Sparse_matrix& matrix) : m_solver(std::make_unique<Solver>())
+Sparse_solver::Sparse_solver(const Sparse_matrix& matrix, Elimination elimination)
+    : m_solver(std::make_unique<Solver>(matrix, elimination))
 {
-  m_solver->compute(matrix);
-  if(!m_solver->is_definite())
+  if(!factorize(matrix))
     throw Unsupported_surface_error("A linear system of the surface could not be factorized.");
 }
 
+Sparse_solver::Sparse_solver(const Sparse_solver& other)
+    : m_solver(std::make_unique<Solver>(*other.m_solver))
+{}
+
 Sparse_solver::~Sparse_solver() = default;
+
+bool Sparse_solver::factorize(const Sparse_matrix& matrix) { return m_solver->factorize(matrix); }
 
 Vector Sparse_solver::solve(const Vector& right) const { return m_solver->solve(right); }
 

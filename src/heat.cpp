@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/Sparse_solver.h>
 #include <CGAL/Geodesic_processing/internal/glue.h>
 #include <CGAL/Geodesic_processing/internal/intrinsic_delaunay.h>
+#include <CGAL/Geodesic_processing/internal/operators.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 
@@ -58,14 +59,35 @@ std::unique_ptr<Sparse_solver> factorized(Sparse_matrix& matrix)
   return std::make_unique<Sparse_solver>(matrix);
 }
 
+// The direction in which a function falls in each triangle, or zero where it has none.
+Field unit_descent(const Operators& operators, const Vector& function)
+{
+  Field result(operators.number_of_triangles(), Planar{0., 0.});
+  for(std::size_t f = 0; f < result.size(); ++f)
+  {
+    const Index* corner = &operators.corner[3 * f];
+    const std::array<double, 3> value = {function[corner[0]], function[corner[1]],
+                                         function[corner[2]]};
+    // Divided by the largest first: heat far away is below what squares can hold.
+    const double largest = std::max({std::abs(value[0]), std::abs(value[1]), std::abs(value[2])});
+    const double first = (value[1] - value[0]) / largest, second = (value[2] - value[0]) / largest;
+    // Opposite to the source of a symmetric surface there is no direction, only rounding.
+    if(!(std::max(std::abs(first), std::abs(second)) >= 1e-13))
+      continue;
+    const Planar way = first * operators.hat[3 * f + 1] + second * operators.hat[3 * f + 2];
+    const double size = norm(way);
+    if(size > 0.)
+      result[f] = (-1. / size) * way;
+  }
+  return result;
+}
+
 } // namespace
 
 struct Heat_solver::Systems
 {
-  std::vector<Index> corner;     // 3 #triangles of the triangulation that carries the heat
-  std::vector<double> length;    // 3 #triangles
-  std::vector<double> cotangent; // 3 #triangles, of the angle opposite to each side, times weight
-  std::vector<Index> component;  // #sites
+  Operators operators;          // of the triangulation that carries the heat
+  std::vector<Index> component; // #sites
   std::size_t components = 0;
   double step = 0.; // square root of the time step
   std::unique_ptr<Sparse_solver> heat, poisson;
@@ -87,64 +109,20 @@ Heat_solver::Heat_solver(std::shared_ptr<const Glued_triangles> triangles)
   if(!t.is_cloud())
     flip_to_delaunay(t);
 
-  const Index n = static_cast<Index>(t.number_of_sites());
   const double width = width_of(m_triangles, systems->component, systems->components);
   systems->step = std::max(mean, width / widest);
-  const double step_square = systems->step * systems->step;
 
-  systems->cotangent.resize(t.length.size());
-  std::vector<double> mass(n, 0.), diagonal(n, 0.);
-  std::vector<Eigen::Triplet<double>> stiffness;
-  stiffness.reserve(2 * t.length.size());
-  for(Index side = 0; side < t.length.size(); ++side)
-  {
-    const double weight = t.weight.empty() ? 1. : t.weight[side / 3];
-    const Planar angle = corner_angle(t, previous_side(side));
-    // Mollified sines are at least about 1e-6; those of a flipped triangle may be less.
-    const double cotangent = weight * angle[0] / std::max(angle[1], 1e-9);
-    systems->cotangent[side] = cotangent;
-    const Index a = t.corner[side], b = t.corner[next_side(side)];
-    diagonal[a] += 0.5 * cotangent;
-    diagonal[b] += 0.5 * cotangent;
-    if(a != b)
-      stiffness.emplace_back(std::max(a, b), std::min(a, b), -0.5 * cotangent);
-    else
-      diagonal[a] -= cotangent;
-    // A third of half the product of the two sides at a corner and its sine.
-    const double product = t.length[side] * t.length[previous_side(side)];
-    mass[a] += weight * product * corner_angle(t, side)[1] / 6.;
-  }
-  Sparse_matrix heat(n, n), poisson(n, n);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(stiffness.size() + n);
-  for(const auto& entry : stiffness)
-    entries.emplace_back(entry.row(), entry.col(), step_square * entry.value());
-  for(Index i = 0; i < n; ++i)
-    entries.emplace_back(i, i, mass[i] > 0. ? mass[i] + step_square * diagonal[i] : 1.);
-  heat.setFromTriplets(entries.begin(), entries.end());
+  systems->operators = operators(t);
+  const Laplacian laplacian(systems->operators);
+  Sparse_matrix poisson = laplacian.matrix(systems->operators);
+  Sparse_matrix heat = systems->step * systems->step * poisson;
+  const Vector mass = lumped_mass(systems->operators);
+  heat.diagonal() += (mass.array() > 0.).select(mass, 1.);
   systems->heat = factorized(heat);
-
-  // The Laplacian knows constants on each island as zero.  Holding one site there makes it definite, and
-  // the potential is the same up to a constant, because the divergence sums to zero.  (A shift small
-  // enough to change nothing on a long strip is lost in rounding.)
-  const auto [island, islands_found] = islands(t);
-  std::vector<bool> is_held(islands_found, false);
-  entries = std::move(stiffness);
-  for(Index i = 0; i < n; ++i)
-    if(!(mass[i] > 0.))
-      entries.emplace_back(i, i, 1.);
-    else if(is_held[island[i]])
-      entries.emplace_back(i, i, diagonal[i]);
-    else
-    {
-      is_held[island[i]] = true;
-      entries.emplace_back(i, i, 2. * diagonal[i]);
-    }
-  poisson.setFromTriplets(entries.begin(), entries.end());
+  // A shift small enough to change nothing on a long strip would be lost in rounding.
+  laplacian.hold(poisson);
   systems->poisson = factorized(poisson);
 
-  systems->corner = std::move(t.corner);
-  systems->length = std::move(t.length);
   m_systems = std::move(systems);
 }
 
@@ -209,47 +187,8 @@ bool Heat_solver::run(const std::vector<Source>& sources, const Front_limits& li
     return false;
   }
 
-  // The divergence of the unit field against the gradient of u: half the sum over the sides at a
-  // corner of cotangent times the field along the side.
-  Vector divergence = Vector::Zero(n);
-  for(std::size_t f = 0; f < s.corner.size(); f += 3)
-  {
-    const double* length = &s.length[f];
-    const Planar angle = [&]
-    {
-      const double product = 2. * length[0] * length[2];
-      const double versine = std::clamp((length[1] - (length[0] - length[2])) *
-                                            (length[1] + (length[0] - length[2])) / product,
-                                        0., 2.);
-      return Planar{1. - versine, std::sqrt(versine * (2. - versine))};
-    }();
-    const std::array<Planar, 3> corners = {Planar{0., 0.}, Planar{length[0], 0.},
-                                           length[2] * angle};
-    std::array<double, 3> value = {u[s.corner[f]], u[s.corner[f + 1]], u[s.corner[f + 2]]};
-    // Divided by the largest first: heat far away is below what squares can hold.
-    const double largest = std::max({std::abs(value[0]), std::abs(value[1]), std::abs(value[2])});
-    if(!(largest > 0.) || !(corners[2][1] > 0.))
-      continue;
-    const double first = (value[1] - value[0]) / largest, second = (value[2] - value[0]) / largest;
-    // Opposite to the source of a symmetric surface there is no direction, only rounding.
-    if(std::max(std::abs(first), std::abs(second)) < 1e-13)
-      continue;
-    const double du = first / corners[1][0];
-    const double dv = (second - du * corners[2][0]) / corners[2][1];
-    const double size = std::hypot(du, dv);
-    if(!(size > 0.))
-      continue;
-    const Planar field = {-du / size, -dv / size};
-    for(std::size_t k = 0; k < 3; ++k)
-    {
-      const double flow = 0.5 * s.cotangent[f + k] * dot(corners[(k + 1) % 3] - corners[k], field);
-      divergence[s.corner[f + k]] += flow;
-      divergence[s.corner[f + (k + 1) % 3]] -= flow;
-    }
-  }
-  Vector potential = s.poisson->solve(divergence);
-  // The field points away from the sources and the stiffness is positive: L phi = -div.
-  potential = -potential;
+  // Away from the sources, so that distances grow along it.
+  const Vector potential = s.poisson->solve(divergence(s.operators, unit_descent(s.operators, u)));
 
   std::vector<double> shift(s.components, 0.), amount(s.components, 0.);
   for(std::size_t i = 0; i < given.size(); ++i)

@@ -3,10 +3,12 @@
 #include <CGAL/Geodesic_processing/internal/Sparse_solver.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/parallel.h>
 
 #include <gtest/gtest.h>
 
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -44,6 +46,33 @@ TEST(Sparse_solver, leaves_a_small_residual)
     // Backward stable: roundings of |A| |x|.
     EXPECT_LT(residual.norm(), 1e-14 * 4. * x.norm());
   }
+}
+
+TEST(Sparse_solver, factorizes_again_what_has_the_same_pattern)
+{
+  const int n = 1000;
+  const Vector right = Vector::Ones(n);
+  for(const Elimination elimination : {Elimination::quick, Elimination::sparse})
+  {
+    const Sparse_solver first(chain(n, 1.), elimination);
+    Sparse_solver second = first;
+    EXPECT_FALSE(second.factorize(chain(n, -3.)));
+    EXPECT_TRUE(second.factorize(chain(n, 2.)));
+    EXPECT_EQ(first.solve(right), Sparse_solver(chain(n, 1.), elimination).solve(right));
+    EXPECT_EQ(second.solve(right), Sparse_solver(chain(n, 2.), elimination).solve(right));
+  }
+}
+
+TEST(Sparse_solver, solves_in_threads)
+{
+  const Sparse_solver solver(chain(1000, 1e-3));
+  const Vector right = Vector::Ones(1000), expected = solver.solve(right);
+  std::vector<Vector> found(100);
+  for_each_block(found.size(), 1, 4,
+                 [&](std::size_t block, std::size_t, std::size_t)
+                 { found[block] = solver.solve(right); });
+  for(const Vector& x : found)
+    EXPECT_EQ(x, expected);
 }
 
 TEST(Sparse_solver, refuses_a_matrix_that_is_not_definite)

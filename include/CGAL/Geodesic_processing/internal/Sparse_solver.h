@@ -15,15 +15,30 @@ namespace CGAL::Geodesic_processing::internal {
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
+// In which order unknowns are eliminated: `quick` is found fast, `sparse` leaves fewer entries, which
+// pays where one pattern is factorized again and again.
+enum class Elimination
+{
+  quick,
+  sparse
+};
+
 // The factorization of a symmetric positive definite matrix, of which the lower triangle is read: by
-// CHOLMOD where it was found, else by Eigen.
+// CHOLMOD where it was found, else by Eigen.  BLAS is held at one thread from the first one on.
+//
+// The pattern is analysed once.  A copy shares no state, and is factorized anew before it solves.
 class CGAL_GEODESIC_PROCESSING_EXPORT Sparse_solver
 {
 public:
   // Throws Unsupported_surface_error when the matrix is not definite.
-  explicit Sparse_solver(const Sparse_matrix& matrix);
+  explicit Sparse_solver(const Sparse_matrix& matrix, Elimination elimination = Elimination::quick);
+  Sparse_solver(const Sparse_solver& other);
   ~Sparse_solver();
 
+  // Another matrix with the same pattern.  False when it is not definite: then nothing can be solved.
+  bool factorize(const Sparse_matrix& matrix);
+
+  // May be called by several threads at once.
   Vector solve(const Vector& right) const;
 
 private:

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/operators.h>
+
+#include <CGAL/Geodesic_processing/internal/unfold.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+Operators operators(const Glued_triangles& triangles)
+{
+  Operators result;
+  const std::size_t n = triangles.number_of_triangles();
+  result.corner = triangles.corner;
+  result.number_of_sites = triangles.number_of_sites();
+  result.area.assign(n, 0.);
+  result.hat.assign(3 * n, Planar{0., 0.});
+  for(std::size_t f = 0; f < n; ++f)
+  {
+    const double* length = &triangles.length[3 * f];
+    const double twice = twice_area(length[0], length[1], length[2]);
+    const auto [shortest, longest] = std::minmax({length[0], length[1], length[2]});
+    if(!(twice > 1e-7 * shortest * longest))
+      continue;
+    result.area[f] = 0.5 * twice * (triangles.weight.empty() ? 1. : triangles.weight[f]);
+    const auto place = unfolded(triangles, Index(f));
+    for(std::size_t k = 0; k < 3; ++k)
+      result.hat[3 * f + k] = (1. / twice) * turned_left(place[(k + 2) % 3] - place[(k + 1) % 3]);
+  }
+  return result;
+}
+
+void gradient(const Operators& operators, const Vector& function, Field& result)
+{
+  result.resize(operators.number_of_triangles());
+  for(std::size_t f = 0; f < result.size(); ++f)
+  {
+    const Index* corner = &operators.corner[3 * f];
+    const Planar* hat = &operators.hat[3 * f];
+    const double first = function[corner[0]];
+    result[f] = (function[corner[1]] - first) * hat[1] + (function[corner[2]] - first) * hat[2];
+  }
+}
+
+Field gradient(const Operators& operators, const Vector& function)
+{
+  Field result;
+  gradient(operators, function, result);
+  return result;
+}
+
+Vector divergence(const Operators& operators, const Field& field)
+{
+  Vector result = Vector::Zero(Eigen::Index(operators.number_of_sites));
+  for(std::size_t f = 0; f < field.size(); ++f)
+  {
+    const Planar flow = operators.area[f] * field[f];
+    for(std::size_t k = 0; k < 3; ++k)
+      result[operators.corner[3 * f + k]] += dot(flow, operators.hat[3 * f + k]);
+  }
+  return result;
+}
+
+Field turned_left(Field field)
+{
+  for(Planar& vector : field)
+    vector = turned_left(vector);
+  return field;
+}
+
+double inner_product(const Operators& operators, const Field& a, const Field& b)
+{
+  double result = 0.;
+  for(std::size_t f = 0; f < a.size(); ++f)
+    result += operators.area[f] * dot(a[f], b[f]);
+  return result;
+}
+
+Vector lumped_mass(const Operators& operators)
+{
+  Vector result = Vector::Zero(Eigen::Index(operators.number_of_sites));
+  for(std::size_t c = 0; c < operators.corner.size(); ++c)
+    result[operators.corner[c]] += operators.area[c / 3] / 3.;
+  return result;
+}
+
+Sparse_matrix consistent_mass(const Operators& operators)
+{
+  const auto n = Eigen::Index(operators.number_of_sites);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(2 * operators.corner.size());
+  for(Index side = 0; side < operators.corner.size(); ++side)
+  {
+    const Index a = operators.corner[side], b = operators.corner[next_side(side)];
+    const double area = operators.area[side / 3];
+    entries.emplace_back(a, a, area / 6.);
+    entries.emplace_back(std::max(a, b), std::min(a, b), (a == b ? 2. : 1.) * area / 12.);
+  }
+  Sparse_matrix result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+std::pair<std::vector<Index>, std::size_t> components(const Operators& operators)
+{
+  std::vector<Index> parent(operators.number_of_sites);
+  std::iota(parent.begin(), parent.end(), Index(0));
+  const auto root = [&](Index site)
+  {
+    while(parent[site] != site)
+      site = parent[site] = parent[parent[site]];
+    return site;
+  };
+  for(std::size_t c = 0; c < operators.corner.size(); ++c)
+    if(operators.area[c / 3] > 0.)
+    {
+      const Index a = root(operators.corner[c]), b = root(operators.corner[c - c % 3]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  std::vector<Index> label(parent.size());
+  std::size_t count = 0;
+  for(Index site = 0; site < parent.size(); ++site) // roots come first
+    label[site] = parent[site] == site ? Index(count++) : label[root(site)];
+  return {std::move(label), count};
+}
+
+Laplacian::Laplacian(const Operators& operators)
+{
+  const auto n = Eigen::Index(operators.number_of_sites);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(operators.corner.size() + operators.number_of_sites);
+  for(Eigen::Index site = 0; site < n; ++site)
+    entries.emplace_back(site, site, 0.);
+  for(Index side = 0; side < operators.corner.size(); ++side)
+  {
+    const Index a = operators.corner[side], b = operators.corner[next_side(side)];
+    entries.emplace_back(std::max(a, b), std::min(a, b), 0.);
+  }
+  m_pattern.resize(n, n);
+  m_pattern.setFromTriplets(entries.begin(), entries.end());
+
+  const int* row = m_pattern.innerIndexPtr();
+  const int* column = m_pattern.outerIndexPtr();
+  const auto place = [&](Index a, Index b)
+  {
+    const Index low = std::min(a, b), high = std::max(a, b);
+    return Index(std::lower_bound(row + column[low], row + column[low + 1], int(high)) - row);
+  };
+  m_place.resize(operators.number_of_triangles());
+  for(std::size_t f = 0; f < m_place.size(); ++f)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const Index a = operators.corner[3 * f + k], b = operators.corner[3 * f + (k + 1) % 3];
+      m_place[f][k] = place(a, a);
+      m_place[f][3 + k] = place(a, b);
+    }
+
+  const auto [component, number] = components(operators);
+  std::vector<bool> is_held(number, false);
+  for(Index site = 0; site < component.size(); ++site)
+    if(!is_held[component[site]])
+    {
+      is_held[component[site]] = true;
+      m_held.push_back(place(site, site));
+    }
+}
+
+Sparse_matrix Laplacian::matrix(const Operators& operators) const
+{
+  Sparse_matrix result = m_pattern;
+  assemble(operators, std::vector<Tensor>(m_place.size(), Tensor{1., 0., 1.}), result);
+  return result;
+}
+
+void Laplacian::assemble(const Operators& operators, const std::vector<Tensor>& tensors,
+                         Sparse_matrix& matrix) const
+{
+  double* const entry = matrix.valuePtr();
+  std::fill_n(entry, matrix.nonZeros(), 0.);
+  for(std::size_t f = 0; f < m_place.size(); ++f)
+  {
+    const Tensor& tensor = tensors[f];
+    const Planar* hat = &operators.hat[3 * f];
+    std::array<Planar, 3> flow;
+    for(std::size_t k = 0; k < 3; ++k)
+      flow[k] = operators.area[f] * Planar{tensor[0] * hat[k][0] + tensor[1] * hat[k][1],
+                                           tensor[1] * hat[k][0] + tensor[2] * hat[k][1]};
+    const auto& place = m_place[f];
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t next = (k + 1) % 3;
+      entry[place[k]] += dot(flow[k], hat[k]);
+      // Both orders of a pair meet on the diagonal where a side ends at the site that it leaves.
+      entry[place[3 + k]] += (place[k] == place[next] ? 2. : 1.) * dot(flow[k], hat[next]);
+    }
+  }
+}
+
+void Laplacian::hold(Sparse_matrix& matrix) const
+{
+  double* const entry = matrix.valuePtr();
+  for(const Index held : m_held)
+    entry[held] = entry[held] > 0. ? 2. * entry[held] : 1.;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
