@@ -1,0 +1,370 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/transport.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Hidden by those of cone vectors otherwise.
+using internal::dot;
+using internal::operator+;
+using internal::operator*;
+
+// A vector of the space of the second-order cone first >= |rest|.
+struct Cone_vector
+{
+  double first;
+  Planar rest;
+};
+
+Cone_vector operator+(const Cone_vector& x, const Cone_vector& y)
+{
+  return {x.first + y.first, x.rest + y.rest};
+}
+Cone_vector operator*(double factor, const Cone_vector& x)
+{
+  return {factor * x.first, factor * x.rest};
+}
+double dot(const Cone_vector& x, const Cone_vector& y)
+{
+  return x.first * y.first + dot(x.rest, y.rest);
+}
+// Positive inside of the cone, zero on it.
+double determinant(const Cone_vector& x) { return x.first * x.first - dot(x.rest, x.rest); }
+
+// The product of the cone's algebra, and x with product(a, x) = b.
+Cone_vector product(const Cone_vector& a, const Cone_vector& b)
+{
+  return {dot(a, b), a.first * b.rest + b.first * a.rest};
+}
+Cone_vector quotient(const Cone_vector& b, const Cone_vector& a)
+{
+  const double first = (a.first * b.first - dot(a.rest, b.rest)) / determinant(a);
+  return {first, (1. / a.first) * (b.rest - first * a.rest)};
+}
+
+// One over the longest step from x, inside of the cone, in a direction; zero when none leaves it.
+double inverse_step(const Cone_vector& x, const Cone_vector& way)
+{
+  const double a = determinant(way), c = determinant(x);
+  const double b = x.first * way.first - dot(x.rest, way.rest);
+  const double discriminant = b * b - a * c;
+  return discriminant >= 0. ? std::max(0., (std::sqrt(discriminant) - b) / c) : 0.;
+}
+
+// The scaling W of Nesterov and Todd, symmetric, for which W z = W^-1 s: eta times the hyperbolic
+// reflection's root of the unit vector w.
+struct Scaling
+{
+  Cone_vector w;
+  double eta;
+
+  Scaling() = default;
+  Scaling(const Cone_vector& s, const Cone_vector& z)
+  {
+    const double root_s = std::sqrt(std::max(determinant(s), tiny));
+    const double root_z = std::sqrt(std::max(determinant(z), tiny));
+    const Cone_vector a = (1. / root_s) * s, b = (1. / root_z) * z;
+    const double gamma = std::sqrt(2. * (1. + dot(a, b)));
+    w = {(a.first + b.first) / gamma, (1. / gamma) * (a.rest - b.rest)};
+    eta = std::sqrt(root_s / root_z);
+  }
+
+  Cone_vector apply(const Cone_vector& x) const // W x
+  {
+    const double along = internal::dot(w.rest, x.rest);
+    const double share = x.first + along / (1. + w.first);
+    return eta * Cone_vector{w.first * x.first + along, x.rest + share * w.rest};
+  }
+  Cone_vector apply_inverse(const Cone_vector& x) const // W^-1 x
+  {
+    const double along = internal::dot(w.rest, x.rest);
+    const double share = along / (1. + w.first) - x.first;
+    return (1. / eta) * Cone_vector{w.first * x.first - along, x.rest + share * w.rest};
+  }
+  Cone_vector apply_inverse_twice(const Planar& x) const // W^-2 (0, x)
+  {
+    const double along = 2. * internal::dot(w.rest, x);
+    return (1. / (eta * eta)) * Cone_vector{-along * w.first, x + along * w.rest};
+  }
+  Tensor tensor() const // of W^-2 in the plane
+  {
+    const double x = w.rest[0], y = w.rest[1], factor = 1. / (eta * eta);
+    return {factor * (1. + 2. * x * x), factor * 2. * x * y, factor * (1. + 2. * y * y)};
+  }
+
+  static constexpr double tiny = std::numeric_limits<double>::min();
+};
+
+// In each triangle s = (1, gradient phi) and z = (tau, -J), both inside of the cone; at the optimum their
+// product is zero.  The names are those of Vandenberghe 2010 ("The CVXOPT linear and quadratic cone
+// program solvers"), which has the method for cones in general.
+class Interior_point
+{
+public:
+  Interior_point(const Operators& operators, const Laplacian& laplacian,
+                 const Sparse_solver& solver, Sparse_matrix matrix, const Vector& masses)
+      : m_operators(operators), m_laplacian(laplacian), m_masses(masses),
+        m_matrix(std::move(matrix)), m_solver(solver), m_potential(Vector::Zero(masses.size())),
+        m_steep_potential(m_potential)
+  {
+    const std::size_t n = operators.number_of_triangles();
+    m_flow.resize(n);
+    m_slope.assign(n, Planar{0., 0.});
+    m_slope_step.resize(n);
+    m_dual.resize(n);
+    m_dual_step.resize(n);
+    m_target.resize(n);
+    m_scaling.resize(n);
+    m_scaled.resize(n);
+    m_tensor.resize(n);
+    for(const double area : operators.area)
+      m_area += area;
+  }
+
+  // From the flow of least squares, and no potential.
+  void start(const Vector& least_squares_potential)
+  {
+    const Field flow = gradient(m_operators, least_squares_potential);
+    const double mean_square = inner_product(m_operators, flow, flow) / m_area;
+    for(std::size_t f = 0; f < flow.size(); ++f)
+      m_dual[f] = {std::sqrt(dot(flow[f], flow[f]) + mean_square), -1. * flow[f]};
+    keep_flow(0.);
+  }
+
+  // The best so far: what the flow costs, and what the potential, of slope at most one, proves.
+  double upper() const { return m_upper; }
+  double lower() const { return m_lower; }
+  Field& flow() { return m_flow; }
+  Vector& steep_potential() { return m_steep_potential; }
+
+  // False when rounding lets it go no farther.
+  bool advance()
+  {
+    scale();
+    if(!factorize())
+      return false;
+    const double gap = mean_gap(0., 0.);
+    const auto [primal, dual] = predict();
+    keep_flow(1.); // needs not stay in the cone, and often costs half as much too much
+    const double share = std::clamp(std::pow(mean_gap(primal, dual) / gap, 3), 1e-6, 1.);
+    return correct(share * gap);
+  }
+
+private:
+  Cone_vector primal(std::size_t f) const { return {1., m_slope[f]}; }
+
+  void scale()
+  {
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+    {
+      m_scaling[f] = Scaling(primal(f), m_dual[f]);
+      m_scaled[f] = m_scaling[f].apply(m_dual[f]);
+      m_tensor[f] = m_scaling[f].tensor();
+    }
+  }
+
+  bool factorize()
+  {
+    m_laplacian.assemble(m_operators, m_tensor, m_matrix);
+    m_laplacian.hold(m_matrix);
+    return m_solver.factorize(m_matrix);
+  }
+
+  // The mean of the product of s and z after steps.
+  double mean_gap(double primal_step, double dual_step) const
+  {
+    double sum = 0.;
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+      sum += m_operators.area[f] * dot(Cone_vector{1., m_slope[f] + primal_step * m_slope_step[f]},
+                                       m_dual[f] + dual_step * m_dual_step[f]);
+    return sum / m_area;
+  }
+
+  // The step for W^-1 ds + W dz = d, with m_target = W^-1 d, and how far it may go.
+  std::pair<double, double> find_step(const Vector& right)
+  {
+    m_potential_step = m_solver.solve(right);
+    gradient(m_operators, m_potential_step, m_slope_step);
+    double primal_inverse = 1., dual_inverse = 1.;
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+    {
+      m_dual_step[f] = m_target[f] + (-1.) * m_scaling[f].apply_inverse_twice(m_slope_step[f]);
+      primal_inverse = std::max(primal_inverse, inverse_step(primal(f), {0., m_slope_step[f]}));
+      dual_inverse = std::max(dual_inverse, inverse_step(m_dual[f], m_dual_step[f]));
+    }
+    return {1. / primal_inverse, 1. / dual_inverse};
+  }
+
+  // To the optimum, were the equations linear: d = -W z.
+  std::pair<double, double> predict()
+  {
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+      m_target[f] = -1. * m_dual[f];
+    return find_step(m_masses);
+  }
+
+  // To where all products of s and z are `gap`, with the predictor's step for what is not linear.
+  bool correct(double gap)
+  {
+    Field change(m_dual.size());
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+    {
+      const Scaling& scaling = m_scaling[f];
+      const Cone_vector& scaled = m_scaled[f];
+      const Cone_vector primal_step = scaling.apply_inverse({0., m_slope_step[f]});
+      const Cone_vector dual_step = scaling.apply(m_dual_step[f]);
+      Cone_vector right = -1. * (product(scaled, scaled) + product(primal_step, dual_step));
+      right.first += gap;
+      m_target[f] = scaling.apply_inverse(quotient(right, scaled));
+      change[f] = m_target[f].rest + m_dual[f].rest;
+    }
+    auto [primal_step, dual_step] = find_step(divergence(m_operators, change) + m_masses);
+    primal_step = std::min(1., 0.95 * primal_step);
+    dual_step = std::min(1., 0.95 * dual_step);
+    if(!(primal_step > 1e-6 || dual_step > 1e-6))
+      return false;
+    m_potential += primal_step * m_potential_step;
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+    {
+      m_slope[f] = m_slope[f] + primal_step * m_slope_step[f];
+      m_dual[f] = m_dual[f] + dual_step * m_dual_step[f];
+    }
+    keep_flow(0.);
+    keep_potential();
+    return true;
+  }
+
+  void keep_flow(double step)
+  {
+    const auto flow = [&](std::size_t f)
+    { return -1. * (m_dual[f].rest + step * m_dual_step[f].rest); };
+    double upper = 0.;
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+      upper += m_operators.area[f] * norm(flow(f));
+    if(!(upper < m_upper))
+      return;
+    m_upper = upper;
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+      m_flow[f] = flow(f);
+  }
+
+  void keep_potential()
+  {
+    double square = 0.;
+    for(const Planar& slope : m_slope)
+      square = std::max(square, dot(slope, slope));
+    const double lower = m_masses.dot(m_potential) / std::sqrt(square);
+    if(!(lower > m_lower))
+      return;
+    m_lower = lower;
+    m_steep_potential = m_potential / std::sqrt(square);
+  }
+
+  const Operators& m_operators;
+  const Laplacian& m_laplacian;
+  const Vector& m_masses;
+  Sparse_matrix m_matrix;
+  Sparse_solver m_solver;
+  double m_area = 0.;
+  double m_lower = 0., m_upper = infinity;
+
+  Vector m_potential, m_potential_step;         // #sites
+  Vector m_steep_potential;                     // #sites: the best, divided by its largest slope
+  Field m_flow;                                 // #triangles: the best
+  Field m_slope, m_slope_step;                  // #triangles: of the potential
+  std::vector<Cone_vector> m_dual, m_dual_step; // #triangles: z
+  std::vector<Cone_vector> m_target, m_scaled;  // #triangles: W^-1 d, and W z
+  std::vector<Scaling> m_scaling;               // #triangles
+  std::vector<Tensor> m_tensor;                 // #triangles
+};
+
+} // namespace
+
+Transport_solver::Transport_solver(Operators operators)
+    : m_operators(std::move(operators)), m_laplacian(m_operators),
+      m_matrix(m_laplacian.matrix(m_operators))
+{
+  if(std::none_of(m_operators.area.begin(), m_operators.area.end(),
+                  [](double area) { return area > 0.; }))
+    throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
+  std::tie(m_component, m_components) = components(m_operators);
+  m_laplacian.hold(m_matrix);
+  m_solver = std::make_unique<Sparse_solver>(m_matrix, Elimination::sparse);
+}
+
+void Transport_solver::check(const Vector& masses) const
+{
+  if(masses.size() != Eigen::Index(m_operators.number_of_sites))
+    throw Invalid_argument_error("There are " + std::to_string(masses.size()) + " masses for " +
+                                 std::to_string(m_operators.number_of_sites) + " sites.");
+  if(!masses.allFinite())
+    throw Invalid_argument_error("A mass is not a finite number.");
+  std::vector<double> sum(m_components, 0.), size(m_components, 0.);
+  for(std::size_t site = 0; site < m_component.size(); ++site)
+  {
+    sum[m_component[site]] += masses[site];
+    size[m_component[site]] += std::abs(masses[site]);
+  }
+  for(std::size_t i = 0; i < m_components; ++i)
+    if(std::abs(sum[i]) > 1e-9 * size[i])
+      throw Invalid_argument_error(
+          m_components == 1
+              ? "The masses to be moved sum to " + std::to_string(sum[i]) + " instead of zero."
+              : "The masses to be moved sum to " + std::to_string(sum[i]) +
+                    " instead of zero on a component of the surface, and none can leave it.");
+}
+
+Transport Transport_solver::solve(const Vector& masses, const Transport_options& options) const
+{
+  check(masses);
+  if(!(options.tolerance > 0.))
+    throw Invalid_argument_error("The tolerance is not positive.");
+  Transport result;
+  result.potential = Vector::Zero(masses.size());
+  result.flow.assign(m_operators.number_of_triangles(), Planar{0., 0.});
+  const double moved = 0.5 * masses.lpNorm<1>();
+  if(moved == 0.)
+  {
+    result.converged = true;
+    return result;
+  }
+  const Vector unit = masses / moved;
+  Interior_point iterate(m_operators, m_laplacian, *m_solver, m_matrix, unit);
+  iterate.start(m_solver->solve(unit));
+
+  const auto gap = [&] { return 1. - iterate.lower() / iterate.upper(); };
+  const auto is_cancelled = [&]
+  {
+    // From a gap of one, which is what no potential proves, to the tolerance.
+    const double fraction =
+        options.tolerance < 1. ? std::log(gap()) / std::log(options.tolerance) : 1.;
+    return options.callback && !options.callback(std::clamp(fraction, 0., 1.));
+  };
+  while(gap() > options.tolerance && result.iterations < options.maximum_iterations &&
+        !is_cancelled() && iterate.advance())
+    ++result.iterations;
+
+  result.converged = gap() <= options.tolerance;
+  result.lower = moved * iterate.lower();
+  result.upper = moved * iterate.upper();
+  result.value = 0.5 * (result.lower + result.upper);
+  result.potential = std::move(iterate.steep_potential());
+  result.flow = std::move(iterate.flow());
+  result.residual = (divergence(m_operators, result.flow) - unit).lpNorm<Eigen::Infinity>();
+  for(Planar& vector : result.flow)
+    vector = moved * vector;
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
