@@ -174,7 +174,20 @@ Sparse_solver::Sparse_solver(const Sparse_solver& other)
 
 Sparse_solver::~Sparse_solver() = default;
 
-bool Sparse_solver::factorize(const Sparse_matrix& matrix) { return m_solver->factorize(matrix); }
+bool Sparse_solver::factorize(const Sparse_matrix& matrix)
+{
+  if(m_solver->factorize(matrix))
+    return true;
+  Sparse_matrix grown = matrix;
+  const Vector diagonal = matrix.diagonal();
+  for(const double growth : {1e-14, 1e-13, 1e-12})
+  {
+    grown.diagonal() = (1. + growth) * diagonal;
+    if(m_solver->factorize(grown))
+      return true;
+  }
+  return false;
+}
 
 Vector Sparse_solver::solve(const Vector& right) const { return m_solver->solve(right); }
 

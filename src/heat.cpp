@@ -42,23 +42,6 @@ double width_of(const std::shared_ptr<const Glued_triangles>& triangles,
   return 2. * longest;
 }
 
-// Where needles raise some entries a million times above others, rounding may hide that a matrix is
-// definite: then its diagonal grows until it shows, at most by a millionth of a millionth of itself.
-std::unique_ptr<Sparse_solver> factorized(Sparse_matrix& matrix)
-{
-  const Vector diagonal = matrix.diagonal();
-  for(double growth = 1e-14; growth < 1e-11; growth *= 10.)
-    try
-    {
-      return std::make_unique<Sparse_solver>(matrix);
-    }
-    catch(const Unsupported_surface_error&)
-    {
-      matrix.diagonal() = (1. + growth) * diagonal;
-    }
-  return std::make_unique<Sparse_solver>(matrix);
-}
-
 // The direction in which a function falls in each triangle, or zero where it has none.
 Field unit_descent(const Operators& operators, const Vector& function)
 {
@@ -118,10 +101,10 @@ Heat_solver::Heat_solver(std::shared_ptr<const Glued_triangles> triangles)
   Sparse_matrix heat = systems->step * systems->step * poisson;
   const Vector mass = lumped_mass(systems->operators);
   heat.diagonal() += (mass.array() > 0.).select(mass, 1.);
-  systems->heat = factorized(heat);
+  systems->heat = std::make_unique<Sparse_solver>(heat);
   // A shift small enough to change nothing on a long strip would be lost in rounding.
   laplacian.hold(poisson);
-  systems->poisson = factorized(poisson);
+  systems->poisson = std::make_unique<Sparse_solver>(poisson);
 
   m_systems = std::move(systems);
 }

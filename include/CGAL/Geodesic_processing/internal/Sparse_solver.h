@@ -26,6 +26,9 @@ enum class Elimination
 // The factorization of a symmetric positive definite matrix, of which the lower triangle is read: by
 // CHOLMOD where it was found, else by Eigen.  BLAS is held at one thread from the first one on.
 //
+// Where some entries are a million times above others, rounding may hide that a matrix is definite: then
+// its diagonal grows until it shows, at most by a millionth of a millionth of itself.
+//
 // The pattern is analysed once.  A copy shares no state, and is factorized anew before it solves.
 class CGAL_GEODESIC_PROCESSING_EXPORT Sparse_solver
 {
