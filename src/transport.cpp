@@ -53,6 +53,16 @@ Cone_vector quotient(const Cone_vector& b, const Cone_vector& a)
   return {first, (1. / a.first) * (b.rest - first * a.rest)};
 }
 
+// What brings the two eigenvalues of x into [gap / 10, 10 gap], though not down by more than 10 gap.
+Cone_vector towards(double gap, const Cone_vector& x)
+{
+  const auto change = [&](double eigenvalue)
+  { return std::max(std::clamp(eigenvalue, 0.1 * gap, 10. * gap) - eigenvalue, -10. * gap); };
+  const double size = norm(x.rest);
+  const double high = change(x.first + size), low = change(x.first - size);
+  return {0.5 * (high + low), (size > 0. ? 0.5 * (high - low) / size : 0.) * x.rest};
+}
+
 // One over the longest step from x, inside of the cone, in a direction; zero when none leaves it.
 double inverse_step(const Cone_vector& x, const Cone_vector& way)
 {
@@ -154,14 +164,20 @@ public:
     scale();
     if(!factorize())
       return false;
-    const double gap = mean_gap(0., 0.);
-    const auto [primal, dual] = predict();
+    const double gap = mean_gap({0., 0.});
+    const Steps predicted = predict();
     keep_flow(1.); // needs not stay in the cone, and often costs half as much too much
-    const double share = std::clamp(std::pow(mean_gap(primal, dual) / gap, 3), 1e-6, 1.);
-    return correct(share * gap);
+    const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
+    return move(center(next, correct(next)));
   }
 
 private:
+  // How far to go, one at most, for s and for z.
+  struct Steps
+  {
+    double primal, dual;
+  };
+
   Cone_vector primal(std::size_t f) const { return {1., m_slope[f]}; }
 
   void scale()
@@ -182,19 +198,22 @@ private:
   }
 
   // The mean of the product of s and z after steps.
-  double mean_gap(double primal_step, double dual_step) const
+  double mean_gap(const Steps& steps) const
   {
     double sum = 0.;
     for(std::size_t f = 0; f < m_dual.size(); ++f)
-      sum += m_operators.area[f] * dot(Cone_vector{1., m_slope[f] + primal_step * m_slope_step[f]},
-                                       m_dual[f] + dual_step * m_dual_step[f]);
+      sum += m_operators.area[f] * dot(Cone_vector{1., m_slope[f] + steps.primal * m_slope_step[f]},
+                                       m_dual[f] + steps.dual * m_dual_step[f]);
     return sum / m_area;
   }
 
-  // The step for W^-1 ds + W dz = d, with m_target = W^-1 d, and how far it may go.
-  std::pair<double, double> find_step(const Vector& right)
+  // The changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d, and how far they may go.
+  Steps find_step()
   {
-    m_potential_step = m_solver.solve(right);
+    Field change(m_dual.size());
+    for(std::size_t f = 0; f < m_dual.size(); ++f)
+      change[f] = m_target[f].rest + m_dual[f].rest;
+    m_potential_step = m_solver.solve(divergence(m_operators, change) + m_masses);
     gradient(m_operators, m_potential_step, m_slope_step);
     double primal_inverse = 1., dual_inverse = 1.;
     for(std::size_t f = 0; f < m_dual.size(); ++f)
@@ -207,31 +226,57 @@ private:
   }
 
   // To the optimum, were the equations linear: d = -W z.
-  std::pair<double, double> predict()
+  Steps predict()
   {
     for(std::size_t f = 0; f < m_dual.size(); ++f)
       m_target[f] = -1. * m_dual[f];
-    return find_step(m_masses);
+    return find_step();
   }
 
-  // To where all products of s and z are `gap`, with the predictor's step for what is not linear.
-  bool correct(double gap)
+  // Another change, after which change(x) is added to each product x of W^-1 s and W z to which the
+  // change known so far would lead in those steps, as far as that is linear.
+  template <typename Change>
+  Steps adjust(const Steps& steps, const Change& change)
   {
-    Field change(m_dual.size());
     for(std::size_t f = 0; f < m_dual.size(); ++f)
     {
       const Scaling& scaling = m_scaling[f];
-      const Cone_vector& scaled = m_scaled[f];
-      const Cone_vector primal_step = scaling.apply_inverse({0., m_slope_step[f]});
-      const Cone_vector dual_step = scaling.apply(m_dual_step[f]);
-      Cone_vector right = -1. * (product(scaled, scaled) + product(primal_step, dual_step));
-      right.first += gap;
-      m_target[f] = scaling.apply_inverse(quotient(right, scaled));
-      change[f] = m_target[f].rest + m_dual[f].rest;
+      const Cone_vector s =
+          m_scaled[f] + steps.primal * scaling.apply_inverse({0., m_slope_step[f]});
+      const Cone_vector z = m_scaled[f] + steps.dual * scaling.apply(m_dual_step[f]);
+      m_target[f] =
+          m_target[f] + scaling.apply_inverse(quotient(change(product(s, z)), m_scaled[f]));
     }
-    auto [primal_step, dual_step] = find_step(divergence(m_operators, change) + m_masses);
-    primal_step = std::min(1., 0.95 * primal_step);
-    dual_step = std::min(1., 0.95 * dual_step);
+    return find_step();
+  }
+
+  // To where all products are `gap`: what is left of them after the predictor's whole step, which would
+  // make them zero, is what is not linear.
+  Steps correct(double gap)
+  {
+    return adjust({1., 1.},
+                  [&](const Cone_vector& x) {
+                    return Cone_vector{gap - x.first, -1. * x.rest};
+                  });
+  }
+
+  // Brings those products closer to `gap` that would be far from it after steps somewhat longer than may
+  // be gone (Gondzio 1996), unless that does not make them longer.
+  Steps center(double gap, const Steps& steps)
+  {
+    const std::vector<Cone_vector> target = m_target;
+    const Steps longer = {std::min(1., steps.primal + 0.3), std::min(1., steps.dual + 0.3)};
+    const Steps centered = adjust(longer, [&](const Cone_vector& x) { return towards(gap, x); });
+    if(centered.primal + centered.dual > steps.primal + steps.dual)
+      return centered;
+    m_target = target;
+    return find_step();
+  }
+
+  bool move(const Steps& steps)
+  {
+    const double primal_step = std::min(1., 0.95 * steps.primal);
+    const double dual_step = std::min(1., 0.95 * steps.dual);
     if(!(primal_step > 1e-6 || dual_step > 1e-6))
       return false;
     m_potential += primal_step * m_potential_step;
