@@ -14,6 +14,7 @@
 #   surfels      only this one
 #   logmap       only this one
 #   decal        only this one
+#   transport    only this one
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -26,11 +27,11 @@ for argument in "$@"; do
   case $argument in
     --quick) options=(--quick) ;;
     --patient) patient=(--patient) ;;
-    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal) programs+=("$argument") ;;
+    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal | transport) programs+=("$argument") ;;
     *) sed -n '5,18s/^# \{0,1\}//p' "$0"; exit 1 ;;
   esac
 done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal)
+[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

@@ -43,8 +43,8 @@ struct Transport
 // An interior point method for the second-order cone program: scaling of Nesterov and Todd, predictor
 // and corrector of Mehrotra, centrality corrector of Gondzio.  The matrix of each iteration is a
 // Laplacian with a tensor for each triangle, of one pattern, whose analysis is shared by all queries.
-// To 0.1 percent it took 5 to 15 iterations between points of scanned and designed models, and up to 24
-// between smooth densities; O(n^1.5) each.
+// To 0.1 percent it takes 5 to 9 iterations between points of models of 6,000 to 40,000 vertices, and 16
+// to 21 between smooth densities (test/benchmark/transport.cpp); O(n^1.5) each.
 //
 // Nothing depends on the units of lengths and masses.  Queries may run in several threads.
 class CGAL_GEODESIC_PROCESSING_EXPORT Transport_solver
