@@ -49,7 +49,7 @@ void hold_blas_at_one_thread()
 
 // The state of one call, which threads could not share.  Meanwhile the calling thread opens no teams of
 // OpenMP, of which CHOLMOD asks for four threads whatever they are allowed to be: waiting for each other
-// on two busy processors took more than half of the time.
+// on two busy processors took up to four tenths of the time.
 class Common : public cholmod_common
 {
 public:
