@@ -34,18 +34,34 @@ Function* loaded([[maybe_unused]] const char* name)
 #  endif
 }
 
-// Sums would depend on the number of threads of OpenBLAS, which gain nothing at a hundred thousand
-// unknowns.
-void hold_blas_at_one_thread()
+// While there is one, OpenBLAS uses one thread: sums would depend on the number, and more of them gain
+// nothing at a hundred thousand unknowns.  The last one gives back what there was before.
+class Blas_at_one_thread
 {
-  static std::once_flag is_held;
-  const auto hold = []
+public:
+  Blas_at_one_thread()
   {
-    if(auto* const set = loaded<void(int)>("openblas_set_num_threads"))
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_number++ == 0 && set && get)
+    {
+      m_before = get();
       set(1);
-  };
-  std::call_once(is_held, hold);
-}
+    }
+  }
+  ~Blas_at_one_thread()
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(--m_number == 0 && set && get)
+      set(m_before);
+  }
+  Blas_at_one_thread(const Blas_at_one_thread&) = delete;
+
+private:
+  inline static int (*const get)() = loaded<int()>("openblas_get_num_threads");
+  inline static void (*const set)(int) = loaded<void(int)>("openblas_set_num_threads");
+  inline static std::mutex m_mutex;
+  inline static int m_number = 0, m_before = 1;
+};
 
 // The state of one call, which threads could not share.  Meanwhile the calling thread opens no teams of
 // OpenMP, of which CHOLMOD asks for four threads whatever they are allowed to be: waiting for each other
@@ -80,6 +96,7 @@ private:
     set(levels);
   }
 
+  Blas_at_one_thread m_blas;
   int m_levels = 0;
 };
 
@@ -89,7 +106,6 @@ struct Sparse_solver::Solver
 {
   Solver(const Sparse_matrix& matrix, Elimination elimination)
   {
-    hold_blas_at_one_thread();
     Common common;
     if(elimination == Elimination::sparse)
     {

@@ -24,7 +24,7 @@ enum class Elimination
 };
 
 // The factorization of a symmetric positive definite matrix, of which the lower triangle is read: by
-// CHOLMOD where it was found, else by Eigen.  BLAS is held at one thread from the first one on.
+// CHOLMOD where it was found, else by Eigen.
 //
 // Where some entries are a million times above others, rounding may hide that a matrix is definite: then
 // its diagonal grows until it shows, at most by a millionth of a millionth of itself.
