@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Job.h"
 
+#include "Command.h"
 #include "Display.h"
 #include "Output_file.h"
 #include "Scanner.h"
@@ -15,17 +16,16 @@
 
 namespace program {
 
-Job::Job(CLI::App& command)
+Job::Job(Command& command)
 {
-  command.add_option("INPUT", m_input, "a mesh or a cloud: .ply .off .obj .stl .xyz .pwn .vtp")
-      ->required();
-  command.add_option("-o,--output", m_output, "the result: .ply .off .obj .vtp")->type_name("FILE");
-  command.add_option("--values", m_values, "the result as text, one line each in input order")
-      ->type_name("FILE");
-  command.add_option("--picture", m_picture, "a picture of the result: .png")->type_name("FILE");
+  command.add("INPUT", m_input, "TEXT", "a mesh or a cloud: .ply .off .obj .stl .xyz .pwn .vtp")
+      .required();
+  command.add("-o,--output", m_output, "FILE", "the result: .ply .off .obj .vtp");
+  command.add("--values", m_values, "FILE", "the result as text, one line each in input order");
+  command.add("--picture", m_picture, "FILE", "a picture of the result: .png");
   command.add_flag("--json", m_json, "print one JSON object and nothing else");
-  command.add_option("--threads", m_threads, "0: as many as there are processors")->type_name("N");
-  command.add_option("--seed", m_seed, "of everything random")->type_name("N");
+  command.add("--threads", m_threads, "N", "0: as many as there are processors");
+  command.add("--seed", m_seed, "N", "of everything random");
   command.add_flag("--quiet", m_quiet, "print nothing that is not asked for");
 }
 

@@ -5,7 +5,6 @@
 
 #include "Surface.h"
 
-#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -16,6 +15,7 @@
 
 namespace program {
 
+class Command;
 class Display;
 
 // One call of the program: what all commands share.
@@ -23,7 +23,7 @@ class Job
 {
 public:
   // Adds INPUT and the common options to a command.
-  explicit Job(CLI::App& command);
+  explicit Job(Command& command);
   ~Job();
 
   // Says what cannot be done before anything is computed, and reads the input.

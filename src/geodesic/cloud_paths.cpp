@@ -4,6 +4,7 @@
 
 #include "errors.h"
 
+#include <functional>
 #include <map>
 
 namespace program {
@@ -11,29 +12,26 @@ namespace program {
 namespace {
 
 template <typename Enum>
-void add_words(CLI::App& command, const std::string& name, Enum& value, const std::string& text,
+void add_words(Command& command, const std::string& name, Enum& value, const std::string& text,
                const std::map<std::string, Enum>& words)
 {
   std::string list;
   for(const auto& word : words)
     list += (list.empty() ? "" : ", ") + word.first;
-  command
-      .add_option_function<std::string>(
-          name,
-          [&value, name, words, list](const std::string& word)
-          {
-            const auto found = words.find(word);
-            if(found == words.end())
-              throw Usage_error(name + ' ' + word + ": it is one of " + list + '.');
-            value = found->second;
-          },
-          "on a cloud, " + text + ": " + list)
-      ->type_name("NAME");
+  const std::function<void(const std::string&)> read =
+      [&value, name, words, list](const std::string& word)
+  {
+    const auto found = words.find(word);
+    if(found == words.end())
+      throw Usage_error(name + ' ' + word + ": it is one of " + list + '.');
+    value = found->second;
+  };
+  command.add(name, read, "NAME", "on a cloud, " + text + ": " + list);
 }
 
 } // namespace
 
-void add_surfel_options(CLI::App& command, Surfel_options& options)
+void add_surfel_options(Command& command, Surfel_options& options)
 {
   using GP::Surfel_graph;
   using GP::Surfel_noise;
@@ -47,7 +45,7 @@ void add_surfel_options(CLI::App& command, Surfel_options& options)
                            {"kept", Surfel_noise::kept}});
 }
 
-void add_cloud_path_options(CLI::App& command, Cloud_path_options& options)
+void add_cloud_path_options(Command& command, Cloud_path_options& options)
 {
   using GP::Surfel_path_method;
   add_surfel_options(command, options.surfels);
@@ -59,11 +57,8 @@ void add_cloud_path_options(CLI::App& command, Cloud_path_options& options)
                                  {"spheres", Surfel_path_method::spheres},
                                  {"planes", Surfel_path_method::planes},
                                  {"disks", Surfel_path_method::disks}});
-  command
-      .add_option("--control-points", options.control_points, "on a cloud, of the path, at most")
-      ->check(not_negative())
-      ->type_name("N")
-      ->capture_default_str();
+  command.add("--control-points", options.control_points, "N", "on a cloud, of the path, at most")
+      .shows_default();
 }
 
 Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& options, const Job& job)

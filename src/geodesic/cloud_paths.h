@@ -16,7 +16,7 @@ struct Surfel_options
   GP::Surfel_noise noise = GP::Surfel_noise::removed_when_found;
 };
 
-void add_surfel_options(CLI::App& command, Surfel_options& options);
+void add_surfel_options(Command& command, Surfel_options& options);
 
 // What holds a path on a cloud.
 struct Cloud_path_options
@@ -26,7 +26,7 @@ struct Cloud_path_options
   std::size_t control_points = 75;
 };
 
-void add_cloud_path_options(CLI::App& command, Cloud_path_options& options);
+void add_cloud_path_options(Command& command, Cloud_path_options& options);
 
 // With the radii of the file's property "radius" where it has one.
 Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& options, const Job& job);

@@ -3,7 +3,9 @@
 #ifndef GEODESIC_PROGRAM_COMMANDS_H
 #define GEODESIC_PROGRAM_COMMANDS_H
 
-#include <CLI/App.hpp>
+namespace CLI {
+class App;
+}
 
 namespace program {
 

@@ -317,34 +317,27 @@ void run_decal(Job& job, const Decal_options& options)
 
 void add_decal(CLI::App& program)
 {
-  CLI::App* const command =
-      program.add_subcommand("decal", "images on a surface, without distortion in their middles");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "decal", "images on a surface, without distortion in their middles");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Decal_options>();
-  const auto add = [&](const char* name, auto& values, const char* sentence)
-  { return command->add_option(name, values, sentence)->type_size(1)->allow_extra_args(false); };
-  add("--base", options->bases, "the middles: vertices by their places in the file")
-      ->type_name("V[,V...]");
-  add("--base-at", options->bases_at, "a middle: the place nearest to a point")->type_name("x,y,z");
-  add("--image", options->images, "a picture, .png, transparent or not; else a compass rose")
-      ->type_name("FILE");
-  add("--width", options->widths,
-      "in the unit of the surface; else as --height asks, or a quarter "
-      "of the longest side of the bounding box")
-      ->type_name("W");
-  add("--height", options->heights, "else as the picture is high")->type_name("H");
-  add("--up", options->ups, "where the upper side of the picture is")->type_name("x,y,z");
+  command.add("--base", options->bases, "V[,V...]",
+              "the middles: vertices by their places in the file");
+  command.add("--base-at", options->bases_at, "x,y,z", "a middle: the place nearest to a point");
+  command.add("--image", options->images, "FILE",
+              "a picture, .png, transparent or not; else a compass rose");
+  command.add(
+      "--width", options->widths, "W",
+      "in the unit of the surface; else as --height asks, or a quarter of the longest side of "
+      "the bounding box");
+  command.add("--height", options->heights, "H", "else as the picture is high");
+  command.add("--up", options->ups, "x,y,z", "where the upper side of the picture is");
   command
-      ->add_option("--method", options->method,
-                   "gradient, of squared distances; or exact, by directions of shortest paths")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command
-      ->add_option("--texels", options->texels,
-                   "along the sides of faces in the texture; 0: as many as the pictures have")
-      ->type_name("N")
-      ->check(not_negative());
-  command->callback([job, options] { run_decal(*job, *options); });
+      .add("--method", options->method, "NAME",
+           "gradient, of squared distances; or exact, by directions of shortest paths")
+      .shows_default();
+  command.add("--texels", options->texels, "N",
+              "along the sides of faces in the texture; 0: as many as the pictures have");
+  command.set_run([job, options] { run_decal(*job, *options); });
 }
 
 } // namespace program

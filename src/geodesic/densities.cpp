@@ -73,26 +73,18 @@ std::vector<std::array<double, 2>> places_in_image(const Surface_file& file)
 
 } // namespace
 
-void add_density_options(CLI::App& command, Density_options& options)
+void add_density_options(Command& command, Density_options& options)
 {
-  command
-      .add_option(
-          "--speed", options.speed,
-          "of the fronts; samples are dense where it is low: a property of the vertices; "
-          "curvature-attractive, low at creases; curvature-repulsive, high there; or colours, "
-          "low where the vertices' red, green and blue vary")
-      ->type_name("NAME");
-  command
-      .add_option(
-          "--density-image", options.image,
-          "a picture, .png: the speed is low where it varies. It is seen through "
-          "texture coordinates (vt in OBJ; s, t or u, v in PLY), without these it is spread "
-          "over the bounding box, seen along its shortest side")
-      ->type_name("FILE");
-  command
-      .add_option("--strength", options.strength,
-                  "how much curvature (default 0.14) or an image (20) changes the speed")
-      ->type_name("X");
+  command.add("--speed", options.speed, "NAME",
+              "of the fronts; samples are dense where it is low: a property of the vertices; "
+              "curvature-attractive, low at creases; curvature-repulsive, high there; or colours, "
+              "low where the vertices' red, green and blue vary");
+  command.add("--density-image", options.image, "FILE",
+              "a picture, .png: the speed is low where it varies. It is seen through "
+              "texture coordinates (vt in OBJ; s, t or u, v in PLY), without these it is spread "
+              "over the bounding box, seen along its shortest side");
+  command.add("--strength", options.strength, "X",
+              "how much curvature (default 0.14) or an image (20) changes the speed");
 }
 
 void check(const Density_options& options)

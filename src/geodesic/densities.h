@@ -20,7 +20,7 @@ struct Density_options
   bool are_given() const { return !speed.empty() || !image.empty(); }
 };
 
-void add_density_options(CLI::App& command, Density_options& options);
+void add_density_options(Command& command, Density_options& options);
 
 // Throws Usage_error.
 void check(const Density_options& options);

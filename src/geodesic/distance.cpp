@@ -144,22 +144,18 @@ void run_distance(Job& job, const Distance_options& options)
 
 void add_distance(CLI::App& program)
 {
-  CLI::App* const command =
-      program.add_subcommand("distance", "distances along the surface from the nearest source");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "distance", "distances along the surface from the nearest source");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Distance_options>();
-  command->add_option("--source", options->source, "vertices by their place in the file")
-      ->type_name("V[,V...]");
-  command->add_option("--source-at", options->source_at, "the place nearest to a point")
-      ->type_name("x,y,z");
-  command->add_flag("--source-border", options->source_border, "all borders of a mesh");
+  command.add("--source", options->source, "V[,V...]", "vertices by their place in the file");
+  command.add("--source-at", options->source_at, "x,y,z", "the place nearest to a point");
+  command.add_flag("--source-border", options->source_border, "all borders of a mesh");
   command
-      ->add_option("--method", options->method, "dijkstra, fast-marching, euclidean, exact or heat")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command->add_option("--limit", options->limit, "go no farther")->type_name("D");
-  add_density_options(*command, options->densities);
-  command->callback([job, options] { run_distance(*job, *options); });
+      .add("--method", options->method, "NAME", "dijkstra, fast-marching, euclidean, exact or heat")
+      .shows_default();
+  command.add("--limit", options->limit, "D", "go no farther");
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_distance(*job, *options); });
 }
 
 } // namespace program

@@ -184,14 +184,12 @@ void run_info(Job& job, const std::string& wanted)
 
 void add_info(CLI::App& program)
 {
-  CLI::App* const command = program.add_subcommand("info", "sizes, shape and defects; -o converts");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "info", "sizes, shape and defects; -o converts");
+  const auto job = std::make_shared<Job>(command);
   const auto name = std::make_shared<std::string>();
-  command
-      ->add_option("--property", *name,
-                   "of the vertices, shown in the picture; else the components are")
-      ->type_name("NAME");
-  command->callback([job, name] { run_info(*job, *name); });
+  command.add("--property", *name, "NAME",
+              "of the vertices, shown in the picture; else the components are");
+  command.set_run([job, name] { run_info(*job, *name); });
 }
 
 } // namespace program

@@ -199,27 +199,23 @@ void run_logmap(Job& job, const Logmap_options& options)
 
 void add_logmap(CLI::App& program)
 {
-  CLI::App* const command =
-      program.add_subcommand("logmap", "the surface around a place, in normal coordinates");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "logmap", "the surface around a place, in normal coordinates");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Logmap_options>();
-  command->add_option("--base", options->base, "a vertex by its place in the file")->type_name("V");
-  command->add_option("--base-at", options->base_at, "the place nearest to a point")
-      ->type_name("x,y,z");
-  command->add_option("--radius", options->radius, "go no farther")->type_name("R");
-  command->add_option("--up", options->up, "where the second axis points")->type_name("x,y,z");
+  command.add("--base", options->base, "V", "a vertex by its place in the file");
+  command.add("--base-at", options->base_at, "x,y,z", "the place nearest to a point");
+  command.add("--radius", options->radius, "R", "go no farther");
+  command.add("--up", options->up, "x,y,z", "where the second axis points");
   command
-      ->add_option("--method", options->method,
-                   "gradient, of squared distances; exact, by directions of shortest paths; or "
-                   "discrete-exponential, along edges")
-      ->type_name("NAME")
-      ->capture_default_str();
+      .add("--method", options->method, "NAME",
+           "gradient, of squared distances; exact, by directions of shortest paths; or "
+           "discrete-exponential, along edges")
+      .shows_default();
   command
-      ->add_option("--distances", options->distances,
-                   "for the gradient: dijkstra, fast-marching, euclidean, exact or heat")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command->callback([job, options] { run_logmap(*job, *options); });
+      .add("--distances", options->distances, "NAME",
+           "for the gradient: dijkstra, fast-marching, euclidean, exact or heat")
+      .shows_default();
+  command.set_run([job, options] { run_logmap(*job, *options); });
 }
 
 } // namespace program

@@ -216,30 +216,23 @@ void run_matrix(Job& job, const Matrix_options& options)
 
 void add_matrix(CLI::App& program)
 {
-  CLI::App* const command =
-      program.add_subcommand("matrix", "distances of all pairs of some vertices, or of near ones");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "matrix", "distances of all pairs of some vertices, or of near ones");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Matrix_options>();
-  command->get_option("--output")->description("the matrix as Matrix Market: .mtx");
-  command->get_option("--values")
-      ->description(
-          "the matrix as text: its rows; of a sparse one row, column and distance of each entry");
-  command->get_option("--picture")
-      ->description("how far the nearest of them is; of all vertices, how many are near: .png");
-  command->add_option("--sources", options->sources, "vertices by their place in the file")
-      ->type_name("V[,V...]");
-  command->add_option("--number", options->number, "of vertices, spread by farthest vertices")
-      ->type_name("N")
-      ->check(not_negative());
+  command.describe("--output", "the matrix as Matrix Market: .mtx");
+  command.describe(
+      "--values",
+      "the matrix as text: its rows; of a sparse one row, column and distance of each entry");
+  command.describe("--picture",
+                   "how far the nearest of them is; of all vertices, how many are near: .png");
+  command.add("--sources", options->sources, "V[,V...]", "vertices by their place in the file");
+  command.add("--number", options->number, "N", "of vertices, spread by farthest vertices");
   command
-      ->add_option("--method", options->method, "dijkstra, fast-marching, euclidean, exact or heat")
-      ->type_name("NAME")
-      ->capture_default_str();
-  command
-      ->add_option("--limit", options->limit,
-                   "only pairs that are not farther apart, as a sparse matrix")
-      ->type_name("D");
-  command->callback([job, options] { run_matrix(*job, *options); });
+      .add("--method", options->method, "NAME", "dijkstra, fast-marching, euclidean, exact or heat")
+      .shows_default();
+  command.add("--limit", options->limit, "D",
+              "only pairs that are not farther apart, as a sparse matrix");
+  command.set_run([job, options] { run_matrix(*job, *options); });
 }
 
 } // namespace program

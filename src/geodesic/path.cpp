@@ -178,27 +178,22 @@ void run_path(Job& job, const Path_options& options)
 
 void add_path(CLI::App& program)
 {
-  CLI::App* const command = program.add_subcommand("path", "a shortest path on the surface");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "path", "a shortest path on the surface");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Path_options>();
   for(End* end : {&options->from, &options->to})
   {
-    command->add_option(end->vertex_option, end->vertex, "a vertex by its place in the file")
-        ->type_name("V");
-    command->add_option(end->point_option, end->point, "the place nearest to a point")
-        ->type_name("x,y,z");
+    command.add(end->vertex_option, end->vertex, "V", "a vertex by its place in the file");
+    command.add(end->point_option, end->point, "x,y,z", "the place nearest to a point");
   }
-  command
-      ->add_option(
-          "--method", options->method,
-          "follow its distances: dijkstra, fast-marching, euclidean, exact or heat; without, "
-          "a search for this path alone")
-      ->type_name("NAME");
-  add_cloud_path_options(*command, options->cloud);
-  command->add_flag(
+  command.add("--method", options->method, "NAME",
+              "follow its distances: dijkstra, fast-marching, euclidean, exact or heat; without, "
+              "a search for this path alone");
+  add_cloud_path_options(command, options->cloud);
+  command.add_flag(
       "--start", options->start,
       "on a cloud, draw and write the chain of arcs that the path starts from as well");
-  command->callback([job, options] { run_path(*job, *options); });
+  command.set_run([job, options] { run_path(*job, *options); });
 }
 
 } // namespace program

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_PROGRAM_QUERIES_H
 #define GEODESIC_PROGRAM_QUERIES_H
 
+#include "Command.h"
 #include "Job.h"
 #include "Output_file.h"
 
@@ -109,14 +110,6 @@ struct Property_map
     return (*map.values)[static_cast<std::size_t>(key)];
   }
 };
-
-// Refuses a negative number, of which a count would become a large one.
-inline CLI::Validator not_negative()
-{
-  return CLI::Validator([](const std::string& text)
-                        { return text.rfind('-', 0) == 0 ? text + " is negative" : std::string(); },
-                        "");
-}
 
 // Calls f with named parameters, among them the speeds of the vertices where there are any.
 template <typename Site, typename NamedParameters, typename Function>

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -147,45 +148,34 @@ void run_remesh(Job& job, const Remesh_options& options)
 
 void add_remesh(CLI::App& program)
 {
-  CLI::App* const command = program.add_subcommand(
-      "remesh", "a mesh of the same surface with even triangles; of a clean cloud, too");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "remesh",
+                  "a mesh of the same surface with even triangles; of a clean cloud, too");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Remesh_options>();
-  command->add_option("--number", options->number, "of vertices; more come where it takes them")
-      ->type_name("N")
-      ->check(not_negative())
-      ->required();
+  command.add("--number", options->number, "N", "of vertices; more come where it takes them")
+      .required();
+  command.add("--lloyd", options->lloyd, "K",
+              "how often vertices move to the middle of their cells");
   command
-      ->add_option("--lloyd", options->lloyd,
-                   "how often vertices move to the middle of their cells")
-      ->type_name("K")
-      ->check(not_negative());
+      .add("--keep-sharp", options->sharp_angle, "ANGLE",
+           "edges at which the surface bends by so many degrees or more are kept")
+      .between(0., 180.);
+  command.add("--curve-spacing", options->curve_spacing, "D",
+              "how far apart vertices on borders and kept edges are at most to be");
+  command.add_flag("--fit", options->fit,
+                   "vertices leave the surface, such that faces are nearer to it");
+  command.add("--maximum-deviation", options->deviation, "D",
+              "how far vertices of the input may be from the result; more come where they are "
+              "farther");
+  const std::function<void(const std::string&)> fill_holes = [options](const std::string& text)
+  { options->hole_edges = parse_hole_edges(text); };
   command
-      ->add_option("--keep-sharp", options->sharp_angle,
-                   "edges at which the surface bends by so many degrees or more are kept")
-      ->type_name("ANGLE")
-      ->check(CLI::Range(0., 180.));
-  command
-      ->add_option("--curve-spacing", options->curve_spacing,
-                   "how far apart vertices on borders and kept edges are at most to be")
-      ->type_name("D");
-  command->add_flag("--fit", options->fit,
-                    "vertices leave the surface, such that faces are nearer to it");
-  command
-      ->add_option("--maximum-deviation", options->deviation,
-                   "how far vertices of the input may be from the result; more come where they are "
-                   "farther")
-      ->type_name("D");
-  command
-      ->add_option_function<std::string>(
-          "--fill-holes",
-          [options](const std::string& text) { options->hole_edges = parse_hole_edges(text); },
-          "first fill the holes that have at most N edges, without a number all of them; "
-          "as the outer border of a sheet is a hole too, N is what keeps it open")
-      ->type_name("[N]")
-      ->expected(0, 1);
-  add_density_options(*command, options->densities);
-  command->callback([job, options] { run_remesh(*job, *options); });
+      .add("--fill-holes", fill_holes, "[N]",
+           "first fill the holes that have at most N edges, without a number all of them; "
+           "as the outer border of a sheet is a hole too, N is what keeps it open")
+      .value_is_optional();
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_remesh(*job, *options); });
 }
 
 } // namespace program

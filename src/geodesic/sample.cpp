@@ -104,17 +104,13 @@ void run_sample(Job& job, const Sample_options& options)
 
 void add_sample(CLI::App& program)
 {
-  CLI::App* const command =
-      program.add_subcommand("sample", "points that cover the surface evenly");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "sample", "points that cover the surface evenly");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Sample_options>();
-  command->add_option("--number", options->number, "how many")
-      ->type_name("N")
-      ->check(not_negative());
-  command->add_option("--spacing", options->spacing, "no vertex is farther from all of them")
-      ->type_name("D");
-  add_density_options(*command, options->densities);
-  command->callback([job, options] { run_sample(*job, *options); });
+  command.add("--number", options->number, "N", "how many");
+  command.add("--spacing", options->spacing, "D", "no vertex is farther from all of them");
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_sample(*job, *options); });
 }
 
 } // namespace program

@@ -111,23 +111,20 @@ void run_surfels(Job& job, const Surfels_options& options)
 
 void add_surfels(CLI::App& program)
 {
-  CLI::App* const command = program.add_subcommand(
-      "surfels", "normals, radii and the graph of a cloud; -o writes them, without noise");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "surfels",
+                  "normals, radii and the graph of a cloud; -o writes them, without noise");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Surfels_options>();
-  command->add_flag("--estimate", options->estimate,
-                    "normals anew, although the file has some, by jets");
-  command->add_option("--neighbors", options->neighbors, "that a normal is estimated from")
-      ->check(not_negative())
-      ->type_name("K")
-      ->capture_default_str();
-  command
-      ->add_option("--outliers", options->outliers,
-                   "remove so many percent of the points, those farthest from their neighbours")
-      ->type_name("P");
-  command->add_flag("--arcs", options->arcs, "draw and write the arcs of the graph");
-  add_surfel_options(*command, options->surfels);
-  command->callback([job, options] { run_surfels(*job, *options); });
+  command.add_flag(
+      "--estimate", options->estimate,
+      "normals anew, although the file has some, by surfaces that are fitted to points");
+  command.add("--neighbors", options->neighbors, "K", "that a normal is estimated from")
+      .shows_default();
+  command.add("--outliers", options->outliers, "P",
+              "remove so many percent of the points, those farthest from their neighbours");
+  command.add_flag("--arcs", options->arcs, "draw and write the arcs of the graph");
+  add_surfel_options(command, options->surfels);
+  command.set_run([job, options] { run_surfels(*job, *options); });
 }
 
 } // namespace program

@@ -135,17 +135,13 @@ void run_voronoi(Job& job, const Voronoi_options& options)
 
 void add_voronoi(CLI::App& program)
 {
-  CLI::App* const command =
-      program.add_subcommand("voronoi", "labels: which of the seeds is nearest");
-  const auto job = std::make_shared<Job>(*command);
+  Command command(program, "voronoi", "labels: which of the seeds is nearest");
+  const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Voronoi_options>();
-  command->add_option("--number", options->number, "of seeds, spread by farthest vertices")
-      ->type_name("N")
-      ->check(not_negative());
-  command->add_option("--seeds", options->seeds, "vertices by their place in the file")
-      ->type_name("V[,V...]");
-  add_density_options(*command, options->densities);
-  command->callback([job, options] { run_voronoi(*job, *options); });
+  command.add("--number", options->number, "N", "of seeds, spread by farthest vertices");
+  command.add("--seeds", options->seeds, "V[,V...]", "vertices by their place in the file");
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_voronoi(*job, *options); });
 }
 
 } // namespace program

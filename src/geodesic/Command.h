@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_COMMAND_H
+#define GEODESIC_PROGRAM_COMMAND_H
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+namespace program {
+
+class Option
+{
+public:
+  explicit Option(CLI::Option& option) : m_option(&option) {}
+
+  Option& required();
+  Option& shows_default(); // in the help
+  Option& between(double least, double most);
+  Option& value_is_optional();
+
+private:
+  CLI::Option* m_option;
+};
+
+// A command of the program and what may stand behind it.  Nothing but this class, whose header does without
+// it, compiles the parser: it is larger than the commands.
+class Command
+{
+public:
+  Command(CLI::App& program, const std::string& name, const std::string& sentence);
+
+  // An option, where its value goes, what stands for that in the help, and what it is.  Lists receive one
+  // value each time that the option is given, counts are not negative, functions throw Usage_error.
+  //
+  // Value: std::string, double, unsigned or std::size_t, optional or lists of some of them, or
+  // const std::function<void(const std::string&)>.
+  template <typename Value>
+  Option add(const std::string& names, Value& value, const std::string& placeholder,
+             const std::string& sentence);
+  void add_flag(const std::string& name, bool& value, const std::string& sentence);
+
+  // Another sentence for an option that is there.
+  void describe(const std::string& name, const std::string& sentence);
+
+  void set_run(const std::function<void()>& run);
+
+private:
+  CLI::App* m_command;
+};
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_COMMAND_H
