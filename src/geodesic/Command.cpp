@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Command.h"
 
-#include <CLI/App.hpp>
+#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <type_traits>
