@@ -8,12 +8,11 @@
 
 #include "Glued_surface.h"
 #include "clouds.h"
+#include "random_values.h"
 
 #include <Eigen/Dense>
 
 #include <gtest/gtest.h>
-
-#include <random>
 
 namespace {
 
@@ -23,16 +22,6 @@ using namespace CGAL::Geodesic_processing::test;
 
 // Of solutions of systems with some hundred unknowns.
 constexpr double rounding = 1e-9;
-
-Field random_field(std::size_t n, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1., 1.);
-  Field result(n);
-  for(Planar& vector : result)
-    vector = {value(random), value(random)};
-  return result;
-}
 
 std::vector<Field> harmonic_basis(const Glued_surface& surface, const Operators& o)
 {

@@ -7,12 +7,12 @@
 
 #include "Glued_surface.h"
 #include "clouds.h"
+#include "random_values.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
-#include <random>
 
 namespace {
 
@@ -22,25 +22,6 @@ using namespace CGAL::Geodesic_processing::test;
 
 // Sums of some thousand terms of a size about one.
 constexpr double rounding = 1e-11;
-
-Vector random_function(std::size_t n, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> value(-1., 1.);
-  Vector result(n);
-  for(double& x : result)
-    x = value(random);
-  return result;
-}
-
-Field random_field(std::size_t n, unsigned seed)
-{
-  const Vector values = random_function(2 * n, seed);
-  Field result(n);
-  for(std::size_t f = 0; f < n; ++f)
-    result[f] = {values[2 * f], values[2 * f + 1]};
-  return result;
-}
 
 double total_area(const Operators& o) { return std::accumulate(o.area.begin(), o.area.end(), 0.); }
 
