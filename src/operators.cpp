@@ -186,8 +186,7 @@ void Laplacian::assemble(const Operators& operators, const std::vector<Tensor>& 
     const Planar* hat = &operators.hat[3 * f];
     std::array<Planar, 3> flow;
     for(std::size_t k = 0; k < 3; ++k)
-      flow[k] = operators.area[f] * Planar{tensor[0] * hat[k][0] + tensor[1] * hat[k][1],
-                                           tensor[1] * hat[k][0] + tensor[2] * hat[k][1]};
+      flow[k] = operators.area[f] * product(tensor, hat[k]);
     const auto& place = m_place[f];
     for(std::size_t k = 0; k < 3; ++k)
     {

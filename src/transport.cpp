@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/Transport_iteration.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,326 +16,68 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Hidden by those of cone vectors otherwise.
-using internal::dot;
-using internal::operator+;
-using internal::operator*;
+// Steps of the splitting between two looks at its bounds, which cost as much as two.
+constexpr unsigned splitting_steps = 10;
 
-// A vector of the space of the second-order cone first >= |rest|.
-struct Cone_vector
-{
-  double first;
-  Planar rest;
-};
-
-Cone_vector operator+(const Cone_vector& x, const Cone_vector& y)
-{
-  return {x.first + y.first, x.rest + y.rest};
-}
-Cone_vector operator*(double factor, const Cone_vector& x)
-{
-  return {factor * x.first, factor * x.rest};
-}
-double dot(const Cone_vector& x, const Cone_vector& y)
-{
-  return x.first * y.first + dot(x.rest, y.rest);
-}
-// Positive inside of the cone, zero on it.
-double determinant(const Cone_vector& x) { return x.first * x.first - dot(x.rest, x.rest); }
-
-// The product of the cone's algebra, and x with product(a, x) = b.
-Cone_vector product(const Cone_vector& a, const Cone_vector& b)
-{
-  return {dot(a, b), a.first * b.rest + b.first * a.rest};
-}
-Cone_vector quotient(const Cone_vector& b, const Cone_vector& a)
-{
-  const double first = (a.first * b.first - dot(a.rest, b.rest)) / determinant(a);
-  return {first, (1. / a.first) * (b.rest - first * a.rest)};
-}
-
-// What brings the two eigenvalues of x into [gap / 10, 10 gap], though not down by more than 10 gap.
-Cone_vector towards(double gap, const Cone_vector& x)
-{
-  const auto change = [&](double eigenvalue)
-  { return std::max(std::clamp(eigenvalue, 0.1 * gap, 10. * gap) - eigenvalue, -10. * gap); };
-  const double size = norm(x.rest);
-  const double high = change(x.first + size), low = change(x.first - size);
-  return {0.5 * (high + low), (size > 0. ? 0.5 * (high - low) / size : 0.) * x.rest};
-}
-
-// One over the longest step from x, inside of the cone, in a direction; zero when none leaves it.
-double inverse_step(const Cone_vector& x, const Cone_vector& way)
-{
-  const double a = determinant(way), c = determinant(x);
-  const double b = x.first * way.first - dot(x.rest, way.rest);
-  const double discriminant = b * b - a * c;
-  return discriminant >= 0. ? std::max(0., (std::sqrt(discriminant) - b) / c) : 0.;
-}
-
-// The scaling W of Nesterov and Todd, symmetric, for which W z = W^-1 s: eta times the hyperbolic
-// reflection's root of the unit vector w.
-struct Scaling
-{
-  Cone_vector w;
-  double eta;
-
-  Scaling() = default;
-  Scaling(const Cone_vector& s, const Cone_vector& z)
-  {
-    const double root_s = std::sqrt(std::max(determinant(s), tiny));
-    const double root_z = std::sqrt(std::max(determinant(z), tiny));
-    const Cone_vector a = (1. / root_s) * s, b = (1. / root_z) * z;
-    const double gamma = std::sqrt(2. * (1. + dot(a, b)));
-    w = {(a.first + b.first) / gamma, (1. / gamma) * (a.rest - b.rest)};
-    eta = std::sqrt(root_s / root_z);
-  }
-
-  Cone_vector apply(const Cone_vector& x) const // W x
-  {
-    const double along = internal::dot(w.rest, x.rest);
-    const double share = x.first + along / (1. + w.first);
-    return eta * Cone_vector{w.first * x.first + along, x.rest + share * w.rest};
-  }
-  Cone_vector apply_inverse(const Cone_vector& x) const // W^-1 x
-  {
-    const double along = internal::dot(w.rest, x.rest);
-    const double share = along / (1. + w.first) - x.first;
-    return (1. / eta) * Cone_vector{w.first * x.first - along, x.rest + share * w.rest};
-  }
-  Cone_vector apply_inverse_twice(const Planar& x) const // W^-2 (0, x)
-  {
-    const double along = 2. * internal::dot(w.rest, x);
-    return (1. / (eta * eta)) * Cone_vector{-along * w.first, x + along * w.rest};
-  }
-  Tensor tensor() const // of W^-2 in the plane
-  {
-    const double x = w.rest[0], y = w.rest[1], factor = 1. / (eta * eta);
-    return {factor * (1. + 2. * x * x), factor * 2. * x * y, factor * (1. + 2. * y * y)};
-  }
-
-  static constexpr double tiny = std::numeric_limits<double>::min();
-};
-
-// In each triangle s = (1, gradient phi) and z = (tau, -J), both inside of the cone; at the optimum their
-// product is zero.  The names are those of Vandenberghe 2010 ("The CVXOPT linear and quadratic cone
-// program solvers"), which has the method for cones in general.
-class Interior_point
+class Splitting_iteration : public Transport_iteration
 {
 public:
-  Interior_point(const Operators& operators, const Laplacian& laplacian,
-                 const Sparse_solver& solver, Sparse_matrix matrix, const Vector& masses)
-      : m_operators(operators), m_laplacian(laplacian), m_masses(masses),
-        m_matrix(std::move(matrix)), m_solver(solver), m_potential(Vector::Zero(masses.size())),
-        m_steep_potential(m_potential)
+  Splitting_iteration(const Transport_problem& problem, Splitting::State start)
+      : Transport_iteration(problem),
+        m_splitting(
+            operators(), [this](const Field& field) { return projected(field); }, std::move(start))
   {
-    const std::size_t n = operators.number_of_triangles();
-    m_flow.resize(n);
-    m_slope.assign(n, Planar{0., 0.});
-    m_slope_step.resize(n);
-    m_dual.resize(n);
-    m_dual_step.resize(n);
-    m_target.resize(n);
-    m_scaling.resize(n);
-    m_scaled.resize(n);
-    m_tensor.resize(n);
-    for(const double area : operators.area)
-      m_area += area;
+    keep_flow(m_splitting.flow());
   }
 
-  // From the flow of least squares, and no potential.
-  void start(const Vector& least_squares_potential)
+  bool advance() override
   {
-    const Field flow = gradient(m_operators, least_squares_potential);
-    const double mean_square = inner_product(m_operators, flow, flow) / m_area;
-    for(std::size_t f = 0; f < flow.size(); ++f)
-      m_dual[f] = {std::sqrt(dot(flow[f], flow[f]) + mean_square), -1. * flow[f]};
-    keep_flow(0.);
-  }
-
-  // The best so far: what the flow costs, and what the potential, of slope at most one, proves.
-  double upper() const { return m_upper; }
-  double lower() const { return m_lower; }
-  Field& flow() { return m_flow; }
-  Vector& steep_potential() { return m_steep_potential; }
-
-  // False when rounding lets it go no farther.
-  bool advance()
-  {
-    scale();
-    if(!factorize())
-      return false;
-    const double gap = mean_gap({0., 0.});
-    const Steps predicted = predict();
-    keep_flow(1.); // needs not stay in the cone, and often costs half as much too much
-    const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
-    return move(center(next, correct(next)));
-  }
-
-private:
-  // How far to go, one at most, for s and for z.
-  struct Steps
-  {
-    double primal, dual;
-  };
-
-  Cone_vector primal(std::size_t f) const { return {1., m_slope[f]}; }
-
-  void scale()
-  {
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-    {
-      m_scaling[f] = Scaling(primal(f), m_dual[f]);
-      m_scaled[f] = m_scaling[f].apply(m_dual[f]);
-      m_tensor[f] = m_scaling[f].tensor();
-    }
-  }
-
-  bool factorize()
-  {
-    m_laplacian.assemble(m_operators, m_tensor, m_matrix);
-    m_laplacian.hold(m_matrix);
-    return m_solver.factorize(m_matrix);
-  }
-
-  // The mean of the product of s and z after steps.
-  double mean_gap(const Steps& steps) const
-  {
-    double sum = 0.;
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-      sum += m_operators.area[f] * dot(Cone_vector{1., m_slope[f] + steps.primal * m_slope_step[f]},
-                                       m_dual[f] + steps.dual * m_dual_step[f]);
-    return sum / m_area;
-  }
-
-  // The changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d, and how far they may go.
-  Steps find_step()
-  {
-    Field change(m_dual.size());
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-      change[f] = m_target[f].rest + m_dual[f].rest;
-    m_potential_step = m_solver.solve(divergence(m_operators, change) + m_masses);
-    gradient(m_operators, m_potential_step, m_slope_step);
-    double primal_inverse = 1., dual_inverse = 1.;
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-    {
-      m_dual_step[f] = m_target[f] + (-1.) * m_scaling[f].apply_inverse_twice(m_slope_step[f]);
-      primal_inverse = std::max(primal_inverse, inverse_step(primal(f), {0., m_slope_step[f]}));
-      dual_inverse = std::max(dual_inverse, inverse_step(m_dual[f], m_dual_step[f]));
-    }
-    return {1. / primal_inverse, 1. / dual_inverse};
-  }
-
-  // To the optimum, were the equations linear: d = -W z.
-  Steps predict()
-  {
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-      m_target[f] = -1. * m_dual[f];
-    return find_step();
-  }
-
-  // Another change, after which change(x) is added to each product x of W^-1 s and W z to which the
-  // change known so far would lead in those steps, as far as that is linear.
-  template <typename Change>
-  Steps adjust(const Steps& steps, const Change& change)
-  {
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-    {
-      const Scaling& scaling = m_scaling[f];
-      const Cone_vector s =
-          m_scaled[f] + steps.primal * scaling.apply_inverse({0., m_slope_step[f]});
-      const Cone_vector z = m_scaled[f] + steps.dual * scaling.apply(m_dual_step[f]);
-      m_target[f] =
-          m_target[f] + scaling.apply_inverse(quotient(change(product(s, z)), m_scaled[f]));
-    }
-    return find_step();
-  }
-
-  // To where all products are `gap`: what is left of them after the predictor's whole step, which would
-  // make them zero, is what is not linear.
-  Steps correct(double gap)
-  {
-    return adjust({1., 1.},
-                  [&](const Cone_vector& x) {
-                    return Cone_vector{gap - x.first, -1. * x.rest};
-                  });
-  }
-
-  // Brings those products closer to `gap` that would be far from it after steps somewhat longer than may
-  // be gone (Gondzio 1996), unless that does not make them longer.
-  Steps center(double gap, const Steps& steps)
-  {
-    const std::vector<Cone_vector> target = m_target;
-    const Steps longer = {std::min(1., steps.primal + 0.3), std::min(1., steps.dual + 0.3)};
-    const Steps centered = adjust(longer, [&](const Cone_vector& x) { return towards(gap, x); });
-    if(centered.primal + centered.dual > steps.primal + steps.dual)
-      return centered;
-    m_target = target;
-    return find_step();
-  }
-
-  bool move(const Steps& steps)
-  {
-    const double primal_step = std::min(1., 0.95 * steps.primal);
-    const double dual_step = std::min(1., 0.95 * steps.dual);
-    if(!(primal_step > 1e-6 || dual_step > 1e-6))
-      return false;
-    m_potential += primal_step * m_potential_step;
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-    {
-      m_slope[f] = m_slope[f] + primal_step * m_slope_step[f];
-      m_dual[f] = m_dual[f] + dual_step * m_dual_step[f];
-    }
-    keep_flow(0.);
-    keep_potential();
+    m_splitting.advance(splitting_steps);
+    keep_flow(m_splitting.flow());
+    keep_potential(problem().solver.solve(divergence(operators(), m_splitting.slope())));
     return true;
   }
 
-  void keep_flow(double step)
+  const Splitting::State& state() const { return m_splitting.state(); }
+
+private:
+  Field projected(const Field& field) const
   {
-    const auto flow = [&](std::size_t f)
-    { return -1. * (m_dual[f].rest + step * m_dual_step[f].rest); };
-    double upper = 0.;
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-      upper += m_operators.area[f] * norm(flow(f));
-    if(!(upper < m_upper))
-      return;
-    m_upper = upper;
-    for(std::size_t f = 0; f < m_dual.size(); ++f)
-      m_flow[f] = flow(f);
+    Field result = field;
+    const Field correction = gradient(
+        operators(), problem().solver.solve(problem().masses - divergence(operators(), field)));
+    for(std::size_t f = 0; f < result.size(); ++f)
+      result[f] = field[f] + correction[f];
+    return result;
   }
 
-  void keep_potential()
-  {
-    double square = 0.;
-    for(const Planar& slope : m_slope)
-      square = std::max(square, dot(slope, slope));
-    const double lower = m_masses.dot(m_potential) / std::sqrt(square);
-    if(!(lower > m_lower))
-      return;
-    m_lower = lower;
-    m_steep_potential = m_potential / std::sqrt(square);
-  }
-
-  const Operators& m_operators;
-  const Laplacian& m_laplacian;
-  const Vector& m_masses;
-  Sparse_matrix m_matrix;
-  Sparse_solver m_solver;
-  double m_area = 0.;
-  double m_lower = 0., m_upper = infinity;
-
-  Vector m_potential, m_potential_step;         // #sites
-  Vector m_steep_potential;                     // #sites: the best, divided by its largest slope
-  Field m_flow;                                 // #triangles: the best
-  Field m_slope, m_slope_step;                  // #triangles: of the potential
-  std::vector<Cone_vector> m_dual, m_dual_step; // #triangles: z
-  std::vector<Cone_vector> m_target, m_scaled;  // #triangles: W^-1 d, and W z
-  std::vector<Scaling> m_scaling;               // #triangles
-  std::vector<Tensor> m_tensor;                 // #triangles
+  Splitting m_splitting;
 };
 
 } // namespace
+
+void Transport_iteration::keep_flow(const Field& flow)
+{
+  double upper = 0.;
+  for(std::size_t f = 0; f < flow.size(); ++f)
+    upper += operators().area[f] * norm(flow[f]);
+  if(!(upper < m_upper))
+    return;
+  m_upper = upper;
+  m_flow = flow;
+}
+
+void Transport_iteration::keep_potential(const Vector& potential)
+{
+  double square = 0.;
+  for(const Planar& slope : gradient(operators(), potential))
+    square = std::max(square, dot(slope, slope));
+  const double lower = m_problem.masses.dot(potential) / std::sqrt(square);
+  if(!(lower > m_lower))
+    return;
+  m_lower = lower;
+  m_potential = potential / std::sqrt(square);
+}
 
 Transport_solver::Transport_solver(Operators operators)
     : m_operators(std::move(operators)), m_laplacian(m_operators),
@@ -385,10 +128,28 @@ Transport Transport_solver::solve(const Vector& masses, const Transport_options&
     return result;
   }
   const Vector unit = masses / moved;
-  Interior_point iterate(m_operators, m_laplacian, *m_solver, m_matrix, unit);
-  iterate.start(m_solver->solve(unit));
+  const Transport_problem problem = {m_operators, m_laplacian, m_matrix, *m_solver, unit};
+  std::unique_ptr<Transport_iteration> iteration;
+  const Splitting_iteration* splitting = nullptr;
+  switch(options.method)
+  {
+  case Transport_method::interior_point:
+    iteration = interior_point(problem);
+    break;
+  case Transport_method::weiszfeld:
+    iteration = weiszfeld(problem);
+    break;
+  case Transport_method::splitting:
+    auto made = std::make_unique<Splitting_iteration>(problem, options.start);
+    splitting = made.get();
+    iteration = std::move(made);
+  }
+  const unsigned each = splitting ? splitting_steps : 1;
+  const unsigned most = options.maximum_iterations > 0 ? options.maximum_iterations
+                        : splitting                    ? 5000
+                                                       : 100;
 
-  const auto gap = [&] { return 1. - iterate.lower() / iterate.upper(); };
+  const auto gap = [&] { return 1. - iteration->lower() / iteration->upper(); };
   const auto is_cancelled = [&]
   {
     // From a gap of one, which is what no potential proves, to the tolerance.
@@ -396,19 +157,21 @@ Transport Transport_solver::solve(const Vector& masses, const Transport_options&
         options.tolerance < 1. ? std::log(gap()) / std::log(options.tolerance) : 1.;
     return options.callback && !options.callback(std::clamp(fraction, 0., 1.));
   };
-  while(gap() > options.tolerance && result.iterations < options.maximum_iterations &&
-        !is_cancelled() && iterate.advance())
-    ++result.iterations;
+  while(gap() > options.tolerance && result.iterations < most && !is_cancelled() &&
+        iteration->advance())
+    result.iterations += each;
 
   result.converged = gap() <= options.tolerance;
-  result.lower = moved * iterate.lower();
-  result.upper = moved * iterate.upper();
+  result.lower = moved * iteration->lower();
+  result.upper = moved * iteration->upper();
   result.value = 0.5 * (result.lower + result.upper);
-  result.potential = std::move(iterate.steep_potential());
-  result.flow = std::move(iterate.flow());
+  result.potential = iteration->potential();
+  result.flow = iteration->flow();
   result.residual = (divergence(m_operators, result.flow) - unit).lpNorm<Eigen::Infinity>();
   for(Planar& vector : result.flow)
     vector = moved * vector;
+  if(splitting)
+    result.state = splitting->state();
   return result;
 }
 

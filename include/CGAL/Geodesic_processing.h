@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_H
 #define CGAL_GEODESIC_PROCESSING_H
 
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/Location.h>
@@ -13,6 +14,7 @@
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
+#include <CGAL/Geodesic_processing/earth_movers_distance.h>
 #include <CGAL/Geodesic_processing/estimate_surfels.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/exponential_map.h>
@@ -22,6 +24,7 @@
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 #include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
+#include <CGAL/Geodesic_processing/hodge_decomposition.h>
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 #include <CGAL/Geodesic_processing/make_domain.h>

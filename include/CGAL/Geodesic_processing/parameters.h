@@ -152,6 +152,42 @@ enum up_direction_t
 {
   up_direction
 };
+enum tolerance_t
+{
+  tolerance
+};
+enum maximum_number_of_iterations_t
+{
+  maximum_number_of_iterations
+};
+enum number_of_refinements_t
+{
+  number_of_refinements
+};
+enum metric_map_t
+{
+  metric_map
+};
+enum potential_map_t
+{
+  potential_map
+};
+enum flow_map_t
+{
+  flow_map
+};
+enum do_normalize_t
+{
+  do_normalize
+};
+enum do_bound_from_above_t
+{
+  do_bound_from_above
+};
+enum do_start_from_last_t
+{
+  do_start_from_last
+};
 
 } // namespace internal_np
 
@@ -215,6 +251,16 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, stencil_length_t, stencil_length)                         \
   LINK(Geodesic_processing::internal_np, stencil_size_t, stencil_size)                             \
   LINK(Geodesic_processing::internal_np, up_direction_t, up_direction)                             \
+  LINK(Geodesic_processing::internal_np, tolerance_t, tolerance)                                   \
+  LINK(Geodesic_processing::internal_np, maximum_number_of_iterations_t,                           \
+       maximum_number_of_iterations)                                                               \
+  LINK(Geodesic_processing::internal_np, number_of_refinements_t, number_of_refinements)           \
+  LINK(Geodesic_processing::internal_np, metric_map_t, metric_map)                                 \
+  LINK(Geodesic_processing::internal_np, potential_map_t, potential_map)                           \
+  LINK(Geodesic_processing::internal_np, flow_map_t, flow_map)                                     \
+  LINK(Geodesic_processing::internal_np, do_normalize_t, do_normalize)                             \
+  LINK(Geodesic_processing::internal_np, do_bound_from_above_t, do_bound_from_above)               \
+  LINK(Geodesic_processing::internal_np, do_start_from_last_t, do_start_from_last)                 \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \

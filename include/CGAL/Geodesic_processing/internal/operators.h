@@ -21,6 +21,11 @@ using Field = std::vector<Planar>;
 // A symmetric tensor of a triangle's plane: xx, xy, yy.
 using Tensor = std::array<double, 3>;
 
+inline Planar product(const Tensor& tensor, const Planar& p)
+{
+  return {tensor[0] * p[0] + tensor[1] * p[1], tensor[1] * p[0] + tensor[2] * p[1]};
+}
+
 // What gradient, divergence and Laplacian are made of, on a mesh as on the overlapping triangles of a
 // cloud.  Triangles whose height is less than 1e-7 of their shortest side are left out: they have area
 // zero, and no function has a gradient there.  (Corners on one line have lengths that pretend a height

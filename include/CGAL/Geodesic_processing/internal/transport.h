@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_H
 
 #include <CGAL/Geodesic_processing/internal/operators.h>
+#include <CGAL/Geodesic_processing/internal/splitting.h>
 
 #include <functional>
 #include <memory>
@@ -11,11 +12,20 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+enum class Transport_method
+{
+  interior_point,
+  splitting,
+  weiszfeld
+};
+
 struct Transport_options
 {
+  Transport_method method = Transport_method::interior_point;
   double tolerance = 1e-3;              // of the gap between the bounds, relative to the upper one
-  unsigned maximum_iterations = 100;    // each is a factorization
+  unsigned maximum_iterations = 0;      // zero: as many as the method usually needs at most
   std::function<bool(double)> callback; // gets a fraction from 0 to 1, ends the iterations by false
+  Splitting::State start;               // for `splitting`, from the same solver; may be empty
 };
 
 // What moving masses costs, in lengths of the domain times masses, and how they move.
@@ -26,9 +36,10 @@ struct Transport
   double upper = 0.;       // what the flow costs
   Vector potential;        // #sites: grows along the flow, by at most one per unit of length
   Field flow;              // #triangles: mass per length of a line across
-  unsigned iterations = 0; // factorizations
+  unsigned iterations = 0; // factorizations, or of `splitting` solutions
   double residual = 0.;   // largest |divergence(flow) - masses|, relative to the mass that is moved
   bool converged = false; // whether the gap is within the tolerance
+  Splitting::State state; // where `splitting` ended
 };
 
 // The earth mover's distance with the length of a path as cost (Solomon, Rustamov, Guibas and Butscher

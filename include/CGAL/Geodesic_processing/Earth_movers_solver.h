@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_EARTH_MOVERS_SOLVER_H
+#define CGAL_GEODESIC_PROCESSING_EARTH_MOVERS_SOLVER_H
+
+#include <CGAL/Geodesic_processing/internal/masses.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \addtogroup PkgGeodesicProcessingTransport
+/// @{
+
+/// chooses an interior point method for the second-order cone program: few iterations, each with a
+/// factorization, to gaps of any size.  \cgalCite{cgal:v-cvxopt-10}
+struct Interior_point
+{};
+
+/// chooses the alternating direction method of multipliers: many cheap iterations with one factorization
+/// for all queries, for gaps of a percent.  \cgalCite{cgal:srgb-emd-14}, section 5
+struct Alternating_directions
+{};
+
+/// chooses reweighted least squares, as of figure 4 there: a factorization in each iteration, and gaps of
+/// some percent that do not close.  For comparison.
+struct Weiszfeld
+{};
+
+/// is what earth mover's distance a query found, in the unit of the coordinates times that of the masses.
+struct Earth_movers_cost
+{
+  double value = 0.; ///< halfway between the bounds
+  double lower = 0.; ///< certified, also for distances on the surface itself
+  double upper = 0.; ///< certified for flows that are constant in each face
+  /// certified for flows on the surface itself, of a mesh; infinite if not asked for.
+  double upper_continuous = internal::infinity;
+  /// the value extrapolated over the last refinement, which is not certified; without one the value.
+  double estimate = 0.;
+  unsigned iterations = 0;
+  /// the largest error of the masses that the flow moves, relative to all that is moved.
+  double residual = 0.;
+  bool converged = false; ///< whether the bounds are as close as was asked for
+};
+
+/// finds out what it costs to move masses along a surface, for many masses on one surface.
+///
+/// The earth mover's distance, or 1-Wasserstein distance with lengths of paths as cost, is the least
+/// integral of the length of a flow that leaves where there is too much mass, and arrives where some is
+/// missing.  Here the flow is a vector for each face, and what proves a lower bound a function of slope
+/// one.  Between two points it is the geodesic distance, less a part of the order of an edge: some
+/// tenths of a percent on common meshes; in the plane it is exact.  It is symmetric, and the triangle
+/// inequality holds within the gap between the bounds.  \cgalCite{cgal:srgb-emd-14}
+///
+/// Masses, on either side, are one of
+/// - a site or a location: a unit mass there,
+/// - a range of these, not empty: a unit mass in equal parts,
+/// - a property map of vertices or surfels: mass at each, which may be negative,
+/// - what `mass_density()` makes of such a map: mass per area, linear in each face.
+///
+/// What one side has more than the other is what moves; it must sum to zero, as a whole and on each
+/// component.
+///
+/// Borders let nothing pass.  On a cloud the triangles around each surfel are used.  Copies share what
+/// was prepared, and may compute at the same time.
+///
+/// \tparam Surface as for `geodesic_distances()`, not a domain
+template <typename Surface>
+class Earth_movers_solver
+{
+public:
+  using Domain = internal::Domain_of<Surface>;
+  using Site = typename Domain::Site;
+
+  /// prepares the surface: two factorizations, about 1 KB per vertex.
+  ///
+  /// \param np what `make_domain()` takes, and
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{number_of_refinements}
+  ///     \cgalParamDescription{how often each triangle is divided in four, flat: each time what is lost
+  ///       around points halves, for four to eight times the time} \cgalParamDefault{0} \cgalParamNEnd
+  ///   \cgalParamNBegin{speed_map}
+  ///     \cgalParamDescription{the speed at vertices or in faces, finite and not negative, zero at
+  ///       obstacles: time is what moving costs then} \cgalParamDefault{1 everywhere} \cgalParamNEnd
+  ///   \cgalParamNBegin{metric_map}
+  ///     \cgalParamDescription{an `Eigen::Matrix3d` M for each face or vertex, symmetric and positive
+  ///       definite: the length of a vector v is the root of v<SUP>T</SUP> M v, over the speed}
+  ///     \cgalParamDefault{the identity} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws as `make_domain()`
+  /// \throws Unsupported_surface_error when there is no triangle with an area, or too many
+  /// \throws Invalid_argument_error when a speed or a metric is not usable
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Earth_movers_solver(const Surface& surface,
+                               const NamedParameters& np = NamedParameters())
+      : Earth_movers_solver(Domain(surface, np), np)
+  {}
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Earth_movers_solver(const Domain& domain, const NamedParameters& np = NamedParameters())
+      : m_domain(domain),
+        m_kernel(std::make_shared<const internal::Earth_movers>(
+            domain.triangles(), internal::parameter(np, internal_np::number_of_refinements, 0u),
+            internal::measure(domain, np)))
+  {}
+
+  const Domain& domain() const { return m_domain; }
+
+  /// finds out what it costs to move masses; what the last call found is forgotten.
+  ///
+  /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
+  /// \param from, to masses as above
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one}
+  ///     \cgalParamDefault{0.001} \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_iterations}
+  ///     \cgalParamDefault{100, of `Alternating_directions` 5,000} \cgalParamNEnd
+  ///   \cgalParamNBegin{do_normalize}
+  ///     \cgalParamDescription{whether to scale both sides so that each sums to one}
+  ///     \cgalParamDefault{false} \cgalParamNEnd
+  ///   \cgalParamNBegin{do_bound_from_above}
+  ///     \cgalParamDescription{whether to find `Earth_movers_cost::upper_continuous`: a few times as
+  ///       long; meshes only} \cgalParamDefault{false} \cgalParamNEnd
+  ///   \cgalParamNBegin{do_start_from_last}
+  ///     \cgalParamDescription{whether `Alternating_directions` start where the last call ended, which
+  ///       pays when the masses are much the same} \cgalParamDefault{false} \cgalParamNEnd
+  ///   \cgalParamNBegin{callback}
+  ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and
+  ///       ends by returning false: with the bounds that it has by then} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Invalid_argument_error when a mass is not finite, a place is none of the surface's, a
+  ///         range is empty, the sums differ, as a whole or on a component, a side that is to be
+  ///         normalized has no positive sum, or the tolerance is not positive
+  ///
+  /// An iteration is O(n<SUP>1.5</SUP>); to 0.1 percent the default takes 5 to 20.
+  template <typename Method = Interior_point, typename From, typename To,
+            typename NamedParameters = internal::Default_parameters>
+  Earth_movers_cost compute(const From& from, const To& to,
+                            const NamedParameters& np = NamedParameters());
+
+  /// \name The last computation
+  /// @{
+
+  /// returns the potential of a site: it grows along the flow, nowhere by more than distance does, and
+  /// its integral over the masses is the lower bound.
+  double potential(Site site) const { return m_result.potential[m_domain.index(site)]; }
+
+  /// writes the potential of each site.
+  template <typename PotentialMap>
+  void write_potential(PotentialMap map) const
+  {
+    m_domain.write([&](internal::Index i) { return m_result.potential[i]; }, map);
+  }
+
+  /// writes the flow, in mass per length of a line across: a `Vector_3` for each face of a mesh, or
+  /// each surfel of a cloud.
+  template <typename FlowMap>
+  void write_flow(FlowMap map) const
+  {
+    internal::write_vectors(m_domain, m_result.flow, map);
+  }
+  /// @}
+
+private:
+  Domain m_domain;
+  std::shared_ptr<const internal::Earth_movers> m_kernel;
+  internal::Earth_movers_result m_result;
+};
+
+/// @}
+
+template <typename Surface>
+template <typename Method, typename From, typename To, typename NamedParameters>
+Earth_movers_cost Earth_movers_solver<Surface>::compute(const From& from, const To& to,
+                                                        const NamedParameters& np)
+{
+  using internal::Transport_method;
+  internal::Earth_movers_options options;
+  options.transport.method = std::is_same_v<Method, Interior_point>
+                                 ? Transport_method::interior_point
+                             : std::is_same_v<Method, Weiszfeld> ? Transport_method::weiszfeld
+                                                                 : Transport_method::splitting;
+  options.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
+  options.transport.maximum_iterations =
+      internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
+  options.transport.callback =
+      internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+  if(internal::parameter(np, internal_np::do_start_from_last, false))
+    options.transport.start = std::move(m_result.state);
+  options.do_normalize = internal::parameter(np, internal_np::do_normalize, false);
+  options.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
+  m_result =
+      m_kernel->solve(internal::masses(m_domain, from), internal::masses(m_domain, to), options);
+  Earth_movers_cost cost;
+  cost.value = m_result.value;
+  cost.lower = m_result.lower;
+  cost.upper = m_result.upper;
+  cost.upper_continuous = m_result.upper_continuous;
+  cost.estimate = m_result.estimate;
+  cost.iterations = m_result.iterations;
+  cost.residual = m_result.residual;
+  cost.converged = m_result.converged;
+  return cost;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_EARTH_MOVERS_SOLVER_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_EARTH_MOVERS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_EARTH_MOVERS_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/transport.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// A sum of any of these.
+struct Masses
+{
+  Vector at_sites; // #sites, or empty
+  std::vector<std::pair<Location, double>>
+      at_locations; // no matter whether at sites or in triangles
+  Vector density;   // #sites, or empty: linear in each triangle, per square of the caller's unit
+};
+
+struct Earth_movers_options
+{
+  Transport_options transport;
+  bool do_normalize = false; // scales both sides so that each sums to one
+  bool do_bound_from_above = false;
+};
+
+// In the caller's units; potential and flow of the coarse sites and triangles.
+struct Earth_movers_result : Transport
+{
+  double upper_continuous = infinity; // if asked for
+  double estimate = 0.;               // extrapolated over the last refinement, else the value
+};
+
+// Transport_solver on a surface, on request refined, and with another measure of lengths.
+class CGAL_GEODESIC_PROCESSING_EXPORT Earth_movers
+{
+public:
+  // refinements  how often each triangle is divided in four
+  // measure      #triangles: the length of a vector is that of its product with this positive definite
+  //              tensor, in the plane where the triangle is unfolded; infinite where nothing may
+  //              pass; empty: its own
+  // Throws Unsupported_surface_error when there is no triangle with an area, or too many.
+  explicit Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements = 0,
+                        std::vector<Tensor> measure = {});
+
+  // Throws Invalid_argument_error when a mass is not finite, the sums differ, as a whole or on a
+  // component, or nothing can be normalized.
+  Earth_movers_result solve(const Masses& from, const Masses& to,
+                            const Earth_movers_options& options = {}) const;
+
+private:
+  struct Level
+  {
+    std::shared_ptr<const Glued_triangles> triangles;
+    std::unique_ptr<Transport_solver> solver; // of the last two alone
+  };
+
+  Masses difference(const Masses& from, const Masses& to, bool do_normalize) const;
+  Vector at_sites(std::size_t level, const Masses& masses) const;
+  double cost_to_sites(const Masses& masses) const;
+  double cost_of_flow(const Field& flow) const;
+
+  std::vector<Level> m_levels;   // the finest last
+  std::vector<Tensor> m_measure; // of the finest
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_EARTH_MOVERS_H

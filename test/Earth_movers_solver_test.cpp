@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/property_map.h>
+
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+#  if defined(__GNUC__) && !defined(__clang__)
+// OpenMesh's properties push back a T() that this compiler takes for uninitialized.
+#    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#  endif
+#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#  include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#endif
+
+#include "Mesh_of.h"
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Vector_3 = Kernel::Vector_3;
+
+// Of the bounds, by default; distances between points on plane surfaces are exact within it.
+constexpr double gap = 1e-3;
+
+double great_circle(const Kernel::Point_3& p, const Kernel::Point_3& q)
+{
+  return 2. * std::asin(0.5 * std::sqrt(CGAL::squared_distance(p, q)));
+}
+
+TEST(Earth_movers_solver, takes_masses_of_all_kinds)
+{
+  Mesh mesh = mesh_of(square(10, 0.24));
+  GP::Earth_movers_solver<Mesh> solver(mesh);
+  const Vertex corner(0), middle(5), next(10);
+  const auto value = [&](const auto& from, const auto& to)
+  {
+    const GP::Earth_movers_cost cost = solver.compute(from, to);
+    EXPECT_TRUE(cost.converged);
+    EXPECT_LE(cost.lower, cost.value);
+    EXPECT_LE(cost.value, cost.upper);
+    EXPECT_LE(cost.upper - cost.lower, gap * cost.upper);
+    EXPECT_LT(cost.residual, 1e-9); // rounding
+    EXPECT_EQ(cost.upper_continuous, GP::internal::infinity);
+    return cost.value;
+  };
+  EXPECT_NEAR(value(corner, next), 1., gap);
+  const auto at_corner = location_of(0, {1., 0., 0.}), inside = location_of(0, {0.2, 0.4, 0.4});
+  const auto point = [&](const auto& location)
+  { return CGAL::Polygon_mesh_processing::construct_point(location, mesh); };
+  const double apart = std::sqrt(CGAL::squared_distance(point(at_corner), point(inside)));
+  EXPECT_NEAR(value(at_corner, inside), apart, gap * apart);
+  const std::vector<Vertex> below = {corner, next};
+  const std::set<Vertex> above = {Vertex(110), Vertex(120)};
+  EXPECT_NEAR(value(below, above), 1., gap); // half of a mass each
+  auto left = vertex_map(mesh), right = vertex_map(mesh);
+  left[corner] = 2.;
+  left[next] = -1.; // a debt
+  right[middle] = 1.;
+  EXPECT_NEAR(value(left, right), 1.5, 2. * gap); // one goes half as far as the one for the debt
+  const auto uniform =
+      GP::mass_density(boost::make_function_property_map<Vertex>([](const Vertex&) { return 1.; }));
+  EXPECT_EQ(solver.compute(uniform, uniform).value, 0.);
+  // The mean distance from a corner, less what is lost around it.
+  const double mean = (std::sqrt(2.) + std::asinh(1.)) / 3.;
+  EXPECT_NEAR(value(uniform, corner), mean, 0.05 * mean);
+}
+
+// What a mesh of any kind answers on an icosphere, from vertex 0 to vertex 100.
+template <typename AnyMesh>
+GP::Earth_movers_cost cost_on_sphere(double scale = 1.)
+{
+  Numbered<AnyMesh> sphere;
+  fill(sphere, scaled(icosphere(3), scale));
+  GP::Earth_movers_solver<AnyMesh> solver(sphere.mesh);
+  return solver.compute(sphere.vertices[0], sphere.vertices[100],
+                        GP::parameters::do_bound_from_above(true));
+}
+
+TEST(Earth_movers_solver, takes_all_meshes_and_scales)
+{
+  const GP::Earth_movers_cost cost = cost_on_sphere<Mesh>();
+  const Mesh mesh = mesh_of(icosphere(3));
+  const double exact = great_circle(mesh.point(Vertex(0)), mesh.point(Vertex(100)));
+  EXPECT_NEAR(cost.value, exact, 0.01 * exact);           // a coarse sphere
+  EXPECT_GT(cost.upper_continuous, exact * (1. - 0.005)); // the polyhedron is that much smaller
+  using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  EXPECT_EQ(cost_on_sphere<CGAL::Polyhedron_3<Exact_kernel>>().value, cost.value);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  // Its coordinates have single precision.
+  EXPECT_NEAR(cost_on_sphere<OpenMesh::TriMesh_ArrayKernelT<>>().value, cost.value, 1e-5);
+#endif
+  for(const double scale : {1e-6, 1e6})
+  {
+    EXPECT_NEAR(cost_on_sphere<Mesh>(scale).value, scale * cost.value, 1e-9 * scale);
+    EXPECT_NEAR(cost_on_sphere<Mesh>(scale).upper_continuous, scale * cost.upper_continuous,
+                1e-9 * scale);
+  }
+}
+
+TEST(Earth_movers_solver, measures_clouds)
+{
+  const Surfels surfels = sphere_surfels(4);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  GP::Earth_movers_solver<Surfels> solver(surfels, maps);
+  CGAL::Point_set_3<Kernel::Point_3> points(true);
+  for(const auto& [point, normal] : surfels)
+    points.insert(point, normal);
+  GP::Earth_movers_solver<CGAL::Point_set_3<Kernel::Point_3>> other(points);
+  for(const std::size_t to : {100u, 1000u, 2000u})
+  {
+    const double exact = great_circle(surfels[7].first, surfels[to].first);
+    const double value = solver.compute(std::size_t(7), to).value;
+    EXPECT_NEAR(value, exact, 0.015 * exact); // as on a mesh of such triangles
+    const auto index = [](std::size_t i) { return CGAL::Point_set_3<Kernel::Point_3>::Index(i); };
+    EXPECT_EQ(other.compute(index(7), index(to)).value, value);
+  }
+
+  // Along the surface; away from the ends it is as strong as what it carries is wide.
+  std::vector<Vector_3> flow(surfels.size());
+  std::vector<double> potential(surfels.size());
+  solver.compute(std::size_t(7), std::size_t(2000));
+  solver.write_flow(
+      boost::make_iterator_property_map(flow.begin(), CGAL::Identity_property_map<std::size_t>()));
+  solver.write_potential(boost::make_iterator_property_map(
+      potential.begin(), CGAL::Identity_property_map<std::size_t>()));
+  double strongest = 0.;
+  for(std::size_t i = 0; i < surfels.size(); ++i)
+  {
+    const double size = std::sqrt(flow[i].squared_length());
+    // Triangles of ten degrees lean by five.
+    EXPECT_LE(std::abs(flow[i] * surfels[i].second), 0.1 * size);
+    strongest = std::max(strongest, size);
+  }
+  EXPECT_GT(strongest, 1.);
+  EXPECT_THROW(
+      solver.compute(std::size_t(7), std::size_t(9), GP::parameters::do_bound_from_above(true)),
+      GP::Unsupported_surface_error);
+}
+
+TEST(Earth_movers_solver, writes_flow_and_potential)
+{
+  Mesh mesh = mesh_of(shaken(icosphere(3), 0.01));
+  GP::Earth_movers_solver<Mesh> solver(mesh);
+  const Vertex from(3), to(500);
+  const GP::Earth_movers_cost cost = solver.compute(from, to);
+  const auto flow = mesh.add_property_map<Face, Vector_3>().first;
+  const auto potential = vertex_map(mesh);
+  solver.write_flow(flow);
+  solver.write_potential(potential);
+  EXPECT_NEAR(potential[to] - potential[from], cost.lower, 1e-9);
+  EXPECT_EQ(solver.potential(to), potential[to]);
+  double length = 0.;
+  Vector_3 moment = CGAL::NULL_VECTOR;
+  for(const Face f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+               &r = mesh.point(mesh.target(mesh.next(h)));
+    const Vector_3 normal = CGAL::cross_product(q - p, r - p);
+    const double area = 0.5 * std::sqrt(normal.squared_length());
+    EXPECT_LT(std::abs(flow[f] * normal), 1e-9 * (1. + std::sqrt(flow[f].squared_length())));
+    length += area * std::sqrt(flow[f].squared_length());
+    moment = moment + area * flow[f];
+  }
+  EXPECT_NEAR(length, cost.upper, 1e-9);
+  // Each coordinate is a function too: its change is the integral of the flow along its gradient.
+  EXPECT_LT((moment - (mesh.point(to) - mesh.point(from))).squared_length(), 1e-18);
+}
+
+TEST(Earth_movers_solver, takes_speeds_and_metrics)
+{
+  Mesh mesh = mesh_of(square(12, 0.24));
+  const Vertex from(0), to(168);
+  const auto value = [&](const auto& np)
+  {
+    GP::Earth_movers_solver<Mesh> solver(mesh, np);
+    return solver.compute(from, to).value;
+  };
+  const auto speed = mesh.add_property_map<Face, double>("f:speed", 0.5).first;
+  EXPECT_NEAR(value(GP::parameters::speed_map(speed)), 2. * std::sqrt(2.), 4. * gap);
+  // x counts twice.
+  const Eigen::Matrix3d longer = Eigen::Vector3d(4., 1., 1.).asDiagonal();
+  const auto of_faces = mesh.add_property_map<Face, Eigen::Matrix3d>("f:metric", longer).first;
+  const auto of_vertices = mesh.add_property_map<Vertex, Eigen::Matrix3d>("v:metric", longer).first;
+  EXPECT_NEAR(value(GP::parameters::metric_map(of_faces)), std::sqrt(5.), 3. * gap);
+  EXPECT_NEAR(value(GP::parameters::metric_map(of_vertices)), std::sqrt(5.), 3. * gap);
+  EXPECT_NEAR(value(GP::parameters::metric_map(of_faces).speed_map(speed)), 2. * std::sqrt(5.),
+              6. * gap);
+  of_faces[Face(17)] = Eigen::Vector3d(1., 0., 1.).asDiagonal();
+  EXPECT_THROW(value(GP::parameters::metric_map(of_faces)), GP::Invalid_argument_error);
+  speed[Face(17)] = -1.;
+  EXPECT_THROW(value(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
+}
+
+TEST(Earth_movers_solver, has_other_methods)
+{
+  const Mesh mesh = mesh_of(shaken(icosphere(2), 0.03));
+  GP::Earth_movers_solver<Mesh> solver(mesh);
+  const double value = solver.compute(Vertex(0), Vertex(50)).value;
+  const auto np = GP::parameters::tolerance(0.01);
+  const auto cold = solver.compute<GP::Alternating_directions>(Vertex(0), Vertex(50), np);
+  EXPECT_NEAR(cold.value, value, 0.01 * value);
+  const auto warm = solver.compute<GP::Alternating_directions>(Vertex(0), Vertex(50),
+                                                               np.do_start_from_last(true));
+  EXPECT_NEAR(warm.value, value, 0.01 * value);
+  EXPECT_LT(warm.iterations, cold.iterations);
+  EXPECT_NEAR(solver.compute<GP::Weiszfeld>(Vertex(0), Vertex(50), np).value, value, 0.01 * value);
+  const auto stopped =
+      solver.compute(Vertex(0), Vertex(50), GP::parameters::maximum_number_of_iterations(2));
+  EXPECT_EQ(stopped.iterations, 2u);
+  EXPECT_FALSE(stopped.converged);
+}
+
+TEST(Earth_movers_solver, can_be_cancelled)
+{
+  const Mesh mesh = mesh_of(icosphere(3));
+  GP::Earth_movers_solver<Mesh> solver(mesh);
+  unsigned calls = 0;
+  const std::function<bool(double)> callback = [&](double) { return ++calls < 3; };
+  const auto cost =
+      solver.compute(Vertex(0), Vertex(300), GP::parameters::callback(callback).tolerance(1e-9));
+  EXPECT_EQ(calls, 3u);
+  EXPECT_FALSE(cost.converged);
+  EXPECT_LE(cost.lower, cost.upper);
+}
+
+TEST(Earth_movers_solver, refuses_what_cannot_be_moved)
+{
+  Mesh mesh = mesh_of(apart(square(4), square(4)));
+  GP::Earth_movers_solver<Mesh> solver(mesh);
+  EXPECT_THROW(solver.compute(Vertex(0), Vertex(30)), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.compute(Vertex(0), Vertex(99)), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.compute(std::vector<Vertex>(), Vertex(3)), GP::Invalid_argument_error);
+  const auto masses = vertex_map(mesh);
+  masses[Vertex(4)] = 3.;
+  EXPECT_THROW(solver.compute(masses, Vertex(3)), GP::Invalid_argument_error);
+  EXPECT_NEAR(solver.compute(masses, Vertex(0), GP::parameters::do_normalize(true)).value, 1., gap);
+  for(const double tolerance : {0., -1., std::nan("")})
+    EXPECT_THROW(solver.compute(Vertex(0), Vertex(3), GP::parameters::tolerance(tolerance)),
+                 GP::Invalid_argument_error);
+  const Mesh nothing;
+  EXPECT_THROW(GP::Earth_movers_solver<Mesh>{nothing}, GP::Unsupported_surface_error);
+}
+
+} // namespace

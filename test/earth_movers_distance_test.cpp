@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/earth_movers_distance.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+TEST(earth_movers_distance, says_what_the_solver_says)
+{
+  Mesh mesh = mesh_of(shaken(icosphere(2), 0.03));
+  const Vertex from(0), to(50);
+  GP::Earth_movers_solver<Mesh> solver(mesh, GP::parameters::number_of_refinements(1u));
+  const GP::Earth_movers_cost expected =
+      solver.compute<GP::Alternating_directions>(from, to, GP::parameters::tolerance(0.01));
+  const auto potential = vertex_map(mesh);
+  const auto flow = mesh.add_property_map<Face, Kernel::Vector_3>().first;
+  const GP::Earth_movers_cost cost = GP::earth_movers_distance<GP::Alternating_directions>(
+      mesh, from, to,
+      GP::parameters::tolerance(0.01).number_of_refinements(1u).potential_map(potential).flow_map(
+          flow));
+  EXPECT_EQ(cost.value, expected.value);
+  EXPECT_EQ(cost.estimate, expected.estimate);
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(potential[v], solver.potential(v));
+  const auto expected_flow = mesh.add_property_map<Face, Kernel::Vector_3>().first;
+  solver.write_flow(expected_flow);
+  for(const Face f : mesh.faces())
+    EXPECT_EQ(flow[f], expected_flow[f]);
+}
+
+TEST(earth_movers_distance, takes_a_domain)
+{
+  const Mesh mesh = mesh_of(square(4));
+  EXPECT_EQ(GP::earth_movers_distance(GP::make_domain(mesh), Vertex(0), Vertex(24)).value,
+            GP::earth_movers_distance(mesh, Vertex(0), Vertex(24)).value);
+}
+
+} // namespace

@@ -1,0 +1,304 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/Earth_movers.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// Of the sums of some hundred numbers.
+constexpr double rounding = 1e-9;
+
+Earth_movers_options within(double tolerance, bool do_bound_from_above = false)
+{
+  Earth_movers_options result;
+  result.transport.tolerance = tolerance;
+  result.do_bound_from_above = do_bound_from_above;
+  return result;
+}
+
+Masses at(const Location& location, double mass = 1.)
+{
+  Masses result;
+  result.at_locations = {{location, mass}};
+  return result;
+}
+
+double exact_distance(const Glued_surface& surface, const Location& from, const Location& to)
+{
+  Window_propagation windows(surface.triangles());
+  windows.run({surface.source(from)});
+  return surface.scale() * windows.distance(to);
+}
+
+TEST(Earth_movers, encloses_distances_between_locations)
+{
+  for(const Triangulation& shape : {shaken(icosphere(2), 0.03), cylinder(16, 6, 1., 1.5)})
+  {
+    const Glued_surface surface(shape);
+    const Earth_movers kernel(surface.triangles());
+    const Location from = surface.in(3, {0.2, 0.5, 0.3});
+    for(const Location& to : {surface.in(40, {0.1, 0.1, 0.8}), surface.in(90, {1., 0., 0.}),
+                              surface.on(77, 1, 0.4), surface.at(20)})
+    {
+      const double exact = exact_distance(surface, from, to);
+      const Earth_movers_result found = kernel.solve(at(from), at(to), within(1e-4, true));
+      EXPECT_LE(found.lower, exact * (1. + rounding));
+      EXPECT_GE(found.upper_continuous, exact);
+      EXPECT_GT(found.value, 0.85 * exact); // a surface of ten sides loses so much around points
+      EXPECT_EQ(found.estimate, found.value);
+    }
+    // Nobody asked.
+    EXPECT_EQ(kernel.solve(at(from), at(surface.at(20))).upper_continuous, infinity);
+  }
+}
+
+TEST(Earth_movers, finds_more_on_refined_surfaces)
+{
+  const Glued_surface surface(shaken(icosphere(2), 0.03));
+  const Location from = surface.in(3, {0.2, 0.5, 0.3}), to = surface.in(250, {0.1, 0.1, 0.8});
+  const double exact = exact_distance(surface, from, to);
+  double loss = infinity, excess = infinity;
+  for(const unsigned refinements : {0u, 1u, 2u, 3u})
+  {
+    const Earth_movers kernel(surface.triangles(), refinements);
+    const Earth_movers_result found = kernel.solve(at(from), at(to), within(1e-5, true));
+    EXPECT_LE(found.lower, exact * (1. + rounding));
+    EXPECT_LT(exact - found.lower, loss);
+    EXPECT_LT(found.upper_continuous - exact, excess);
+    loss = exact - found.lower;
+    excess = found.upper_continuous - exact;
+
+    // Means of flows move the same masses; the potential is that of some of the fine sites.
+    const Operators o = operators(surface.t());
+    Vector masses = Vector::Zero(surface.size());
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      masses[surface.t().corner[3 * from.triangle + k]] -= from.barycentric[k];
+      masses[surface.t().corner[3 * to.triangle + k]] += to.barycentric[k];
+    }
+    const Vector error = surface.scale() * divergence(o, found.flow) - masses;
+    EXPECT_LT(error.lpNorm<Eigen::Infinity>(), rounding);
+    for(Index side = 0; side < surface.t().corner.size(); ++side)
+      EXPECT_LE(found.potential[surface.t().corner[next_side(side)]] -
+                    found.potential[surface.t().corner[side]],
+                surface.scale() * surface.t().length[side] * (1. + rounding));
+  }
+}
+
+// What is lost at sites is halved by each refinement; within triangles it depends on where.
+TEST(Earth_movers, extrapolates_between_sites)
+{
+  const Glued_surface surface(shaken(icosphere(2), 0.03));
+  const Earth_movers kernel(surface.triangles(), 1);
+  for(const Index to : {20u, 70u, 120u})
+  {
+    const double exact = exact_distance(surface, surface.at(0), surface.at(to));
+    const Earth_movers_result found =
+        kernel.solve(at(surface.at(0)), at(surface.at(to)), within(1e-5));
+    EXPECT_LT(std::abs(found.estimate - exact), 0.5 * (exact - found.value) + 1e-5 * exact);
+  }
+}
+
+// Linear densities on a square, which move to the right: along each line the integral of the difference
+// of what lies on the left of x before and after, which is 2 x - 2 x^2.
+TEST(Earth_movers, moves_densities)
+{
+  const Glued_surface surface(square(16, 0.24));
+  Masses from, to;
+  from.density.resize(surface.size());
+  to.density.resize(surface.size());
+  for(Index i = 0; i < surface.size(); ++i)
+  {
+    const double x = surface.point(i)[0];
+    from.density[surface.site(i)] = 2. * (1. - x);
+    to.density[surface.site(i)] = 2. * x;
+  }
+  for(const unsigned refinements : {0u, 1u})
+  {
+    const Earth_movers_result found =
+        Earth_movers(surface.triangles(), refinements).solve(from, to, within(1e-5, true));
+    EXPECT_LE(found.lower, 1. / 3. * (1. + rounding));
+    EXPECT_GE(found.upper_continuous, 1. / 3.);
+    EXPECT_NEAR(found.value, 1. / 3.,
+                2e-4); // the gap, and the square of a side, 1/16, by a twentieth
+    EXPECT_LT(found.upper_continuous, 0.5);
+  }
+  // Any unit of mass, when it is normalized.
+  to.density *= 7.;
+  Earth_movers_options options = within(1e-5);
+  options.do_normalize = true;
+  EXPECT_NEAR(Earth_movers(surface.triangles()).solve(from, to, options).value, 1. / 3., 2e-4);
+}
+
+TEST(Earth_movers, adds_masses_of_all_kinds)
+{
+  const Glued_surface surface(square(8, 0.24));
+  Masses all;
+  all.at_sites = Vector::Zero(surface.size());
+  all.at_sites[surface.site(4)] = 0.25;
+  all.at_locations = {{surface.in(9, {0.5, 0.25, 0.25}), 0.25}};
+  all.density = Vector::Constant(surface.size(), 0.5);
+  // To a corner of the unit square: the mean distance of a uniform density is (sqrt(2) + asinh(1)) / 3.
+  const auto way = [&](const Point& p) { return test::distance(p, surface.point(80)); };
+  Point inner = {0., 0., 0.};
+  const auto& corners = square(8, 0.24).corners;
+  for(std::size_t c = 0; c < 3; ++c)
+    inner[c] = 0.5 * surface.point(corners[27])[c] + 0.25 * surface.point(corners[28])[c] +
+               0.25 * surface.point(corners[29])[c];
+  const double exact = 0.25 * way(surface.point(4)) + 0.25 * way(inner) +
+                       0.5 * (std::sqrt(2.) + std::asinh(1.)) / 3.;
+  // Towards a point to which masses come from everywhere a side's part is lost at each distance of one,
+  // two, four and so on sides.
+  for(const unsigned refinements : {0u, 2u})
+  {
+    const Earth_movers_result found =
+        Earth_movers(surface.triangles(), refinements).solve(all, at(surface.at(80)), within(1e-4));
+    EXPECT_TRUE(found.converged);
+    EXPECT_LE(found.lower, exact);
+    const double side = 0.125 / double(1 << refinements);
+    EXPECT_GE(found.value, exact - 0.12 * side * std::log2(1. / side));
+  }
+}
+
+TEST(Earth_movers, measures_lengths_as_told)
+{
+  const Glued_surface surface(square(12, 0.24));
+  const Location from = surface.at(0), to = surface.at(168);
+  const std::size_t n = surface.t().number_of_triangles();
+  const auto value = [&](std::vector<Tensor> measure)
+  {
+    return Earth_movers(surface.triangles(), 0, std::move(measure))
+        .solve(at(from), at(to), within(1e-6))
+        .value;
+  };
+  EXPECT_NEAR(value({}), std::sqrt(2.), 1e-5);
+  EXPECT_NEAR(value(std::vector<Tensor>(n, {3., 0., 3.})), 3. * std::sqrt(2.), 3e-5);
+  // Twice as long along x: the diagonal of a rectangle.  The planes of the triangles are turned.
+  std::vector<Tensor> measure;
+  for(std::size_t f = 0; f < n; ++f)
+  {
+    const Spatial side = unit(surface.t().point[surface.t().corner[3 * f + 1]] -
+                              surface.t().point[surface.t().corner[3 * f]]);
+    const double c = side[0], s = side[1];
+    measure.push_back({1. + c * c, -c * s, 1. + s * s});
+  }
+  EXPECT_NEAR(value(measure), std::sqrt(5.), 1e-4);
+  const Earth_movers_result bounded =
+      Earth_movers(surface.triangles(), 1, measure).solve(at(from), at(to), within(1e-6, true));
+  EXPECT_NEAR(bounded.value, std::sqrt(5.), 1e-4);
+  EXPECT_GE(bounded.upper_continuous, std::sqrt(5.));
+  EXPECT_LE(bounded.upper_continuous, 1.5 * std::sqrt(5.));
+}
+
+// A ray is bent where it becomes three times as slow: the sines of its angles are as the speeds.
+TEST(Earth_movers, obeys_the_law_of_refraction)
+{
+  const std::size_t columns = 24;
+  const Glued_surface surface(square(columns));
+  std::vector<Tensor> measure;
+  for(std::size_t f = 0; f < surface.t().number_of_triangles(); ++f)
+  {
+    double y = 0.;
+    for(std::size_t k = 0; k < 3; ++k)
+      y += surface.t().point[surface.t().corner[3 * f + k]][1];
+    const double slowness = y * surface.scale() / 3. + surface.t().origin[1] > 0.5 ? 3. : 1.;
+    measure.push_back({slowness, 0., slowness});
+  }
+  // From a corner to the opposite one, through (x, 0.5).
+  double exact = infinity;
+  for(double x = 0.; x < 1.; x += 1e-5)
+    exact = std::min(exact, std::hypot(x, 0.5) + 3. * std::hypot(1. - x, 0.5));
+  const Earth_movers kernel(surface.triangles(), 0, measure);
+  const Earth_movers_result found =
+      kernel.solve(at(surface.at(0)), at(surface.at(surface.size() - 1)), within(1e-5, true));
+  EXPECT_LE(found.lower, exact * (1. + 1e-9));   // the steps' square, and rounding
+  EXPECT_NEAR(found.value, exact, 4e-3 * exact); // in one triangle the ray has one direction
+  EXPECT_GE(found.upper_continuous, exact * (1. - 1e-9));
+}
+
+TEST(Earth_movers, goes_around_obstacles)
+{
+  const std::size_t n = 16;
+  const Triangulation shape = square(n);
+  const Glued_surface surface(shape);
+  std::vector<Tensor> measure(surface.t().number_of_triangles(), {1., 0., 1.});
+  for(Index f = 0; f < measure.size(); ++f)
+  {
+    double x = 0., y = 0.;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      x += shape.points[shape.corners[3 * f + k]][0] / 3.;
+      y += shape.points[shape.corners[3 * f + k]][1] / 3.;
+    }
+    if(x > 0.5 && x < 0.5 + 1. / double(n) && y < 0.75)
+      measure[surface.triangle(f)] = {infinity, 0., infinity};
+  }
+  const Earth_movers kernel(surface.triangles(), 0, measure);
+  const Earth_movers_result found =
+      kernel.solve(at(surface.at(0)), at(surface.at(Index(n))), within(1e-6, true));
+  // Over both corners of the wall's end.
+  const double exact =
+      std::hypot(0.5, 0.75) + 1. / double(n) + std::hypot(0.5 - 1. / double(n), 0.75);
+  EXPECT_NEAR(found.value, exact, 1e-5 * exact);
+  EXPECT_GE(found.upper_continuous, exact);
+  EXPECT_LE(found.upper_continuous, 1.3 * exact);
+}
+
+TEST(Earth_movers, methods_agree)
+{
+  const Glued_surface surface(shaken(icosphere(2), 0.03));
+  const Earth_movers kernel(surface.triangles());
+  const Masses from = at(surface.at(0)), to = at(surface.at(50));
+  const double value = kernel.solve(from, to, within(1e-5)).value;
+  Earth_movers_options options = within(0.01);
+  options.transport.method = Transport_method::splitting;
+  const Earth_movers_result split = kernel.solve(from, to, options);
+  EXPECT_TRUE(split.converged);
+  EXPECT_LE(split.lower, value * (1. + 1e-5));
+  EXPECT_GE(split.upper, value * (1. - 1e-5));
+  // From where it ended, to much the same masses.
+  options.transport.start = split.state;
+  const Earth_movers_result again = kernel.solve(from, to, options);
+  EXPECT_TRUE(again.converged);
+  EXPECT_LE(again.iterations, 20u);
+  EXPECT_LT(again.iterations, split.iterations);
+
+  options = within(0.02);
+  options.transport.method = Transport_method::weiszfeld;
+  const Earth_movers_result reweighted = kernel.solve(from, to, options);
+  EXPECT_LE(reweighted.lower, value * (1. + 1e-5));
+  EXPECT_GE(reweighted.upper, value * (1. - 1e-5));
+  EXPECT_TRUE(reweighted.converged);
+}
+
+TEST(Earth_movers, refuses_what_cannot_be_moved)
+{
+  const Glued_surface surface(square(4));
+  const Earth_movers kernel(surface.triangles());
+  Masses nothing, bad = at(surface.at(3), std::nan("")), none_at_all = at(surface.at(3), 0.);
+  const Masses one = at(surface.at(0)), two = at(surface.at(5), 2.);
+  EXPECT_THROW(kernel.solve(one, two), Invalid_argument_error);
+  EXPECT_THROW(kernel.solve(one, bad), Invalid_argument_error);
+  EXPECT_THROW(kernel.solve(one, nothing), Invalid_argument_error);
+  EXPECT_EQ(kernel.solve(nothing, none_at_all).value, 0.);
+  Earth_movers_options options;
+  options.do_normalize = true;
+  EXPECT_NO_THROW(kernel.solve(one, two, options));
+  EXPECT_THROW(kernel.solve(one, none_at_all, options), Invalid_argument_error);
+  EXPECT_THROW(kernel.solve(at(surface.at(0), -1.), one, options), Invalid_argument_error);
+  EXPECT_THROW(Earth_movers(surface.triangles(), 20), Unsupported_surface_error);
+}
+
+} // namespace
