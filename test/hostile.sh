@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
-# surfels, logmap, decal and matrix.  Whatever is in a file, the program ends with 0, or with 2 and one
+# surfels, logmap, decal, matrix and emd.  Whatever is in a file, the program ends with 0, or with 2 and one
 # sentence, in time, without a NaN.
 set -u
 
@@ -60,13 +60,14 @@ check_all()
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
   check "$file" matrix --number 5 --method exact || failed=1
+  check "$file" emd --from 0 --to 1 || failed=1
   return $failed
 }
 
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 15 times each: no crash, no hang, no NaN"
+  echo "$# files, 16 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -29,6 +29,7 @@ struct Surface_file
   std::vector<std::array<std::uint32_t, 2>> edges;       // lines between points, of PLY alone
   std::vector<std::vector<Point>> polylines;             // written, never read
   std::map<std::string, std::vector<double>> properties; // each #points
+  std::map<std::string, std::vector<Point>> vectors;     // each #polygons; written, never read
 
   std::size_t number_of_polygons() const { return first.size() - 1; }
 };
@@ -56,7 +57,7 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name);
 void check_can_write(const std::string& filename);
 
 // Writes the file completely or not at all: first beside it, then renamed.
-// PLY (binary) and VTP carry normals, properties and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates,
+// PLY (binary) and VTP carry normals, properties, vectors and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates,
 // normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
 // Throws Output_error when it cannot be written.
 void write_surface_file(const std::string& filename, const Surface_file& surface,

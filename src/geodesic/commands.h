@@ -21,6 +21,7 @@ void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);
 void add_remesh(CLI::App& program);
 void add_surfels(CLI::App& program);
+void add_emd(CLI::App& program);
 
 } // namespace program
 

@@ -56,6 +56,7 @@ int run(int argc, char** argv)
   add_voronoi(program);
   add_remesh(program);
   add_surfels(program);
+  add_emd(program);
   try
   {
     program.parse(argc, argv);

@@ -52,8 +52,13 @@ std::string to_ply(const Surface_file& surface)
         append_little_endian(bytes, value);
   };
   if(surface.number_of_polygons() > 0)
+  {
     bytes += "element face " + std::to_string(surface.number_of_polygons()) +
              "\nproperty list uchar int vertex_indices\n";
+    for(const auto& [name, vectors] : surface.vectors)
+      for(const char* axis : {"_x", "_y", "_z"})
+        bytes += "property double " + one_word(name) + axis + "\n";
+  }
   if(edges > 0)
     bytes +=
         "element edge " + std::to_string(edges) + "\nproperty int vertex1\nproperty int vertex2\n";
@@ -82,6 +87,9 @@ std::string to_ply(const Surface_file& surface)
     append_little_endian(bytes, static_cast<std::uint8_t>(surface.first[f + 1] - surface.first[f]));
     for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
       append_little_endian(bytes, surface.corners[c]);
+    for(const auto& [name, vectors] : surface.vectors)
+      for(const double x : vectors[f])
+        append_little_endian(bytes, x);
   }
   for(const auto& edge : surface.edges)
     for(const std::uint32_t end : edge)

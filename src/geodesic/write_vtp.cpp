@@ -89,10 +89,22 @@ std::string to_vtp(const Surface_file& surface)
     values.resize(points.size(), 0.);
     text += array(name, "Float64", 1, values);
   }
-  text += "      </PointData>\n      <Points>\n" + array("Points", "Float64", 3, flat(points)) +
-          "      </Points>\n" + cells("Verts", verts, vert_offsets) +
-          cells("Lines", lines, line_offsets) + cells("Polys", corners, offsets) +
-          "    </Piece>\n  </PolyData>\n</VTKFile>\n";
+  text += "      </PointData>\n";
+  if(!surface.vectors.empty())
+  {
+    // Cells are numbered through: points and lines come before faces.
+    text += "      <CellData>\n";
+    for(const auto& [name, vectors] : surface.vectors)
+    {
+      std::vector<Point> values(vert_offsets.size() + line_offsets.size(), Point{0., 0., 0.});
+      values.insert(values.end(), vectors.begin(), vectors.end());
+      text += array(name, "Float64", 3, flat(values));
+    }
+    text += "      </CellData>\n";
+  }
+  text += "      <Points>\n" + array("Points", "Float64", 3, flat(points)) + "      </Points>\n" +
+          cells("Verts", verts, vert_offsets) + cells("Lines", lines, line_offsets) +
+          cells("Polys", corners, offsets) + "    </Piece>\n  </PolyData>\n</VTKFile>\n";
   return text;
 }
 

@@ -333,6 +333,11 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
               {"vertices_out", "faces_out", "added", "holes_filled", "holes_left"});
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
   expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
+  expect_keys("emd square.ply --from 0 --to 80",
+              {"value", "lower", "upper", "iterations", "residual", "converged"});
+  expect_keys("emd square.ply --from 0 --to 80 --bound-above --refine 1",
+              {"value", "lower", "upper", "upper_continuous", "estimate", "iterations", "residual",
+               "converged"});
 }
 
 TEST_F(Program, json_alone_is_on_standard_output)
@@ -375,6 +380,56 @@ TEST_F(Program, surfels_have_normals_radii_and_a_graph)
   EXPECT_LT(json("info near.xyz.ply")["bounding_box"][1][0].get<double>(), 2.);
   expect_failure("surfels far.xyz --outliers 101", 1, "--outliers");
   expect_failure("surfels far.xyz --surfel-graph none", 1, "extended-spheres");
+}
+
+TEST_F(Program, emd_moves_masses)
+{
+  // From corner to corner of a unit square.
+  const nlohmann::json diagonal =
+      json("emd square.ply --from 0 --to 80 --values p.txt -o e.ply --hodge --bound-above");
+  const double exact = std::sqrt(2.);
+  EXPECT_LE(diagonal["lower"].get<double>(), exact * (1. + 1e-9));   // rounding
+  EXPECT_NEAR(diagonal["value"].get<double>(), exact, 1e-3 * exact); // the gap
+  EXPECT_GE(diagonal["upper_continuous"].get<double>(), exact);
+  const std::vector<double> potential = numbers("p.txt");
+  ASSERT_EQ(potential.size(), 81u);
+  EXPECT_NEAR(potential[80] - potential[0], diagonal["lower"].get<double>(), 1e-9);
+  const std::string ply = content(m_folder / "e.ply");
+  for(const char* const field : {"flow_z", "gradient_x", "rotation_y", "harmonic_z"})
+    EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
+  EXPECT_EQ(json("info e.ply")["faces"], 128);
+
+  // By properties and files: all moves by a quarter.
+  std::string from, to;
+  for(int i = 0; i < 81; ++i)
+  {
+    from += i % 9 == 2 ? "1\n" : "0\n";
+    to += i % 9 == 4 ? "0.5\n" : "0\n";
+  }
+  write("from.txt", from);
+  write("to.txt", to);
+  expect_failure("emd square.ply --from from.txt --to to.txt", 2, "sum to");
+  EXPECT_NEAR(json("emd square.ply --from from.txt --to to.txt --normalize")["value"].get<double>(),
+              0.25, 1e-3);
+  EXPECT_EQ(run("emd square.ply --from from.txt --to to.txt --normalize -o p.vtp --quiet").code, 0);
+  EXPECT_EQ(json("emd p.vtp --from potential --to potential --density")["value"], 0.);
+  EXPECT_NEAR(
+      json("emd square.ply --from 0 --to 8 --refine 1 --method admm --tolerance 0.01")["value"]
+          .get<double>(),
+      1., 0.01);
+  // A lattice of the unit square.
+  EXPECT_NEAR(json("emd cloud.xyz --from 0 --to 11 -o e.vtp")["value"].get<double>(), 1., 0.02);
+  EXPECT_EQ(run("emd e.vtp --from flow_x --to flow_x --quiet").code, 0);
+
+  expect_failure("emd square.ply --from 0", 1, "--to");
+  expect_failure("emd square.ply --from 0 --to 80 --method none", 1, "interior-point");
+  expect_failure("emd square.ply --from 0 --to 80 --tolerance 0", 1, "--tolerance");
+  expect_failure("emd square.ply --from 0 --to 80 -o e.obj", 1, "ply");
+  expect_failure("emd square.ply --from 0 --to 81", 2, "81");
+  expect_failure("emd square.ply --from 0 --to nothing", 2, "nothing");
+  write("short.txt", "1\n2\n");
+  expect_failure("emd square.ply --from 0 --to short.txt", 2, "2 masses for 81 vertices");
+  expect_failure("emd cloud.xyz --from 0 --to 11 --bound-above", 2, "need a mesh");
 }
 
 TEST_F(Program, logmap_writes_normal_coordinates)
