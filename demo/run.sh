@@ -191,6 +191,9 @@ picture decal-image "Rings on a terrain, twice." \
   decal "$terrain" --base-at 35,40,20 --base-at 85,80,20 --up 0,1,0 --width 60 --width 40 --image "$rings"
 picture decal-cloud "On a scan it is surfels that have the colours." \
   decal "$knot_scan" --base-at -2,1.8,1.5 --up 0,1,0
+picture emd "From three places to three others: what moves, and the potential that proves the least work." \
+  emd "$bunny" --from 0,500,1500 --to 100,2000,3000
+picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
 picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
   sample "$scan" --number 1500 --density-image "$rings"

@@ -24,20 +24,29 @@ Tensor inverse(const Tensor& a)
 
 bool is_blocked(const Tensor& measure) { return !std::isfinite(measure[0] + measure[2]); }
 
+// Without the triangles through which nothing may pass.
+Operators open_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
+{
+  Operators result = operators(t);
+  for(std::size_t f = 0; f < measure.size(); ++f)
+    if(is_blocked(measure[f]))
+    {
+      result.area[f] = 0.;
+      std::fill_n(result.hat.begin() + 3 * std::ptrdiff_t(f), 3, Planar{0., 0.});
+    }
+  return result;
+}
+
 // Those of the field that is measured, A J: its divergence is that of J, and the length of a function's
 // gradient what it changes by per measured length.
-Operators measured(Operators operators, const std::vector<Tensor>& measure)
+Operators measured_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
 {
+  Operators result = open_operators(t, measure);
   for(std::size_t f = 0; f < measure.size(); ++f)
-  {
-    const bool is_open = !is_blocked(measure[f]);
-    for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
-      operators.hat[corner] =
-          is_open ? product(inverse(measure[f]), operators.hat[corner]) : Planar{0., 0.};
-    if(!is_open)
-      operators.area[f] = 0.;
-  }
-  return operators;
+    if(!is_blocked(measure[f]))
+      for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
+        result.hat[corner] = product(inverse(measure[f]), result.hat[corner]);
+  return result;
 }
 
 // The means over triangles that were divided; the one in the middle is turned by half.
@@ -86,7 +95,6 @@ void add(Masses& target, double factor, const Masses& source)
 
 Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements,
                            std::vector<Tensor> measure)
-    : m_measure(std::move(measure))
 {
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
     throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
@@ -96,15 +104,14 @@ Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, uns
     if(level > 0)
     {
       triangles = std::make_shared<const Glued_triangles>(refined(*triangles));
-      std::vector<Tensor> finer;
-      for(const Tensor& tensor : m_measure)
-        finer.insert(finer.end(), 4, tensor);
-      m_measure = std::move(finer);
+      for(const Tensor& tensor : std::exchange(measure, {}))
+        measure.insert(measure.end(), 4, tensor);
     }
     m_levels[level].triangles = triangles;
+    m_levels[level].measure = measure;
     if(level + 1 >= refinements)
       m_levels[level].solver =
-          std::make_unique<Transport_solver>(measured(operators(*triangles), m_measure));
+          std::make_unique<Transport_solver>(measured_operators(*triangles, measure));
   }
 }
 
@@ -155,7 +162,7 @@ Vector Earth_movers::at_sites(std::size_t level, const Masses& masses) const
         result[t.corner[3 * location.triangle + k]] += mass * location.barycentric[k];
   if(masses.density.size() > 0)
   {
-    const Sparse_matrix integrals = consistent_mass(operators(t));
+    const Sparse_matrix integrals = consistent_mass(open_operators(t, m_levels[level].measure));
     result +=
         t.scale * t.scale * (integrals.selfadjointView<Eigen::Lower>() * masses.density).eval();
   }
@@ -166,18 +173,21 @@ Vector Earth_movers::at_sites(std::size_t level, const Masses& masses) const
 double Earth_movers::cost_to_sites(const Masses& masses) const
 {
   const Glued_triangles& t = *m_levels.back().triangles;
+  const std::vector<Tensor>& measure = m_levels.back().measure;
   const auto places = [&](std::size_t f)
   {
     auto result = unfolded(t, Index(f));
-    if(!m_measure.empty())
+    if(!measure.empty())
       for(Planar& p : result)
-        p = product(m_measure[f], p);
+        p = product(measure[f], p);
     return result;
   };
   double result = 0.;
   for(const auto& [location, mass] : masses.at_locations)
     if(location.triangle != none)
     {
+      if(!measure.empty() && is_blocked(measure[location.triangle]))
+        return infinity;
       const auto p = places(location.triangle);
       const Planar place = unfolded_point(p, location.barycentric);
       for(std::size_t k = 0; k < 3; ++k)
@@ -187,9 +197,11 @@ double Earth_movers::cost_to_sites(const Masses& masses) const
     return result;
   // The hats of corners i, j and k: the i-th part of the density's share of j, as far as k at most, as
   // distance is convex.
-  const Operators o = operators(t);
+  const Operators o = open_operators(t, measure);
   for(std::size_t f = 0; f < o.area.size(); ++f)
   {
+    if(o.area[f] == 0.)
+      continue;
     const auto p = places(f);
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t j = 0; j < 3; ++j)
@@ -205,10 +217,10 @@ double Earth_movers::cost_to_sites(const Masses& masses) const
 double Earth_movers::cost_of_flow(const Field& flow) const
 {
   const Glued_triangles& whole = *m_levels.back().triangles;
-  if(std::none_of(m_measure.begin(), m_measure.end(), is_blocked))
-    return cost_of_continuous_flow(whole, operators(whole), flow, m_measure);
+  std::vector<Tensor> measure = m_levels.back().measure;
+  if(std::none_of(measure.begin(), measure.end(), is_blocked))
+    return cost_of_continuous_flow(whole, operators(whole), flow, measure);
   Glued_triangles open = whole;
-  std::vector<Tensor> measure = m_measure;
   for(Index side = 0; side < open.twin.size(); ++side)
     if(const Index twin = whole.twin[side];
        twin != none && is_blocked(measure[side / 3]) != is_blocked(measure[twin / 3]))
@@ -236,9 +248,10 @@ Earth_movers_result Earth_movers::solve(const Masses& from, const Masses& to,
         here.solver->solve(at_sites(level, masses), options.transport);
   }
   const double scale = m_levels.back().triangles->scale;
-  for(std::size_t f = 0; f < m_measure.size(); ++f)
-    if(!is_blocked(m_measure[f]))
-      result.flow[f] = product(inverse(m_measure[f]), result.flow[f]);
+  const std::vector<Tensor>& measure = m_levels.back().measure;
+  for(std::size_t f = 0; f < measure.size(); ++f)
+    if(!is_blocked(measure[f]))
+      result.flow[f] = product(inverse(measure[f]), result.flow[f]);
   if(options.do_bound_from_above)
     result.upper_continuous = scale * (cost_of_flow(result.flow) + cost_to_sites(masses));
   result.value *= scale;

@@ -41,6 +41,17 @@ inline Mesh mesh_of(const CGAL::Geodesic_processing::test::Triangulation& surfac
 }
 
 // A sphere of 10 * 4^level + 2 vertices.
+inline CGAL::Geodesic_processing::test::Triangulation triangulation_of(const Mesh& mesh)
+{
+  CGAL::Geodesic_processing::test::Triangulation result;
+  for(const Vertex v : mesh.vertices())
+    result.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  for(const Face f : mesh.faces())
+    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result.corners.push_back(CGAL::Geodesic_processing::internal::Index(v));
+  return result;
+}
+
 inline Mesh icosphere(unsigned level)
 {
   return mesh_of(CGAL::Geodesic_processing::test::icosphere(level));

@@ -24,17 +24,6 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-Triangulation triangulation_of(const Mesh& mesh)
-{
-  Triangulation result;
-  for(const Vertex v : mesh.vertices())
-    result.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
-  for(const Face f : mesh.faces())
-    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-      result.corners.push_back(Index(v));
-  return result;
-}
-
 // Of total mass one, falling off from a point within a tenth of `width`.
 Vector density(const Glued_surface& surface, const Vector& areas, Index center, double width)
 {

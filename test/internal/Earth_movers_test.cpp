@@ -254,6 +254,16 @@ TEST(Earth_movers, goes_around_obstacles)
   EXPECT_NEAR(found.value, exact, 1e-5 * exact);
   EXPECT_GE(found.upper_continuous, exact);
   EXPECT_LE(found.upper_continuous, 1.3 * exact);
+
+  // A density has mass where something can move, which is all but one in sixteen cells in three of four
+  // rows; the sites in the wall have none.
+  Masses even;
+  even.density = Vector::Ones(surface.size());
+  const Masses rest = at(surface.at(0), 1. - 0.75 / double(n));
+  const Earth_movers_result spread = Earth_movers(surface.triangles(), 1, measure)
+                                         .solve(even, rest, within(1e-4, true));
+  EXPECT_TRUE(spread.converged);
+  EXPECT_GT(spread.upper_continuous, spread.upper);
 }
 
 TEST(Earth_movers, methods_agree)

@@ -56,6 +56,7 @@ private:
   struct Level
   {
     std::shared_ptr<const Glued_triangles> triangles;
+    std::vector<Tensor> measure; // #triangles, or empty
     std::unique_ptr<Transport_solver> solver; // of the last two alone
   };
 
@@ -64,8 +65,7 @@ private:
   double cost_to_sites(const Masses& masses) const;
   double cost_of_flow(const Field& flow) const;
 
-  std::vector<Level> m_levels;   // the finest last
-  std::vector<Tensor> m_measure; // of the finest
+  std::vector<Level> m_levels; // the finest last
 };
 
 } // namespace CGAL::Geodesic_processing::internal
