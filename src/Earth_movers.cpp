@@ -58,9 +58,10 @@ Field of_coarse(const Field& fine)
   return result;
 }
 
-Masses refined(const Glued_triangles& coarse, const Glued_triangles& fine, const Masses& masses)
+Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& fine,
+                          const Mass_distribution& masses)
 {
-  Masses result;
+  Mass_distribution result;
   if(masses.at_sites.size() > 0)
   {
     result.at_sites = Vector::Zero(Eigen::Index(fine.number_of_sites()));
@@ -83,7 +84,7 @@ void add(Vector& target, double factor, const Vector& source)
   target += factor * source;
 }
 
-void add(Masses& target, double factor, const Masses& source)
+void add(Mass_distribution& target, double factor, const Mass_distribution& source)
 {
   add(target.at_sites, factor, source.at_sites);
   for(const auto& [location, mass] : source.at_locations)
@@ -116,11 +117,12 @@ Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, uns
 }
 
 // What is to be moved: `to` less `from`.
-Masses Earth_movers::difference(const Masses& from, const Masses& to, bool do_normalize) const
+Mass_distribution Earth_movers::difference(const Mass_distribution& from,
+                                           const Mass_distribution& to, bool do_normalize) const
 {
-  Masses result;
+  Mass_distribution result;
   std::array<double, 2> total{}, size{};
-  const std::array<const Masses*, 2> sides = {&from, &to};
+  const std::array<const Mass_distribution*, 2> sides = {&from, &to};
   for(std::size_t i = 0; i < 2; ++i)
   {
     const Vector mass = at_sites(0, *sides[i]);
@@ -133,7 +135,7 @@ Masses Earth_movers::difference(const Masses& from, const Masses& to, bool do_no
   {
     for(const double sum : total)
       if(!(sum > 0.))
-        throw Invalid_argument_error("Masses that sum to " + std::to_string(sum) +
+        throw Invalid_argument_error("Mass_distribution that sum to " + std::to_string(sum) +
                                      " cannot be scaled so that they sum to one.");
     add(result, 1. / total[1], to);
     add(result, -1. / total[0], from);
@@ -149,7 +151,7 @@ Masses Earth_movers::difference(const Masses& from, const Masses& to, bool do_no
 }
 
 // At sites, such that the integral of each function that is linear in triangles is the same.
-Vector Earth_movers::at_sites(std::size_t level, const Masses& masses) const
+Vector Earth_movers::at_sites(std::size_t level, const Mass_distribution& masses) const
 {
   const Glued_triangles& t = *m_levels[level].triangles;
   Vector result = Vector::Zero(Eigen::Index(t.number_of_sites()));
@@ -170,7 +172,7 @@ Vector Earth_movers::at_sites(std::size_t level, const Masses& masses) const
 }
 
 // At most what it costs to move masses within the finest triangles to those at sites.
-double Earth_movers::cost_to_sites(const Masses& masses) const
+double Earth_movers::cost_to_sites(const Mass_distribution& masses) const
 {
   const Glued_triangles& t = *m_levels.back().triangles;
   const std::vector<Tensor>& measure = m_levels.back().measure;
@@ -229,11 +231,11 @@ double Earth_movers::cost_of_flow(const Field& flow) const
   return cost_of_continuous_flow(open, operators(open), flow, measure);
 }
 
-Earth_movers_result Earth_movers::solve(const Masses& from, const Masses& to,
+Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mass_distribution& to,
                                         const Earth_movers_options& options) const
 {
   const std::size_t finest = m_levels.size() - 1;
-  Masses masses = difference(from, to, options.do_normalize);
+  Mass_distribution masses = difference(from, to, options.do_normalize);
   Earth_movers_result result;
   double before = 0.; // the value on the surface that is refined once less
   for(std::size_t level = 0; level <= finest; ++level)

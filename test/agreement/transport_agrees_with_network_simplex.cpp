@@ -92,7 +92,7 @@ std::vector<long long> hills(const Glued_surface& surface)
 Earth_movers_result by_flow(const Glued_surface& surface, const std::vector<long long>& parts,
                             unsigned refinements)
 {
-  Masses from, to;
+  Mass_distribution from, to;
   from.at_sites = Vector::Zero(surface.size());
   to.at_sites = from.at_sites;
   for(Index i = 0; i < surface.size(); ++i)

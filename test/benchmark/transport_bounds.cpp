@@ -102,7 +102,7 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
     const double exact = great_circle(clean.points[from], clean.points[to]);
     if(exact < 0.3)
       continue;
-    Masses before, after;
+    Mass_distribution before, after;
     before.at_locations = {{{none, surfels.site_of_surfel[from], {}}, 1.}};
     after.at_locations = {{{none, surfels.site_of_surfel[to], {}}, 1.}};
     const Earth_movers_result found = kernel.solve(before, after);
@@ -151,7 +151,7 @@ int main(int argc, char* argv[])
         continue;
       windows.run({surface.source(from)});
       const double exact = surface.scale() * windows.distance(surface.site(to));
-      Masses before, after;
+      Mass_distribution before, after;
       before.at_locations = {{surface.at(from), 1.}};
       after.at_locations = {{surface.at(to), 1.}};
       const Earth_movers_result found = kernel.solve(before, after, options);

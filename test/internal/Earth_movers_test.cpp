@@ -28,9 +28,9 @@ Earth_movers_options within(double tolerance, bool do_bound_from_above = false)
   return result;
 }
 
-Masses at(const Location& location, double mass = 1.)
+Mass_distribution at(const Location& location, double mass = 1.)
 {
-  Masses result;
+  Mass_distribution result;
   result.at_locations = {{location, mass}};
   return result;
 }
@@ -116,7 +116,7 @@ TEST(Earth_movers, extrapolates_between_sites)
 TEST(Earth_movers, moves_densities)
 {
   const Glued_surface surface(square(16, 0.24));
-  Masses from, to;
+  Mass_distribution from, to;
   from.density.resize(surface.size());
   to.density.resize(surface.size());
   for(Index i = 0; i < surface.size(); ++i)
@@ -145,7 +145,7 @@ TEST(Earth_movers, moves_densities)
 TEST(Earth_movers, adds_masses_of_all_kinds)
 {
   const Glued_surface surface(square(8, 0.24));
-  Masses all;
+  Mass_distribution all;
   all.at_sites = Vector::Zero(surface.size());
   all.at_sites[surface.site(4)] = 0.25;
   all.at_locations = {{surface.in(9, {0.5, 0.25, 0.25}), 0.25}};
@@ -257,11 +257,11 @@ TEST(Earth_movers, goes_around_obstacles)
 
   // A density has mass where something can move, which is all but one in sixteen cells in three of four
   // rows; the sites in the wall have none.
-  Masses even;
+  Mass_distribution even;
   even.density = Vector::Ones(surface.size());
-  const Masses rest = at(surface.at(0), 1. - 0.75 / double(n));
-  const Earth_movers_result spread = Earth_movers(surface.triangles(), 1, measure)
-                                         .solve(even, rest, within(1e-4, true));
+  const Mass_distribution rest = at(surface.at(0), 1. - 0.75 / double(n));
+  const Earth_movers_result spread =
+      Earth_movers(surface.triangles(), 1, measure).solve(even, rest, within(1e-4, true));
   EXPECT_TRUE(spread.converged);
   EXPECT_GT(spread.upper_continuous, spread.upper);
 }
@@ -270,7 +270,7 @@ TEST(Earth_movers, methods_agree)
 {
   const Glued_surface surface(shaken(icosphere(2), 0.03));
   const Earth_movers kernel(surface.triangles());
-  const Masses from = at(surface.at(0)), to = at(surface.at(50));
+  const Mass_distribution from = at(surface.at(0)), to = at(surface.at(50));
   const double value = kernel.solve(from, to, within(1e-5)).value;
   Earth_movers_options options = within(0.01);
   options.transport.method = Transport_method::splitting;
@@ -297,8 +297,9 @@ TEST(Earth_movers, refuses_what_cannot_be_moved)
 {
   const Glued_surface surface(square(4));
   const Earth_movers kernel(surface.triangles());
-  Masses nothing, bad = at(surface.at(3), std::nan("")), none_at_all = at(surface.at(3), 0.);
-  const Masses one = at(surface.at(0)), two = at(surface.at(5), 2.);
+  Mass_distribution nothing, bad = at(surface.at(3), std::nan("")),
+                             none_at_all = at(surface.at(3), 0.);
+  const Mass_distribution one = at(surface.at(0)), two = at(surface.at(5), 2.);
   EXPECT_THROW(kernel.solve(one, two), Invalid_argument_error);
   EXPECT_THROW(kernel.solve(one, bad), Invalid_argument_error);
   EXPECT_THROW(kernel.solve(one, nothing), Invalid_argument_error);

@@ -13,7 +13,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // A sum of any of these.
-struct Masses
+struct Mass_distribution
 {
   Vector at_sites; // #sites, or empty
   std::vector<std::pair<Location, double>>
@@ -49,20 +49,21 @@ public:
 
   // Throws Invalid_argument_error when a mass is not finite, the sums differ, as a whole or on a
   // component, or nothing can be normalized.
-  Earth_movers_result solve(const Masses& from, const Masses& to,
+  Earth_movers_result solve(const Mass_distribution& from, const Mass_distribution& to,
                             const Earth_movers_options& options = {}) const;
 
 private:
   struct Level
   {
     std::shared_ptr<const Glued_triangles> triangles;
-    std::vector<Tensor> measure; // #triangles, or empty
+    std::vector<Tensor> measure;              // #triangles, or empty
     std::unique_ptr<Transport_solver> solver; // of the last two alone
   };
 
-  Masses difference(const Masses& from, const Masses& to, bool do_normalize) const;
-  Vector at_sites(std::size_t level, const Masses& masses) const;
-  double cost_to_sites(const Masses& masses) const;
+  Mass_distribution difference(const Mass_distribution& from, const Mass_distribution& to,
+                               bool do_normalize) const;
+  Vector at_sites(std::size_t level, const Mass_distribution& masses) const;
+  double cost_to_sites(const Mass_distribution& masses) const;
   double cost_of_flow(const Field& flow) const;
 
   std::vector<Level> m_levels; // the finest last

@@ -70,9 +70,9 @@ Vector values_at_sites(const Domain& domain, const PropertyMap& map)
 
 // A unit mass at a place, in equal parts at a range of places, masses at sites, or a density.
 template <typename Domain, typename From>
-Masses masses(const Domain& domain, const From& from)
+Mass_distribution masses(const Domain& domain, const From& from)
 {
-  Masses result;
+  Mass_distribution result;
   if constexpr(is_place<Domain, From>)
     result.at_locations.emplace_back(location(domain, from), 1.);
   else if constexpr(Is_density<From>::value)
