@@ -266,6 +266,52 @@ TEST(Earth_movers, goes_around_obstacles)
   EXPECT_GT(spread.upper_continuous, spread.upper);
 }
 
+// Proposition 3 of Solomon and others 2014: for the least costs, so that bounds may be compared.
+TEST(Earth_movers, obeys_the_triangle_inequality)
+{
+  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const Earth_movers kernel(surface.triangles());
+  constexpr std::size_t n = 9;
+  std::array<std::array<Earth_movers_result, n>, n> cost;
+  for(Index i = 0; i < n; ++i)
+    for(Index j = 0; j < n; ++j)
+    {
+      cost[i][j] = kernel.solve(at(surface.at(70 * i)), at(surface.at(70 * j)));
+      if(j < i)
+      {
+        EXPECT_EQ(cost[i][j].value, cost[j][i].value);
+      }
+    }
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    EXPECT_EQ(cost[i][i].value, 0.);
+    for(std::size_t j = 0; j < n; ++j)
+      for(std::size_t k = 0; k < n; ++k)
+        EXPECT_LE(cost[i][k].lower, cost[i][j].upper + cost[j][k].upper);
+  }
+}
+
+// Proposition 2 there: spread evenly over less and less around a place, a mass comes to be at the place.
+TEST(Earth_movers, comes_from_points_to_the_limit)
+{
+  const Glued_surface surface(square(24, 0.24));
+  const Index from = 5 * 25 + 5, to = 18 * 25 + 16;
+  const double exact = test::distance(surface.point(from), surface.point(to));
+  for(const double radius : {0.25, 0.12, 0.06})
+  {
+    Mass_distribution ball;
+    std::vector<Index> inside;
+    for(Index i = 0; i < surface.size(); ++i)
+      if(test::distance(surface.point(i), surface.point(to)) <= radius)
+        inside.push_back(i);
+    for(const Index i : inside)
+      ball.at_locations.emplace_back(surface.at(i), 1. / double(inside.size()));
+    const Earth_movers_result found =
+        Earth_movers(surface.triangles()).solve(at(surface.at(from)), ball);
+    EXPECT_LE(std::abs(found.value - exact), radius);
+  }
+}
+
 TEST(Earth_movers, methods_agree)
 {
   const Glued_surface surface(shaken(icosphere(2), 0.03));
