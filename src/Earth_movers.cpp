@@ -27,7 +27,7 @@ bool is_blocked(const Tensor& measure) { return !std::isfinite(measure[0] + meas
 // Without the triangles through which nothing may pass.
 Operators open_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
 {
-  Operators result = operators(t);
+  Operators result = operators(t, Flat_triangles::raised);
   for(std::size_t f = 0; f < measure.size(); ++f)
     if(is_blocked(measure[f]))
     {
@@ -135,7 +135,7 @@ Mass_distribution Earth_movers::difference(const Mass_distribution& from,
   {
     for(const double sum : total)
       if(!(sum > 0.))
-        throw Invalid_argument_error("Mass_distribution that sum to " + std::to_string(sum) +
+        throw Invalid_argument_error("Masses that sum to " + std::to_string(sum) +
                                      " cannot be scaled so that they sum to one.");
     add(result, 1. / total[1], to);
     add(result, -1. / total[0], from);

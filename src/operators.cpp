@@ -10,7 +10,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-Operators operators(const Glued_triangles& triangles)
+Operators operators(const Glued_triangles& triangles, Flat_triangles flat)
 {
   Operators result;
   const std::size_t n = triangles.number_of_triangles();
@@ -21,12 +21,17 @@ Operators operators(const Glued_triangles& triangles)
   for(std::size_t f = 0; f < n; ++f)
   {
     const double* length = &triangles.length[3 * f];
-    const double twice = twice_area(length[0], length[1], length[2]);
+    double twice = twice_area(length[0], length[1], length[2]);
     const auto [shortest, longest] = std::minmax({length[0], length[1], length[2]});
-    if(!(twice > 1e-7 * shortest * longest))
-      continue;
+    auto place = unfolded(triangles, Index(f));
+    if(const double least = 1e-7 * shortest * longest; !(twice > least))
+    {
+      if(flat == Flat_triangles::left_out || !(least > 0.))
+        continue;
+      twice = least;
+      place[2][1] = twice / length[0];
+    }
     result.area[f] = 0.5 * twice * (triangles.weight.empty() ? 1. : triangles.weight[f]);
-    const auto place = unfolded(triangles, Index(f));
     for(std::size_t k = 0; k < 3; ++k)
       result.hat[3 * f + k] = (1. / twice) * turned_left(place[(k + 2) % 3] - place[(k + 1) % 3]);
   }

@@ -266,6 +266,25 @@ TEST(Earth_movers, goes_around_obstacles)
   EXPECT_GT(spread.upper_continuous, spread.upper);
 }
 
+// Two triangles below a third one that is flat: its corners lie on the side of the one above.
+TEST(Earth_movers, proves_nothing_through_cracks)
+{
+  Triangulation shape;
+  shape.points = {{0., 0., 0.}, {1., 0., 0.}, {0.5, 1., 0.}, {0.5, 0., 0.}, {0.5, -1., 0.}};
+  shape.corners = {0, 1, 2, 0, 3, 1, 0, 4, 3, 4, 1, 3};
+  const Glued_surface surface(shape);
+  for(const unsigned refinements : {0u, 2u})
+  {
+    const Earth_movers kernel(surface.triangles(), refinements);
+    const Earth_movers_result found =
+        kernel.solve(at(surface.at(2)), at(surface.at(3)), within(1e-4, true));
+    EXPECT_TRUE(found.converged);
+    EXPECT_LE(found.lower, 1. + 1e-6); // ten times the height of the flat one
+    EXPECT_NEAR(found.value, 1., 1e-4);
+    EXPECT_GE(found.upper_continuous, 1.);
+  }
+}
+
 // Proposition 3 of Solomon and others 2014: for the least costs, so that bounds may be compared.
 TEST(Earth_movers, obeys_the_triangle_inequality)
 {

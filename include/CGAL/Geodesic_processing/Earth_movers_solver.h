@@ -28,11 +28,11 @@ struct Alternating_directions
 {};
 
 /// chooses reweighted least squares, as of figure 4 there: a factorization in each iteration, and gaps of
-/// some percent that do not close.  For comparison.
+/// about a percent that do not close.  For comparison.
 struct Weiszfeld
 {};
 
-/// is what earth mover's distance a query found, in the unit of the coordinates times that of the masses.
+/// is what a query found: the earth mover's distance, in the unit of the coordinates times that of the masses.
 struct Earth_movers_cost
 {
   double value = 0.; ///< halfway between the bounds

@@ -26,10 +26,18 @@ inline Planar product(const Tensor& tensor, const Planar& p)
   return {tensor[0] * p[0] + tensor[1] * p[1], tensor[1] * p[0] + tensor[2] * p[1]};
 }
 
+// What becomes of triangles whose height is less than 1e-7 of their shortest side: left out, they have
+// area zero, and no function has a gradient there; or raised to that height, so that what lies on both
+// sides of them stays joined.  (Corners on one line have lengths that pretend a height of up to 1e-8, the
+// root of rounding; a needle whose short side is tiny is kept, as it joins sites.)
+enum class Flat_triangles
+{
+  left_out,
+  raised
+};
+
 // What gradient, divergence and Laplacian are made of, on a mesh as on the overlapping triangles of a
-// cloud.  Triangles whose height is less than 1e-7 of their shortest side are left out: they have area
-// zero, and no function has a gradient there.  (Corners on one line have lengths that pretend a height
-// of up to 1e-8, the root of rounding; a needle whose short side is tiny is kept, as it joins sites.)
+// cloud.
 struct Operators
 {
   std::vector<Index> corner;       // 3 #triangles: the site at each corner
@@ -41,7 +49,8 @@ struct Operators
 };
 
 CGAL_GEODESIC_PROCESSING_EXPORT
-Operators operators(const Glued_triangles& triangles);
+Operators operators(const Glued_triangles& triangles,
+                    Flat_triangles flat = Flat_triangles::left_out);
 
 // G: #sites to #triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
