@@ -3,18 +3,15 @@
 #include <CGAL/Geodesic_processing/internal/Sparse_solver.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/blas.h>
 
 #include <Eigen/Sparse>
 #ifdef GEODESIC_PROCESSING_HAS_CHOLMOD
 #  include <Eigen/CholmodSupport>
-#  if __has_include(<dlfcn.h>)
-#    include <dlfcn.h>
-#  endif
 #else
 #  include <Eigen/SparseCholesky>
 #endif
 
-#include <mutex>
 #include <new>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -22,46 +19,6 @@ namespace CGAL::Geodesic_processing::internal {
 #ifdef GEODESIC_PROCESSING_HAS_CHOLMOD
 
 namespace {
-
-// A function of a library that is there or not only where the program runs.
-template <typename Function>
-Function* loaded([[maybe_unused]] const char* name)
-{
-#  ifdef RTLD_DEFAULT
-  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
-#  else
-  return nullptr;
-#  endif
-}
-
-// While there is one, OpenBLAS uses one thread: sums would depend on the number, and more of them gain
-// nothing at a hundred thousand unknowns.  The last one gives back what there was before.
-class Blas_at_one_thread
-{
-public:
-  Blas_at_one_thread()
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    if(m_number++ == 0 && set && get)
-    {
-      m_before = get();
-      set(1);
-    }
-  }
-  ~Blas_at_one_thread()
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    if(--m_number == 0 && set && get)
-      set(m_before);
-  }
-  Blas_at_one_thread(const Blas_at_one_thread&) = delete;
-
-private:
-  inline static int (*const get)() = loaded<int()>("openblas_get_num_threads");
-  inline static void (*const set)(int) = loaded<void(int)>("openblas_set_num_threads");
-  inline static std::mutex m_mutex;
-  inline static int m_number = 0, m_before = 1;
-};
 
 // The state of one call, which threads could not share.  Meanwhile the calling thread opens no teams of
 // OpenMP, of which CHOLMOD asks for four threads whatever they are allowed to be: waiting for each other
@@ -139,14 +96,16 @@ struct Sparse_solver::Solver
     return factor && cholmod_factorize(&view, factor, &common) && factor->minor == factor->n;
   }
 
-  Vector solve(const Vector& right) const
+  template <typename Right>
+  Right solve(const Right& right) const
   {
     Common common;
     cholmod_dense view = Eigen::viewAsCholmod(right.const_cast_derived());
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, &view, &common);
     if(!solution)
       throw std::bad_alloc();
-    const Vector result = Vector::Map(static_cast<const double*>(solution->x), right.size());
+    const Right result =
+        Right::Map(static_cast<const double*>(solution->x), right.rows(), right.cols());
     cholmod_free_dense(&solution, &common);
     return result;
   }
@@ -169,7 +128,11 @@ struct Sparse_solver::Solver
     ldlt.factorize(matrix);
     return ldlt.info() == Eigen::Success && !(ldlt.vectorD().minCoeff() <= 0.);
   }
-  Vector solve(const Vector& right) const { return ldlt.solve(right); }
+  template <typename Right>
+  Right solve(const Right& right) const
+  {
+    return ldlt.solve(right);
+  }
 
   Sparse_matrix pattern; // Eigen's factorizations cannot be copied
   Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> ldlt;
@@ -206,5 +169,10 @@ bool Sparse_solver::factorize(const Sparse_matrix& matrix)
 }
 
 Vector Sparse_solver::solve(const Vector& right) const { return m_solver->solve(right); }
+
+Eigen::MatrixXd Sparse_solver::solve_columns(const Eigen::MatrixXd& right) const
+{
+  return m_solver->solve(right);
+}
 
 } // namespace CGAL::Geodesic_processing::internal

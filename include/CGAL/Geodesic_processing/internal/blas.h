@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_BLAS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_BLAS_H
+
+#if defined(GEODESIC_PROCESSING_HAS_CHOLMOD) && __has_include(<dlfcn.h>)
+#  include <dlfcn.h>
+#endif
+
+#include <mutex>
+
+// What CHOLMOD brings along is there or not only where the program runs.  For sources alone.
+
+namespace CGAL::Geodesic_processing::internal {
+
+// A function of a library, or nothing.
+template <typename Function>
+Function* loaded([[maybe_unused]] const char* name)
+{
+#if defined(GEODESIC_PROCESSING_HAS_CHOLMOD) && defined(RTLD_DEFAULT)
+  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+#else
+  return nullptr;
+#endif
+}
+
+// While there is one, OpenBLAS uses one thread: sums would depend on the number, and more of them gain
+// nothing at a hundred thousand unknowns.  The last one gives back what there was before.
+class Blas_at_one_thread
+{
+public:
+  Blas_at_one_thread()
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_number++ == 0 && set && get)
+    {
+      m_before = get();
+      set(1);
+    }
+  }
+  ~Blas_at_one_thread()
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(--m_number == 0 && set && get)
+      set(m_before);
+  }
+  Blas_at_one_thread(const Blas_at_one_thread&) = delete;
+
+private:
+  inline static int (*const get)() = loaded<int()>("openblas_get_num_threads");
+  inline static void (*const set)(int) = loaded<void(int)>("openblas_set_num_threads");
+  inline static std::mutex m_mutex;
+  inline static int m_number = 0, m_before = 1;
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_BLAS_H
