@@ -16,6 +16,33 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+using Slopes = std::array<Planar, 2>; // of the hats of corners 1 and 2, times the root of the area
+
+std::vector<Slopes> slopes(const Operators& operators)
+{
+  std::vector<Slopes> result(operators.number_of_triangles());
+  for(std::size_t f = 0; f < result.size(); ++f)
+  {
+    const double root = std::sqrt(operators.area[f]);
+    result[f] = {root * operators.hat[3 * f + 1], root * operators.hat[3 * f + 2]};
+  }
+  return result;
+}
+
+void write_gradient(const Operators& operators, const std::vector<Slopes>& slope,
+                    const double* function, double* column)
+{
+  const std::size_t n = slope.size();
+  for(std::size_t f = 0; f < n; ++f)
+  {
+    const Index* corner = &operators.corner[3 * f];
+    const double first = function[corner[0]];
+    const double a = function[corner[1]] - first, b = function[corner[2]] - first;
+    column[f] = a * slope[f][0][0] + b * slope[f][1][0];
+    column[n + f] = a * slope[f][0][1] + b * slope[f][1][1];
+  }
+}
+
 // Of functions that are zero on the border; one site of each component without border is held.
 Sparse_matrix inner_laplacian(const Operators& operators, const Sparse_matrix& laplacian,
                               const std::vector<bool>& is_border,
@@ -67,29 +94,10 @@ Field as_field(const Operators& operators, const Vector& column)
 
 Matrix gradients(const Operators& operators, const Matrix& functions)
 {
-  const auto n = Eigen::Index(operators.number_of_triangles());
-  Matrix result(2 * n, functions.cols());
-  std::vector<Planar> first(n), second(n);
-  for(Eigen::Index f = 0; f < n; ++f)
-  {
-    const double root = std::sqrt(operators.area[f]);
-    first[f] = root * operators.hat[3 * f + 1];
-    second[f] = root * operators.hat[3 * f + 2];
-  }
+  const std::vector<Slopes> slope = slopes(operators);
+  Matrix result(2 * Eigen::Index(slope.size()), functions.cols());
   for(Eigen::Index j = 0; j < functions.cols(); ++j)
-  {
-    const double* function = functions.col(j).data();
-    double* x = result.col(j).data();
-    double* y = x + n;
-    for(Eigen::Index f = 0; f < n; ++f)
-    {
-      const Index* corner = &operators.corner[3 * f];
-      const double origin = function[corner[0]];
-      const double a = function[corner[1]] - origin, b = function[corner[2]] - origin;
-      x[f] = a * first[f][0] + b * second[f][0];
-      y[f] = a * first[f][1] + b * second[f][1];
-    }
-  }
+    write_gradient(operators, slope, functions.col(j).data(), result.col(j).data());
   return result;
 }
 
@@ -123,6 +131,46 @@ struct Particular_fields::Tree
         }
     }
   }
+
+  // Of a column of masses to the roots, in triangles one after another, some of them twice.
+  std::vector<std::pair<Index, Planar>> flow(const Glued_triangles& triangles,
+                                             const Operators& operators, const Vector& star,
+                                             const Masses& masses, Eigen::Index column) const
+  {
+    std::vector<std::pair<Index, Planar>> result;
+    // The field of Raviart and Thomas 1977 of what flows in through a side, in the middle.
+    const auto flow_in = [&](Index side, double amount)
+    {
+      const Index f = side / 3;
+      const auto corners = unfolded(triangles, f);
+      const Planar middle = (1. / 3.) * (corners[0] + corners[1] + corners[2]);
+      result.emplace_back(f, (-0.5 * amount / std::sqrt(operators.area[f])) *
+                                 (middle - corners[previous_side(side) % 3]));
+    };
+    // Far ones first: all that flows through a triangle is known then.
+    std::priority_queue<std::pair<std::pair<Index, Index>, double>> queue;
+    for(Masses::InnerIterator it(masses, column); it; ++it)
+    {
+      const auto site = Index(it.row());
+      for(Index k = triangles.first[site]; k < triangles.first[site + 1]; ++k)
+        if(const Index f = triangles.star[k] / 3; operators.area[f] > 0.)
+          queue.push({{depth[f], f}, it.value() * operators.area[f] / star[site]});
+    }
+    while(!queue.empty())
+    {
+      const Index f = queue.top().first.second;
+      double amount = 0.;
+      for(; !queue.empty() && queue.top().first.second == f; queue.pop())
+        amount += queue.top().second;
+      if(way[f] == none)
+        continue;
+      const Index twin = triangles.twin[way[f]];
+      flow_in(way[f], amount);
+      flow_in(twin, -amount);
+      queue.push({{depth[twin / 3], twin / 3}, amount});
+    }
+    return result;
+  }
 };
 
 Particular_fields::Particular_fields(const Glued_triangles& triangles, const Operators& operators,
@@ -149,6 +197,7 @@ Particular_fields::Particular_fields(const Glued_triangles& triangles, const Ope
     for(std::size_t i = 0; i < harmonic.size(); ++i)
       m_harmonic.col(Eigen::Index(i)) = as_column(operators, harmonic[i]);
   }
+  m_slope = slopes(operators);
   if(m_kind == Particular_field::gradient)
     return;
 
@@ -173,77 +222,57 @@ Particular_fields::~Particular_fields() = default;
 
 Matrix Particular_fields::fields(const Masses& masses) const
 {
-  if(m_kind == Particular_field::raviart_thomas)
-    return balanced_fields(masses);
-  return gradients(m_operators, m_poisson->solve_columns(Matrix(masses)));
+  Matrix result(2 * Eigen::Index(m_operators.number_of_triangles()), masses.cols());
+  for_each_field(masses, [&](Eigen::Index j, const Vector& column) { result.col(j) = column; });
+  return result;
 }
 
-Matrix Particular_fields::balanced_fields(const Masses& masses) const
+void Particular_fields::for_each_field(
+    const Masses& masses, const std::function<void(Eigen::Index, const Vector&)>& use) const
 {
   const auto n = Eigen::Index(m_operators.number_of_triangles());
-  Matrix result = Matrix::Zero(2 * n, masses.cols());
-  Matrix turning = Matrix::Zero(Eigen::Index(m_operators.number_of_sites), masses.cols());
-  // Triangles from far to near, on the way to the root.
-  std::priority_queue<std::pair<Index, Index>> queue;
-  std::vector<double> missing(std::size_t(n), 0.);
-  std::vector<bool> is_queued(std::size_t(n), false);
-  const auto add = [&](Index triangle, double mass)
+  Vector column(2 * n);
+  if(m_kind == Particular_field::gradient)
   {
-    missing[triangle] += mass;
-    if(!is_queued[triangle])
+    const Matrix potential = m_poisson->solve_columns(Matrix(masses));
+    for(Eigen::Index j = 0; j < masses.cols(); ++j)
     {
-      is_queued[triangle] = true;
-      queue.emplace(m_tree->depth[triangle], triangle);
+      write_gradient(m_operators, m_slope, potential.col(j).data(), column.data());
+      use(j, column);
     }
-  };
-  for(Eigen::Index j = 0; j < masses.cols(); ++j)
-  {
-    // What flows in through a side (Raviart and Thomas 1977), seen in the middle of the triangle.
-    const auto flow_in = [&](Index side, double amount)
-    {
-      const Index f = side / 3, opposite = previous_side(side) % 3;
-      const auto corners = unfolded(m_triangles, f);
-      const Planar from_corner =
-          (1. / 3.) * (corners[0] + corners[1] + corners[2]) - corners[opposite];
-      const Planar flow = (-0.5 * amount / m_operators.area[f]) * from_corner;
-      const double root = std::sqrt(m_operators.area[f]);
-      result(f, j) += root * flow[0];
-      result(n + f, j) += root * flow[1];
-      for(std::size_t k = 0; k < 3; ++k)
-        turning(m_operators.corner[3 * f + k], j) +=
-            m_operators.area[f] * dot(flow, turned_left(m_operators.hat[3 * f + k]));
-    };
-    for(Masses::InnerIterator it(masses, j); it; ++it)
-    {
-      const auto site = Index(it.row());
-      for(Index k = m_triangles.first[site]; k < m_triangles.first[site + 1]; ++k)
-        if(const Index f = m_triangles.star[k] / 3; m_operators.area[f] > 0.)
-          add(f, it.value() * m_operators.area[f] / m_star[site]);
-    }
-    while(!queue.empty())
-    {
-      const Index f = queue.top().second;
-      queue.pop();
-      is_queued[f] = false;
-      const double amount = std::exchange(missing[f], 0.);
-      const Index way = m_tree->way[f];
-      if(way == none)
-        continue;
-      flow_in(way, amount);
-      flow_in(m_triangles.twin[way], -amount);
-      add(m_triangles.twin[way] / 3, amount);
-    }
-    for(Eigen::Index site = 0; site < turning.rows(); ++site)
-      if(m_is_border[site])
-        turning(site, j) = 0.;
+    return;
   }
 
-  if(m_harmonic.cols() > 0)
-    result -= m_harmonic * (m_harmonic.transpose() * result).eval();
-  const Matrix rotation = gradients(m_operators, m_inner->solve_columns(turning));
-  result.topRows(n) += rotation.bottomRows(n);
-  result.bottomRows(n) -= rotation.topRows(n);
-  return result;
+  // What flows along the tree, and the function whose turned gradient is its part of such fields.
+  std::vector<std::vector<std::pair<Index, Planar>>> flow(std::size_t(masses.cols()));
+  Matrix turning = Matrix::Zero(Eigen::Index(m_operators.number_of_sites), masses.cols());
+  for(Eigen::Index j = 0; j < masses.cols(); ++j)
+  {
+    flow[j] = m_tree->flow(m_triangles, m_operators, m_star, masses, j);
+    for(const auto& [f, vector] : flow[j])
+      for(std::size_t k = 0; k < 3; ++k)
+        if(const Index site = m_operators.corner[3 * f + k]; !m_is_border[site])
+          turning(site, j) +=
+              std::sqrt(m_operators.area[f]) * dot(vector, turned_left(m_operators.hat[3 * f + k]));
+  }
+  turning = m_inner->solve_columns(turning);
+  Vector turned(2 * n), around(m_harmonic.cols());
+  for(Eigen::Index j = 0; j < masses.cols(); ++j)
+  {
+    write_gradient(m_operators, m_slope, turning.col(j).data(), turned.data());
+    column.head(n) = turned.tail(n);
+    column.tail(n) = -turned.head(n);
+    around.setZero();
+    for(const auto& [f, vector] : flow[j])
+    {
+      column[f] += vector[0];
+      column[n + f] += vector[1];
+      around += vector[0] * m_harmonic.row(f) + vector[1] * m_harmonic.row(n + f);
+    }
+    if(around.size() > 0)
+      column.noalias() -= m_harmonic * around;
+    use(j, column);
+  }
 }
 
 Matrix Particular_fields::without_gradients(const Matrix& columns) const

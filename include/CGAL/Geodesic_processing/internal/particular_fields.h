@@ -7,6 +7,8 @@
 #include <CGAL/Geodesic_processing/internal/dense_product.h>
 #include <CGAL/Geodesic_processing/internal/operators.h>
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -57,13 +59,16 @@ public:
   // over the triangles around its site: then no triangle gains or loses anything but its share.
   Matrix fields(const Masses& masses) const;
 
+  // Hands the field of each column over in turn, with the column's number, where keeping all of them at
+  // once would take longer than computing them.
+  void for_each_field(const Masses& masses,
+                      const std::function<void(Eigen::Index, const Vector&)>& use) const;
+
   // What is orthogonal to gradients, of columns.
   Matrix without_gradients(const Matrix& columns) const;
 
 private:
   struct Tree;
-
-  Matrix balanced_fields(const Masses& masses) const;
 
   const Glued_triangles& m_triangles;
   const Operators& m_operators;
@@ -73,6 +78,8 @@ private:
   std::unique_ptr<Sparse_solver> m_inner;   // of functions that vanish on the border
   std::vector<bool> m_is_border;            // #sites
   std::unique_ptr<Tree> m_tree;
+  std::vector<std::array<Planar, 2>>
+      m_slope;   // #triangles: gradients of corners 1 and 2, as columns
   Vector m_star; // #sites: the area of the triangles around each
   Matrix m_harmonic;
 };
