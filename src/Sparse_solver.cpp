@@ -12,7 +12,10 @@
 #  include <Eigen/SparseCholesky>
 #endif
 
+#include <mutex>
 #include <new>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -96,20 +99,56 @@ struct Sparse_solver::Solver
     return factor && cholmod_factorize(&view, factor, &common) && factor->minor == factor->n;
   }
 
-  template <typename Right>
-  Right solve(const Right& right) const
+  Vector solve(const Vector& right) const
   {
     Common common;
     cholmod_dense view = Eigen::viewAsCholmod(right.const_cast_derived());
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, &view, &common);
     if(!solution)
       throw std::bad_alloc();
-    const Right result =
-        Right::Map(static_cast<const double*>(solution->x), right.rows(), right.cols());
+    const Vector result = Vector::Map(static_cast<const double*>(solution->x), right.size());
     cholmod_free_dense(&solution, &common);
     return result;
   }
 
+  void solve(Eigen::MatrixXd& columns) const
+  {
+    Common common;
+    std::unique_ptr<Workspace> own = take();
+    cholmod_dense view = Eigen::viewAsCholmod(columns);
+    if(!cholmod_solve2(CHOLMOD_A, factor, &view, nullptr, &own->solution, nullptr, &own->y, &own->e,
+                       &common))
+      throw std::bad_alloc();
+    columns = Eigen::MatrixXd::Map(static_cast<const double*>(own->solution->x), columns.rows(),
+                                   columns.cols());
+    const std::lock_guard<std::mutex> lock(mutex);
+    idle.push_back(std::move(own));
+  }
+
+  // What is kept from one call to the next: the system takes long to give that much memory each time.
+  struct Workspace
+  {
+    ~Workspace()
+    {
+      Common common;
+      for(cholmod_dense** matrix : {&solution, &y, &e})
+        cholmod_free_dense(matrix, &common);
+    }
+
+    cholmod_dense *solution = nullptr, *y = nullptr, *e = nullptr;
+  };
+  std::unique_ptr<Workspace> take() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if(idle.empty())
+      return std::make_unique<Workspace>();
+    std::unique_ptr<Workspace> result = std::move(idle.back());
+    idle.pop_back();
+    return result;
+  }
+
+  mutable std::mutex mutex;
+  mutable std::vector<std::unique_ptr<Workspace>> idle; // of calls that have ended
   cholmod_factor* factor = nullptr;
 };
 
@@ -128,11 +167,8 @@ struct Sparse_solver::Solver
     ldlt.factorize(matrix);
     return ldlt.info() == Eigen::Success && !(ldlt.vectorD().minCoeff() <= 0.);
   }
-  template <typename Right>
-  Right solve(const Right& right) const
-  {
-    return ldlt.solve(right);
-  }
+  Vector solve(const Vector& right) const { return ldlt.solve(right); }
+  void solve(Eigen::MatrixXd& columns) const { columns = ldlt.solve(columns).eval(); }
 
   Sparse_matrix pattern; // Eigen's factorizations cannot be copied
   Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> ldlt;
@@ -170,9 +206,6 @@ bool Sparse_solver::factorize(const Sparse_matrix& matrix)
 
 Vector Sparse_solver::solve(const Vector& right) const { return m_solver->solve(right); }
 
-Eigen::MatrixXd Sparse_solver::solve_columns(const Eigen::MatrixXd& right) const
-{
-  return m_solver->solve(right);
-}
+void Sparse_solver::solve_columns(Eigen::MatrixXd& columns) const { m_solver->solve(columns); }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -81,8 +81,9 @@ public:
   // To columns that are orthogonal to the constants.
   Matrix apply(const Matrix& columns) const
   {
-    return m_root_of_mass.asDiagonal() *
-           m_solver->solve_columns(m_root_of_mass.asDiagonal() * columns);
+    Matrix result = m_root_of_mass.asDiagonal() * columns;
+    m_solver->solve_columns(result);
+    return m_root_of_mass.asDiagonal() * result;
   }
 
   // How many functions have a value below a number, which lies in a gap; -1 when it could not be counted.

@@ -234,7 +234,8 @@ void Particular_fields::for_each_field(
   Vector column(2 * n);
   if(m_kind == Particular_field::gradient)
   {
-    const Matrix potential = m_poisson->solve_columns(Matrix(masses));
+    Matrix potential(masses);
+    m_poisson->solve_columns(potential);
     for(Eigen::Index j = 0; j < masses.cols(); ++j)
     {
       write_gradient(m_operators, m_slope, potential.col(j).data(), column.data());
@@ -255,7 +256,7 @@ void Particular_fields::for_each_field(
           turning(site, j) +=
               std::sqrt(m_operators.area[f]) * dot(vector, turned_left(m_operators.hat[3 * f + k]));
   }
-  turning = m_inner->solve_columns(turning);
+  m_inner->solve_columns(turning);
   Vector turned(2 * n), around(m_harmonic.cols());
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
   {
@@ -280,7 +281,8 @@ Matrix Particular_fields::without_gradients(const Matrix& columns) const
   Matrix divergences(Eigen::Index(m_operators.number_of_sites), columns.cols());
   for(Eigen::Index j = 0; j < columns.cols(); ++j)
     divergences.col(j) = divergence(m_operators, as_field(m_operators, columns.col(j)));
-  return columns - gradients(m_operators, m_poisson->solve_columns(divergences));
+  m_poisson->solve_columns(divergences);
+  return columns - gradients(m_operators, divergences);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

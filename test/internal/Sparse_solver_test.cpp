@@ -48,6 +48,25 @@ TEST(Sparse_solver, leaves_a_small_residual)
   }
 }
 
+TEST(Sparse_solver, solves_for_columns_as_for_one)
+{
+  const int n = 1000;
+  const Sparse_solver solver(chain(n, 1e-3));
+  std::srand(1); // Eigen's random values
+  for(const int number : {1, 7, 40, 7})
+  {
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(n, number);
+    Eigen::MatrixXd columns = right;
+    solver.solve_columns(columns);
+    for(int j = 0; j < number; ++j)
+    {
+      const Vector x = solver.solve(right.col(j));
+      // Another order of some thousand sums.
+      EXPECT_LT((columns.col(j) - x).norm(), 1e-11 * x.norm());
+    }
+  }
+}
+
 TEST(Sparse_solver, factorizes_again_what_has_the_same_pattern)
 {
   const int n = 1000;

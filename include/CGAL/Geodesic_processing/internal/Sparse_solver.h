@@ -44,8 +44,9 @@ public:
   // May be called by several threads at once.
   Vector solve(const Vector& right) const;
 
-  // Each column is a right side; thirty at once take a third of their time one by one.
-  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& right) const;
+  // Each column is a right side, and becomes the solution: thirty at once take less than half of their
+  // time one by one.
+  void solve_columns(Eigen::MatrixXd& columns) const;
 
 private:
   struct Solver;
