@@ -147,27 +147,38 @@ struct Particular_fields::Tree
       result.emplace_back(f, (-0.5 * amount / std::sqrt(operators.area[f])) *
                                  (middle - corners[previous_side(side) % 3]));
     };
-    // Far ones first: all that flows through a triangle is known then.
-    std::priority_queue<std::pair<std::pair<Index, Index>, double>> queue;
+    // Far ones first: all that flows through a triangle is known then.  The order of equal ones must not
+    // depend on amounts, of which the way back has the opposite ones.
+    struct Amount
+    {
+      Index depth, triangle;
+      double mass;
+
+      bool operator<(const Amount& other) const
+      {
+        return std::tie(depth, triangle) < std::tie(other.depth, other.triangle);
+      }
+    };
+    std::priority_queue<Amount> queue;
     for(Masses::InnerIterator it(masses, column); it; ++it)
     {
       const auto site = Index(it.row());
       for(Index k = triangles.first[site]; k < triangles.first[site + 1]; ++k)
         if(const Index f = triangles.star[k] / 3; operators.area[f] > 0.)
-          queue.push({{depth[f], f}, it.value() * operators.area[f] / star[site]});
+          queue.push({depth[f], f, it.value() * operators.area[f] / star[site]});
     }
     while(!queue.empty())
     {
-      const Index f = queue.top().first.second;
+      const Index f = queue.top().triangle;
       double amount = 0.;
-      for(; !queue.empty() && queue.top().first.second == f; queue.pop())
-        amount += queue.top().second;
+      for(; !queue.empty() && queue.top().triangle == f; queue.pop())
+        amount += queue.top().mass;
       if(way[f] == none)
         continue;
       const Index twin = triangles.twin[way[f]];
       flow_in(way[f], amount);
       flow_in(twin, -amount);
-      queue.push({{depth[twin / 3], twin / 3}, amount});
+      queue.push({depth[twin / 3], twin / 3, amount});
     }
     return result;
   }
