@@ -69,6 +69,25 @@ Sparse_matrix inner_laplacian(const Operators& operators, const Sparse_matrix& l
 
 } // namespace
 
+Masses masses_at(const Glued_triangles& triangles, const std::vector<Location>& locations)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for(std::size_t j = 0; j < locations.size(); ++j)
+  {
+    const Location& location = locations[j];
+    if(location.triangle == none)
+      entries.emplace_back(location.site, j, 1.);
+    else
+      for(std::size_t k = 0; k < 3; ++k)
+        if(location.barycentric[k] != 0.)
+          entries.emplace_back(triangles.corner[3 * location.triangle + k], j,
+                               location.barycentric[k]);
+  }
+  Masses result(Eigen::Index(triangles.number_of_sites()), Eigen::Index(locations.size()));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
 Vector as_column(const Operators& operators, const Field& field)
 {
   const auto n = Eigen::Index(field.size());

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_H
 #define CGAL_GEODESIC_PROCESSING_H
 
+#include <CGAL/Geodesic_processing/Biharmonic_metric.h>
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+#include <CGAL/Geodesic_processing/Transport_metric.h>
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/earth_movers_distance.h>

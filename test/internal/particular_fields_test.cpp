@@ -55,6 +55,15 @@ Vector spread(const Operators& o, const Vector& masses)
   return result;
 }
 
+TEST(Particular_fields, take_masses_at_locations)
+{
+  const Glued_surface surface(tetrahedron());
+  const Glued_triangles& t = surface.t();
+  const Matrix masses(masses_at(t, {{none, 2, {}}, {1, none, {0.5, 0., 0.5}}}));
+  EXPECT_EQ(masses.col(0), Vector::Unit(4, 2));
+  EXPECT_EQ(masses.col(1), 0.5 * Vector::Unit(4, t.corner[3]) + 0.5 * Vector::Unit(4, t.corner[5]));
+}
+
 TEST(Particular_fields, balance_their_masses)
 {
   for(const Triangulation& shape : surfaces())

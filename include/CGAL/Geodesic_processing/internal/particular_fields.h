@@ -28,6 +28,11 @@ enum class Particular_field
 // Masses at sites, a column for each distribution.
 using Masses = Eigen::SparseMatrix<double>;
 
+// A unit of mass at each location, shared by the corners of its triangle as its barycentric coordinates
+// are.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Masses masses_at(const Glued_triangles& triangles, const std::vector<Location>& locations);
+
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector as_column(const Operators& operators, const Field& field);
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TRANSPORT_METRIC_H
+#define CGAL_GEODESIC_PROCESSING_TRANSPORT_METRIC_H
+
+#include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/transport_family.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingDistances
+/// the flow that a `Transport_metric` begins with.
+enum class Transport_flow
+{
+  /// the gradient of the solution of Poisson's equation, as in the paper: it balances masses at sites.
+  gradient,
+  /// one that balances masses which are spread over the triangles around their sites, after Raviart and
+  /// Thomas: nearer to geodesic distances for the same basis, rougher without one.  Clouds, and meshes of
+  /// which pieces meet in a vertex alone, have gradients in its place.
+  balanced
+};
+
+/// \ingroup PkgGeodesicProcessingDistances
+/// what is known of a distance of a `Transport_metric`.
+struct Transport_bounds
+{
+  double lower = 0.;
+  double upper = 0.;
+  double value() const { return 0.5 * (lower + upper); }
+};
+
+/// \ingroup PkgGeodesicProcessingDistances
+///
+/// measures by the earth mover's distance between points, between spectral and geodesic distances: the
+/// family of metrics \f$ d_k \f$ of Solomon, Rustamov, Guibas and Butscher (Earth mover's distances on
+/// discrete surfaces, 2014).
+///
+/// A distance is the least cost, mass times way, of flows that carry a unit of mass from one place to
+/// another, among those that differ from a fixed one by turned gradients of \f$ k \f$ eigenfunctions of
+/// the Laplacian, and by fields that go around handles and holes.  With \f$ k = 0 \f$ nothing is sought,
+/// those fields neither: the distance is smooth, and known by Green's functions alone.  With a growing
+/// \f$ k \f$ and one `Transport_flow` it never grows, and comes down towards geodesic distances, but not
+/// to them: between points it stays some percent above however large the basis is.
+///
+/// For every \f$ k \f$ this is a metric, as far as it is computed.  `k` is rounded up, such that no group
+/// of eigenfunctions of one eigenvalue is cut: the distance does not depend on their choice.  A place
+/// inside a triangle is a mass shared by its corners.  Between components distances are infinite.
+///
+/// Preparing takes about as long as two and a half `k` solutions of Poisson's equation.  Copies share
+/// everything, and may be asked at the same time.
+///
+/// \tparam Surface as for `geodesic_distances()`, not a domain
+template <typename Surface>
+class Transport_metric
+{
+public:
+  using Domain = internal::Domain_of<Surface>;
+  using Site = typename Domain::Site;
+  using Location = typename Domain::Location;
+
+  /// prepares the surface with the flow of the least distances, `gradient` for `k` = 0 and `balanced`
+  /// otherwise; `np` is what `make_domain()` takes.
+  ///
+  /// \throws Unsupported_surface_error when no triangle has an area
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Transport_metric(const Surface& surface, std::size_t k = 0,
+                            const NamedParameters& np = NamedParameters())
+      : Transport_metric(Domain(surface, np), k)
+  {}
+  explicit Transport_metric(const Domain& domain, std::size_t k = 0)
+      : Transport_metric(domain, k, k == 0 ? Transport_flow::gradient : Transport_flow::balanced)
+  {}
+  Transport_metric(const Domain& domain, std::size_t k, Transport_flow flow)
+      : m_domain(domain),
+        m_family(std::make_shared<const internal::Transport_family>(
+            domain.triangles(), k,
+            flow == Transport_flow::gradient ? internal::Particular_field::gradient
+                                             : internal::Particular_field::raviart_thomas))
+  {}
+
+  const Domain& domain() const { return m_domain; }
+  /// returns the number of eigenfunctions: `k`, rounded up to the next gap between eigenvalues.
+  std::size_t basis_size() const { return m_family->basis_size(); }
+  /// returns what it begins with, which may be another one than was asked for.
+  Transport_flow flow() const
+  {
+    return m_family->kind() == internal::Particular_field::gradient ? Transport_flow::gradient
+                                                                    : Transport_flow::balanced;
+  }
+
+  /// returns bounds of the distance between two places.
+  ///
+  /// \param p,q sites or locations
+  /// \param tolerance how far the bounds may be apart, relative to the upper one
+  /// \throws Invalid_argument_error when a place is not on the surface, or the tolerance not positive
+  template <typename P, typename Q>
+  Transport_bounds bounds(const P& p, const Q& q, double tolerance = 1e-3) const
+  {
+    const internal::Glued_triangles& t = *m_domain.triangles();
+    const internal::Masses to = internal::masses_at(t, {internal::location(m_domain, q)});
+    internal::Family_options options;
+    options.tolerance = tolerance;
+    const internal::Bounds found =
+        m_family->distances(to - internal::masses_at(t, {internal::location(m_domain, p)}), options)
+            .front();
+    return {t.scale * found.lower, t.scale * found.upper};
+  }
+  /// returns the middle of the bounds.
+  template <typename P, typename Q>
+  double distance(const P& p, const Q& q, double tolerance = 1e-3) const
+  {
+    return bounds(p, q, tolerance).value();
+  }
+
+  /// writes the distance of each site to a place.
+  ///
+  /// For `k` > 0 these are upper bounds, in the mean within a percent: the flow is sought among mean
+  /// vectors of groups of triangles, and then measured in all triangles.
+  ///
+  /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`.  The result is
+  ///         the same to the last bit.
+  /// \param from a site or a location
+  /// \param distance_map receives a `double` for each site; infinity on other components
+  /// \param np `threads` and `callback` as for `geodesic_distance_matrix()`
+  /// \returns false if the callback cancelled it; then nothing is written
+  /// \throws Invalid_argument_error when the place is not on the surface
+  template <typename Concurrency_tag = Sequential_tag, typename Place, typename DistanceMap,
+            typename NamedParameters = internal::Default_parameters>
+  bool write_distances(const Place& from, DistanceMap distance_map,
+                       const NamedParameters& np = NamedParameters()) const
+  {
+    const internal::Glued_triangles& t = *m_domain.triangles();
+    const internal::Vector found = m_family->one_to_all(
+        internal::masses_at(t, {internal::location(m_domain, from)}), options<Concurrency_tag>(np));
+    if(found.size() == 0)
+      return false;
+    m_domain.write([&](internal::Index site) { return t.scale * found[site]; }, distance_map);
+    return true;
+  }
+
+  /// returns the distances of all pairs of places, within the tolerance for `k` > 0.
+  ///
+  /// It takes 16 bytes per vertex and place for `k` = 0.
+  ///
+  /// \tparam Concurrency_tag as for `write_distances()`
+  /// \param places a range of sites or of locations
+  /// \param tolerance as for `bounds()`
+  /// \param np as for `write_distances()`
+  /// \returns a symmetric matrix; an empty one when the callback cancelled it
+  /// \throws Invalid_argument_error as `bounds()`
+  template <typename Concurrency_tag = Sequential_tag, typename Places,
+            typename NamedParameters = internal::Default_parameters>
+  Eigen::MatrixXd distance_matrix(const Places& places, double tolerance = 1e-3,
+                                  const NamedParameters& np = NamedParameters()) const
+  {
+    const internal::Glued_triangles& t = *m_domain.triangles();
+    internal::Family_options chosen = options<Concurrency_tag>(np);
+    chosen.tolerance = tolerance;
+    return t.scale * m_family->all_pairs(
+                         internal::masses_at(t, internal::locations(m_domain, places)), chosen);
+  }
+
+private:
+  template <typename Concurrency_tag, typename NamedParameters>
+  static internal::Family_options options(const NamedParameters& np)
+  {
+    internal::Family_options result;
+    result.threads = internal::threads<Concurrency_tag>(np);
+    result.callback =
+        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+    return result;
+  }
+
+  Domain m_domain;
+  std::shared_ptr<const internal::Transport_family> m_family;
+};
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_TRANSPORT_METRIC_H

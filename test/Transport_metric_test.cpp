@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Transport_metric.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
+
+Point_set point_set_of(const Surfels& surfels)
+{
+  Point_set result(true);
+  for(const auto& [point, normal] : surfels)
+    result.insert(point, normal);
+  return result;
+}
+
+// That pairs, matrices and maps say the same, on a domain and some of its places.
+template <typename Domain, typename Place>
+void expect_one_metric(const Domain& domain, const std::vector<Place>& places)
+{
+  using Metric = GP::Transport_metric<typename Domain::Surface>;
+  for(const std::size_t k : {0, 12})
+  {
+    const Metric metric(domain, k);
+    EXPECT_GE(metric.basis_size(), k);
+    const double tolerance = 1e-3;
+    const Eigen::MatrixXd d = metric.distance_matrix(places, tolerance);
+    ASSERT_EQ(d.rows(), Eigen::Index(places.size()));
+    EXPECT_EQ(d, Eigen::MatrixXd(d.transpose()));
+    EXPECT_EQ(d, (metric.template distance_matrix<CGAL::Parallel_tag>(places, tolerance,
+                                                                      GP::parameters::threads(3))));
+    for(Eigen::Index i = 0; i < d.rows(); ++i)
+      for(Eigen::Index j = 0; j < d.cols(); ++j)
+      {
+        const GP::Transport_bounds bounds = metric.bounds(places[i], places[j], tolerance);
+        EXPECT_LE(bounds.upper - bounds.lower, tolerance * bounds.upper);
+        EXPECT_EQ(metric.distance(places[i], places[j], tolerance), bounds.value());
+        EXPECT_EQ(metric.distance(places[j], places[i], tolerance), bounds.value());
+        EXPECT_EQ(i == j, bounds.upper == 0.);
+        // Fields in float without a basis, another order of sums with one.
+        EXPECT_NEAR(d(i, j), bounds.value(), (k == 0 ? 1e-5 : tolerance) * bounds.upper);
+      }
+  }
+}
+
+// The same from all sites as by pairs.
+template <typename Surface, typename Map, typename Site>
+void expect_the_same_map(const GP::Transport_metric<Surface>& metric, Map map,
+                         const std::vector<Site>& sites)
+{
+  ASSERT_TRUE(metric.write_distances(sites[0], map));
+  EXPECT_EQ(get(map, sites[0]), 0.);
+  double sum = 0.;
+  for(std::size_t i = 1; i < sites.size(); ++i)
+  {
+    const GP::Transport_bounds bounds = metric.bounds(sites[0], sites[i]);
+    EXPECT_GE(get(map, sites[i]), bounds.lower * (1. - 1e-6)); // sums of floats
+    sum += get(map, sites[i]) / bounds.upper - 1.;
+  }
+  EXPECT_LT(sum / double(sites.size()), 0.01);
+  const std::vector<double> before = {get(map, sites[1]), get(map, sites.back())};
+  metric.template write_distances<CGAL::Parallel_tag>(sites[0], map, GP::parameters::threads(3));
+  EXPECT_EQ(get(map, sites[1]), before[0]);
+  EXPECT_EQ(get(map, sites.back()), before[1]);
+}
+
+TEST(Transport_metric, is_one_on_meshes_and_clouds)
+{
+  const Triangulation sphere = shaken(icosphere(2), 0.03);
+  Mesh mesh = mesh_of(sphere);
+  const std::vector<Vertex> vertices = {Vertex(0), Vertex(5), Vertex(100), Vertex(77)};
+  expect_one_metric(GP::make_domain(mesh), vertices);
+  std::mt19937 random(1);
+  std::vector<GP::Location<Mesh>> locations;
+  for(int i = 0; i < 4; ++i)
+    locations.push_back(random_location_of(mesh, random));
+  expect_one_metric(GP::make_domain(mesh), locations);
+
+  Numbered<CGAL::Polyhedron_3<Kernel>> polyhedron;
+  fill(polyhedron, sphere);
+  expect_one_metric(GP::make_domain(polyhedron.mesh),
+                    std::vector{polyhedron.vertices[0], polyhedron.vertices[100]});
+
+  const Point_set cloud = point_set_of(sphere_surfels(2));
+  const std::vector<Point_set::Index> surfels = {*cloud.begin(), *(cloud.begin() + 60),
+                                                 *(cloud.begin() + 130)};
+  expect_one_metric(GP::make_domain(cloud), surfels);
+  expect_one_metric(GP::make_domain(cloud),
+                    std::vector<GP::Location<Point_set>>{{surfels[0], {0.01, 0.02}},
+                                                         {surfels[1], {0., 0.}},
+                                                         {surfels[2], {-0.01, 0.}}});
+}
+
+TEST(Transport_metric, writes_maps_of_meshes_and_clouds)
+{
+  const Triangulation sphere = shaken(icosphere(3), 0.02);
+  Mesh mesh = mesh_of(sphere);
+  Point_set cloud = point_set_of(sphere_surfels(3));
+  auto of_surfels = cloud.add_property_map<double>("distance", 0.).first;
+  std::vector<Vertex> vertices;
+  std::vector<Point_set::Index> surfels;
+  for(std::size_t i = 3; i < 640; i += 40)
+  {
+    vertices.push_back(Vertex(Mesh::size_type(i)));
+    surfels.push_back(*(cloud.begin() + std::ptrdiff_t(i)));
+  }
+  for(const std::size_t k : {0, 12})
+  {
+    expect_the_same_map(GP::Transport_metric<Mesh>(mesh, k), vertex_map(mesh), vertices);
+    expect_the_same_map(GP::Transport_metric<Point_set>(cloud, k), of_surfels, surfels);
+  }
+}
+
+// Distances scale with the surface; powers of two leave the digits alone, others round coordinates.
+TEST(Transport_metric, does_not_depend_on_the_unit)
+{
+  const Triangulation shape = torus(20, 10);
+  const Mesh mesh = mesh_of(shape);
+  for(const double scale : {1e-6, 1e6})
+    for(const std::size_t k : {0, 12})
+    {
+      const Mesh other = mesh_of(scaled(shape, scale));
+      const GP::Transport_metric<Mesh> metric(mesh, k), of_other(other, k);
+      EXPECT_EQ(metric.basis_size(), of_other.basis_size());
+      for(const std::size_t i : {7, 50, 111})
+      {
+        const Vertex to{Mesh::size_type(i)};
+        const double expected = scale * metric.distance(Vertex(0), to, 1e-5);
+        EXPECT_NEAR(of_other.distance(Vertex(0), to, 1e-5), expected, 2e-5 * expected);
+      }
+    }
+}
+
+TEST(Transport_metric, comes_down_towards_geodesic_distances)
+{
+  const Mesh mesh = mesh_of(square(20, 0.24));
+  const auto domain = GP::make_domain(mesh);
+  const Vertex p(Mesh::size_type(0)), q(Mesh::size_type(440));
+  for(const GP::Transport_flow flow : {GP::Transport_flow::gradient, GP::Transport_flow::balanced})
+  {
+    double before = infinity;
+    for(const std::size_t k : {0, 5, 50, 200})
+    {
+      const GP::Transport_metric<Mesh> metric(domain, k, flow);
+      EXPECT_EQ(metric.flow(), flow);
+      const GP::Transport_bounds bounds = metric.bounds(p, q);
+      EXPECT_LE(bounds.lower, before);
+      before = bounds.upper;
+    }
+    // The paper's measure of points stays that much above however large the basis is.
+    EXPECT_LT(before, 1.26 * std::sqrt(2.));
+    EXPECT_GT(before, 0.99 * std::sqrt(2.)); // what masses in triangles around points may gain
+  }
+}
+
+TEST(Transport_metric, is_infinite_between_components)
+{
+  Mesh mesh = mesh_of(apart(icosphere(1), torus(9, 6)));
+  const Vertex ball(Mesh::size_type(0)), ring(Mesh::size_type(50));
+  for(const std::size_t k : {0, 5})
+  {
+    const GP::Transport_metric<Mesh> metric(mesh, k);
+    EXPECT_EQ(metric.distance(ball, ring), infinity);
+    EXPECT_EQ(metric.distance_matrix(std::vector{ball, ring})(0, 1), infinity);
+    auto map = vertex_map(mesh);
+    metric.write_distances(ring, map);
+    EXPECT_EQ(map[ball], infinity);
+    EXPECT_LT(map[Vertex(Mesh::size_type(60))], 10.);
+  }
+}
+
+TEST(Transport_metric, can_be_cancelled)
+{
+  Mesh mesh = mesh_of(icosphere(1));
+  const GP::Transport_metric<Mesh> metric(mesh, 3);
+  const auto cancel =
+      GP::parameters::callback(std::function<bool(double)>([](double) { return false; }));
+  EXPECT_FALSE(metric.write_distances(Vertex(0), vertex_map(mesh), cancel));
+  EXPECT_EQ(metric.distance_matrix(std::vector{Vertex(0), Vertex(1)}, 1e-3, cancel).size(), 0);
+}
+
+TEST(Transport_metric, refuses_what_is_not_on_the_surface)
+{
+  const Mesh mesh = mesh_of(icosphere(1));
+  const GP::Transport_metric<Mesh> metric(mesh);
+  EXPECT_THROW(metric.distance(Vertex(0), Vertex(1000)), GP::Invalid_argument_error);
+  EXPECT_THROW(metric.distance(Vertex(0), Vertex(1), 0.), GP::Invalid_argument_error);
+  EXPECT_THROW(metric.distance(Vertex(0), location_of(0, {2., 0., 0.})),
+               GP::Invalid_argument_error);
+  const Mesh nothing;
+  EXPECT_THROW(GP::Transport_metric<Mesh>{nothing}, GP::Unsupported_surface_error);
+}
+
+} // namespace
