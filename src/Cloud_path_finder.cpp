@@ -69,15 +69,29 @@ Prepared_cloud::Prepared_cloud(std::vector<Spatial> points, std::vector<Spatial>
           [&]
           {
             const unsigned threads = options.cloud.threads;
-            const bool is_asked = options.noise == Surfel_noise::removed_when_found;
-            if(options.noise == Surfel_noise::kept)
-              return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
+            const auto keep_given = [&]
+            {
+              Cloud_options plain;
+              plain.threads = threads;
+              m_given = make_cloud(points, normals, {}, plain);
+              m_vicinity = std::make_unique<Surfel_vicinity>(m_given, threads);
+              m_given.graph = {};
+            };
+            const auto make = [&](const Frame* frame) {
+              return make_cloud(std::move(points), std::move(normals), radii, options.cloud, frame);
+            };
             check_sizes(points.size(), normals.size(), radii.size());
-            m_noise = noise_level(points, normals, threads);
-            if(is_asked && m_noise < noise_that_matters)
-              return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
-            m_given_point = points;
-            m_given_normal = normals;
+            if(options.noise != Surfel_noise::kept)
+              m_noise = noise_level(points, normals, threads);
+            const bool is_asked = options.noise == Surfel_noise::removed_when_found;
+            if(options.noise == Surfel_noise::kept || (is_asked && m_noise < noise_that_matters))
+            {
+              // Arcs of another kind, or by the caller's radii, do not tell who is near.
+              if(options.cloud.graph != Surfel_graph::extended_spheres || !radii.empty())
+                keep_given();
+              return make(m_given.number_of_sites() == 0 ? nullptr : &m_given.frame);
+            }
+            keep_given();
             // Where there is much noise, normals are wrong by so much that a second time finds more.
             double level = m_noise;
             for(int i = 0; i < most_denoisings && (i == 0 || level > noise_left); ++i)
@@ -85,25 +99,43 @@ Prepared_cloud::Prepared_cloud(std::vector<Spatial> points, std::vector<Spatial>
               denoise(points, normals, threads);
               level = noise_level(points, normals, threads);
             }
-            return make_cloud(std::move(points), std::move(normals), radii, options.cloud);
+            draw_near(points, threads);
+            return make(&m_given.frame);
           }()),
-      m_surface(m_cloud, fit_of(options.method)), m_disks(m_cloud, Surfel_fit::disks)
+      m_home(
+          [&]
+          {
+            std::vector<Index> home;
+            if(m_given.number_of_sites() > 0)
+              for(const Index surfel : m_cloud.surfel_of_site)
+                home.push_back(m_given.site_of_surfel[surfel]);
+            else
+              m_vicinity = std::make_unique<Surfel_vicinity>(m_cloud, options.cloud.threads);
+            return home;
+          }()),
+      m_surface(m_cloud, fit_of(options.method), *m_vicinity, m_home),
+      m_disks(m_cloud, Surfel_fit::disks, *m_vicinity, m_home)
 {
   if(options.search == Surfel_search::coarse_to_fine && m_cloud.number_of_sites() > small_cloud)
     m_regions = make_regions(m_cloud.graph, m_cloud.point, m_cloud.component);
-  if(m_given_point.empty())
-    return;
-  // In the order and the frame of the cloud.
-  to_frame(m_given_point, m_cloud.frame);
-  normalize(m_given_normal);
-  std::vector<Spatial> point, normal;
-  for(const Index surfel : m_cloud.surfel_of_site)
-  {
-    point.push_back(m_given_point[surfel]);
-    normal.push_back(m_given_normal[surfel]);
-  }
-  m_given_point = std::move(point);
-  m_given_normal = std::move(normal);
+}
+
+// Moves surfels, where noise has been removed, no farther than paths may be.
+void Prepared_cloud::draw_near(std::vector<Spatial>& points, unsigned threads) const
+{
+  const auto& [origin, scale] = m_given.frame;
+  for_each_block(
+      points.size(), surfel_block, threads,
+      [&, &origin = origin, &scale = scale](std::size_t, std::size_t begin, std::size_t end)
+      {
+        for(std::size_t i = begin; i < end; ++i)
+        {
+          const Spatial seen = 1. / scale * (points[i] - origin);
+          const Spatial near = m_vicinity->drawn_near(seen, m_given.site_of_surfel[i]);
+          if(near != seen)
+            points[i] = origin + scale * near;
+        }
+      });
 }
 
 Foot Prepared_cloud::foot(const Tangent_location& location) const
@@ -111,19 +143,19 @@ Foot Prepared_cloud::foot(const Tangent_location& location) const
   const Index site = location.site;
   if(location.offset == std::array<double, 2>{0., 0.})
     return {m_cloud.point[site], m_cloud.normal[site], {0., 0., 0.}, site};
-  const auto [u, v] =
-      tangent_frame(m_given_normal.empty() ? m_cloud.normal[site] : m_given_normal[site]);
-  const Spatial& origin = m_given_point.empty() ? m_cloud.point[site] : m_given_point[site];
-  return m_surface.foot(origin + location.offset[0] * u + location.offset[1] * v, site);
+  const auto [u, v] = tangent_frame(given().normal[home(site)]);
+  const Spatial place = given().point[home(site)] + location.offset[0] * u + location.offset[1] * v;
+  Foot foot = m_surface.foot(place, site);
+  foot.point = m_surface.drawn_near(foot.point, foot.site);
+  return foot;
 }
 
 Tangent_location Prepared_cloud::location(const Foot& foot) const
 {
-  const Index site = foot.site;
-  const Spatial& origin = m_given_point.empty() ? m_cloud.point[site] : m_given_point[site];
-  const auto [u, v] =
-      tangent_frame(m_given_normal.empty() ? m_cloud.normal[site] : m_given_normal[site]);
-  return {site, {dot(foot.point - origin, u), dot(foot.point - origin, v)}};
+  const Index own = home(foot.site);
+  const auto [u, v] = tangent_frame(given().normal[own]);
+  const Spatial way = foot.point - given().point[own];
+  return {foot.site, {dot(way, u), dot(way, v)}};
 }
 
 Cloud_path_finder::Cloud_path_finder(std::shared_ptr<const Prepared_cloud> cloud)

@@ -16,10 +16,11 @@ namespace {
 
 // Reads points, without copies, and normals into the tree's order.
 void sort_surfels(std::vector<Spatial> points, std::vector<Spatial> normals, double cosine,
-                  unsigned threads, Surfel_cloud& cloud)
+                  unsigned threads, const Frame* frame, Surfel_cloud& cloud)
 {
   const std::size_t n = points.size();
-  cloud.frame = unit_frame(points);
+  const Frame own = unit_frame(points);
+  cloud.frame = frame == nullptr ? own : *frame;
   to_frame(points, cloud.frame);
   normalize(normals);
   const std::vector<Index> original = originals(points, normals, cosine);
@@ -148,7 +149,8 @@ void label_components(Surfel_cloud& cloud)
 } // namespace
 
 Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
-                        const std::vector<double>& radii, const Cloud_options& options)
+                        const std::vector<double>& radii, const Cloud_options& options,
+                        const Frame* frame)
 {
   check_sizes(points.size(), normals.size(), radii.size());
   if(!(options.maximum_angle > 0.) || options.maximum_angle > std::acos(-1.) || options.rank == 0 ||
@@ -158,21 +160,21 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
         "number and rank above 0.");
   Surfel_cloud cloud;
   const Agree agree = {std::cos(options.maximum_angle)};
-  sort_surfels(std::move(points), std::move(normals), agree.cosine, options.threads, cloud);
+  sort_surfels(std::move(points), std::move(normals), agree.cosine, options.threads, frame, cloud);
 
-  std::vector<double> reach;
+  Surroundings around;
   const Rows near = find_neighbors(cloud.point, cloud.normal, cloud.tree, &agree, options.neighbors,
-                                   options.threads, reach);
+                                   options.threads, around);
   set_radii(radii, near, options.rank, cloud);
   const auto graph = [&](const Rows& rows, const auto& meet)
-  { cloud.graph = make_graph(cloud.point, rows, reach, options.threads, meet); };
+  { cloud.graph = make_graph(cloud.point, rows, around.seen, options.threads, meet); };
   if(options.graph == Surfel_graph::extended_spheres)
     graph(near, [&](Index i, Index j, double length)
           { return length <= options.influence * (cloud.radius[i] + cloud.radius[j]); });
   else
   {
     const Rows all = find_neighbors(cloud.point, cloud.normal, cloud.tree, nullptr,
-                                    options.neighbors, options.threads, reach);
+                                    options.neighbors, options.threads, around);
     if(options.graph == Surfel_graph::nearest)
       graph(all, [](Index, Index, double) { return true; });
     else
@@ -186,6 +188,8 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
     }
   }
   label_components(cloud);
+  cloud.spacing = std::move(around.spacing);
+  cloud.seen = std::move(around.seen);
   return cloud;
 }
 

@@ -65,9 +65,11 @@ Sphere fitted_sphere(const Sums& s)
 
 } // namespace
 
-Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit)
-    : m_cloud(cloud), m_fit(fit), m_squared_support(cloud.number_of_sites()),
-      m_disk(cloud.number_of_sites()), m_reach(cloud.number_of_sites())
+Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit,
+                               const Surfel_vicinity& vicinity, const std::vector<Index>& home)
+    : m_cloud(cloud), m_fit(fit), m_vicinity(vicinity), m_home(home),
+      m_squared_support(cloud.number_of_sites()), m_disk(cloud.number_of_sites()),
+      m_reach(cloud.number_of_sites())
 {
   const Site_graph& graph = cloud.graph;
   std::vector<double> around;
@@ -82,6 +84,11 @@ Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit)
     m_squared_support[site] = support_in_radii * mean * (support_in_radii * mean);
     m_disk[site] = std::min(mean, cloud.radius[site]);
     m_reach[site] = std::min(reach_in_radii * m_disk[site], reach_in_large_radii * *large);
+    if(home.empty())
+    {
+      m_disk[site] = std::min(m_disk[site], vicinity.reach(site));
+      m_reach[site] = std::min(m_reach[site], vicinity.reach(site));
+    }
   }
 }
 
@@ -195,7 +202,49 @@ void Surfel_surface::correct(const Spatial& from, double curvature, Index site, 
   point = point + unit_length * c[0] * dot(normal, upward) / dot(upward, upward) * normal;
 }
 
+// Whether a point is as near to a surfel as it may be.
+bool Surfel_surface::holds(const Spatial& point, Index site) const
+{
+  const Index own = home(site);
+  return norm(point - m_vicinity.cloud().point[own]) <= m_vicinity.reach(own);
+}
+
+Spatial Surfel_surface::drawn_near(const Spatial& point, Index near) const
+{
+  return m_vicinity.drawn_near(point, home(near));
+}
+
 Foot Surfel_surface::foot(const Spatial& given, Index near) const
+{
+  Foot foot = free_foot(given, near);
+  if(holds(foot.point, foot.site))
+    return foot;
+  // Of the balls around the surfels that hold the surface, where they reach, the one that is missed by
+  // least.
+  const Site_graph& graph = m_cloud.graph;
+  Index best = foot.site;
+  double least = infinity;
+  const auto consider = [&](Index site)
+  {
+    const Index own = home(site);
+    const double beyond = norm(foot.point - m_vicinity.cloud().point[own]) - m_vicinity.reach(own);
+    if(beyond < least)
+    {
+      least = beyond;
+      best = own;
+    }
+  };
+  consider(foot.site);
+  for(Index arc = graph.first[foot.site]; arc < graph.first[foot.site + 1]; ++arc)
+    consider(graph.target[arc]);
+  if(!(least > 0.))
+    return foot;
+  const Spatial centre = m_vicinity.cloud().point[best], way = foot.point - centre;
+  foot.point = centre + m_vicinity.reach(best) / norm(way) * way;
+  return foot;
+}
+
+Foot Surfel_surface::free_foot(const Spatial& given, Index near) const
 {
   const Index site = nearest(given, near);
   if(m_fit == Surfel_fit::disks)

@@ -488,6 +488,8 @@ Path_energy_level minimize(const Path_surface& surface, const Path_options& opti
 void draw_curve(const Path_surface& surface, const std::vector<Foot>& nodes, Shortened_path& path)
 {
   path.points = subdivided(surface, subdivided(surface, with_edges(nodes)));
+  for(std::size_t i = 1; i + 1 < path.points.size(); ++i)
+    path.points[i].point = surface.drawn_near(path.points[i].point, path.points[i].site);
   path.length = length_along_arcs(path.points);
   path.polyline_length = polyline_length(path.points);
 }

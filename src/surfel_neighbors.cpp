@@ -80,17 +80,21 @@ std::vector<Index> originals(const std::vector<Spatial>& points,
 
 Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,
                     const Kd_tree& tree, const Agree* agree, std::size_t count, unsigned threads,
-                    std::vector<double>& reach)
+                    Surroundings& around)
 {
+  constexpr std::size_t rank = 6; // as many as a surfel of an even cloud has around it
   Rows rows(tree.size());
-  reach.assign(tree.size(), infinity);
+  around.seen.assign(tree.size(), infinity);
+  around.spacing.resize(tree.size());
   visit_nearest(point, tree, count, threads,
                 [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
                 {
                   if(i % surfel_block == 0)
                     rows.part(block).reserve(count * std::min(surfel_block, point.size() - i));
                   if(found.size() > count)
-                    reach[i] = std::sqrt(found.back().squared_distance);
+                    around.seen[i] = std::sqrt(found.back().squared_distance);
+                  around.spacing[i] =
+                      std::sqrt(found[std::min(rank, found.size() - 1)].squared_distance);
                   for(const Kd_tree::Neighbor& neighbor : found)
                   {
                     const Index j = neighbor.point;

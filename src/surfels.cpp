@@ -456,9 +456,9 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
 
   const Sites sites = {t.point, t.normal, result.tree, agree, options.threads};
   const std::size_t m = sites.size();
-  std::vector<double> reach;
+  Surroundings around;
   Rows near =
-      find_neighbors(t.point, t.normal, result.tree, &agree, neighbors, options.threads, reach);
+      find_neighbors(t.point, t.normal, result.tree, &agree, neighbors, options.threads, around);
 
   std::vector<double>& radius = result.radius;
   radius.assign(n, 0.);
@@ -475,8 +475,8 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
     }
 
   {
-    const Rows rings = find_rings(sites, near, reach, radius);
-    reach = {};
+    const Rows rings = find_rings(sites, near, around.seen, radius);
+    around = {};
     collect_triangles(rings, options.threads, t);
   }
   build_graph(sites, near, radius, copy_of, t);

@@ -4,13 +4,20 @@
 // How far from the truth are geodesics on point set surfaces, clean and noisy, beside the tables of
 // Ruggeri, Darom, Saupe and Kiryati 2006?
 #include <CGAL/Geodesic_processing/internal/Cloud_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/surfel_estimation.h>
 
 #include "clouds.h"
 #include "report.h"
 
+#include <CGAL/IO/read_points.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Point_set_3/IO.h>
+#include <CGAL/Simple_cartesian.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <random>
@@ -408,11 +415,110 @@ void print_times(bool is_quick)
               "on more\n\n");
 }
 
+// A scan of the data folder, with its own normals or those of estimate_surfels(); empty where it is not.
+Cloud scan(const std::string& name)
+{
+  CGAL::Point_set_3<CGAL::Simple_cartesian<double>::Point_3> points;
+  const auto file = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "points" / name;
+  Cloud cloud;
+  if(!exists(file) || !CGAL::IO::read_point_set(file.string(), points))
+    return cloud;
+  const auto spatial = [](const auto& p) -> Spatial { return {p.x(), p.y(), p.z()}; };
+  for(const auto& index : points)
+    cloud.add(spatial(points.point(index)),
+              points.has_normal_map() ? spatial(points.normal(index)) : Spatial{0., 0., 1.});
+  if(!points.has_normal_map())
+    cloud.normals = estimate_surfels(cloud.points, 18, 0., 1).normals;
+  return cloud;
+}
+
+// How paths on a scan keep to its surfels.
+struct Keeping
+{
+  std::size_t pairs = 0, points = 0, beyond = 0, crossings = 0;
+  double farthest = 0.; // in the largest distances that are not beyond
+};
+
+// A point of a path is beyond where the nearest surfel is farther than the 95th percentile of the spacing
+// there: among the 60 surfels nearest to it, that of the distances to their sixth neighbours.  A path
+// crosses to another sheet where the surfels nearest to two consecutive points look to opposite sides.
+Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
+{
+  constexpr std::size_t around = 60, percentile = 57;
+  std::vector<Spatial> place = cloud.points;
+  std::vector<Index> order;
+  const Kd_tree tree(place, order);
+  std::vector<Kd_tree::Neighbor> near;
+  std::vector<double> spacing, there;
+  for(const Spatial& p : place)
+  {
+    tree.nearest(place, p, 7, near);
+    spacing.push_back(std::sqrt(near.back().squared_distance));
+  }
+  const auto prepared = std::make_shared<const Prepared_cloud>(
+      cloud.points, cloud.normals, std::vector<double>(), Cloud_path_options());
+  Cloud_path_finder finder(prepared);
+  const Surfel_cloud& c = prepared->cloud();
+  Keeping result;
+  std::mt19937 random(1);
+  while(result.pairs < most_pairs)
+  {
+    const Index a = c.site_of_surfel[random() % cloud.size()],
+                b = c.site_of_surfel[random() % cloud.size()];
+    if(a == b || c.component[a] != c.component[b])
+      continue;
+    ++result.pairs;
+    const Spatial* before = nullptr; // the normal of the surfel there
+    for(const Foot& foot : finder({a, {0., 0.}}, {b, {0., 0.}}).path.points)
+    {
+      tree.nearest(place, c.frame.origin + c.frame.scale * foot.point, around, near);
+      there.clear();
+      for(const Kd_tree::Neighbor& neighbor : near)
+        there.push_back(spacing[neighbor.point]);
+      std::nth_element(there.begin(), there.begin() + percentile, there.end());
+      const double ratio = std::sqrt(near.front().squared_distance) / there[percentile];
+      const Spatial& normal = cloud.normals[order[near.front().point]];
+      ++result.points;
+      result.beyond += ratio > 1.;
+      result.farthest = std::max(result.farthest, ratio);
+      result.crossings += before != nullptr && dot(*before, normal) <= 0.;
+      before = &normal;
+    }
+  }
+  return result;
+}
+
+void print_scans()
+{
+  std::printf("Scans: how paths keep to their surfels\n");
+  Table table({"scan", "surfels", "pairs", "points", "beyond", "crossings", "farthest"});
+  for(const std::string name : {"b9_aerial_22k", "isprs_samp53_34k_utm", "radar_21k", "hippo1_6k"})
+    if(const Cloud cloud = scan(name + ".ply"); cloud.size() > 0)
+    {
+      const Keeping k = keeping(cloud, 60);
+      table.add({name, std::to_string(cloud.size()), std::to_string(k.pairs),
+                 std::to_string(k.points), std::to_string(k.beyond), std::to_string(k.crossings),
+                 number(k.farthest, 3)});
+    }
+  table.print();
+  std::printf("wanted: none beyond and no crossings\n\n");
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
   const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
+  if(argc > 1 && std::strcmp(argv[1], "--scans") == 0)
+  {
+    print_scans();
+    return 0;
+  }
+  if(argc > 1 && std::strcmp(argv[1], "--times") == 0)
+  {
+    print_times(false);
+    return 0;
+  }
   std::vector<Surface> surfaces = {
       {"sphere", octahedron_sphere(7), great_circle},
       {"plane", square_cloud(100), straight},
@@ -421,5 +527,6 @@ int main(int argc, char* argv[])
   print_spheres();
   print_noisy(surfaces);
   print_orders();
+  print_scans();
   print_times(is_quick);
 }

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/Graph_search.h>
 #include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
 #include <CGAL/Geodesic_processing/internal/Surfel_surface.h>
+#include <CGAL/Geodesic_processing/internal/Surfel_vicinity.h>
 #include <CGAL/Geodesic_processing/internal/path_energy.h>
 #include <CGAL/Geodesic_processing/internal/site_regions.h>
 #include <CGAL/Geodesic_processing/internal/surfels.h>
@@ -50,10 +51,19 @@ public:
   Tangent_location location(const Foot& foot) const;
 
 private:
-  double m_noise = 0.;                                // as noise_level() says
-  std::vector<Spatial> m_given_point, m_given_normal; // #sites, where noise has been removed
+  const Surfel_cloud& given() const { return m_given.number_of_sites() == 0 ? m_cloud : m_given; }
+  Index home(Index site) const { return m_home.empty() ? site : m_home[site]; }
+
+  void draw_near(std::vector<Spatial>& points, unsigned threads) const;
+
+  double m_noise = 0.; // as noise_level() says
   Cloud_path_options m_options;
+  // What the caller has given, without arcs, and the place of each site there; empty where they are the
+  // cloud's own.
+  Surfel_cloud m_given;
+  std::unique_ptr<Surfel_vicinity> m_vicinity;
   Surfel_cloud m_cloud;
+  std::vector<Index> m_home;
   Site_regions m_regions;
   Surfel_surface m_surface, m_disks;
 };

@@ -25,6 +25,9 @@ public:
 
   // `near`: the site of the foot of a point nearby, or none.
   virtual Foot foot(const Spatial& point, Index near) const = 0;
+
+  // What a curve has instead of a point that is near the surface, where that goes less far.
+  virtual Spatial drawn_near(const Spatial& point, Index) const { return point; }
 };
 
 } // namespace CGAL::Geodesic_processing::internal

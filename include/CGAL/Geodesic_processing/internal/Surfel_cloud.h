@@ -34,6 +34,8 @@ struct Surfel_cloud
   Frame frame;                        // caller's point = origin + scale * ours
   std::vector<Spatial> point, normal; // #sites
   std::vector<double> radius;         // #sites
+  std::vector<double> spacing;        // #sites: the distance to the sixth nearest site
+  std::vector<double> seen;           // #sites: that up to which all sites have been looked at
   Kd_tree tree;                       // over the points
   Site_graph graph;                   // symmetric
   std::vector<Index> component;       // #sites: 0 .. number_of_components - 1
@@ -56,10 +58,13 @@ struct Surfel_cloud
 //   nearest           each surfel and its nearest ones; normals do not count
 // (Klein and Zachmann 2004 for the last two), where each surfel looks at its nearest ones only.
 //
+// A frame may be given, of a cloud that is hardly another one, to have both in one.
+//
 // Throws as glue_surfels().  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
-                        const std::vector<double>& radii = {}, const Cloud_options& options = {});
+                        const std::vector<double>& radii = {}, const Cloud_options& options = {},
+                        const Frame* frame = nullptr);
 
 } // namespace CGAL::Geodesic_processing::internal
 

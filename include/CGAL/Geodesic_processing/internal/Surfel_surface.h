@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/Path_surface.h>
 #include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
+#include <CGAL/Geodesic_processing/internal/Surfel_vicinity.h>
 
 #include <vector>
 
@@ -34,16 +35,24 @@ enum class Surfel_fit
 class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
 {
 public:
-  // The cloud stays with the caller.
-  Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit);
+  // The cloud and the vicinity stay with the caller.
+  //
+  // home  #sites, or empty where both have the same: the site of the vicinity's cloud, in the same
+  //       frame, that each comes from
+  Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit, const Surfel_vicinity& vicinity,
+                 const std::vector<Index>& home);
 
   // `near` is a site.
   Foot foot(const Spatial& point, Index near) const override;
+  Spatial drawn_near(const Spatial& point, Index near) const override;
 
   const Surfel_cloud& cloud() const { return m_cloud; }
 
 private:
   Index nearest(const Spatial& point, Index near) const;
+  Index home(Index site) const { return m_home.empty() ? site : m_home[site]; }
+  Foot free_foot(const Spatial& point, Index near) const;
+  bool holds(const Spatial& point, Index site) const;
   Foot on_disk(const Spatial& point, Index site) const;
   bool step(Spatial& point, Spatial& normal, Index site) const;
   template <typename Visit>
@@ -53,6 +62,8 @@ private:
 
   const Surfel_cloud& m_cloud;
   Surfel_fit m_fit;
+  const Surfel_vicinity& m_vicinity;
+  const std::vector<Index>& m_home;
   std::vector<double> m_squared_support, m_disk, m_reach; // #sites
 };
 

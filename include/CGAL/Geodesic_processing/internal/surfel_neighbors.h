@@ -140,12 +140,19 @@ void visit_nearest(const std::vector<Spatial>& point, const Kd_tree& tree, std::
                  });
 }
 
+// What lies around a surfel, whatever the normals.
+struct Surroundings
+{
+  std::vector<double> seen;    // #surfels: the distance up to which all points have been seen
+  std::vector<double> spacing; // #surfels: the distance to the sixth nearest, or the last if fewer
+};
+
 // The `count` nearest points of each, without those that do not agree with it, nearest first; all of
-// them without an `agree`.  `reach` receives the distance up to which all points have been seen.
+// them without an `agree`.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,
                     const Kd_tree& tree, const Agree* agree, std::size_t count, unsigned threads,
-                    std::vector<double>& reach);
+                    Surroundings& around);
 
 } // namespace CGAL::Geodesic_processing::internal
 
