@@ -163,6 +163,36 @@ Cloud_path_finder::Cloud_path_finder(std::shared_ptr<const Prepared_cloud> cloud
       m_search(m_cloud->cloud().graph, m_cloud->cloud().point, m_cloud->regions())
 {}
 
+// Where a curve goes to a surfel that no short chain of arcs joins to the one before, over a gap or to
+// another sheet, it takes the shortest one.
+void Cloud_path_finder::keep_to_arcs(Shortened_path& path)
+{
+  const Surfel_cloud& cloud = m_cloud->cloud();
+  std::vector<Foot> points;
+  for(const Foot& foot : path.points)
+  {
+    if(!points.empty() && !m_cloud->surface().are_joined(points.back().site, foot.site))
+    {
+      const Foot& last = points.back();
+      const double longest = 2. * norm(foot.point - last.point) +
+                             3. * (cloud.radius[last.site] + cloud.radius[foot.site]);
+      const std::vector<Index> chain = m_search(last.site, foot.site, Surfel_search::a_star);
+      double length = 0.;
+      for(std::size_t i = 0; i + 1 < chain.size(); ++i)
+        length += norm(cloud.point[chain[i + 1]] - cloud.point[chain[i]]);
+      if(length > longest)
+        for(std::size_t i = 1; i + 1 < chain.size(); ++i)
+          points.push_back(m_cloud->foot({chain[i], {0., 0.}}));
+    }
+    points.push_back(foot);
+  }
+  if(points.size() == path.points.size())
+    return;
+  path.points = std::move(points);
+  path.length = length_along_arcs(path.points);
+  path.polyline_length = polyline_length(path.points);
+}
+
 Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tangent_location& to)
 {
   const Surfel_cloud& cloud = m_cloud->cloud();
@@ -189,17 +219,20 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
   Path_options options = m_cloud->options().path;
   options.spacing = 0.5 * cloud.radius[from.site];
   result.path = shortened(m_cloud->surface(), options, chain);
+  keep_to_arcs(result.path);
   if(result.path.length > result.start_length)
   {
     // Noise and narrow valleys make arcs shorter than the surface below them.
     Shortened_path start = result.path;
     draw_curve(m_cloud->surface(), chain, start);
+    keep_to_arcs(start);
     result.start_length = start.length;
     // Where surfels are too far apart for what they show, fits jump from one to the next; disks overlap.
     if(result.path.length > start.length)
     {
       options.hold = Path_hold::energy;
       result.path = shortened(m_cloud->disks(), options, chain);
+      keep_to_arcs(result.path);
     }
     if(result.path.length > start.length)
       result.path = start;

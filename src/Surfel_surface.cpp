@@ -114,6 +114,11 @@ Index Surfel_surface::nearest(const Spatial& point, Index near) const
   return near;
 }
 
+bool Surfel_surface::are_joined(Index a, Index b) const
+{
+  return a == b || nearest(m_cloud.point[b], a) == b || nearest(m_cloud.point[a], b) == a;
+}
+
 Foot Surfel_surface::on_disk(const Spatial& point, Index site) const
 {
   const Spatial way = point - m_cloud.point[site], normal = m_cloud.normal[site];

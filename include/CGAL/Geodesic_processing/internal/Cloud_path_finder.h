@@ -85,9 +85,13 @@ public:
 
   // Never longer than the chain of arcs that it starts from: where it would be, it is drawn to the disks
   // of the surfels, and where that is longer as well, it is the chain.
+  // All its points are near surfels, as Surfel_vicinity says, and consecutive ones at surfels that a
+  // short chain of arcs joins: it crosses neither a gap nor to another sheet.
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
 
 private:
+  void keep_to_arcs(Shortened_path& path);
+
   std::shared_ptr<const Prepared_cloud> m_cloud;
   Graph_search m_search;
 };
