@@ -235,6 +235,69 @@ TEST(Cloud_path_finder, stays_on_its_sheet)
   EXPECT_NEAR(find.scale() * found.path.length, 1. + pi * radius, 0.01);
 }
 
+// Whether a chain of arcs no longer than `most` joins two sites.
+bool are_joined(const Surfel_cloud& cloud, Index from, Index to, double most)
+{
+  std::vector<double> distance(cloud.number_of_sites(), infinity);
+  distance[from] = 0.;
+  std::vector<Index> wave = {from};
+  while(!wave.empty())
+  {
+    const Index site = wave.back();
+    wave.pop_back();
+    for(Index arc = cloud.graph.first[site]; arc < cloud.graph.first[site + 1]; ++arc)
+      if(const double d = distance[site] + cloud.graph.length[arc];
+         d <= most && d < distance[cloud.graph.target[arc]])
+      {
+        distance[cloud.graph.target[arc]] = d;
+        wave.push_back(cloud.graph.target[arc]);
+      }
+  }
+  return distance[to] <= most;
+}
+
+TEST(Cloud_path_finder, stays_near_surfels_however_they_lie)
+{
+  // Random points of a bent sheet, ever fewer to one side, with holes, and so rough that normals are far off.
+  for(const double roughness : {0., 0.03})
+  {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> share(0., 1.);
+    Cloud sheet;
+    while(sheet.size() < 1500)
+    {
+      const double x = std::pow(share(random), 2), y = share(random);
+      if(std::hypot(std::remainder(x, 0.4), std::remainder(y, 0.4)) > 0.11)
+        sheet.add({x, y, 0.2 * std::sin(5. * x) + roughness * share(random)},
+                  unit({-std::cos(5. * x), 0., 1.}));
+    }
+    if(roughness > 0.)
+      estimate_normals(sheet);
+    Finder find(sheet);
+    const Surfel_cloud given = make_cloud(sheet.points, sheet.normals);
+    const Surfel_vicinity vicinity(given);
+    const Surfel_cloud& cloud = find.prepared().cloud();
+    for(int i = 0; i < 30; ++i)
+    {
+      const Cloud_path found = find(random() % sheet.size(), random() % sheet.size());
+      EXPECT_LE(found.path.length, found.start_length * (1. + rounding));
+      const std::vector<Spatial> points = find.points(found);
+      for(std::size_t k = 0; k < points.size(); ++k)
+      {
+        const Foot& foot = found.path.points[k];
+        EXPECT_TRUE(vicinity.is_near(1. / given.frame.scale * (points[k] - given.frame.origin),
+                                     given.site_of_surfel[cloud.surfel_of_site[foot.site]]));
+        if(k == 0)
+          continue;
+        const Foot& last = found.path.points[k - 1];
+        EXPECT_TRUE(are_joined(cloud, last.site, foot.site,
+                               2. * norm(foot.point - last.point) +
+                                   3. * (cloud.radius[last.site] + cloud.radius[foot.site])));
+      }
+    }
+  }
+}
+
 TEST(Cloud_path_finder, finds_nothing_between_components)
 {
   Cloud two = square_cloud(10);

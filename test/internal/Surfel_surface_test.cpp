@@ -17,13 +17,26 @@ using namespace CGAL::Geodesic_processing::test;
 
 Surfel_cloud cloud_of(const Cloud& cloud) { return make_cloud(cloud.points, cloud.normals); }
 
+// As it is where the cloud is the one that was given.
+struct Surface
+{
+  Surface(const Surfel_cloud& cloud, Surfel_fit fit)
+      : vicinity(cloud), surface(cloud, fit, vicinity, home)
+  {}
+  Foot foot(const Spatial& point, Index near) const { return surface.foot(point, near); }
+
+  Surfel_vicinity vicinity;
+  std::vector<Index> home;
+  Surfel_surface surface;
+};
+
 TEST(Surfel_surface, is_a_sphere_where_surfels_are)
 {
   const Cloud sphere = octahedron_sphere(4);
   const Surfel_cloud cloud = cloud_of(sphere);
   for(const Surfel_fit fit : {Surfel_fit::spheres, Surfel_fit::quadrics})
   {
-    const Surfel_surface surface(cloud, fit);
+    const Surface surface(cloud, fit);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> offset(-0.03, 0.03);
     for(int i = 0; i < 200; ++i)
@@ -43,7 +56,7 @@ TEST(Surfel_surface, is_a_sphere_where_surfels_are)
 double error_on_torus(std::size_t n, Surfel_fit fit)
 {
   const Surfel_cloud cloud = cloud_of(torus_cloud(n, 0.4));
-  const Surfel_surface surface(cloud, fit);
+  const Surface surface(cloud, fit);
   double sum = 0.;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> share(0., 1.);
@@ -74,7 +87,7 @@ TEST(Surfel_surface, comes_nearer_to_a_torus_with_more_surfels)
 TEST(Surfel_surface, has_disks)
 {
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
-  const Surfel_surface surface(cloud, Surfel_fit::disks);
+  const Surface surface(cloud, Surfel_fit::disks);
   // Above the inside the nearest point of the plane; beyond the border that of the last disk, whose
   // neighbours are smaller than it is at the corner.
   const Foot inside = surface.foot(cloud.point[60] + Spatial{0.01, 0.02, 0.05}, 60);
@@ -95,7 +108,7 @@ TEST(Surfel_surface, has_disks)
 TEST(Surfel_surface, ends_with_its_surfels)
 {
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
-  const Surfel_surface surface(cloud, Surfel_fit::quadrics);
+  const Surface surface(cloud, Surfel_fit::quadrics);
   for(Index i = 0; i < 121; ++i)
     if(std::abs(cloud.point[i][0]) > 0.99 * std::abs(cloud.point[0][0]))
     {
@@ -116,7 +129,7 @@ TEST(Surfel_surface, leaves_a_hole_open_around_a_surfel_alone_in_it)
       if(i * i + j * j == 0 || i * i + j * j >= 36)
         square.add({double(i), double(j), 0.}, {0., 0., 1.});
   const Surfel_cloud cloud = cloud_of(square);
-  const Surfel_surface surface(cloud, Surfel_fit::quadrics);
+  const Surface surface(cloud, Surfel_fit::quadrics);
   Index middle = 0;
   for(Index site = 0; site < cloud.number_of_sites(); ++site)
     if(cloud.radius[site] > cloud.radius[middle])
@@ -131,6 +144,54 @@ TEST(Surfel_surface, leaves_a_hole_open_around_a_surfel_alone_in_it)
   EXPECT_LE(norm(foot.point - cloud.point[middle]), 1.3 * around * (1. + 1e-12));
 }
 
+TEST(Surfel_surface, ends_where_surfels_are_no_longer_near)
+{
+  // Two rows of surfels far apart, of radii that reach over the gap.
+  Cloud rows;
+  for(const double y : {0., 6.})
+    for(int i = 0; i < 40; ++i)
+      for(int j = 0; j < 3; ++j)
+        rows.add({double(i), y + (y > 0. ? j : -j), 0.}, {0., 0., 1.});
+  const Surfel_cloud cloud =
+      make_cloud(rows.points, rows.normals, std::vector<double>(rows.size(), 6.));
+  for(const Surfel_fit fit :
+      {Surfel_fit::disks, Surfel_fit::planes, Surfel_fit::spheres, Surfel_fit::quadrics})
+  {
+    const Surface surface(cloud, fit);
+    for(Index site = 0; site < cloud.number_of_sites(); ++site)
+      for(const double out : {0.5, 2., 3.})
+      {
+        const double side = cloud.point[site][1] < 0. ? 1. : -1.;
+        const Foot foot =
+            surface.foot(cloud.point[site] + Spatial{0., side * out / cloud.frame.scale, 0.}, site);
+        EXPECT_TRUE(surface.vicinity.is_near(foot.point, foot.site));
+        EXPECT_EQ(surface.surface.drawn_near(foot.point, foot.site), foot.point);
+      }
+  }
+}
+
+TEST(Surfel_surface, joins_what_a_walk_over_arcs_joins)
+{
+  // A square with a cut from one side to its middle: of 5 steps, which no arc bridges.
+  const Cloud square = part_of(square_cloud(41), [](const Spatial& p)
+                               { return std::abs(p[0] - 0.5) > 0.06 || p[1] > 0.5; });
+  const Surfel_cloud cloud = cloud_of(square);
+  const Surface surface(cloud, Surfel_fit::quadrics);
+  const auto site = [&](double x, double y)
+  {
+    Index best = 0;
+    const Spatial p = 1. / cloud.frame.scale * (Spatial{x, y, 0.} - cloud.frame.origin);
+    for(Index i = 0; i < cloud.number_of_sites(); ++i)
+      if(norm(cloud.point[i] - p) < norm(cloud.point[best] - p))
+        best = i;
+    return best;
+  };
+  EXPECT_TRUE(surface.surface.are_joined(site(0.1, 0.1), site(0.1, 0.1)));
+  EXPECT_TRUE(surface.surface.are_joined(site(0.1, 0.1), site(0.4, 0.3)));
+  EXPECT_TRUE(surface.surface.are_joined(site(0.4, 0.7), site(0.6, 0.7)));
+  EXPECT_FALSE(surface.surface.are_joined(site(0.4, 0.1), site(0.6, 0.1)));
+}
+
 TEST(Surfel_surface, has_sharp_edges)
 {
   const Cloud cube = cube_cloud(10);
@@ -138,7 +199,7 @@ TEST(Surfel_surface, has_sharp_edges)
   const double half = 0.5 / cloud.frame.scale;
   for(const Surfel_fit fit : {Surfel_fit::planes, Surfel_fit::spheres, Surfel_fit::quadrics})
   {
-    const Surfel_surface surface(cloud, fit);
+    const Surface surface(cloud, fit);
     for(Index i = 0; i < cloud.number_of_sites(); ++i)
     {
       // Where the nearest surfel is on this side, the foot is in its plane.

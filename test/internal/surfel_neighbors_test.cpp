@@ -27,10 +27,10 @@ TEST(surfel_neighbors, are_the_nearest_that_agree)
   const Kd_tree tree(point, order);
   for(const Index i : order)
     normal.push_back(sheets.normals[i]);
-  std::vector<double> reach;
+  Surroundings around;
   const Agree agree = {0.5};
-  const Rows near = find_neighbors(point, normal, tree, &agree, 20, 1, reach),
-             all = find_neighbors(point, normal, tree, nullptr, 20, 1, reach);
+  const Rows near = find_neighbors(point, normal, tree, &agree, 20, 1, around),
+             all = find_neighbors(point, normal, tree, nullptr, 20, 1, around);
   for(Index i = 0; i < point.size(); ++i)
   {
     EXPECT_EQ(all.end(i) - all.begin(i), 20);
@@ -44,7 +44,8 @@ TEST(surfel_neighbors, are_the_nearest_that_agree)
       if(normal[i] == normal[*j])
         expected.push_back(*j);
     }
-    EXPECT_NEAR(reach[i], last, 1e-15);
+    EXPECT_NEAR(around.seen[i], last, 1e-15);
+    EXPECT_NEAR(around.spacing[i], norm(point[all.begin(i)[5]] - point[i]), 1e-15);
     EXPECT_EQ(std::vector<Index>(near.begin(i), near.end(i)), expected);
   }
 }
