@@ -12,6 +12,8 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 constexpr std::size_t leaf_size = 12;
+// Of points that a thread copies at a time.
+constexpr std::size_t block_size = 4096;
 
 double squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
@@ -38,8 +40,12 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
   m_boxes.resize((std::size_t(2) << m_levels) - 1);
 
   std::vector<Entry> entries(m_size);
-  for(std::size_t i = 0; i < m_size; ++i)
-    entries[i] = {points[i], static_cast<Index>(i)};
+  for_each_block(m_size, block_size, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t i = begin; i < end; ++i)
+                     entries[i] = {points[i], static_cast<Index>(i)};
+                 });
 
   // The box of a node, and its points split at the middle of the box's longest axis.
   const auto split = [&](unsigned level, std::size_t node)
@@ -92,11 +98,15 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
                    }
                  });
 
-  for(std::size_t i = 0; i < m_size; ++i)
-  {
-    points[i] = entries[i].point;
-    order[i] = entries[i].place;
-  }
+  for_each_block(m_size, block_size, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(std::size_t i = begin; i < end; ++i)
+                   {
+                     points[i] = entries[i].point;
+                     order[i] = entries[i].place;
+                   }
+                 });
 }
 
 void Kd_tree::scale(double factor)

@@ -25,40 +25,52 @@ void sort_surfels(std::vector<Spatial> points, std::vector<Spatial> normals, dou
   normalize(normals);
   const std::vector<Index> original = originals(points, normals, cosine);
   std::vector<Index> place, order;
+  place.reserve(n);
   for(Index i = 0; i < n; ++i)
     if(original[i] == i)
-    {
       place.push_back(i);
-      cloud.point.push_back(points[i]);
-    }
+  if(place.size() < n)
+    for(Index i = 0; i < place.size(); ++i)
+      points[i] = points[place[i]];
+  points.resize(place.size());
+  cloud.point = std::move(points);
   cloud.tree = Kd_tree(cloud.point, order, threads);
   cloud.site_of_surfel.resize(n);
   cloud.surfel_of_site.resize(place.size());
   cloud.normal.resize(place.size());
-  for(Index s = 0; s < place.size(); ++s)
-  {
-    const Index surfel = place[order[s]];
-    cloud.surfel_of_site[s] = surfel;
-    cloud.site_of_surfel[surfel] = s;
-    cloud.normal[s] = normals[surfel];
-  }
-  for(Index i = 0; i < n; ++i)
+  for_each_block(place.size(), surfel_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(Index s = static_cast<Index>(begin); s < end; ++s)
+                   {
+                     const Index surfel = place[order[s]];
+                     cloud.surfel_of_site[s] = surfel;
+                     cloud.site_of_surfel[surfel] = s;
+                     cloud.normal[s] = normals[surfel];
+                   }
+                 });
+  for(Index i = 0; place.size() < n && i < n; ++i)
     cloud.site_of_surfel[i] = cloud.site_of_surfel[original[i]];
 }
 
 void set_radii(const std::vector<double>& radii, const Rows& near, std::size_t rank,
-               Surfel_cloud& cloud)
+               unsigned threads, Surfel_cloud& cloud)
 {
   cloud.radius.assign(cloud.number_of_sites(), 0.);
-  for(Index s = 0; s < cloud.radius.size(); ++s)
-    if(!radii.empty())
-      cloud.radius[s] = scaled_radius(radii, cloud.surfel_of_site[s], cloud.frame);
-    else if(near.begin(s) != near.end(s))
-    {
-      const std::size_t count = near.end(s) - near.begin(s);
-      const Index last = near.begin(s)[std::min(rank, count) - 1];
-      cloud.radius[s] = norm(cloud.point[last] - cloud.point[s]) / std::sqrt(2.);
-    }
+  // The first radius that is wrong is the one to be named.
+  for_each_block(cloud.radius.size(), surfel_block, radii.empty() ? threads : 1,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(Index s = static_cast<Index>(begin); s < end; ++s)
+                     if(!radii.empty())
+                       cloud.radius[s] = scaled_radius(radii, cloud.surfel_of_site[s], cloud.frame);
+                     else if(near.begin(s) != near.end(s))
+                     {
+                       const std::size_t count = near.end(s) - near.begin(s);
+                       const Index last = near.begin(s)[std::min(rank, count) - 1];
+                       cloud.radius[s] = norm(cloud.point[last] - cloud.point[s]) / std::sqrt(2.);
+                     }
+                 });
 }
 
 // Arcs to the neighbours that `meet`, nearest first, and back from those that look at us although we
@@ -120,30 +132,45 @@ Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
   return graph;
 }
 
-void label_components(Surfel_cloud& cloud)
+// Joins sites by arcs, within blocks first, which threads can do side by side, then between them.
+void label_components(unsigned threads, Surfel_cloud& cloud)
 {
   const Site_graph& graph = cloud.graph;
-  cloud.component.assign(cloud.number_of_sites(), none);
-  std::vector<Index> stack;
-  for(Index seed = 0; seed < cloud.component.size(); ++seed)
+  std::vector<Index>& label = cloud.component; // a site of the same component, none later
+  const std::size_t n = cloud.number_of_sites();
+  label.resize(n);
+  const auto root = [&](Index site)
   {
-    if(cloud.component[seed] != none)
-      continue;
-    cloud.component[seed] = cloud.number_of_components;
-    stack.push_back(seed);
-    while(!stack.empty())
-    {
-      const Index site = stack.back();
-      stack.pop_back();
-      for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-        if(Index& label = cloud.component[graph.target[arc]]; label == none)
-        {
-          label = cloud.number_of_components;
-          stack.push_back(graph.target[arc]);
-        }
-    }
-    ++cloud.number_of_components;
-  }
+    while(label[site] != site)
+      site = label[site] = label[label[site]];
+    return site;
+  };
+  const auto join = [&](Index a, Index b)
+  {
+    a = root(a);
+    b = root(b);
+    label[std::max(a, b)] = std::min(a, b);
+  };
+  std::vector<std::vector<std::pair<Index, Index>>> between((n + surfel_block - 1) / surfel_block);
+  for_each_block(n, surfel_block, threads,
+                 [&](std::size_t block, std::size_t begin, std::size_t end)
+                 {
+                   for(Index site = static_cast<Index>(begin); site < end; ++site)
+                   {
+                     label[site] = site;
+                     for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+                       if(const Index other = graph.target[arc]; other < begin)
+                         between[block].emplace_back(other, site);
+                       else if(other < site)
+                         join(other, site);
+                   }
+                 });
+  for(const auto& part : between)
+    for(const auto& [a, b] : part)
+      join(a, b);
+  // In the order of their first sites, each of which is a root.
+  for(Index site = 0; site < n; ++site)
+    label[site] = label[site] == site ? cloud.number_of_components++ : label[label[site]];
 }
 
 } // namespace
@@ -165,7 +192,7 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
   Surroundings around;
   const Rows near = find_neighbors(cloud.point, cloud.normal, cloud.tree, &agree, options.neighbors,
                                    options.threads, around);
-  set_radii(radii, near, options.rank, cloud);
+  set_radii(radii, near, options.rank, options.threads, cloud);
   const auto graph = [&](const Rows& rows, const auto& meet)
   { cloud.graph = make_graph(cloud.point, rows, around.seen, options.threads, meet); };
   if(options.graph == Surfel_graph::extended_spheres)
@@ -187,7 +214,7 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
             [&](Index i, Index j, double length) { return length <= nearest[i] + nearest[j]; });
     }
   }
-  label_components(cloud);
+  label_components(options.threads, cloud);
   cloud.spacing = std::move(around.spacing);
   cloud.seen = std::move(around.seen);
   return cloud;

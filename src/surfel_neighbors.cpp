@@ -104,7 +104,6 @@ Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial
                   }
                   rows.end_row(block, i);
                 });
-  rows.join();
   return rows;
 }
 

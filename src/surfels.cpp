@@ -459,6 +459,7 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
   Surroundings around;
   Rows near =
       find_neighbors(t.point, t.normal, result.tree, &agree, neighbors, options.threads, around);
+  near.join();
 
   std::vector<double>& radius = result.radius;
   radius.assign(n, 0.);

@@ -75,7 +75,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> originals(const std::vector<Spatial>& points,
                              const std::vector<Spatial>& normals, double cosine);
 
-// Rows of different lengths, filled block by block.
+// Rows of different lengths, filled block by block, and read by begin() and end().
 class Rows
 {
 public:
@@ -88,6 +88,7 @@ public:
   {
     first[row + 1] = static_cast<Index>(m_parts[block].size());
   }
+  // Puts all rows into `entries`, one after another, where `first` says.
   void join()
   {
     std::size_t total = 0;
@@ -104,12 +105,23 @@ public:
       entries.insert(entries.end(), part.begin(), part.end());
       part = {};
     }
+    m_parts.clear();
   }
 
-  const Index* begin(std::size_t row) const { return entries.data() + first[row]; }
-  const Index* end(std::size_t row) const { return entries.data() + first[row + 1]; }
+  const Index* begin(std::size_t row) const
+  {
+    const std::size_t block = row / surfel_block;
+    return m_parts.empty()           ? entries.data() + first[row]
+           : row % surfel_block == 0 ? m_parts[block].data()
+                                     : m_parts[block].data() + first[row];
+  }
+  const Index* end(std::size_t row) const
+  {
+    const Index* const data = m_parts.empty() ? entries.data() : m_parts[row / surfel_block].data();
+    return data + first[row + 1];
+  }
 
-  std::vector<Index> first, entries;
+  std::vector<Index> first, entries; // when joined
 
 private:
   std::vector<std::vector<Index>> m_parts;
@@ -148,7 +160,7 @@ struct Surroundings
 };
 
 // The `count` nearest points of each, without those that do not agree with it, nearest first; all of
-// them without an `agree`.
+// them without an `agree`.  Rows are not joined.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,
                     const Kd_tree& tree, const Agree* agree, std::size_t count, unsigned threads,
