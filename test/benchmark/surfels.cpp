@@ -16,9 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <random>
 
@@ -359,8 +359,9 @@ void print_times(bool is_quick)
 {
   std::printf(
       "Tables 1 and 2, times on ellipsoids of as many surfels (the paper's: Pentium 4, 2.8 GHz)\n");
-  Table table({"surfels", "graph paper", "graph (2 threads)", "processor", "100 paths paper",
-               "100 paths", "points", "chains of them", "by A*", "too long"});
+  Table table({"surfels", "graph paper", "graph (2 threads)", "processor", "prepared",
+               "100 paths paper", "100 paths", "points", "us per point", "chains of them", "by A*",
+               "too long"});
   const std::pair<std::size_t, double> models[] = {
       {35948, 3.50},  {52809, 3.90},   {101685, 4.73},   {134345, 6.08},
       {183408, 7.16}, {546137, 33.07}, {1060220, 46.75}, {1279519, 56.39}};
@@ -375,9 +376,15 @@ void print_times(bool is_quick)
     const double graph = seconds_on_a_watch(
         [&]
         { processor = seconds([&] { make_cloud(cloud.points, cloud.normals, {}, options); }); });
-    Cloud_path_finder finder(std::make_shared<const Prepared_cloud>(
-        cloud.points, cloud.normals, std::vector<double>(), Cloud_path_options()));
-    const Surfel_cloud& c = finder.prepared()->cloud();
+    std::shared_ptr<const Prepared_cloud> prepared;
+    const double preparation = seconds(
+        [&]
+        {
+          prepared = std::make_shared<const Prepared_cloud>(
+              cloud.points, cloud.normals, std::vector<double>(), Cloud_path_options());
+        });
+    Cloud_path_finder finder(prepared);
+    const Surfel_cloud& c = prepared->cloud();
     const auto ends = pairs(cloud);
     double points = 0.;
     const double paths = seconds(
@@ -406,7 +413,8 @@ void print_times(bool is_quick)
     const double coarse_to_fine = chains(Surfel_search::coarse_to_fine, length),
                  a_star = chains(Surfel_search::a_star, shortest);
     table.add({std::to_string(n), number(paper, 2), number(graph, 2), number(processor, 2),
-               n == 134345 ? "19.37" : "-", number(paths, 2), number(points / number_of_pairs, 0),
+               number(preparation, 2), n == 134345 ? "19.37" : "-", number(paths, 2),
+               number(points / number_of_pairs, 0), number(1e6 * paths / points, 1),
                number(coarse_to_fine, 2), number(a_star, 2),
                percent(length / shortest - 1.) + " %"});
   }
@@ -439,9 +447,31 @@ struct Keeping
   double farthest = 0.; // in the largest distances that are not beyond
 };
 
+// Whether a chain of arcs no longer than `most` joins two sites.
+bool are_joined(const Surfel_cloud& cloud, Index from, Index to, double most)
+{
+  std::map<Index, double> distance = {{from, 0.}};
+  std::vector<Index> stack = {from};
+  while(!stack.empty() && distance.count(to) == 0)
+  {
+    const Index site = stack.back();
+    stack.pop_back();
+    for(Index arc = cloud.graph.first[site]; arc < cloud.graph.first[site + 1]; ++arc)
+      if(const double d = distance[site] + cloud.graph.length[arc]; d <= most)
+        if(const auto [place, is_new] = distance.try_emplace(cloud.graph.target[arc], d);
+           is_new || d < place->second)
+        {
+          place->second = d;
+          stack.push_back(place->first);
+        }
+  }
+  return distance.count(to) > 0;
+}
+
 // A point of a path is beyond where the nearest surfel is farther than the 95th percentile of the spacing
 // there: among the 60 surfels nearest to it, that of the distances to their sixth neighbours.  A path
-// crosses to another sheet where the surfels nearest to two consecutive points look to opposite sides.
+// crosses a gap or to another sheet where no chain of arcs, which join surfels whose normals agree, leads
+// from the surfel of one point to that of the next, on twice the way and three radii of each.
 Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
 {
   constexpr std::size_t around = 60, percentile = 57;
@@ -468,8 +498,9 @@ Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
     if(a == b || c.component[a] != c.component[b])
       continue;
     ++result.pairs;
-    const Spatial* before = nullptr; // the normal of the surfel there
-    for(const Foot& foot : finder({a, {0., 0.}}, {b, {0., 0.}}).path.points)
+    const Cloud_path found = finder({a, {0., 0.}}, {b, {0., 0.}});
+    const Foot* before = nullptr;
+    for(const Foot& foot : found.path.points)
     {
       tree.nearest(place, c.frame.origin + c.frame.scale * foot.point, around, near);
       there.clear();
@@ -477,12 +508,14 @@ Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
         there.push_back(spacing[neighbor.point]);
       std::nth_element(there.begin(), there.begin() + percentile, there.end());
       const double ratio = std::sqrt(near.front().squared_distance) / there[percentile];
-      const Spatial& normal = cloud.normals[order[near.front().point]];
       ++result.points;
       result.beyond += ratio > 1.;
       result.farthest = std::max(result.farthest, ratio);
-      result.crossings += before != nullptr && dot(*before, normal) <= 0.;
-      before = &normal;
+      result.crossings +=
+          before != nullptr && !are_joined(c, before->site, foot.site,
+                                           2. * norm(foot.point - before->point) +
+                                               3. * (c.radius[before->site] + c.radius[foot.site]));
+      before = &foot;
     }
   }
   return result;
@@ -508,17 +541,12 @@ void print_scans()
 
 int main(int argc, char* argv[])
 {
-  const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  if(argc > 1 && std::strcmp(argv[1], "--scans") == 0)
-  {
-    print_scans();
-    return 0;
-  }
-  if(argc > 1 && std::strcmp(argv[1], "--times") == 0)
-  {
-    print_times(false);
-    return 0;
-  }
+  const std::string argument = argc > 1 ? argv[1] : "";
+  const bool is_quick = argument == "--quick";
+  if(argument == "--scans")
+    return print_scans(), 0;
+  if(argument == "--times")
+    return print_times(false), 0;
   std::vector<Surface> surfaces = {
       {"sphere", octahedron_sphere(7), great_circle},
       {"plane", square_cloud(100), straight},

@@ -110,6 +110,42 @@ TEST(Graph_search, finds_short_chains_from_coarse_to_fine)
   }
 }
 
+TEST(Graph_search, is_led_along_long_ways)
+{
+  // Once half around are 350 surfels, or 60 regions.
+  const Cloud torus = torus_cloud(100000, 0.4);
+  const Surfel_cloud cloud = make_cloud(torus.points, torus.normals);
+  const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+  Graph_search search(cloud.graph, cloud.point, &regions);
+  std::mt19937 random(1);
+  double sum = 0.;
+  std::size_t number = 0, visited = 0, visited_all = 0;
+  while(number < 30)
+  {
+    const Index a = Index(random() % cloud.number_of_sites()),
+                b = Index(random() % cloud.number_of_sites());
+    if(norm(cloud.point[a] - cloud.point[b]) * cloud.frame.scale < 2.2)
+      continue;
+    ++number;
+    const double shortest = length(cloud, search(a, b, Surfel_search::a_star));
+    visited_all += search.visited();
+    const std::vector<Index> chain = search(a, b, Surfel_search::coarse_to_fine);
+    visited += search.visited();
+    ASSERT_FALSE(chain.empty());
+    EXPECT_EQ(chain.front(), a);
+    EXPECT_EQ(chain.back(), b);
+    for(std::size_t k = 0; k + 1 < chain.size(); ++k)
+      EXPECT_TRUE(has_arc(cloud.graph, chain[k], chain[k + 1]));
+    const double excess = length(cloud, chain) / shortest - 1.;
+    // What the chain of leaders is too long by, and as much because distances count a tenth more.
+    EXPECT_LT(excess, 0.1);
+    EXPECT_GT(excess, -rounding);
+    sum += excess;
+  }
+  EXPECT_LT(sum / 30., 0.03);
+  EXPECT_LT(3 * visited, visited_all);
+}
+
 TEST(Graph_search, leaves_nothing_out_between_near_sites)
 {
   const Cloud torus = torus_cloud(3000, 0.4);

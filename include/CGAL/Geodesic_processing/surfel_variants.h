@@ -25,7 +25,8 @@ enum class Surfel_graph
 enum class Surfel_search
 {
   /// a chain of regions first, then the shortest in these and their neighbours: in large clouds the
-  /// fastest by far, and the chain is a few tenths of a percent longer; the shortest below 50,000
+  /// fastest by far, and the chain is a few tenths of a percent longer, or over hundreds of surfels one or
+  /// two percent; the shortest below 50,000
   coarse_to_fine,
   a_star,        ///< towards the goal, bounded below by the distance in space
   bidirectional, ///< from both ends

@@ -18,8 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 // Shortest chains of arcs between two sites, one pair after the other; each search touches what it
 // visits and nothing else.  Three methods find chains of one length, and the same chain where no
 // other is as short; from coarse to fine, chains are the shortest within the regions of a short
-// chain of leaders and their neighbours, 0.3 % longer on average.  About 20 bytes a site, or 40 from
-// both ends.
+// chain of leaders and their neighbours, 0.3 % longer on average.  On long ways they follow that chain,
+// 1 to 2 % longer.  About 20 bytes a site, or 40 from both ends.
 class CGAL_GEODESIC_PROCESSING_EXPORT Graph_search
 {
 public:
@@ -51,6 +51,8 @@ private:
 
   bool narrow(Index from, Index to);
   std::vector<Index> find(Index from, Index to, Surfel_search method);
+  void lead(const std::vector<Index>& way, Index to);
+  double remaining(const Side& side, Index site) const;
   void begin(Side& side, Index site, const Spatial* goal);
   void reach(Side& side, Index site, double distance, Index from);
   Index spread(Side& side);
@@ -62,6 +64,10 @@ private:
   std::vector<Graph_search> m_coarse; // over the regions, if any
   std::vector<Index> m_open;          // #regions: the last search that has gone there
   bool m_is_narrow = false;           // whether this one goes to open regions alone
+  bool m_is_led = false;              // and is led by the way through these
+  std::vector<Index> m_ahead;         // #regions: the place of the way that an open one leads to
+  std::vector<Spatial> m_way;         // the leaders on the way, and the goal for the rest
+  std::vector<double> m_rest;         // #places of the way: how far the goal is from there
   double m_bound;                     // of the rest of a chain, in distances in space
   std::array<Side, 2> m_sides;        // the second for searches from both ends
   Index m_run = 0;
