@@ -18,6 +18,10 @@ namespace {
 constexpr int most_denoisings = 3;
 constexpr double noise_left = 0.05;
 
+// How often a path that steps over gaps is drawn again with twice as many control points: a third time
+// changes nothing.
+constexpr int finer_paths = 2;
+
 // Up to here the shortest chain of all is found in less time than the path is drawn from it.
 constexpr std::size_t small_cloud = 50000;
 
@@ -164,8 +168,8 @@ Cloud_path_finder::Cloud_path_finder(std::shared_ptr<const Prepared_cloud> cloud
 {}
 
 // Where a curve goes to a surfel that no short chain of arcs joins to the one before, over a gap or to
-// another sheet, it takes the shortest one.
-void Cloud_path_finder::keep_to_arcs(Shortened_path& path)
+// another sheet, it takes the shortest one.  Returns whether there are such places.
+bool Cloud_path_finder::keep_to_arcs(Shortened_path& path)
 {
   const Surfel_cloud& cloud = m_cloud->cloud();
   std::vector<Foot> points;
@@ -187,10 +191,11 @@ void Cloud_path_finder::keep_to_arcs(Shortened_path& path)
     points.push_back(foot);
   }
   if(points.size() == path.points.size())
-    return;
+    return false;
   path.points = std::move(points);
   path.length = length_along_arcs(path.points);
   path.polyline_length = polyline_length(path.points);
+  return true;
 }
 
 Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tangent_location& to)
@@ -219,7 +224,17 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
   Path_options options = m_cloud->options().path;
   options.spacing = 0.5 * cloud.radius[from.site];
   result.path = shortened(m_cloud->surface(), options, chain);
-  keep_to_arcs(result.path);
+  bool is_torn = keep_to_arcs(result.path);
+  // Control points nearer to each other see the gap.
+  Path_options finer = options;
+  for(int i = 0; i < finer_paths && is_torn; ++i)
+  {
+    finer.control_points *= 2;
+    Shortened_path again = shortened(m_cloud->surface(), finer, result.path.points);
+    is_torn = keep_to_arcs(again);
+    if(again.length < result.path.length)
+      result.path = std::move(again);
+  }
   if(result.path.length > result.start_length)
   {
     // Noise and narrow valleys make arcs shorter than the surface below them.

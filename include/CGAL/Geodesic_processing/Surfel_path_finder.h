@@ -42,7 +42,10 @@ struct Surfel_path : Surface_path<SurfelRange>
 /// A short chain of arcs of a proximity graph is made a geodesic by minimizing an energy
 /// \cgalCite{cgal:rdsk-asg-06}, with few control points first and then more, on a surface that is
 /// fitted to the surfels where the path comes by.  It ends at one and a half radii from the last
-/// surfel: no path crosses a gap, or changes to another sheet.  Copies share the cloud and the
+/// surfel: no path crosses a gap, or changes to another sheet.  No point of a path is farther from the
+/// nearest surfel than the 95th percentile of the spacing there, of the distances to their sixth neighbours
+/// among the 60 surfels around; and from one point to the next the surfels are joined by a short chain of
+/// arcs.  Copies share the cloud and the
 /// graph, and may search at the same time.
 ///
 /// \tparam SurfelRange a model of `SurfelRange`

@@ -90,7 +90,7 @@ public:
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
 
 private:
-  void keep_to_arcs(Shortened_path& path);
+  bool keep_to_arcs(Shortened_path& path);
 
   std::shared_ptr<const Prepared_cloud> m_cloud;
   Graph_search m_search;

@@ -31,7 +31,8 @@ enum class Surfel_fit
 // neighbours' where that is less, because next to a gap a surfel's neighbours are farther away.  One
 // radius would leave holes of 2 % of the area in random samples, 1.5 of 0.01 %.  Nor is it farther than
 // 1.1 times the radius that one in ten of the neighbours exceeds: a surfel beside denser ones, alone in
-// a hole of a scan, does not close that.
+// a hole of a scan, does not close that.  And all feet are as near to surfels as Surfel_vicinity wants,
+// as the site and its neighbours know it: a foot farther away is drawn to the ball that it misses least.
 class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
 {
 public:

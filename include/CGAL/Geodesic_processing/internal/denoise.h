@@ -36,7 +36,8 @@ double noise_level(const std::vector<Spatial>& points, std::vector<Spatial> norm
 // farther from the fit of the radius before than noise can be does not count, nor do surfels whose
 // normals do not agree: edges stay.  Far from the surfel eight others count as one.
 //
-// Throws as glue_surfels().  O(n log n); about 70 microseconds per surfel and thread.
+// Throws as glue_surfels().  O(n log n); 30 to 60 microseconds per surfel and thread: most on spheres,
+// where all radii count.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void denoise(std::vector<Spatial>& points, std::vector<Spatial>& normals, unsigned threads = 1);
 
