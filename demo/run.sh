@@ -191,6 +191,12 @@ picture decal-image "Rings on a terrain, twice." \
   decal "$terrain" --base-at 35,40,20 --base-at 85,80,20 --up 0,1,0 --width 60 --width 40 --image "$rings"
 picture decal-cloud "On a scan it is surfels that have the colours." \
   decal "$knot_scan" --base-at -2,1.8,1.5 --up 0,1,0
+picture spectral "A smooth distance from a foot, by transport of masses along the gradient of a harmonic function," \
+  distance "$small" --source 100 --method spectral
+picture spectral-100 "and with a hundred eigenfunctions, with which it comes nearer to the length of ways." \
+  distance "$small" --source 100 --method emd --basis 100
+picture biharmonic "Its elder sister, the biharmonic distance, is uneven." \
+  distance "$small" --source 100 --method biharmonic
 picture emd "From three places to three others: what moves, and the potential that proves the least work." \
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000

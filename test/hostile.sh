@@ -61,13 +61,14 @@ check_all()
   check "$file" path --from 0 --to 1 --method exact || failed=1
   check "$file" matrix --number 5 --method exact || failed=1
   check "$file" emd --from 0 --to 1 || failed=1
+  check "$file" matrix --number 5 --method spectral || failed=1
   return $failed
 }
 
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 16 times each: no crash, no hang, no NaN"
+  echo "$# files, 17 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -28,22 +28,6 @@ void check(const Density_options& options);
 // #vertices: the colours of the vertices, or those of an image where it is seen.  Throws Input_error.
 std::vector<Colour> colours_on(const Surface& surface, const Density_options& options);
 
-// The speeds of vertices, written like a map of the library.
-template <typename Key>
-struct Speed_map
-{
-  using key_type = Key;
-  using value_type = double;
-  using reference = double;
-  using category = boost::writable_property_map_tag;
-
-  std::vector<double>* speeds;
-  friend void put(const Speed_map& map, const Key& key, double speed)
-  {
-    (*map.speeds)[static_cast<std::size_t>(key)] = speed;
-  }
-};
-
 // #vertices: the speeds that are asked for; empty where they are 1 everywhere.
 template <typename Domain>
 std::vector<double> speeds(const Domain& domain, const Density_options& options, const Job& job)
@@ -52,7 +36,7 @@ std::vector<double> speeds(const Domain& domain, const Density_options& options,
     return {};
   using Site = typename Domain::Site;
   std::vector<double> result(domain.number_of_sites());
-  const Speed_map<Site> map{&result};
+  const Value_map<Site> map{&result};
   const auto make = [&](const auto& np)
   {
     if(options.speed == "curvature-attractive")

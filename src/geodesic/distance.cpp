@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace program {
 
@@ -20,6 +21,7 @@ struct Distance_options
   std::string source_at; // "x,y,z"
   bool source_border = false;
   std::string method = "euclidean";
+  std::optional<std::size_t> basis;
   double limit = std::numeric_limits<double>::infinity();
   Density_options densities;
 };
@@ -31,6 +33,30 @@ struct Result
   std::vector<Point> sources;           // where they are; none for borders
   std::vector<std::uint32_t> triangles; // of a cloud
 };
+
+// Of all vertices, from the one source that such a distance has.
+template <typename Surface_type, typename Domain>
+std::vector<double> metric_distances(const Domain& domain, const Distance_options& options,
+                                     Job& job)
+{
+  std::vector<double> result(job.surface().file.points.size());
+  const Value_map<typename Domain::Site> map{&result};
+  const auto np =
+      GP::parameters::threads(job.threads()).callback(job.progress("distance to each vertex"));
+  with_metric<Surface_type>(
+      domain, options.method, options.basis, job,
+      [&](const auto& metric)
+      {
+        job.stage("query");
+        if(options.source_at.empty())
+          metric.template write_distances<CGAL::Parallel_tag>(
+              site<Surface_type>(parse_integers(options.source, "--source").front()), map, np);
+        else
+          metric.template write_distances<CGAL::Parallel_tag>(
+              locate(domain, options.source_at, "--source-at"), map, np);
+      });
+  return result;
+}
 
 // The library's part: distances of all vertices.
 template <typename Surface_type>
@@ -58,6 +84,12 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
   if(sources.empty())
     fail(job.input(), "it has no border");
 
+  if(is_metric(options.method))
+  {
+    result.values = metric_distances<Surface_type>(domain, options, job);
+    result.triangles = picture_triangles(domain, job);
+    return result;
+  }
   const std::vector<double> speed = speeds(domain, options.densities, job);
   const auto limits =
       GP::parameters::maximum_distance(options.limit).callback(job.progress("distance"));
@@ -85,7 +117,13 @@ void check(const Distance_options& options)
     parse_integers(options.source, "--source");
   if(!options.source_at.empty())
     parse_point(options.source_at, "--source-at");
-  check_method(options.method);
+  if(!is_metric(options.method))
+    check_method(options.method);
+  else if(options.source_border || std::isfinite(options.limit) ||
+          options.source.empty() == options.source_at.empty() ||
+          options.source.find(',') != std::string::npos)
+    throw Usage_error("--method " + options.method + ": it takes one source and no limit.");
+  check_basis(options.method, options.basis);
   if(!(options.limit >= 0.))
     throw Usage_error("--limit: a distance is not negative.");
   check(options.densities);
@@ -98,7 +136,8 @@ void run_distance(Job& job, const Distance_options& options)
 {
   check(options);
   const Surface& surface = job.read();
-  check_method(options.method, surface);
+  if(!is_metric(options.method))
+    check_method(options.method, surface);
   if(!options.source.empty())
     for(const std::size_t vertex : parse_integers(options.source, "--source"))
       check_vertex(surface, vertex);
@@ -151,8 +190,14 @@ void add_distance(CLI::App& program)
   command.add("--source-at", options->source_at, "x,y,z", "the place nearest to a point");
   command.add_flag("--source-border", options->source_border, "all borders of a mesh");
   command
-      .add("--method", options->method, "NAME", "dijkstra, fast-marching, euclidean, exact or heat")
+      .add(
+          "--method", options->method, "NAME",
+          "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic from one "
+          "source, by transport of masses, which takes seconds")
       .shows_default();
+  command.add("--basis", options->basis, "K",
+              "of emd: from 0, spectral, on it comes nearer to distances along the surface "
+              "(default 100)");
   command.add("--limit", options->limit, "D", "go no farther");
   add_density_options(command, options->densities);
   command.set_run([job, options] { run_distance(*job, *options); });

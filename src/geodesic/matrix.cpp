@@ -23,6 +23,7 @@ struct Matrix_options
   std::string sources; // "V,V,..."
   std::optional<std::size_t> number;
   std::string method = "euclidean";
+  std::optional<std::size_t> basis;
   double limit = infinity;
 
   bool is_sparse() const { return limit < infinity; }
@@ -87,20 +88,29 @@ Result find_matrix(const Surface_type& surface, const Matrix_options& options, J
 
   const auto parameters =
       GP::parameters::threads(job.threads()).callback(job.progress("distances"));
-  with_method<Surface_type>(
-      options.method,
-      [&](auto method)
-      {
-        using Method = decltype(method);
-        if(options.is_sparse())
-          result.sparse = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-              domain, sites, options.limit, parameters);
-        else
-          result.dense =
-              GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, sites, parameters);
-        if(!job.picture().empty())
-          result.values = picture_values<Method>(domain, sites, result, options, job);
-      });
+  if(is_metric(options.method))
+  {
+    with_metric<Surface_type>(domain, options.method, options.basis, job,
+                              [&](const auto& metric)
+                              { result.dense = metric.distance_matrix(sites); });
+    if(!job.picture().empty()) // of lengths
+      result.values = picture_values<GP::Euclidean_front>(domain, sites, result, options, job);
+  }
+  else
+    with_method<Surface_type>(
+        options.method,
+        [&](auto method)
+        {
+          using Method = decltype(method);
+          if(options.is_sparse())
+            result.sparse = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
+                domain, sites, options.limit, parameters);
+          else
+            result.dense =
+                GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, sites, parameters);
+          if(!job.picture().empty())
+            result.values = picture_values<Method>(domain, sites, result, options, job);
+        });
   result.entries = options.is_sparse()
                        ? static_cast<std::size_t>(result.sparse.nonZeros())
                        : static_cast<std::size_t>((result.dense.array() < infinity).count());
@@ -172,14 +182,19 @@ void check(const Matrix_options& options)
     if(twice != vertices.end())
       throw Usage_error("--sources: vertex " + std::to_string(*twice) + " comes twice.");
   }
-  check_method(options.method);
+  check_basis(options.method, options.basis);
+  if(!is_metric(options.method))
+    check_method(options.method);
+  else if(options.is_sparse())
+    throw Usage_error("--method " + options.method + ": it takes no limit.");
 }
 
 void run_matrix(Job& job, const Matrix_options& options)
 {
   check(options);
   const Surface& surface = job.read({"mtx"});
-  check_method(options.method, surface);
+  if(!is_metric(options.method))
+    check_method(options.method, surface);
   if(!options.sources.empty())
     for(const std::size_t vertex : parse_integers(options.sources, "--sources"))
       check_vertex(surface, vertex);
@@ -228,8 +243,10 @@ void add_matrix(CLI::App& program)
   command.add("--sources", options->sources, "V[,V...]", "vertices by their place in the file");
   command.add("--number", options->number, "N", "of vertices, spread by farthest vertices");
   command
-      .add("--method", options->method, "NAME", "dijkstra, fast-marching, euclidean, exact or heat")
+      .add("--method", options->method, "NAME",
+           "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic")
       .shows_default();
+  command.add("--basis", options->basis, "K", "of emd, as in distance (default 100)");
   command.add("--limit", options->limit, "D",
               "only pairs that are not farther apart, as a sparse matrix");
   command.set_run([job, options] { run_matrix(*job, *options); });

@@ -11,12 +11,23 @@
 
 namespace program {
 
+bool is_metric(const std::string& word)
+{
+  return word == "spectral" || word == "emd" || word == "biharmonic";
+}
+
+void check_basis(const std::string& method, const std::optional<std::size_t>& basis)
+{
+  if(basis && method != "emd")
+    throw Usage_error("--basis: only the method emd has one.");
+}
+
 void check_method(const std::string& word)
 {
   const auto among = [&word](std::initializer_list<const char*> words)
   { return std::find(words.begin(), words.end(), word) != words.end(); };
-  if(among({"spectral", "biharmonic", "emd"}))
-    throw Usage_error("--method " + word + ": this method is not available yet.");
+  if(is_metric(word))
+    throw Usage_error("--method " + word + ": only distance and matrix have this method.");
   if(!among({"dijkstra", "fast-marching", "euclidean", "exact", "heat"}))
     throw Usage_error("--method " + shown(word) +
                       ": the methods are dijkstra, fast-marching, euclidean, exact and heat.");

@@ -10,6 +10,7 @@
 #include <CGAL/Geodesic_processing.h>
 
 #include <iterator>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -67,6 +68,24 @@ void with_method(const std::string& word, Function f)
     f(GP::Euclidean_front());
 }
 
+// Distances by transport of masses, and the one that they are compared with.
+bool is_metric(const std::string& word);
+
+// Throws Usage_error where the method has no basis.
+void check_basis(const std::string& method, const std::optional<std::size_t>& basis);
+
+// Calls f with the metric of a word.
+template <typename Surface_type, typename Domain, typename Function>
+void with_metric(const Domain& domain, const std::string& word,
+                 const std::optional<std::size_t>& basis, Job& job, Function f)
+{
+  if(word == "biharmonic")
+    return f(GP::Biharmonic_metric<Surface_type>(domain));
+  const GP::Transport_metric<Surface_type> metric(domain, word == "emd" ? basis.value_or(100) : 0);
+  job.result()["basis"] = metric.basis_size();
+  f(metric);
+}
+
 inline Kernel::Point_3 parse_point_3(const std::string& text, const std::string& option)
 {
   const Point p = parse_point(text, option);
@@ -108,6 +127,22 @@ struct Property_map
   friend const Value& get(const Property_map& map, const Key& key)
   {
     return (*map.values)[static_cast<std::size_t>(key)];
+  }
+};
+
+// Values of vertices, written like a map of the library.
+template <typename Key>
+struct Value_map
+{
+  using key_type = Key;
+  using value_type = double;
+  using reference = double;
+  using category = boost::writable_property_map_tag;
+
+  std::vector<double>* values;
+  friend void put(const Value_map& map, const Key& key, double value)
+  {
+    (*map.values)[static_cast<std::size_t>(key)] = value;
   }
 };
 

@@ -205,7 +205,9 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("distance square.ply --source 1,,2", 1, "not the number of a vertex");
   expect_failure("distance square.ply --source-at 1,2", 1, "x,y,z");
   expect_failure("distance square.ply --source-at 1,2,nan", 1, "x,y,z");
-  expect_failure("distance square.ply --source 0 --method spectral", 1, "not available yet");
+  expect_failure("distance square.ply --source 0,1 --method spectral", 1, "one source");
+  expect_failure("distance square.ply --source 0 --basis 3", 1, "--basis");
+  expect_failure("path square.ply --from 0 --to 1 --method spectral", 1, "only distance");
   expect_failure("distance square.ply --source 0 --method fast", 1, "the methods are");
   expect_failure("distance square.ply --source 0 --limit -1", 1, "--limit");
   expect_failure("distance square.ply --source 0 --speed colours --strength -1", 1, "--strength");
@@ -255,7 +257,7 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("matrix square.ply --sources 1,2,1", 1, "vertex 1 comes twice");
   expect_failure("matrix square.ply --number 2 --limit -1", 1, "--limit");
   expect_failure("matrix square.ply --number 2 --limit nan", 1, "--limit");
-  expect_failure("matrix square.ply --number 2 --method biharmonic", 1, "not available yet");
+  expect_failure("matrix square.ply --number 2 --method biharmonic --limit 1", 1, "no limit");
   expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
 }
 
@@ -380,6 +382,33 @@ TEST_F(Program, surfels_have_normals_radii_and_a_graph)
   EXPECT_LT(json("info near.xyz.ply")["bounding_box"][1][0].get<double>(), 2.);
   expect_failure("surfels far.xyz --outliers 101", 1, "--outliers");
   expect_failure("surfels far.xyz --surfel-graph none", 1, "extended-spheres");
+}
+
+TEST_F(Program, distances_by_transport_come_nearer_to_lengths)
+{
+  const auto farthest = [&](const std::string& method)
+  {
+    const nlohmann::json found =
+        json("distance square.ply --source 0 --values d.txt --method " + method);
+    EXPECT_EQ(numbers("d.txt").size(), 81u);
+    EXPECT_EQ(found["unreached"], 0);
+    return found["max"].get<double>();
+  };
+  const double spectral = farthest("spectral"), some = farthest("emd --basis 5"),
+               many = farthest("emd --basis 40"), biharmonic = farthest("biharmonic");
+  EXPECT_EQ(json("distance square.ply --source 0 --method spectral")["basis"], 0);
+  EXPECT_GE(json("distance square.ply --source 0 --method emd --basis 5")["basis"], 5);
+  EXPECT_GT(some, many);
+  EXPECT_GT(many, 0.99 * std::sqrt(2.)); // never less than a length, but for the error
+  EXPECT_GT(spectral, many);
+  EXPECT_GT(biharmonic, 0.);
+  const nlohmann::json matrix =
+      json("matrix square.ply --sources 0,80 --method spectral --values m.txt");
+  EXPECT_EQ(matrix["entries"], 4);
+  const std::vector<double> entries = numbers("m.txt");
+  EXPECT_EQ(entries[1], entries[2]);
+  EXPECT_NEAR(entries[1], spectral, 1e-6); // floats
+  EXPECT_EQ(run("distance cloud.xyz --source 0 --method spectral --quiet").code, 0);
 }
 
 TEST_F(Program, emd_moves_masses)
