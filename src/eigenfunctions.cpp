@@ -119,7 +119,9 @@ private:
 class Block_lanczos
 {
 public:
-  explicit Block_lanczos(const Inverse_operator& inverse) : m_inverse(inverse) {}
+  explicit Block_lanczos(const Inverse_operator& inverse)
+      : m_inverse(inverse), m_rest(inverse.size(), 0)
+  {}
 
   // Columns that can still be added.
   Eigen::Index room() const { return m_inverse.size() - m_inverse.constants().cols() - m_size; }
