@@ -25,6 +25,16 @@ struct Tree_and_cotree
     grow_tree(triangles);
   }
 
+  // The sides in neither tree, one of each pair.
+  std::vector<Index> others(const Glued_triangles& triangles) const
+  {
+    std::vector<Index> result;
+    for(Index side = 0; side < triangles.corner.size(); ++side)
+      if(!is_in_tree[side] && (triangles.twin[side] == none || side < triangles.twin[side]))
+        result.push_back(side);
+    return result;
+  }
+
 private:
   void take(const Glued_triangles& triangles, Index side)
   {
@@ -147,6 +157,11 @@ void add(double factor, const Field& field, Field& result)
 
 } // namespace
 
+std::size_t number_of_harmonic_fields(const Glued_triangles& triangles)
+{
+  return triangles.is_cloud() ? 0 : Tree_and_cotree(triangles).others(triangles).size();
+}
+
 std::vector<Field> harmonic_fields(const Glued_triangles& triangles, const Operators& operators,
                                    const Sparse_solver& laplacian)
 {
@@ -154,10 +169,8 @@ std::vector<Field> harmonic_fields(const Glued_triangles& triangles, const Opera
     throw Unsupported_surface_error("A cloud has no harmonic fields: its triangles are not glued.");
   const Tree_and_cotree trees(triangles);
   std::vector<Field> result;
-  for(Index side = 0; side < triangles.corner.size(); ++side)
+  for(const Index side : trees.others(triangles))
   {
-    if(trees.is_in_tree[side] || (triangles.twin[side] != none && triangles.twin[side] < side))
-      continue;
     Field field = field_of(operators, form_across(triangles, trees, side));
     add(-1., gradient(operators, laplacian.solve(divergence(operators, field))), field);
     for(int sweep = 0; sweep < 2; ++sweep) // the second one for what rounding left

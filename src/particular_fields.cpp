@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/particular_fields.h>
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/eigenfunctions.h>
 #include <CGAL/Geodesic_processing/internal/harmonic_fields.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
@@ -9,12 +10,16 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <string>
 #include <tuple>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
+
+// Triangles times harmonic fields, of two numbers each.
+constexpr double most_numbers = 1.25e8;
 
 using Slopes = std::array<Planar, 2>; // of the hats of corners 1 and 2, times the root of the area
 
@@ -204,7 +209,7 @@ struct Particular_fields::Tree
 };
 
 Particular_fields::Particular_fields(const Glued_triangles& triangles, const Operators& operators,
-                                     Particular_field kind)
+                                     Particular_field kind, bool with_harmonic_fields)
     : m_triangles(triangles), m_operators(operators), m_kind(kind),
       m_is_border(border_sites(triangles))
 {
@@ -220,8 +225,13 @@ Particular_fields::Particular_fields(const Glued_triangles& triangles, const Ope
   m_harmonic.resize(2 * n, 0);
   if(triangles.is_cloud())
     m_kind = Particular_field::gradient;
-  else
+  else if(with_harmonic_fields || kind == Particular_field::raviart_thomas)
   {
+    if(const std::size_t number = internal::number_of_harmonic_fields(triangles);
+       double(number) * double(n) > most_numbers)
+      throw Unsupported_surface_error(
+          "The surface has " + std::to_string(number) +
+          " ways around handles and holes, too many for so many faces.");
     const std::vector<Field> harmonic = internal::harmonic_fields(triangles, operators, *m_poisson);
     m_harmonic.resize(2 * n, Eigen::Index(harmonic.size()));
     for(std::size_t i = 0; i < harmonic.size(); ++i)

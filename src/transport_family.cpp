@@ -293,7 +293,7 @@ Transport_family::Transport_family(std::shared_ptr<const Glued_triangles> triang
                   [](double area) { return area > 0.; }))
     throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
   m_components = components(m_operators).second;
-  m_particular = std::make_unique<Particular_fields>(*m_triangles, m_operators, kind);
+  m_particular = std::make_unique<Particular_fields>(*m_triangles, m_operators, kind, k > 0);
   const auto n = Eigen::Index(m_operators.number_of_triangles());
   m_weight.resize(n);
   for(Eigen::Index f = 0; f < n; ++f)

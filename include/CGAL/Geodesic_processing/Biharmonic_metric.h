@@ -19,9 +19,8 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// measures by biharmonic distances (Lipman, Rustamov and Funkhouser, Biharmonic distance, 2010), which
-/// are smooth everywhere, know the whole surface, and are no lengths of paths: `Transport_metric` is
-/// compared with them.
+/// measures by biharmonic distances \cgalCite{cgal:lrf-bd-10}, which are smooth everywhere, know the whole
+/// surface, and are no lengths of paths: `Transport_metric` is compared with them.
 ///
 /// Between components distances are infinite.  Copies share everything, and may be asked at the same
 /// time.

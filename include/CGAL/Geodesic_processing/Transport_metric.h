@@ -43,8 +43,7 @@ struct Transport_bounds
 /// \ingroup PkgGeodesicProcessingDistances
 ///
 /// measures by the earth mover's distance between points, between spectral and geodesic distances: the
-/// family of metrics \f$ d_k \f$ of Solomon, Rustamov, Guibas and Butscher (Earth mover's distances on
-/// discrete surfaces, 2014).
+/// family of metrics \f$ d_k \f$ of \cgalCite{cgal:srgb-emd-14}.
 ///
 /// A distance is the least cost, mass times way, of flows that carry a unit of mass from one place to
 /// another, among those that differ from a fixed one by turned gradients of \f$ k \f$ eigenfunctions of
@@ -125,8 +124,9 @@ public:
 
   /// writes the distance of each site to a place.
   ///
-  /// For `k` > 0 these are upper bounds, in the mean within a percent: the flow is sought among mean
-  /// vectors of groups of triangles, and then measured in all triangles.
+  /// For `k` > 0 these are upper bounds, in the mean within a percent where there are fifty sites for each
+  /// eigenfunction: the flow is sought among mean vectors of groups of triangles, and then measured in
+  /// all triangles.
   ///
   /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`.  The result is
   ///         the same to the last bit.

@@ -24,6 +24,10 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Field> harmonic_fields(const Glued_triangles& triangles, const Operators& operators,
                                    const Sparse_solver& laplacian);
 
+// How many of them there are.  O(n)
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::size_t number_of_harmonic_fields(const Glued_triangles& triangles);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_HARMONIC_FIELDS_H

@@ -46,9 +46,11 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Particular_fields
 {
 public:
   // Gradients where there is no other way: on clouds, where nothing is glued, and where a component
-  // falls apart into pieces that meet at sites alone.
+  // falls apart into pieces that meet at sites alone.  Gradients are orthogonal to harmonic fields
+  // anyway: then these are found only on request.  Throws Unsupported_surface_error when they would take
+  // more than 2 GB.
   Particular_fields(const Glued_triangles& triangles, const Operators& operators,
-                    Particular_field kind);
+                    Particular_field kind, bool with_harmonic_fields = true);
   ~Particular_fields();
 
   Particular_field kind() const { return m_kind; }
