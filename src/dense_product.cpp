@@ -15,8 +15,8 @@ using Gemm = void(const char*, const char*, const int*, const int*, const int*, 
                   const int*);
 
 template <typename Result>
-void multiply(Gemm<typename Result::Scalar>* gemm, bool is_transposed, const Result& a,
-              const Result& b, Result& result)
+void multiply(Gemm<typename Result::Scalar>* gemm, bool is_transposed,
+              const Eigen::Ref<const Result>& a, const Eigen::Ref<const Result>& b, Result& result)
 {
   using Scalar = typename Result::Scalar;
   result.resize(is_transposed ? a.cols() : a.rows(), b.cols());
@@ -33,10 +33,10 @@ void multiply(Gemm<typename Result::Scalar>* gemm, bool is_transposed, const Res
     const Blas_at_one_thread blas;
     const char way = is_transposed ? 'T' : 'N', plain = 'N';
     const int rows = int(result.rows()), columns = int(b.cols()), inner = int(b.rows());
-    const int stride_a = int(a.rows());
+    const int stride_a = int(a.outerStride()), stride_b = int(b.outerStride());
     const Scalar one = 1, zero = 0;
-    gemm(&way, &plain, &rows, &columns, &inner, &one, a.data(), &stride_a, b.data(), &inner, &zero,
-         result.data(), &rows);
+    gemm(&way, &plain, &rows, &columns, &inner, &one, a.data(), &stride_a, b.data(), &stride_b,
+         &zero, result.data(), &rows);
   }
 }
 
@@ -45,21 +45,21 @@ Gemm<float>* const sgemm = loaded<Gemm<float>>("sgemm_");
 
 } // namespace
 
-void product(const Matrix& a, const Matrix& b, Matrix& result)
+void product(const Columns& a, const Columns& b, Matrix& result)
 {
-  multiply(dgemm, false, a, b, result);
+  multiply<Matrix>(dgemm, false, a, b, result);
 }
-void product(const Float_matrix& a, const Float_matrix& b, Float_matrix& result)
+void product(const Float_columns& a, const Float_columns& b, Float_matrix& result)
 {
-  multiply(sgemm, false, a, b, result);
+  multiply<Float_matrix>(sgemm, false, a, b, result);
 }
-void transposed_product(const Matrix& a, const Matrix& b, Matrix& result)
+void transposed_product(const Columns& a, const Columns& b, Matrix& result)
 {
-  multiply(dgemm, true, a, b, result);
+  multiply<Matrix>(dgemm, true, a, b, result);
 }
-void transposed_product(const Float_matrix& a, const Float_matrix& b, Float_matrix& result)
+void transposed_product(const Float_columns& a, const Float_columns& b, Float_matrix& result)
 {
-  multiply(sgemm, true, a, b, result);
+  multiply<Float_matrix>(sgemm, true, a, b, result);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -114,8 +114,8 @@ private:
   std::unique_ptr<Sparse_solver> m_solver;
 };
 
-// Golub and Underwood 1977, with all columns kept orthogonal to all others and never restarted: two to
-// three columns for each function.
+// Golub and Underwood 1977, with all columns kept orthogonal to all others and never restarted: three
+// to four columns for each function.
 class Block_lanczos
 {
 public:
@@ -183,14 +183,15 @@ private:
   Matrix make_orthogonal(Matrix& block) const
   {
     Matrix shares = Matrix::Zero(m_size, block.cols());
-    const Eigen::Map<const Matrix> columns(m_columns.data(), m_inverse.size(), m_size);
+    Matrix share, part;
     for(int sweep = 0; sweep < 2; ++sweep)
     {
       block -= m_inverse.constants() * (m_inverse.constants().transpose() * block);
       if(m_size == 0)
         continue;
-      const Matrix share = columns.transpose() * block;
-      block.noalias() -= columns * share;
+      transposed_product(m_columns.leftCols(m_size), block, share);
+      product(m_columns.leftCols(m_size), share, part);
+      block -= part;
       shares += share;
     }
     return shares;
@@ -261,7 +262,7 @@ Eigenfunctions eigenfunctions(const Glued_triangles& triangles, const Operators&
     return result;
   }
 
-  constexpr Eigen::Index block = 8; // of 4, 8, 16 and 32 the quickest
+  constexpr Eigen::Index block = 8; // as quick as 4, and half of the time of 32
   Block_lanczos lanczos(inverse);
   lanczos.expand(block);
   Eigen::Index chosen = 0, next = std::min(all, wanted + wanted / 2 + 2 * block);

@@ -30,6 +30,16 @@ void expect_products(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns
   EXPECT_TRUE(result.size() == 0 || (result - expected).cwiseAbs().maxCoeff() <= rounding);
 }
 
+TEST(Dense_product, takes_some_columns)
+{
+  std::srand(1);
+  const Matrix a = Matrix::Random(9, 7), b = Matrix::Random(9, 5);
+  Matrix result;
+  transposed_product(a.leftCols(3), b.middleCols(1, 2), result);
+  const Matrix expected = a.leftCols(3).transpose().lazyProduct(b.middleCols(1, 2));
+  EXPECT_LT((result - expected).cwiseAbs().maxCoeff(), 1e-14); // nine products of numbers below one
+}
+
 TEST(Dense_product, is_what_Eigen_computes)
 {
   for(const auto& [rows, inner, columns] :
