@@ -496,8 +496,7 @@ Vector Transport_family::one_to_all(const Masses& source, const Family_options& 
     if(area[site] > 0. && std::abs(mass[m_particular->component()[site]] - 1.) <= 1e-9)
       targets.push_back(site);
   const Vector from = m_particular->fields(source);
-  const auto length = [&](const Vector& field)
-  { return (m_weight.array() * lengths(field)).sum(); };
+  const auto length = [&](const auto& field) { return (m_weight.array() * lengths(field)).sum(); };
   Progress progress(options.callback, (targets.size() + columns_at_once - 1) / columns_at_once);
   const auto solve = [&](std::size_t, std::size_t begin, std::size_t end)
   {
@@ -508,12 +507,8 @@ Vector Transport_family::one_to_all(const Masses& source, const Family_options& 
       masses.insert(targets[i], Eigen::Index(i - begin)) = 1.;
     Vector field;
     if(!m_clusters)
-      return m_particular->for_each_field(masses,
-                                          [&](Eigen::Index j, const Vector& column)
-                                          {
-                                            field = column - from;
-                                            result[targets[begin + j]] = length(field);
-                                          });
+      return m_particular->for_each_field(masses, [&](Eigen::Index j, const Vector& column)
+                                          { result[targets[begin + j]] = length(column - from); });
     Float_matrix fields(from.size(), masses.cols());
     m_particular->for_each_field(masses, [&](Eigen::Index j, const Vector& column)
                                  { fields.col(j) = (column - from).cast<float>(); });
