@@ -14,7 +14,7 @@ namespace {
 
 // The 95th percentile of 60 numbers is exceeded or met by three.
 constexpr std::size_t around = 60, exceeding = 3;
-// Such that what is near stays so when the caller's coordinates are rounded.
+// What is drawn near by as much stays so when coordinates are rounded.
 constexpr double within = 1. - 1e-6;
 
 // The three largest of some numbers, largest first; fewer numbers than three count as the least.
@@ -65,7 +65,7 @@ Surfel_vicinity::Surfel_vicinity(const Surfel_cloud& cloud, unsigned threads)
                              sure, std::min(largest.third(), 0.5 * (cloud.seen[site] - length)));
                      }
                      m_reach[site] = within * largest.third();
-                     m_sure[site] = std::min(sure, m_reach[site]);
+                     m_sure[site] = sure;
                    }
                  });
 }
@@ -79,7 +79,7 @@ bool Surfel_vicinity::is_near(const Spatial& point, Index site) const
   Largest largest;
   for(const Kd_tree::Neighbor& neighbor : near)
     largest.add(m_cloud.spacing[neighbor.point]);
-  return std::sqrt(near.front().squared_distance) <= within * largest.third();
+  return std::sqrt(near.front().squared_distance) <= largest.third();
 }
 
 Spatial Surfel_vicinity::drawn_near(const Spatial& point, Index site) const

@@ -451,18 +451,17 @@ struct Keeping
 bool are_joined(const Surfel_cloud& cloud, Index from, Index to, double most)
 {
   std::map<Index, double> distance = {{from, 0.}};
-  std::vector<Index> stack = {from};
-  while(!stack.empty() && distance.count(to) == 0)
+  std::vector<Index> queue = {from};
+  for(std::size_t i = 0; i < queue.size() && distance.count(to) == 0; ++i)
   {
-    const Index site = stack.back();
-    stack.pop_back();
+    const Index site = queue[i];
     for(Index arc = cloud.graph.first[site]; arc < cloud.graph.first[site + 1]; ++arc)
       if(const double d = distance[site] + cloud.graph.length[arc]; d <= most)
         if(const auto [place, is_new] = distance.try_emplace(cloud.graph.target[arc], d);
            is_new || d < place->second)
         {
           place->second = d;
-          stack.push_back(place->first);
+          queue.push_back(place->first);
         }
   }
   return distance.count(to) > 0;

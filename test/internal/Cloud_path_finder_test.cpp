@@ -211,28 +211,35 @@ TEST(Cloud_path_finder, goes_around_gaps)
     }
 }
 
-TEST(Cloud_path_finder, stays_on_its_sheet)
+// A strip folded over itself: two sheets two spacings apart, joined at one end by half a cylinder.
+constexpr double fold_step = 0.025, fold_radius = fold_step;
+
+Cloud folded_strip()
 {
-  // A strip folded over itself: two sheets two spacings apart, joined at one end by half a cylinder.
   Cloud fold;
-  const double step = 0.025, radius = step;
   for(int j = 0; j <= 20; ++j)
   {
     for(int i = 0; i <= 40; ++i)
       for(const double side : {-1., 1.})
-        fold.add({i * step, j * step, side * radius}, {0., 0., side});
+        fold.add({i * fold_step, j * fold_step, side * fold_radius}, {0., 0., side});
     for(int i = 1; i < 6; ++i)
     {
       const double a = 0.5 * pi + i * pi / 6.;
-      fold.add({radius * std::cos(a), j * step, radius * std::sin(a)},
+      fold.add({fold_radius * std::cos(a), j * fold_step, fold_radius * std::sin(a)},
                {std::cos(a), 0., std::sin(a)});
     }
   }
+  return fold;
+}
+
+TEST(Cloud_path_finder, stays_on_its_sheet)
+{
+  const Cloud fold = folded_strip();
   Finder find(fold);
-  const std::size_t from = nearest(fold, {0.5, 0.25, radius}),
-                    to = nearest(fold, {0.5, 0.25, -radius});
+  const std::size_t from = nearest(fold, {0.5, 0.25, fold_radius}),
+                    to = nearest(fold, {0.5, 0.25, -fold_radius});
   const Cloud_path found = find(from, to);
-  EXPECT_NEAR(find.scale() * found.path.length, 1. + pi * radius, 0.01);
+  EXPECT_NEAR(find.scale() * found.path.length, 1. + pi * fold_radius, 0.01);
 }
 
 // Whether a chain of arcs no longer than `most` joins two sites.
@@ -240,60 +247,81 @@ bool are_joined(const Surfel_cloud& cloud, Index from, Index to, double most)
 {
   std::vector<double> distance(cloud.number_of_sites(), infinity);
   distance[from] = 0.;
-  std::vector<Index> wave = {from};
-  while(!wave.empty())
+  std::vector<Index> queue = {from};
+  for(std::size_t i = 0; i < queue.size(); ++i)
   {
-    const Index site = wave.back();
-    wave.pop_back();
+    const Index site = queue[i];
     for(Index arc = cloud.graph.first[site]; arc < cloud.graph.first[site + 1]; ++arc)
       if(const double d = distance[site] + cloud.graph.length[arc];
          d <= most && d < distance[cloud.graph.target[arc]])
       {
         distance[cloud.graph.target[arc]] = d;
-        wave.push_back(cloud.graph.target[arc]);
+        queue.push_back(cloud.graph.target[arc]);
       }
   }
   return distance[to] <= most;
 }
 
+void expect_steps_over_arcs(const Surfel_cloud& cloud, const Cloud_path& found)
+{
+  for(std::size_t k = 1; k < found.path.points.size(); ++k)
+  {
+    const Foot &last = found.path.points[k - 1], &foot = found.path.points[k];
+    if(last.site == foot.site)
+      continue;
+    EXPECT_TRUE(are_joined(cloud, last.site, foot.site,
+                           2. * norm(foot.point - last.point) +
+                               3. * (cloud.radius[last.site] + cloud.radius[foot.site])));
+  }
+}
+
+TEST(Cloud_path_finder, goes_around_a_fold_however_few_control_points)
+{
+  // Two control points slide to the ends, one above the other.
+  const Cloud fold = folded_strip();
+  Cloud_path_options options;
+  for(const std::size_t number : {1, 2, 5})
+  {
+    options.path.control_points = number;
+    Finder find(fold, options);
+    const Cloud_path found =
+        find(nearest(fold, {0.75, 0.25, fold_radius}), nearest(fold, {0.75, 0.25, -fold_radius}));
+    expect_steps_over_arcs(find.prepared().cloud(), found);
+    EXPECT_GT(find.scale() * found.path.length, 1.5);
+    EXPECT_LE(found.path.length, found.start_length * (1. + rounding));
+  }
+}
+
 TEST(Cloud_path_finder, stays_near_surfels_however_they_lie)
 {
-  // Random points of a bent sheet, ever fewer to one side, with holes, and so rough that normals are far off.
-  for(const double roughness : {0., 0.03})
+  // As a scanner sees a plain: rows farther apart than the sixth neighbour in a row, but not than the
+  // twentieth, with or without noise.
+  for(const double noise : {0., 1.})
   {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> share(0., 1.);
-    Cloud sheet;
-    while(sheet.size() < 1500)
-    {
-      const double x = std::pow(share(random), 2), y = share(random);
-      if(std::hypot(std::remainder(x, 0.4), std::remainder(y, 0.4)) > 0.11)
-        sheet.add({x, y, 0.2 * std::sin(5. * x) + roughness * share(random)},
-                  unit({-std::cos(5. * x), 0., 1.}));
-    }
-    if(roughness > 0.)
-      estimate_normals(sheet);
-    Finder find(sheet);
-    const Surfel_cloud given = make_cloud(sheet.points, sheet.normals);
+    Cloud plain;
+    for(int j = 0; j < 8; ++j)
+      for(int i = 0; i < 200; ++i)
+        plain.add({i + 0.5 * share(random), 7.6 * j + share(random), 0.}, {0., 0., 1.});
+    if(noise > 0.)
+      plain = with_noise(plain, std::vector<double>(plain.size(), 1.), noise, 2);
+    Finder find(plain);
+    EXPECT_EQ(find.prepared().noise() > noise_that_matters, noise > 0.);
+    const Surfel_cloud given = make_cloud(plain.points, plain.normals);
     const Surfel_vicinity vicinity(given);
     const Surfel_cloud& cloud = find.prepared().cloud();
-    for(int i = 0; i < 30; ++i)
+    ASSERT_EQ(cloud.number_of_components, 1u);
+    for(int i = 0; i < 8; ++i)
     {
-      const Cloud_path found = find(random() % sheet.size(), random() % sheet.size());
+      const Cloud_path found = find(random() % plain.size(), random() % plain.size());
       EXPECT_LE(found.path.length, found.start_length * (1. + rounding));
+      expect_steps_over_arcs(cloud, found);
       const std::vector<Spatial> points = find.points(found);
       for(std::size_t k = 0; k < points.size(); ++k)
-      {
-        const Foot& foot = found.path.points[k];
-        EXPECT_TRUE(vicinity.is_near(1. / given.frame.scale * (points[k] - given.frame.origin),
-                                     given.site_of_surfel[cloud.surfel_of_site[foot.site]]));
-        if(k == 0)
-          continue;
-        const Foot& last = found.path.points[k - 1];
-        EXPECT_TRUE(are_joined(cloud, last.site, foot.site,
-                               2. * norm(foot.point - last.point) +
-                                   3. * (cloud.radius[last.site] + cloud.radius[foot.site])));
-      }
+        EXPECT_TRUE(vicinity.is_near(
+            1. / given.frame.scale * (points[k] - given.frame.origin),
+            given.site_of_surfel[cloud.surfel_of_site[found.path.points[k].site]]));
     }
   }
 }
