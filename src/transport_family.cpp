@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -178,7 +179,13 @@ struct Transport_family::Clusters
   Clusters(const Glued_triangles& triangles, const Operators& operators, const Matrix& family_basis)
       : whole(family_basis.cast<float>())
   {
-    const std::size_t number = group(triangles, operators);
+    std::size_t number = group(triangles, operators);
+    // Few of them could not tell the basis's functions apart.
+    if(number < 3 * std::size_t(family_basis.cols()))
+    {
+      number = cluster.size();
+      std::iota(cluster.begin(), cluster.end(), Index(0));
+    }
     weight = Column<float>::Zero(Eigen::Index(number));
     std::vector<double> area(number, 0.);
     for(std::size_t f = 0; f < cluster.size(); ++f)

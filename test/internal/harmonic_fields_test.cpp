@@ -70,6 +70,7 @@ TEST(Harmonic_fields, are_as_many_as_handles_and_loops_ask_for)
     const Operators o = operators(glued_surface.t());
     const std::vector<Field> fields = fields_of(glued_surface, o);
     ASSERT_EQ(fields.size(), number);
+    EXPECT_EQ(number_of_harmonic_fields(glued_surface.t()), number);
     for(std::size_t i = 0; i < number; ++i)
     {
       EXPECT_LT(divergence(o, fields[i]).lpNorm<Eigen::Infinity>(), rounding);
