@@ -175,11 +175,12 @@ bool Cloud_path_finder::keep_to_arcs(Shortened_path& path)
   std::vector<Foot> points;
   for(const Foot& foot : path.points)
   {
-    if(!points.empty() && !m_cloud->surface().are_joined(points.back().site, foot.site))
+    const Foot last = points.empty() ? foot : points.back();
+    const double longest = 2. * norm(foot.point - last.point) +
+                           3. * (cloud.radius[last.site] + cloud.radius[foot.site]);
+    const Surfel_surface& surface = m_cloud->surface();
+    if(surface.walk(last.site, foot.site) > longest && surface.walk(foot.site, last.site) > longest)
     {
-      const Foot& last = points.back();
-      const double longest = 2. * norm(foot.point - last.point) +
-                             3. * (cloud.radius[last.site] + cloud.radius[foot.site]);
       const std::vector<Index> chain = m_search(last.site, foot.site, Surfel_search::a_star);
       double length = 0.;
       for(std::size_t i = 0; i + 1 < chain.size(); ++i)

@@ -114,9 +114,28 @@ Index Surfel_surface::nearest(const Spatial& point, Index near) const
   return near;
 }
 
-bool Surfel_surface::are_joined(Index a, Index b) const
+double Surfel_surface::walk(Index from, Index to) const
 {
-  return a == b || nearest(m_cloud.point[b], a) == b || nearest(m_cloud.point[a], b) == a;
+  const Site_graph& graph = m_cloud.graph;
+  double length = 0.;
+  while(from != to)
+  {
+    Index next = none;
+    double least = norm(m_cloud.point[to] - m_cloud.point[from]), step = 0.;
+    for(Index arc = graph.first[from]; arc < graph.first[from + 1]; ++arc)
+      if(const double d = norm(m_cloud.point[to] - m_cloud.point[graph.target[arc]]);
+         d < least || graph.target[arc] == to)
+      {
+        least = d;
+        next = graph.target[arc];
+        step = graph.length[arc];
+      }
+    if(next == none)
+      return infinity;
+    length += step;
+    from = next;
+  }
+  return length;
 }
 
 Foot Surfel_surface::on_disk(const Spatial& point, Index site) const

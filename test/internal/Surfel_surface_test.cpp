@@ -170,7 +170,7 @@ TEST(Surfel_surface, ends_where_surfels_are_no_longer_near)
   }
 }
 
-TEST(Surfel_surface, joins_what_a_walk_over_arcs_joins)
+TEST(Surfel_surface, walks_over_arcs)
 {
   // A square with a cut from one side to its middle: of 5 steps, which no arc bridges.
   const Cloud square = part_of(square_cloud(41), [](const Spatial& p)
@@ -186,10 +186,14 @@ TEST(Surfel_surface, joins_what_a_walk_over_arcs_joins)
         best = i;
     return best;
   };
-  EXPECT_TRUE(surface.surface.are_joined(site(0.1, 0.1), site(0.1, 0.1)));
-  EXPECT_TRUE(surface.surface.are_joined(site(0.1, 0.1), site(0.4, 0.3)));
-  EXPECT_TRUE(surface.surface.are_joined(site(0.4, 0.7), site(0.6, 0.7)));
-  EXPECT_FALSE(surface.surface.are_joined(site(0.4, 0.1), site(0.6, 0.1)));
+  const auto walk = [&](Index from, Index to)
+  { return cloud.frame.scale * surface.surface.walk(from, to); };
+  EXPECT_EQ(walk(site(0.1, 0.1), site(0.1, 0.1)), 0.);
+  // At most by steps along both sides of the square's cells.
+  EXPECT_GE(walk(site(0.1, 0.1), site(0.4, 0.3)), std::hypot(0.3, 0.2) - 1e-9);
+  EXPECT_LE(walk(site(0.1, 0.1), site(0.4, 0.3)), 0.5 + 1e-9);
+  EXPECT_NEAR(walk(site(0.4, 0.7), site(0.6, 0.7)), 0.2, 1e-9);
+  EXPECT_EQ(walk(site(0.4, 0.1), site(0.6, 0.1)), infinity);
 }
 
 TEST(Surfel_surface, has_sharp_edges)

@@ -47,8 +47,9 @@ public:
   Foot foot(const Spatial& point, Index near) const override;
   Spatial drawn_near(const Spatial& point, Index near) const override;
 
-  // Whether two sites are the same, or neighbours, or a walk over arcs towards one of them arrives.
-  bool are_joined(Index a, Index b) const;
+  // The length of a walk over arcs from one site to another, nearer to it with each; infinite where it
+  // does not arrive.
+  double walk(Index from, Index to) const;
 
   const Surfel_cloud& cloud() const { return m_cloud; }
 
