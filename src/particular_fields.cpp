@@ -308,7 +308,8 @@ void Particular_fields::for_each_field(
     {
       column[f] += vector[0];
       column[n + f] += vector[1];
-      around += vector[0] * m_harmonic.row(f) + vector[1] * m_harmonic.row(n + f);
+      if(around.size() > 0)
+        around += vector[0] * m_harmonic.row(f) + vector[1] * m_harmonic.row(n + f);
     }
     if(around.size() > 0)
       column.noalias() -= m_harmonic * around;
