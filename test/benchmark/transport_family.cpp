@@ -34,17 +34,6 @@ std::string name_of(Particular_field kind)
   return kind == Particular_field::gradient ? "gradient" : "balanced";
 }
 
-Triangulation triangulation_of(const Mesh& mesh)
-{
-  Triangulation result;
-  for(const Vertex v : mesh.vertices())
-    result.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
-  for(const Face f : mesh.faces())
-    for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-      result.corners.push_back(Index(v));
-  return result;
-}
-
 Masses unit(const Glued_surface& surface, Index site)
 {
   return masses_at(surface.t(), {{none, site, {}}});
