@@ -7,17 +7,8 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/property_map.h>
 
-#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-#  if defined(__GNUC__) && !defined(__clang__)
-// OpenMesh's properties push back a T() that this compiler takes for uninitialized.
-#    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#  endif
-#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-
-#  include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
-#endif
-
 #include "Mesh_of.h"
+#include "openmesh.h"
 
 #include <boost/property_map/function_property_map.hpp>
 

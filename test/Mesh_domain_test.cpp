@@ -8,17 +8,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
-#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-#  if defined(__GNUC__) && !defined(__clang__)
-// OpenMesh's properties push back a T() that this compiler takes for uninitialized.
-#    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#  endif
-#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-
-#  include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
-#endif
 
 #include "meshes.h"
+#include "openmesh.h"
 
 #include <gtest/gtest.h>
 

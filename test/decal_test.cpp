@@ -4,17 +4,9 @@
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polyhedron_3.h>
-#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-#  if defined(__GNUC__) && !defined(__clang__)
-// OpenMesh's properties push back a T() that this compiler takes for uninitialized.
-#    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#  endif
-#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-
-#  include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
-#endif
 
 #include "Mesh_of.h"
+#include "openmesh.h"
 
 #include <gtest/gtest.h>
 

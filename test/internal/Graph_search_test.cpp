@@ -25,6 +25,16 @@ bool has_arc(const Site_graph& graph, Index from, Index to)
   return std::find(begin + graph.first[from], end, to) != end;
 }
 
+// Of arcs, between these two.
+void expect_chain(const Site_graph& graph, const std::vector<Index>& chain, Index from, Index to)
+{
+  ASSERT_FALSE(chain.empty());
+  EXPECT_EQ(chain.front(), from);
+  EXPECT_EQ(chain.back(), to);
+  for(std::size_t k = 0; k + 1 < chain.size(); ++k)
+    EXPECT_TRUE(has_arc(graph, chain[k], chain[k + 1]));
+}
+
 double length(const Surfel_cloud& cloud, const std::vector<Index>& chain)
 {
   double sum = 0.;
@@ -93,11 +103,7 @@ TEST(Graph_search, finds_short_chains_from_coarse_to_fine)
       visited_all += search.visited();
       const std::vector<Index> chain = search(a, b, Surfel_search::coarse_to_fine);
       visited += search.visited();
-      ASSERT_FALSE(chain.empty());
-      EXPECT_EQ(chain.front(), a);
-      EXPECT_EQ(chain.back(), b);
-      for(std::size_t k = 0; k + 1 < chain.size(); ++k)
-        EXPECT_TRUE(has_arc(cloud.graph, chain[k], chain[k + 1]));
+      expect_chain(cloud.graph, chain, a, b);
       // Lengths of 16 regions or more, each a tenth too long or too short, are known to some percent:
       // by so much may the chain be the shortest of another way round.
       const double excess = length(cloud, chain) / shortest - 1.;
@@ -131,11 +137,7 @@ TEST(Graph_search, is_led_along_long_ways)
     visited_all += search.visited();
     const std::vector<Index> chain = search(a, b, Surfel_search::coarse_to_fine);
     visited += search.visited();
-    ASSERT_FALSE(chain.empty());
-    EXPECT_EQ(chain.front(), a);
-    EXPECT_EQ(chain.back(), b);
-    for(std::size_t k = 0; k + 1 < chain.size(); ++k)
-      EXPECT_TRUE(has_arc(cloud.graph, chain[k], chain[k + 1]));
+    expect_chain(cloud.graph, chain, a, b);
     const double excess = length(cloud, chain) / shortest - 1.;
     // What the chain of leaders is too long by, and as much because distances count a tenth more.
     EXPECT_LT(excess, 0.1);
