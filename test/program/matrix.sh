@@ -87,7 +87,7 @@ all_of_a_file()
   attempt "$file" $limit path --from 1 --to-at 0.3,0.2,0.1 || failed=1
   attempt "$file" $limit surfels --estimate --outliers 1 || failed=1
   attempt "$file" $limit decal --base 0,1 || failed=1
-  attempt "$file" $limit matrix --number 5 --method emd --basis 10 || failed=1
+  attempt "$file" $limit matrix --number 5 --method spectral || failed=1
   attempt "$file" $limit emd --from 0 --to 1,2 --tolerance 0.01 || failed=1
   attempt "$file" $limit voronoi --number 10 || failed=1
   attempt "$file" $limit voronoi --seeds 0,1 || failed=1
