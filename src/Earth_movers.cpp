@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -24,28 +23,20 @@ Tensor inverse(const Tensor& a)
 
 bool is_blocked(const Tensor& measure) { return !std::isfinite(measure[0] + measure[2]); }
 
-// Without the triangles through which nothing may pass.
-Operators open_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
+// Those of the field that is measured, A J: its divergence is that of J, and the length of a function's
+// gradient what it changes by per measured length.  Triangles through which nothing may pass have no area.
+Operators measured_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
 {
   Operators result = operators(t, Flat_triangles::raised);
   for(std::size_t f = 0; f < measure.size(); ++f)
-    if(is_blocked(measure[f]))
-    {
+  {
+    const bool blocked = is_blocked(measure[f]);
+    if(blocked)
       result.area[f] = 0.;
-      std::fill_n(result.hat.begin() + 3 * std::ptrdiff_t(f), 3, Planar{0., 0.});
-    }
-  return result;
-}
-
-// Those of the field that is measured, A J: its divergence is that of J, and the length of a function's
-// gradient what it changes by per measured length.
-Operators measured_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
-{
-  Operators result = open_operators(t, measure);
-  for(std::size_t f = 0; f < measure.size(); ++f)
-    if(!is_blocked(measure[f]))
-      for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
-        result.hat[corner] = product(inverse(measure[f]), result.hat[corner]);
+    for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
+      result.hat[corner] =
+          blocked ? Planar{0., 0.} : product(inverse(measure[f]), result.hat[corner]);
+  }
   return result;
 }
 
@@ -74,24 +65,6 @@ Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& 
   return result;
 }
 
-// target += factor * source, where empty is zero.
-void add(Vector& target, double factor, const Vector& source)
-{
-  if(source.size() == 0)
-    return;
-  if(target.size() == 0)
-    target = Vector::Zero(source.size());
-  target += factor * source;
-}
-
-void add(Mass_distribution& target, double factor, const Mass_distribution& source)
-{
-  add(target.at_sites, factor, source.at_sites);
-  for(const auto& [location, mass] : source.at_locations)
-    target.at_locations.emplace_back(location, factor * mass);
-  add(target.density, factor, source.density);
-}
-
 } // namespace
 
 Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements,
@@ -110,65 +83,11 @@ Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, uns
     }
     m_levels[level].triangles = triangles;
     m_levels[level].measure = measure;
+    Operators operators = measured_operators(*triangles, measure);
+    m_levels[level].area = operators.area;
     if(level + 1 >= refinements)
-      m_levels[level].solver =
-          std::make_unique<Transport_solver>(measured_operators(*triangles, measure));
+      m_levels[level].solver = std::make_unique<Transport_solver>(std::move(operators));
   }
-}
-
-// What is to be moved: `to` less `from`.
-Mass_distribution Earth_movers::difference(const Mass_distribution& from,
-                                           const Mass_distribution& to, bool do_normalize) const
-{
-  Mass_distribution result;
-  std::array<double, 2> total{}, size{};
-  const std::array<const Mass_distribution*, 2> sides = {&from, &to};
-  for(std::size_t i = 0; i < 2; ++i)
-  {
-    const Vector mass = at_sites(0, *sides[i]);
-    total[i] = mass.sum();
-    size[i] = mass.lpNorm<1>();
-    if(!std::isfinite(size[i]))
-      throw Invalid_argument_error("A mass is not a finite number.");
-  }
-  if(do_normalize)
-  {
-    for(const double sum : total)
-      if(!(sum > 0.))
-        throw Invalid_argument_error("Masses that sum to " + std::to_string(sum) +
-                                     " cannot be scaled so that they sum to one.");
-    add(result, 1. / total[1], to);
-    add(result, -1. / total[0], from);
-    return result;
-  }
-  if(std::abs(total[1] - total[0]) > 1e-9 * std::max(size[0], size[1]))
-    throw Invalid_argument_error("The masses sum to " + std::to_string(total[0]) +
-                                 " before and to " + std::to_string(total[1]) +
-                                 " after they are moved.");
-  add(result, 1., to);
-  add(result, -1., from);
-  return result;
-}
-
-// At sites, such that the integral of each function that is linear in triangles is the same.
-Vector Earth_movers::at_sites(std::size_t level, const Mass_distribution& masses) const
-{
-  const Glued_triangles& t = *m_levels[level].triangles;
-  Vector result = Vector::Zero(Eigen::Index(t.number_of_sites()));
-  add(result, 1., masses.at_sites);
-  for(const auto& [location, mass] : masses.at_locations)
-    if(location.triangle == none)
-      result[location.site] += mass;
-    else
-      for(std::size_t k = 0; k < 3; ++k)
-        result[t.corner[3 * location.triangle + k]] += mass * location.barycentric[k];
-  if(masses.density.size() > 0)
-  {
-    const Sparse_matrix integrals = consistent_mass(open_operators(t, m_levels[level].measure));
-    result +=
-        t.scale * t.scale * (integrals.selfadjointView<Eigen::Lower>() * masses.density).eval();
-  }
-  return result;
 }
 
 // At most what it costs to move masses within the finest triangles to those at sites.
@@ -199,17 +118,17 @@ double Earth_movers::cost_to_sites(const Mass_distribution& masses) const
     return result;
   // The hats of corners i, j and k: the i-th part of the density's share of j, as far as k at most, as
   // distance is convex.
-  const Operators o = open_operators(t, measure);
-  for(std::size_t f = 0; f < o.area.size(); ++f)
+  const std::vector<double>& area = m_levels.back().area;
+  for(std::size_t f = 0; f < area.size(); ++f)
   {
-    if(o.area[f] == 0.)
+    if(area[f] == 0.)
       continue;
     const auto p = places(f);
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t j = 0; j < 3; ++j)
         for(std::size_t k = 0; k < 3; ++k)
           if(i != k)
-            result += t.scale * t.scale * o.area[f] / (i == j || j == k ? 30. : 60.) *
+            result += t.scale * t.scale * area[f] / (i == j || j == k ? 30. : 60.) *
                       std::abs(masses.density[t.corner[3 * f + j]]) * norm(p[k] - p[i]);
   }
   return result;
@@ -235,8 +154,19 @@ Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mas
                                         const Earth_movers_options& options) const
 {
   const std::size_t finest = m_levels.size() - 1;
-  Mass_distribution masses = difference(from, to, options.do_normalize);
+  Mass_distribution masses =
+      difference(*m_levels[0].triangles, m_levels[0].area, from, to, options.do_normalize);
   Earth_movers_result result;
+  Transport_options transport = options.transport;
+  transport.start = {};
+  double done = 0., part = finest > 0 ? 0.2 : 1.; // of the time, about
+  bool is_cancelled = false;
+  if(options.transport.callback) // not asked again after it said no
+    transport.callback = [&](double fraction)
+    {
+      is_cancelled = is_cancelled || !options.transport.callback(done + part * fraction);
+      return !is_cancelled;
+    };
   double before = 0.; // the value on the surface that is refined once less
   for(std::size_t level = 0; level <= finest; ++level)
   {
@@ -246,8 +176,12 @@ Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mas
     if(!here.solver)
       continue;
     before = here.triangles->scale * 2. * result.value;
+    if(level == finest)
+      transport.start = options.transport.start; // which ended there
     static_cast<Transport&>(result) =
-        here.solver->solve(at_sites(level, masses), options.transport);
+        here.solver->solve(masses_at_sites(*here.triangles, here.area, masses), transport);
+    done = part;
+    part = 1. - part;
   }
   const double scale = m_levels.back().triangles->scale;
   const std::vector<Tensor>& measure = m_levels.back().measure;
@@ -256,16 +190,11 @@ Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mas
       result.flow[f] = product(inverse(measure[f]), result.flow[f]);
   if(options.do_bound_from_above)
     result.upper_continuous = scale * (cost_of_flow(result.flow) + cost_to_sites(masses));
-  result.value *= scale;
-  result.lower *= scale;
-  result.upper *= scale;
+  rescale(result, scale);
   result.estimate = finest > 0 ? 2. * result.value - before : result.value;
-  result.potential =
-      scale * result.potential.head(m_levels.front().triangles->number_of_sites()).eval();
+  result.potential.conservativeResize(Eigen::Index(m_levels.front().triangles->number_of_sites()));
   for(std::size_t level = finest; level > 0; --level)
     result.flow = of_coarse(result.flow);
-  for(Planar& vector : result.flow)
-    vector = (1. / scale) * vector;
   return result;
 }
 

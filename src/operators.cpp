@@ -92,23 +92,6 @@ Vector lumped_mass(const Operators& operators)
   return result;
 }
 
-Sparse_matrix consistent_mass(const Operators& operators)
-{
-  const auto n = Eigen::Index(operators.number_of_sites);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(2 * operators.corner.size());
-  for(Index side = 0; side < operators.corner.size(); ++side)
-  {
-    const Index a = operators.corner[side], b = operators.corner[next_side(side)];
-    const double area = operators.area[side / 3];
-    entries.emplace_back(a, a, area / 6.);
-    entries.emplace_back(std::max(a, b), std::min(a, b), (a == b ? 2. : 1.) * area / 12.);
-  }
-  Sparse_matrix result(n, n);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
 std::pair<std::vector<Index>, std::size_t> components(const Operators& operators)
 {
   std::vector<Index> parent(operators.number_of_sites);

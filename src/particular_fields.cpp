@@ -267,6 +267,23 @@ Matrix Particular_fields::fields(const Masses& masses) const
   return result;
 }
 
+Vector Particular_fields::balanced(const Vector& masses) const
+{
+  if(m_kind == Particular_field::gradient)
+    return masses;
+  Vector result = Vector::Zero(masses.size());
+  for(std::size_t f = 0; f < m_operators.number_of_triangles(); ++f)
+  {
+    const Index* corner = &m_operators.corner[3 * f];
+    double mass = 0.;
+    for(std::size_t k = 0; k < 3 && m_operators.area[f] > 0.; ++k)
+      mass += masses[corner[k]] * m_operators.area[f] / m_star[corner[k]];
+    for(std::size_t k = 0; k < 3; ++k)
+      result[corner[k]] += mass / 3.;
+  }
+  return result;
+}
+
 void Particular_fields::for_each_field(
     const Masses& masses, const std::function<void(Eigen::Index, const Vector&)>& use) const
 {

@@ -84,6 +84,7 @@ public:
   // Of the last step, with which p + Q c is what it found.
   const Matrix_type& coefficients() const { return m_coefficients; }
 
+  auto sum(Eigen::Index j) const { return m_sum.col(j); }
   Scalar upper(Eigen::Index j) const { return (m_weight * lengths(m_sum.col(j))).sum(); }
   // What the step took away is orthogonal to Q.
   Scalar lower(Eigen::Index j) const
@@ -160,6 +161,52 @@ private:
   std::mutex m_mutex;
   std::atomic<bool> m_is_cancelled{false};
 };
+
+// Closes the bounds of columns, whose upper ones are those of the particular fields, as far as is asked
+// for.  improved(j, w) gets whatever is shorter than what was known of column j; go_on(i) is asked before
+// each iteration.
+template <typename Improved, typename Go_on>
+std::vector<Bounds> least_sums(const Matrix& basis, const Column<double>& weight, Matrix particular,
+                               const Family_options& options, const Improved& improved,
+                               const Go_on& go_on)
+{
+  std::vector<Bounds> result(std::size_t(particular.cols()));
+  for(std::size_t j = 0; j < result.size(); ++j)
+  {
+    const auto column = particular.col(Eigen::Index(j));
+    improved(j, column);
+    result[j].upper = (weight * lengths(column)).sum();
+    result[j].lower = basis.cols() == 0 ? result[j].upper : 0.;
+  }
+  if(basis.cols() == 0)
+    return result;
+  std::vector<std::size_t> place(result.size()); // of the columns that are left
+  std::iota(place.begin(), place.end(), std::size_t(0));
+  Least_sums<Matrix> sums(basis, weight, std::move(particular));
+  for(unsigned i = 1; i <= options.maximum_iterations && !place.empty() && go_on(i); ++i)
+  {
+    sums.advance();
+    if(i % 4 != 0)
+      continue;
+    for(Eigen::Index j = sums.columns() - 1; j >= 0; --j)
+    {
+      Bounds& bounds = result[place[std::size_t(j)]];
+      bounds.iterations = i;
+      if(const double upper = sums.upper(j); upper < bounds.upper)
+      {
+        bounds.upper = upper;
+        improved(place[std::size_t(j)], sums.sum(j));
+      }
+      bounds.lower = std::min(std::max(bounds.lower, sums.lower(j)), bounds.upper);
+      if(!bounds.are_within(options.tolerance))
+        continue;
+      sums.drop(j);
+      place[std::size_t(j)] = place.back();
+      place.pop_back();
+    }
+  }
+  return result;
+}
 
 constexpr std::size_t columns_at_once = 32;
 
@@ -337,6 +384,16 @@ std::vector<double> Transport_family::column_masses(const Masses& masses, Eigen:
   return result;
 }
 
+bool Transport_family::is_balanced(const Masses& differences, Eigen::Index column) const
+{
+  double size = 0.;
+  for(Masses::InnerIterator it(differences, column); it; ++it)
+    size += std::abs(it.value());
+  const std::vector<double> missing = column_masses(differences, column);
+  return std::all_of(missing.begin(), missing.end(),
+                     [&](double mass) { return std::abs(mass) <= 1e-9 * size; });
+}
+
 std::vector<Bounds> Transport_family::distances(const Masses& differences,
                                                 const Family_options& options) const
 {
@@ -344,27 +401,20 @@ std::vector<Bounds> Transport_family::distances(const Masses& differences,
     throw Invalid_argument_error("The tolerance is not positive.");
   const auto columns = std::size_t(differences.cols());
   std::vector<Bounds> result(columns);
-  const Column<double> weight = m_weight.array();
   Progress progress(options.callback, (columns + columns_at_once - 1) / columns_at_once);
   const auto solve = [&](std::size_t, std::size_t begin, std::size_t end)
   {
     if(!progress.go_on())
       return;
-    // Those that are balanced on each component.
     std::vector<std::size_t> place;
     std::vector<Eigen::Triplet<double>> entries;
     for(std::size_t j = begin; j < end; ++j)
     {
-      double size = 0.;
-      for(Masses::InnerIterator it(differences, Eigen::Index(j)); it; ++it)
-        size += std::abs(it.value());
-      bool is_balanced = true;
-      for(const double mass : column_masses(differences, Eigen::Index(j)))
-        is_balanced = is_balanced && std::abs(mass) <= 1e-9 * size;
-      if(!is_balanced)
+      if(!is_balanced(differences, Eigen::Index(j)))
+      {
         result[j] = {infinity, infinity};
-      if(!is_balanced || size == 0.)
         continue;
+      }
       for(Masses::InnerIterator it(differences, Eigen::Index(j)); it; ++it)
         entries.emplace_back(it.row(), Eigen::Index(place.size()), it.value());
       place.push_back(j);
@@ -373,36 +423,47 @@ std::vector<Bounds> Transport_family::distances(const Masses& differences,
       return;
     Masses masses(differences.rows(), Eigen::Index(place.size()));
     masses.setFromTriplets(entries.begin(), entries.end());
-    Matrix particular = m_particular->fields(masses);
+    const std::vector<Bounds> bounds = least_sums(
+        m_basis, m_weight.array(), m_particular->fields(masses), options,
+        [](std::size_t, const auto&) {}, [](unsigned) { return true; });
     for(std::size_t i = 0; i < place.size(); ++i)
-    {
-      const double sum = (weight * lengths(particular.col(Eigen::Index(i)))).sum();
-      result[place[i]] = {m_basis.cols() == 0 ? sum : 0., sum};
-    }
-    if(m_basis.cols() == 0)
-      return;
-    Least_sums<Matrix> sums(m_basis, weight, std::move(particular));
-    for(unsigned i = 1; i <= options.maximum_iterations && sums.columns() > 0; ++i)
-    {
-      sums.advance();
-      if(i % 4 != 0)
-        continue;
-      for(Eigen::Index j = sums.columns() - 1; j >= 0; --j)
-      {
-        Bounds& bounds = result[place[std::size_t(j)]];
-        bounds.upper = std::min(bounds.upper, sums.upper(j));
-        bounds.lower = std::min(std::max(bounds.lower, sums.lower(j)), bounds.upper);
-        if(bounds.upper - bounds.lower > options.tolerance * bounds.upper)
-          continue;
-        sums.drop(j);
-        place[std::size_t(j)] = place.back();
-        place.pop_back();
-      }
-    }
+      result[place[i]] = bounds[i];
   };
   for_each_block(columns, columns_at_once, options.threads, solve);
   if(progress.is_cancelled())
     result.clear();
+  return result;
+}
+
+Transport Transport_family::transport(const Vector& masses, const Family_options& options) const
+{
+  if(!(options.tolerance > 0.))
+    throw Invalid_argument_error("The tolerance is not positive.");
+  Transport result;
+  const Masses column = masses.sparseView();
+  Bounds bounds = {infinity, infinity};
+  if(is_balanced(column, 0))
+  {
+    Vector flow;
+    bounds = least_sums(
+                 m_basis, m_weight.array(), m_particular->fields(column), options,
+                 [&](std::size_t, const auto& shorter) { flow = shorter; },
+                 [&](unsigned i) {
+                   return !options.callback ||
+                          options.callback(double(i) / double(options.maximum_iterations));
+                 })
+                 .front();
+    result.flow = as_field(m_operators, flow);
+    if(const double moved = 0.5 * masses.lpNorm<1>(); moved > 0.)
+      result.residual = (divergence(m_operators, result.flow) - m_particular->balanced(masses))
+                            .lpNorm<Eigen::Infinity>() /
+                        moved;
+  }
+  result.lower = bounds.lower;
+  result.upper = bounds.upper;
+  result.value = bounds.value();
+  result.iterations = bounds.iterations;
+  result.converged = bounds.are_within(options.tolerance);
   return result;
 }
 
@@ -430,7 +491,7 @@ Matrix Transport_family::all_pairs(const Masses& masses, const Family_options& o
     pair = 0;
     for(Eigen::Index i = 0; i < n; ++i)
       for(Eigen::Index j = 0; j < i; ++j, ++pair)
-        result(i, j) = result(j, i) = 0.5 * (bounds[pair].lower + bounds[pair].upper);
+        result(i, j) = result(j, i) = bounds[pair].value();
     return result;
   }
 

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/Transport_metric.h>
 
 #include <CGAL/Point_set_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include "Mesh_of.h"
@@ -43,13 +44,16 @@ void expect_one_metric(const Domain& domain, const std::vector<Place>& places)
     for(Eigen::Index i = 0; i < d.rows(); ++i)
       for(Eigen::Index j = 0; j < d.cols(); ++j)
       {
-        const GP::Transport_bounds bounds = metric.bounds(places[i], places[j], tolerance);
-        EXPECT_LE(bounds.upper - bounds.lower, tolerance * bounds.upper);
-        EXPECT_EQ(metric.distance(places[i], places[j], tolerance), bounds.value());
-        EXPECT_EQ(metric.distance(places[j], places[i], tolerance), bounds.value());
-        EXPECT_EQ(i == j, bounds.upper == 0.);
+        const GP::Earth_movers_cost cost =
+            metric.cost(places[i], places[j], GP::parameters::tolerance(tolerance));
+        EXPECT_TRUE(cost.converged);
+        EXPECT_LE(cost.upper - cost.lower, tolerance * cost.upper);
+        EXPECT_LT(cost.residual, 1e-9); // of some hundred unknowns
+        EXPECT_EQ(metric.distance(places[i], places[j], tolerance), cost.value);
+        EXPECT_EQ(metric.distance(places[j], places[i], tolerance), cost.value);
+        EXPECT_EQ(i == j, cost.upper == 0.);
         // Fields in float without a basis, another order of sums with one.
-        EXPECT_NEAR(d(i, j), bounds.value(), (k == 0 ? 1e-5 : tolerance) * bounds.upper);
+        EXPECT_NEAR(d(i, j), cost.value, (k == 0 ? 1e-5 : tolerance) * cost.upper);
       }
   }
 }
@@ -64,9 +68,9 @@ void expect_the_same_map(const GP::Transport_metric<Surface>& metric, Map map,
   double sum = 0.;
   for(std::size_t i = 1; i < sites.size(); ++i)
   {
-    const GP::Transport_bounds bounds = metric.bounds(sites[0], sites[i]);
-    EXPECT_GE(get(map, sites[i]), bounds.lower * (1. - 1e-6)); // sums of floats
-    sum += get(map, sites[i]) / bounds.upper - 1.;
+    const GP::Earth_movers_cost cost = metric.cost(sites[0], sites[i]);
+    EXPECT_GE(get(map, sites[i]), cost.lower * (1. - 1e-6)); // sums of floats
+    sum += get(map, sites[i]) / cost.upper - 1.;
   }
   EXPECT_LT(sum / double(sites.size()), 0.01);
   const std::vector<double> before = {get(map, sites[1]), get(map, sites.back())};
@@ -154,14 +158,80 @@ TEST(Transport_metric, comes_down_towards_geodesic_distances)
     {
       const GP::Transport_metric<Mesh> metric(domain, k, flow);
       EXPECT_EQ(metric.flow(), flow);
-      const GP::Transport_bounds bounds = metric.bounds(p, q);
-      EXPECT_LE(bounds.lower, before);
-      before = bounds.upper;
+      const GP::Earth_movers_cost cost = metric.cost(p, q);
+      EXPECT_LE(cost.lower, before);
+      before = cost.upper;
     }
     // The paper's measure of points stays that much above however large the basis is.
     EXPECT_LT(before, 1.26 * std::sqrt(2.));
     EXPECT_GT(before, 0.99 * std::sqrt(2.)); // what masses in triangles around points may gain
   }
+}
+
+// What is measured is the flow that is written: of masses everywhere, per area or not, and of places.
+TEST(Transport_metric, moves_all_kinds_of_masses)
+{
+  Mesh mesh = mesh_of(square(12, 0.24));
+  auto low = mesh.add_property_map<Vertex, double>("low", 0.).first;
+  auto high = mesh.add_property_map<Vertex, double>("high", 0.).first;
+  for(const Vertex v : vertices(mesh))
+  {
+    low[v] = 1.;
+    high[v] = 2. * mesh.point(v).x();
+  }
+  auto flow = mesh.add_property_map<Face, Kernel::Vector_3>("flow").first;
+  const auto measured = GP::parameters::flow_map(flow).tolerance(1e-4);
+  const auto cost_of_flow = [&]
+  {
+    double result = 0.;
+    for(const Face f : faces(mesh))
+      result +=
+          std::sqrt(flow[f].squared_length()) * CGAL::Polygon_mesh_processing::face_area(f, mesh);
+    return result;
+  };
+  for(const std::size_t k : {0, 30})
+  {
+    const GP::Transport_metric<Mesh> metric(mesh, k);
+    // From a mass of one per area to 2 x: all moves along x, by the sum of x - x * x.
+    const GP::Earth_movers_cost ramp =
+        metric.cost(GP::mass_density(low), GP::mass_density(high), measured);
+    EXPECT_NEAR(ramp.upper, cost_of_flow(), 1e-12);
+    EXPECT_NEAR(ramp.value, 1. / 6., 0.5 / (12. * 12.)); // of the order of the square of a side
+
+    // Of sums of masses, and of equal ones.
+    const std::vector<Vertex> corners = {Vertex(0), Vertex(168)};
+    const GP::Earth_movers_cost apart = metric.cost(corners, Vertex(84), measured);
+    EXPECT_NEAR(apart.upper, cost_of_flow(), 1e-12);
+    EXPECT_LE(apart.lower, 0.5 * (metric.distance(corners[0], Vertex(84), 1e-6) +
+                                  metric.distance(corners[1], Vertex(84), 1e-6)));
+    EXPECT_EQ(metric.distance(low, low), 0.);
+    EXPECT_THROW(metric.cost(low, Vertex(0)), GP::Invalid_argument_error);
+    const GP::Earth_movers_cost spread =
+        metric.cost(low, Vertex(84), GP::parameters::do_normalize(true));
+    EXPECT_GT(spread.lower, 0.3); // the mean distance of a square's points from its middle is 0.38
+  }
+}
+
+TEST(Transport_metric, keeps_bounds_when_it_is_stopped)
+{
+  const Mesh mesh = mesh_of(icosphere(2));
+  const GP::Transport_metric<Mesh> metric(mesh, 20);
+  int asked = 0;
+  const std::function<bool(double)> stop = [&asked](double) { return ++asked < 9; };
+  const GP::Earth_movers_cost early =
+      metric.cost(Vertex(0), Vertex(70), GP::parameters::callback(stop).tolerance(1e-6));
+  const GP::Earth_movers_cost late =
+      metric.cost(Vertex(0), Vertex(70), GP::parameters::tolerance(1e-6));
+  EXPECT_EQ(asked, 9);
+  EXPECT_EQ(early.iterations, 8u);
+  EXPECT_FALSE(early.converged);
+  EXPECT_TRUE(late.converged);
+  EXPECT_LE(early.lower, late.upper);
+  EXPECT_LE(late.lower, early.upper);
+  EXPECT_FALSE(metric
+                   .cost(Vertex(0), Vertex(70),
+                         GP::parameters::maximum_number_of_iterations(4u).tolerance(1e-6))
+                   .converged);
 }
 
 TEST(Transport_metric, is_infinite_between_components)
@@ -172,6 +242,7 @@ TEST(Transport_metric, is_infinite_between_components)
   {
     const GP::Transport_metric<Mesh> metric(mesh, k);
     EXPECT_EQ(metric.distance(ball, ring), infinity);
+    EXPECT_TRUE(metric.cost(ball, ring).converged);
     EXPECT_EQ(metric.distance_matrix(std::vector{ball, ring})(0, 1), infinity);
     auto map = vertex_map(mesh);
     metric.write_distances(ring, map);

@@ -16,13 +16,16 @@ namespace program {
 
 namespace {
 
+constexpr const char* complete = "complete";
+
 struct Emd_options
 {
   std::string from, to;
   bool density = false, normalize = false, bound_above = false, hodge = false;
   std::string method = "interior-point";
+  std::string basis = complete;
   double tolerance = 1e-3;
-  unsigned refine = 0;
+  std::optional<std::size_t> refine;
   Density_options densities;
 };
 
@@ -109,32 +112,85 @@ struct Vector_map
   }
 };
 
-template <typename Surface_type, typename NamedParameters>
-GP::Earth_movers_cost compute(GP::Earth_movers_solver<Surface_type>& solver, const Masses& from,
-                              const Masses& to, const std::string& method,
-                              const NamedParameters& np)
+std::size_t basis_size(const Emd_options& options)
 {
-  using Site = typename GP::Earth_movers_solver<Surface_type>::Site;
-  const auto with_masses = [](const Masses& masses, const auto& f)
+  const std::optional<long long> result = to_integer(options.basis);
+  if(!result || *result < 0)
+    throw Usage_error("--basis " + shown(options.basis) + ": it is a number, or complete.");
+  return std::size_t(*result);
+}
+
+// Calls f with what the library takes as masses on both sides.
+template <typename Site, typename Function>
+auto with_masses(const Masses& from, const Masses& to, Function f)
+{
+  const auto with = [](const Masses& masses, const auto& f)
   {
     const Property_map<Site> map{&masses.values};
     return masses.are_density ? f(GP::mass_density(map)) : f(map);
   };
-  return with_masses(from,
-                     [&](const auto& before)
-                     {
-                       return with_masses(
-                           to,
-                           [&](const auto& after)
-                           {
-                             if(method == "admm")
-                               return solver.template compute<GP::Alternating_directions>(
-                                   before, after, np);
-                             if(method == "weiszfeld")
-                               return solver.template compute<GP::Weiszfeld>(before, after, np);
-                             return solver.compute(before, after, np);
-                           });
-                     });
+  return with(from, [&](const auto& before)
+              { return with(to, [&](const auto& after) { return f(before, after); }); });
+}
+
+// Among the flows of a basis.
+template <typename Domain, typename FlowMap>
+GP::Earth_movers_cost least_cost(const Domain& domain, std::size_t basis, const Masses& from,
+                                 const Masses& to, const Emd_options& options, FlowMap flow,
+                                 Job& job)
+{
+  const GP::Transport_metric<typename Domain::Surface> metric(domain, basis);
+  job.result()["basis"] = metric.basis_size();
+  job.stage("query");
+  return with_masses<typename Domain::Site>(
+      from, to,
+      [&](const auto& before, const auto& after)
+      {
+        return metric.cost(before, after,
+                           GP::parameters::tolerance(options.tolerance)
+                               .do_normalize(options.normalize)
+                               .flow_map(flow)
+                               .callback(job.progress("earth mover's distance")));
+      });
+}
+
+// Among all flows.
+template <typename Domain, typename FlowMap>
+GP::Earth_movers_cost least_cost(const Domain& domain, const Masses& from, const Masses& to,
+                                 const Emd_options& options, FlowMap flow,
+                                 std::vector<double>& potential, Job& job)
+{
+  using Surface_type = typename Domain::Surface;
+  using Site = typename Domain::Site;
+  const std::vector<double> speed = speeds(domain, options.densities, job);
+  std::optional<GP::Earth_movers_solver<Surface_type>> solver;
+  const auto prepare = [&](const auto& np) { solver.emplace(domain, np); };
+  if(options.refine)
+    with_speeds<Site>(speed,
+                      GP::parameters::number_of_refinements(
+                          static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))),
+                      prepare);
+  else
+    with_speeds<Site>(speed, GP::parameters::threads(job.threads()), prepare);
+  job.stage("query");
+  const auto np = GP::parameters::tolerance(options.tolerance)
+                      .do_normalize(options.normalize)
+                      .do_bound_from_above(options.bound_above)
+                      .callback(job.progress("earth mover's distance"));
+  const GP::Earth_movers_cost result = with_masses<Site>(
+      from, to,
+      [&](const auto& before, const auto& after)
+      {
+        if(options.method == "admm")
+          return solver->template compute<GP::Alternating_directions>(before, after, np);
+        if(options.method == "weiszfeld")
+          return solver->template compute<GP::Weiszfeld>(before, after, np);
+        return solver->compute(before, after, np);
+      });
+  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
+    potential.push_back(solver->potential(site<Surface_type>(i)));
+  solver->write_flow(flow);
+  return result;
 }
 
 // The library's part.
@@ -143,43 +199,33 @@ Result find_transport(const Surface_type& surface, const Masses& from, const Mas
                       const Emd_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Domain = std::decay_t<decltype(domain)>;
-  const std::vector<double> speed = speeds(domain, options.densities, job);
-  std::optional<GP::Earth_movers_solver<Surface_type>> solver;
-  with_speeds<typename Domain::Site>(speed, GP::parameters::number_of_refinements(options.refine),
-                                     [&](const auto& np) { solver.emplace(domain, np); });
-  job.stage("query");
   Result result;
-  result.cost = compute(*solver, from, to, options.method,
-                        GP::parameters::tolerance(options.tolerance)
-                            .do_normalize(options.normalize)
-                            .do_bound_from_above(options.bound_above)
-                            .callback(job.progress("earth mover's distance")));
-  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.potential.push_back(solver->potential(site<Surface_type>(i)));
-  std::vector<Point>& flow = result.fields["flow"];
-  if constexpr(is_mesh<Surface_type>)
+  const auto map = [&]([[maybe_unused]] std::vector<Point>& vectors)
   {
-    const auto map = [&surface](std::vector<Point>& vectors)
+    if constexpr(is_mesh<Surface_type>)
     {
       vectors.resize(surface.number_of_faces());
       return Vector_map<Mesh::Face_index>{&vectors};
-    };
-    solver->write_flow(map(flow));
+    }
+    else
+    {
+      vectors.resize(job.surface().file.points.size());
+      return Vector_map<Cloud::Index>{&vectors};
+    }
+  };
+  const auto flow = map(result.fields["flow"]);
+  result.cost = options.basis == complete
+                    ? least_cost(domain, from, to, options, flow, result.potential, job)
+                    : least_cost(domain, basis_size(options), from, to, options, flow, job);
+  if constexpr(is_mesh<Surface_type>)
     if(options.hodge)
-      GP::hodge_decomposition(domain, map(flow), map(result.fields["gradient"]),
+      GP::hodge_decomposition(domain, flow, map(result.fields["gradient"]),
                               map(result.fields["rotation"]), map(result.fields["harmonic"]));
-  }
-  else
-  {
-    flow.resize(result.potential.size());
-    solver->write_flow(Vector_map<Cloud::Index>{&flow});
-  }
   result.triangles = picture_triangles(domain, job);
   return result;
 }
 
-void check(const Emd_options& options)
+void check(const Emd_options& options, const Job& job)
 {
   if(options.from.empty() || options.to.empty())
     throw Usage_error("emd: give --from and --to.");
@@ -190,6 +236,14 @@ void check(const Emd_options& options)
     throw Usage_error("--method " + shown(options.method) +
                       ": the methods are interior-point, admm and weiszfeld.");
   check(options.densities);
+  if(options.basis == complete)
+    return;
+  basis_size(options);
+  if(options.refine || options.bound_above || options.method != "interior-point" ||
+     options.densities.are_given() || !job.values().empty())
+    throw Usage_error(
+        "--basis: --method, --refine, --bound-above, speeds and --values, the potential, "
+        "are for the complete one.");
 }
 
 double norm(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
@@ -250,7 +304,8 @@ void draw_transport(const Job& job, const Masses& from, const Masses& to, const 
 void write_transport(const Job& job, const Result& result)
 {
   Surface_file file = job.surface().file;
-  file.properties["potential"] = result.potential;
+  if(!result.potential.empty())
+    file.properties["potential"] = result.potential;
   if(!file.corners.empty())
     file.vectors = result.fields;
   else
@@ -266,7 +321,7 @@ void write_transport(const Job& job, const Result& result)
 
 void run_emd(Job& job, const Emd_options& options)
 {
-  check(options);
+  check(options, job);
   const Surface& surface = job.read({"ply", "vtp"});
   const Masses from = masses(options.from, "--from", options, surface);
   const Masses to = masses(options.to, "--to", options, surface);
@@ -283,7 +338,7 @@ void run_emd(Job& job, const Emd_options& options)
   job.result()["upper"] = json_number(cost.upper);
   if(options.bound_above)
     job.result()["upper_continuous"] = json_number(cost.upper_continuous);
-  if(options.refine > 0)
+  if(options.basis == complete)
     job.result()["estimate"] = json_number(cost.estimate);
   job.result()["iterations"] = cost.iterations;
   job.result()["residual"] = json_number(cost.residual);
@@ -331,8 +386,16 @@ void add_emd(CLI::App& program)
       .shows_default();
   command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
       .shows_default();
-  command.add("--refine", options->refine, "N",
-              "divide each triangle in four so often: less is lost around points");
+  command
+      .add(
+          "--basis", options->basis, "K",
+          "seek among turned gradients of so many eigenfunctions alone, rounded up to the next gap "
+          "between eigenvalues, which has no potential; or complete")
+      .shows_default();
+  command.add(
+      "--refine", options->refine, "N",
+      "divide each triangle in four so often: less is lost where flows are narrow (default 1 "
+      "up to 5,000 vertices, 0 above)");
   command.add_flag("--bound-above", options->bound_above,
                    "also a bound from above for flows on the surface itself");
   command.add_flag("--hodge", options->hodge,

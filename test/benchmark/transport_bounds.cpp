@@ -3,7 +3,7 @@
 //
 // Earth mover's distances between random pairs of vertices of all models of 2,500 to 40,000 vertices beside
 // exact distances, and between surfels of a sphere beside great circles.  --quick: a pair each; --refine N: on
-// surfaces refined so often.
+// surfaces refined so often, otherwise as often as usual.
 #include "Glued_surface.h"
 #include "clouds.h"
 #include "models.h"
@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -85,7 +86,7 @@ Cloud random_sphere(std::size_t n)
 
 // Between random pairs of surfels that are at least 0.3 apart.
 void measure_cloud(const std::string& name, const Cloud& clean, double noise, std::size_t pairs,
-                   unsigned refinements, Table& table)
+                   std::optional<unsigned> refinements, Table& table)
 {
   Cloud cloud = clean;
   std::mt19937 random;
@@ -94,7 +95,7 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
     p = (1. + noise * normal(random)) * p;
   const Glued_surfels surfels = glue_surfels(cloud.points, cloud.normals);
   const Earth_movers kernel(std::make_shared<const Glued_triangles>(surfels.triangles),
-                            refinements);
+                            refinements.value_or(usual_refinements(surfels.triangles)));
   Sum error, estimate;
   while(error.number < pairs)
   {
@@ -118,7 +119,7 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
 int main(int argc, char* argv[])
 {
   std::size_t pairs = 40; // of 25 models: a thousand
-  unsigned refinements = 0;
+  std::optional<unsigned> refinements;
   for(int i = 1; i < argc; ++i)
     if(std::string(argv[i]) == "--quick")
       pairs = 1;
@@ -135,7 +136,8 @@ int main(int argc, char* argv[])
       continue;
     const Glued_surface surface(triangulation_of(*mesh));
     const auto [component, number_of_components] = components(surface.t());
-    const Earth_movers kernel(surface.triangles(), refinements);
+    const Earth_movers kernel(surface.triangles(),
+                              refinements.value_or(usual_refinements(surface.t())));
     Earth_movers_options options;
     options.transport.tolerance = 1e-3;
     options.do_bound_from_above = true;

@@ -336,7 +336,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
   expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
   expect_keys("emd square.ply --from 0 --to 80",
-              {"value", "lower", "upper", "iterations", "residual", "converged"});
+              {"value", "lower", "upper", "estimate", "iterations", "residual", "converged"});
+  expect_keys("emd square.ply --from 0 --to 80 --basis 5",
+              {"basis", "value", "lower", "upper", "iterations", "residual", "converged"});
   expect_keys("emd square.ply --from 0 --to 80 --bound-above --refine 1",
               {"value", "lower", "upper", "upper_continuous", "estimate", "iterations", "residual",
                "converged"});
@@ -451,7 +453,27 @@ TEST_F(Program, emd_moves_masses)
   EXPECT_NEAR(json("emd cloud.xyz --from 0 --to 11 -o e.vtp")["value"].get<double>(), 1., 0.02);
   EXPECT_EQ(run("emd e.vtp --from flow_x --to flow_x --quiet").code, 0);
 
+  // In a basis: the same as of the commands for distances, also between masses, and a flow.
+  const nlohmann::json some = json("emd square.ply --from 0 --to 80 --basis 5 --hodge -o b.ply");
+  const auto entries =
+      json("matrix square.ply --sources 0,80 --method emd --basis 5 --values d.txt");
+  EXPECT_EQ(some["basis"], entries["basis"]);
+  EXPECT_NEAR(some["value"].get<double>(), numbers("d.txt")[1], 1e-3 * exact);
+  EXPECT_GT(some["lower"].get<double>(), 0.9 * exact); // of masses spread around points
+  const std::string flow = content(m_folder / "b.ply");
+  EXPECT_NE(flow.find("property double rotation_x\n"), std::string::npos);
+  EXPECT_EQ(flow.find("potential"), std::string::npos);
+  const double lines =
+      json("emd square.ply --from from.txt --to to.txt --normalize --basis 0")["value"];
+  EXPECT_GT(lines, 0.25);
+  EXPECT_LT(lines, 0.3); // it turns at the ends, where there is twice the mass for the width
+  EXPECT_EQ(run("emd cloud.xyz --from 0 --to 11 --basis 3 -o c.vtp --quiet").code, 0);
+
   expect_failure("emd square.ply --from 0", 1, "--to");
+  expect_failure("emd square.ply --from 0 --to 80 --basis some", 1, "--basis some");
+  expect_failure("emd square.ply --from 0 --to 80 --basis -1", 1, "--basis");
+  expect_failure("emd square.ply --from 0 --to 80 --basis 3 --refine 1", 1, "complete");
+  expect_failure("emd square.ply --from 0 --to 80 --basis 3 --values p.txt", 1, "complete");
   expect_failure("emd square.ply --from 0 --to 80 --method none", 1, "interior-point");
   expect_failure("emd square.ply --from 0 --to 80 --tolerance 0", 1, "--tolerance");
   expect_failure("emd square.ply --from 0 --to 80 -o e.obj", 1, "ply");

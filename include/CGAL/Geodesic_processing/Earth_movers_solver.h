@@ -46,6 +46,14 @@ struct Earth_movers_cost
   /// the largest error of the masses that the flow moves, relative to all that is moved.
   double residual = 0.;
   bool converged = false; ///< whether the bounds are as close as was asked for
+
+  Earth_movers_cost() = default;
+#ifndef DOXYGEN_RUNNING
+  explicit Earth_movers_cost(const internal::Transport& found)
+      : value(found.value), lower(found.lower), upper(found.upper), estimate(found.value),
+        iterations(found.iterations), residual(found.residual), converged(found.converged)
+  {}
+#endif
 };
 
 /// finds out what it costs to move masses along a surface, for many masses on one surface.
@@ -83,7 +91,8 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{number_of_refinements}
   ///     \cgalParamDescription{how often each triangle is divided in four, flat: each time what is lost
-  ///       around points halves, for four to eight times the time} \cgalParamDefault{0} \cgalParamNEnd
+  ///       halves, for four to eight times the time}
+  ///     \cgalParamDefault{1 up to 5,000 vertices or surfels, 0 above} \cgalParamNEnd
   ///   \cgalParamNBegin{speed_map}
   ///     \cgalParamDescription{the speed at vertices or in faces, finite and not negative, zero at
   ///       obstacles: time is what moving costs then} \cgalParamDefault{1 everywhere} \cgalParamNEnd
@@ -102,10 +111,11 @@ public:
   {}
   template <typename NamedParameters = internal::Default_parameters>
   explicit Earth_movers_solver(const Domain& domain, const NamedParameters& np = NamedParameters())
-      : m_domain(domain),
-        m_kernel(std::make_shared<const internal::Earth_movers>(
-            domain.triangles(), internal::parameter(np, internal_np::number_of_refinements, 0u),
-            internal::measure(domain, np)))
+      : m_domain(domain), m_kernel(std::make_shared<const internal::Earth_movers>(
+                              domain.triangles(),
+                              internal::parameter(np, internal_np::number_of_refinements,
+                                                  internal::usual_refinements(*domain.triangles())),
+                              internal::measure(domain, np)))
   {}
 
   const Domain& domain() const { return m_domain; }
@@ -159,7 +169,7 @@ public:
   }
 
   /// writes the flow, in mass per length of a line across: a `Vector_3` for each face of a mesh, or
-  /// each surfel of a cloud.
+  /// each surfel of a cloud.  Where triangles were divided it is the mean over the parts.
   template <typename FlowMap>
   void write_flow(FlowMap map) const
   {
@@ -197,15 +207,9 @@ Earth_movers_cost Earth_movers_solver<Surface>::compute(const From& from, const 
   options.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
   m_result =
       m_kernel->solve(internal::masses(m_domain, from), internal::masses(m_domain, to), options);
-  Earth_movers_cost cost;
-  cost.value = m_result.value;
-  cost.lower = m_result.lower;
-  cost.upper = m_result.upper;
+  Earth_movers_cost cost(m_result);
   cost.upper_continuous = m_result.upper_continuous;
   cost.estimate = m_result.estimate;
-  cost.iterations = m_result.iterations;
-  cost.residual = m_result.residual;
-  cost.converged = m_result.converged;
   return cost;
 }
 

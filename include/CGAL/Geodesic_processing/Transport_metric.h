@@ -3,7 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TRANSPORT_METRIC_H
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_METRIC_H
 
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/masses.h>
 #include <CGAL/Geodesic_processing/internal/sources.h>
 #include <CGAL/Geodesic_processing/internal/transport_family.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
@@ -32,21 +34,12 @@ enum class Transport_flow
 };
 
 /// \ingroup PkgGeodesicProcessingDistances
-/// what is known of a distance of a `Transport_metric`.
-struct Transport_bounds
-{
-  double lower = 0.;
-  double upper = 0.;
-  double value() const { return 0.5 * (lower + upper); }
-};
-
-/// \ingroup PkgGeodesicProcessingDistances
 ///
-/// measures by the earth mover's distance between points, between spectral and geodesic distances: the
-/// family of metrics \f$ d_k \f$ of \cgalCite{cgal:srgb-emd-14}.
+/// measures by earth mover's distances among fewer flows, from spectral towards geodesic distances: the
+/// family of metrics \f$ d_k \f$ of \cgalCite{cgal:srgb-emd-14}, between places or any masses.
 ///
-/// A distance is the least cost, mass times way, of flows that carry a unit of mass from one place to
-/// another, among those that differ from a fixed one by turned gradients of \f$ k \f$ eigenfunctions of
+/// A distance is the least cost, mass times way, of flows that carry the masses of one side to those of
+/// the other, a unit of mass between places, among those that differ from a fixed one by turned gradients of \f$ k \f$ eigenfunctions of
 /// the Laplacian, and by fields that go around handles and holes.  With \f$ k = 0 \f$ nothing is sought,
 /// those fields neither: the distance is smooth, and known by Green's functions alone.  With a growing
 /// \f$ k \f$ and one `Transport_flow` it never grows, and comes down towards geodesic distances, but not
@@ -98,28 +91,56 @@ public:
                                                                     : Transport_flow::balanced;
   }
 
-  /// returns bounds of the distance between two places.
+  /// finds out what it costs to move masses, and bounds of it.
   ///
-  /// \param p,q sites or locations
-  /// \param tolerance how far the bounds may be apart, relative to the upper one
-  /// \throws Invalid_argument_error when a place is not on the surface, or the tolerance not positive
-  template <typename P, typename Q>
-  Transport_bounds bounds(const P& p, const Q& q, double tolerance = 1e-3) const
+  /// A `balanced` flow moves masses that were spread over triangles; the residual is that of these.
+  ///
+  /// \param from, to masses, as `Earth_movers_solver` takes them
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one}
+  ///     \cgalParamDefault{0.001} \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDefault{5,000} \cgalParamNEnd
+  ///   \cgalParamNBegin{do_normalize}
+  ///     \cgalParamDescription{whether to scale both sides so that each sums to one}
+  ///     \cgalParamDefault{false} \cgalParamNEnd
+  ///   \cgalParamNBegin{flow_map}
+  ///     \cgalParamDescription{receives for each face, or surfel, the flow: a `Vector_3`; nothing if
+  ///       the cost is infinite} \cgalParamNEnd
+  ///   \cgalParamNBegin{callback}
+  ///     \cgalParamDescription{a `std::function<bool(double)>` that gets the fraction of the
+  ///       iterations, and ends them by `false`; bounds hold all the same} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Invalid_argument_error when a place is not on the surface, a mass not finite, the sums
+  ///         differ, nothing can be scaled, or the tolerance is not positive
+  template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
+  Earth_movers_cost cost(const From& from, const To& to,
+                         const NamedParameters& np = NamedParameters()) const
   {
     const internal::Glued_triangles& t = *m_domain.triangles();
-    const internal::Masses to = internal::masses_at(t, {internal::location(m_domain, q)});
-    internal::Family_options options;
-    options.tolerance = tolerance;
-    const internal::Bounds found =
-        m_family->distances(to - internal::masses_at(t, {internal::location(m_domain, p)}), options)
-            .front();
-    return {t.scale * found.lower, t.scale * found.upper};
+    const std::vector<double>& area = m_family->operators().area;
+    internal::Family_options chosen = options<Sequential_tag>(np);
+    chosen.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
+    chosen.maximum_iterations =
+        internal::parameter(np, internal_np::maximum_number_of_iterations, 5000u);
+    const internal::Mass_distribution moved = internal::difference(
+        t, area, internal::masses(m_domain, from), internal::masses(m_domain, to),
+        internal::parameter(np, internal_np::do_normalize, false));
+    internal::Transport found =
+        m_family->transport(internal::masses_at_sites(t, area, moved), chosen);
+    internal::rescale(found, t.scale);
+    if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
+      if(!found.flow.empty())
+        internal::write_vectors(m_domain, found.flow,
+                                internal::parameter(np, internal_np::flow_map, 0));
+    return Earth_movers_cost(found);
   }
-  /// returns the middle of the bounds.
-  template <typename P, typename Q>
-  double distance(const P& p, const Q& q, double tolerance = 1e-3) const
+  /// returns the value of `cost()` between two places, or any masses.
+  template <typename From, typename To>
+  double distance(const From& from, const To& to, double tolerance = 1e-3) const
   {
-    return bounds(p, q, tolerance).value();
+    return cost(from, to, parameters::tolerance(tolerance)).value;
   }
 
   /// writes the distance of each site to a place.
@@ -155,10 +176,10 @@ public:
   ///
   /// \tparam Concurrency_tag as for `write_distances()`
   /// \param places a range of sites or of locations
-  /// \param tolerance as for `bounds()`
+  /// \param tolerance as for `cost()`
   /// \param np as for `write_distances()`
   /// \returns a symmetric matrix; an empty one when the callback cancelled it
-  /// \throws Invalid_argument_error as `bounds()`
+  /// \throws Invalid_argument_error as `cost()`
   template <typename Concurrency_tag = Sequential_tag, typename Places,
             typename NamedParameters = internal::Default_parameters>
   Eigen::MatrixXd distance_matrix(const Places& places, double tolerance = 1e-3,

@@ -4,22 +4,13 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_EARTH_MOVERS_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/Mass_distribution.h>
 #include <CGAL/Geodesic_processing/internal/transport.h>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
-
-// A sum of any of these.
-struct Mass_distribution
-{
-  Vector at_sites; // #sites, or empty
-  std::vector<std::pair<Location, double>>
-      at_locations; // no matter whether at sites or in triangles
-  Vector density;   // #sites, or empty: linear in each triangle, per square of the caller's unit
-};
 
 struct Earth_movers_options
 {
@@ -27,6 +18,13 @@ struct Earth_movers_options
   bool do_normalize = false; // scales both sides so that each sums to one
   bool do_bound_from_above = false;
 };
+
+// On coarse surfaces more than a percent may be lost between points; a query of a refined one takes some
+// tenths of a second there.
+inline unsigned usual_refinements(const Glued_triangles& triangles)
+{
+  return triangles.number_of_sites() <= 5000 ? 1 : 0;
+}
 
 // In the caller's units; potential and flow of the coarse sites and triangles.
 struct Earth_movers_result : Transport
@@ -57,12 +55,10 @@ private:
   {
     std::shared_ptr<const Glued_triangles> triangles;
     std::vector<Tensor> measure;              // #triangles, or empty
+    std::vector<double> area;                 // #triangles: zero where nothing may pass
     std::unique_ptr<Transport_solver> solver; // of the last two alone
   };
 
-  Mass_distribution difference(const Mass_distribution& from, const Mass_distribution& to,
-                               bool do_normalize) const;
-  Vector at_sites(std::size_t level, const Mass_distribution& masses) const;
   double cost_to_sites(const Mass_distribution& masses) const;
   double cost_of_flow(const Field& flow) const;
 

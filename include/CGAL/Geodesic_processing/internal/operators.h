@@ -72,11 +72,9 @@ Field turned_left(Field field);
 CGAL_GEODESIC_PROCESSING_EXPORT
 double inner_product(const Operators& operators, const Field& a, const Field& b);
 
-// The integral of each hat function, and of the products of two (lower triangle): both sum to the area.
+// The integral of each hat function: the sum is the area.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector lumped_mass(const Operators& operators);
-CGAL_GEODESIC_PROCESSING_EXPORT
-Sparse_matrix consistent_mass(const Operators& operators);
 
 // Sites joined by triangles that have area: a label for each site, and how many labels there are.
 // Between components nothing flows.  Sites of no such triangle are components of their own.

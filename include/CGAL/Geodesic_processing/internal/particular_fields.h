@@ -66,6 +66,9 @@ public:
   // over the triangles around its site: then no triangle gains or loses anything but its share.
   Matrix fields(const Masses& masses) const;
 
+  // The divergence of the field of one distribution: its masses, or what they are after they were spread.
+  Vector balanced(const Vector& masses) const;
+
   // Hands the field of each column over in turn, with the column's number, where keeping all of them at
   // once would take longer than computing them.
   void for_each_field(const Masses& masses,

@@ -42,6 +42,16 @@ struct Transport
   Splitting::State state; // where `splitting` ended
 };
 
+// From the unit of triangles, which have another scale, to the caller's.
+inline void rescale(Transport& transport, double scale)
+{
+  for(double* length : {&transport.value, &transport.lower, &transport.upper})
+    *length *= scale;
+  transport.potential *= scale;
+  for(Planar& vector : transport.flow)
+    vector = (1. / scale) * vector;
+}
+
 // The earth mover's distance with the length of a path as cost (Solomon, Rustamov, Guibas and Butscher
 // 2014), without their spectral truncation: over all fields J, constant in each triangle,
 //   minimize the integral of |J| where divergence(J) = b,

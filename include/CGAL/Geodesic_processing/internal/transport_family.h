@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/dense_product.h>
 #include <CGAL/Geodesic_processing/internal/operators.h>
 #include <CGAL/Geodesic_processing/internal/particular_fields.h>
+#include <CGAL/Geodesic_processing/internal/transport.h>
 
 #include <cstddef>
 #include <functional>
@@ -28,6 +29,13 @@ struct Bounds
 {
   double lower = 0.;
   double upper = 0.; // infinite where masses would have to leave a component
+  unsigned iterations = 0;
+
+  double value() const { return 0.5 * (lower + upper); }
+  bool are_within(double tolerance) const // relative to the upper one
+  {
+    return lower == upper || upper - lower <= tolerance * upper;
+  }
 };
 
 // The distances d_k of Solomon, Rustamov, Guibas and Butscher 2014 between distributions of mass: the
@@ -55,6 +63,11 @@ public:
   // one (by duality).  Empty when the callback cancelled it.
   std::vector<Bounds> distances(const Masses& differences, const Family_options& options) const;
 
+  // The same of one distribution at sites, with the flow, and without a potential; the callback gets a
+  // fraction of the iterations, and ends them by false.  What the flow has to move is known from the
+  // particular field.
+  Transport transport(const Vector& masses, const Family_options& options) const;
+
   // Of all pairs of columns.  For k = 0 with floats for the fields; upper bounds then, and the middles
   // of the bounds for others.  Symmetric; empty when the callback cancelled it.
   Matrix all_pairs(const Masses& masses, const Family_options& options) const;
@@ -67,6 +80,7 @@ public:
 private:
   struct Clusters;
 
+  bool is_balanced(const Masses& differences, Eigen::Index column) const;
   std::vector<double> column_masses(const Masses& masses, Eigen::Index column) const;
   Float_matrix best_rest(const Float_matrix& fields) const;
 
