@@ -40,6 +40,40 @@ Operators measured_operators(const Glued_triangles& t, const std::vector<Tensor>
   return result;
 }
 
+// Sites of a surface that was refined: those of the coarse one, and middles between two of them.
+std::vector<Index> refined(const Glued_triangles& coarse, const Glued_triangles& fine,
+                           const std::vector<Index>& region)
+{
+  Vector is_inside = Vector::Zero(Eigen::Index(coarse.number_of_sites()));
+  for(const Index site : region)
+    is_inside[site] = 1.;
+  const Vector inside = refined(coarse, fine, is_inside);
+  std::vector<Index> result;
+  for(Index site = 0; site < inside.size(); ++site)
+    if(inside[site] == 1.)
+      result.push_back(site);
+  return result;
+}
+
+// One unknown for all sites of a region.
+void merge(Operators& operators, const std::vector<Index>& region)
+{
+  std::vector<bool> is_inside(operators.number_of_sites, false);
+  for(const Index site : region)
+    is_inside[site] = true;
+  for(Index& site : operators.corner)
+    if(is_inside[site])
+      site = region.front();
+}
+
+// What is missing there, in its first site.
+void merge(Vector& masses, const std::vector<Index>& region)
+{
+  for(const Index site : region)
+    masses[site] = 0.;
+  masses[region.front()] = -masses.sum();
+}
+
 // The means over triangles that were divided; the one in the middle is turned by half.
 Field of_coarse(const Field& fine)
 {
@@ -68,16 +102,19 @@ Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& 
 } // namespace
 
 Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements,
-                           std::vector<Tensor> measure)
+                           std::vector<Tensor> measure, const std::vector<Index>& region)
 {
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
     throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
   m_levels.resize(refinements + 1);
+  m_levels[0].region = region;
   for(unsigned level = 0; level <= refinements; ++level)
   {
     if(level > 0)
     {
-      triangles = std::make_shared<const Glued_triangles>(refined(*triangles));
+      const Glued_triangles& coarse = *m_levels[level - 1].triangles;
+      triangles = std::make_shared<const Glued_triangles>(refined(coarse));
+      m_levels[level].region = refined(coarse, *triangles, m_levels[level - 1].region);
       for(const Tensor& tensor : std::exchange(measure, {}))
         measure.insert(measure.end(), 4, tensor);
     }
@@ -85,6 +122,7 @@ Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, uns
     m_levels[level].measure = measure;
     Operators operators = measured_operators(*triangles, measure);
     m_levels[level].area = operators.area;
+    merge(operators, m_levels[level].region);
     if(level + 1 >= refinements)
       m_levels[level].solver = std::make_unique<Transport_solver>(std::move(operators));
   }
@@ -153,9 +191,40 @@ double Earth_movers::cost_of_flow(const Field& flow) const
 Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mass_distribution& to,
                                         const Earth_movers_options& options) const
 {
+  const Level& coarse = m_levels.front();
+  return move(difference(*coarse.triangles, coarse.area, from, to, options.do_normalize), options);
+}
+
+Earth_movers_result Earth_movers::solve_to_region(const Mass_distribution& from,
+                                                  const Earth_movers_options& options) const
+{
+  const Level& coarse = m_levels.front();
+  const Vector at_sites = masses_at_sites(*coarse.triangles, coarse.area, from);
+  Mass_distribution to;
+  to.at_locations = {{{none, coarse.region.front(), {}}, at_sites.sum()}};
+  const Mass_distribution masses =
+      difference(*coarse.triangles, coarse.area, from, to, options.do_normalize);
+  Earth_movers_result result = move(masses, options);
+
+  const double top = result.potential[coarse.region.front()];
+  for(const Index site : coarse.region)
+    result.potential[site] = top;
+  result.potential.array() -= top;
+
+  const double scale = coarse.triangles->scale;
+  const Vector missing =
+      divergence(operators(*coarse.triangles, Flat_triangles::raised), result.flow);
+  const double factor = options.do_normalize ? 1. / at_sites.sum() : 1.;
+  result.arrivals = Vector::Zero(at_sites.size());
+  for(const Index site : coarse.region)
+    result.arrivals[site] = scale * missing[site] + factor * at_sites[site];
+  return result;
+}
+
+Earth_movers_result Earth_movers::move(Mass_distribution masses,
+                                       const Earth_movers_options& options) const
+{
   const std::size_t finest = m_levels.size() - 1;
-  Mass_distribution masses =
-      difference(*m_levels[0].triangles, m_levels[0].area, from, to, options.do_normalize);
   Earth_movers_result result;
   Transport_options transport = options.transport;
   transport.start = {};
@@ -178,8 +247,10 @@ Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mas
     before = here.triangles->scale * 2. * result.value;
     if(level == finest)
       transport.start = options.transport.start; // which ended there
-    static_cast<Transport&>(result) =
-        here.solver->solve(masses_at_sites(*here.triangles, here.area, masses), transport);
+    Vector missing = masses_at_sites(*here.triangles, here.area, masses);
+    if(!here.region.empty())
+      merge(missing, here.region);
+    static_cast<Transport&>(result) = here.solver->solve(missing, transport);
     done = part;
     part = 1. - part;
   }

@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/Mesh_domain.h>
+#include <CGAL/Geodesic_processing/Region_transport_solver.h>
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/exponential_map.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
+#include <CGAL/Geodesic_processing/feature_distance.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
@@ -38,5 +40,6 @@
 #include <CGAL/Geodesic_processing/surfel_geodesic_path.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 #include <CGAL/Geodesic_processing/tags.h>
+#include <CGAL/Geodesic_processing/transport_to_region.h>
 
 #endif // CGAL_GEODESIC_PROCESSING_H

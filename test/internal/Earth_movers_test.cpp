@@ -9,7 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -356,6 +359,147 @@ TEST(Earth_movers, methods_agree)
   EXPECT_LE(reweighted.lower, value * (1. + 1e-5));
   EXPECT_GE(reweighted.upper, value * (1. - 1e-5));
   EXPECT_TRUE(reweighted.converged);
+}
+
+// Of each point, to the nearest of some.
+std::vector<double> distances_to(const Glued_surface& surface, const std::vector<Index>& region)
+{
+  std::vector<internal::Source> sources;
+  for(const Index i : region)
+    sources.push_back(surface.source(i));
+  Window_propagation windows(surface.triangles());
+  windows.run(sources);
+  std::vector<double> result;
+  for(Index i = 0; i < surface.size(); ++i)
+    result.push_back(surface.scale() * windows.distance(surface.site(i)));
+  return result;
+}
+
+std::vector<Index> sites(const Glued_surface& surface, const std::vector<Index>& points)
+{
+  std::vector<Index> result;
+  for(const Index i : points)
+    result.push_back(surface.site(i));
+  return result;
+}
+
+// A square of 24 by 24 cells without those of two walls, which leave open what is beside them.
+Triangulation maze()
+{
+  Triangulation result = square(24);
+  std::vector<Index> open;
+  for(std::size_t f = 0; f < result.corners.size(); f += 3)
+  {
+    const Point &p = result.points[result.corners[f]], &q = result.points[result.corners[f + 1]],
+                &r = result.points[result.corners[f + 2]];
+    const double x = (p[0] + q[0] + r[0]) / 3., y = (p[1] + q[1] + r[1]) / 3.;
+    if(!(x > 1. / 3. && x < 3. / 8. && y < 0.75) && !(x > 2. / 3. && x < 17. / 24. && y > 0.25))
+      open.insert(open.end(), &result.corners[f], &result.corners[f] + 3);
+  }
+  result.corners = std::move(open);
+  return result;
+}
+
+TEST(Earth_movers, find_the_nearest_exit)
+{
+  const Glued_surface surface(maze());
+  const std::vector<Index> exits = {24, 3 * 25 + 24, 24 * 25, 24 * 25 + 24};
+  const std::vector<double> distance = distances_to(surface, exits);
+  for(const unsigned refinements : {0u, 1u})
+  {
+    const Earth_movers kernel(surface.triangles(), refinements, {}, sites(surface, exits));
+    for(const Index from : {0u, 12u * 25u + 12u, 25u * 25u - 3u, 5u * 25u + 7u})
+    {
+      const double exact = distance[from];
+      const Earth_movers_result found =
+          kernel.solve_to_region(at(surface.at(from), 2.), within(1e-6));
+      EXPECT_TRUE(found.converged);
+      EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane nothing is lost but the gap
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // a hundred masses' rounding in each step
+      EXPECT_NEAR(-2. * found.potential[surface.site(from)], found.lower, rounding);
+      for(const Index exit : exits)
+      {
+        EXPECT_EQ(found.potential[surface.site(exit)], 0.);
+        // All go the one shortest way; what strays costs at least a side of a 24th more in a hundred.
+        const bool is_nearest =
+            exact_distance(surface, surface.at(from), surface.at(exit)) < exact + rounding;
+        EXPECT_NEAR(found.arrivals[surface.site(exit)], is_nearest ? 2. : 0., 1e-3);
+      }
+    }
+  }
+}
+
+// From everywhere at once: what each place pays is nowhere above its distance, and not far below.
+TEST(Earth_movers, measure_distances_to_regions)
+{
+  for(const Triangulation& shape : {shaken(icosphere(3), 0.02), square(16, 0.24)})
+  {
+    const Glued_surface surface(shape);
+    const std::vector<Index> region = {3, 8, 90};
+    Mass_distribution even;
+    even.density = Vector::Ones(surface.size());
+    const std::vector<double> exact = distances_to(surface, region);
+    double before = 1.;
+    for(const unsigned refinements : {0u, 1u})
+    {
+      const Earth_movers kernel(surface.triangles(), refinements, {}, sites(surface, region));
+      const Earth_movers_result found = kernel.solve_to_region(even, within(1e-4));
+      double loss = 0.;
+      for(Index i = 0; i < surface.size(); ++i)
+      {
+        const double distance = -found.potential[surface.site(i)];
+        EXPECT_LE(distance, exact[i] * (1. + rounding));
+        loss += (exact[i] - distance) / double(surface.size());
+      }
+      EXPECT_LT(loss, 0.7 * before); // of the order of a side
+      before = loss;
+    }
+    EXPECT_LT(before, 0.03); // a fifth of the sphere's sides, half of the square's
+  }
+}
+
+// To a side of a square, sites and sides between them: straight on.
+TEST(Earth_movers, arrive_all_along_a_region)
+{
+  const Glued_surface surface(square(8));
+  std::vector<Index> side;
+  for(Index row = 0; row < 9; ++row)
+    side.push_back(9 * row + 8);
+  for(const unsigned refinements : {0u, 1u})
+  {
+    const Earth_movers kernel(surface.triangles(), refinements, {}, sites(surface, side));
+    Mass_distribution even;
+    even.density = Vector::Ones(surface.size());
+    const Earth_movers_result found = kernel.solve_to_region(even, within(1e-6));
+    EXPECT_NEAR(found.value, 0.5, 1e-6);
+    for(Index row = 0; row < 9; ++row)
+      EXPECT_NEAR(found.arrivals[surface.site(9 * row + 8)], row % 8 == 0 ? 1. / 16. : 1. / 8.,
+                  1e-3); // the gap leaves so much room
+    // What is in the region is there already; half of a mass, scaled to one, counts for one.
+    Mass_distribution some = at(surface.at(0), 0.25);
+    some.at_locations.emplace_back(surface.at(8), 0.25);
+    Earth_movers_options options = within(1e-6);
+    options.do_normalize = true;
+    const Earth_movers_result there = kernel.solve_to_region(some, options);
+    EXPECT_NEAR(there.value, 0.5, 1e-6);
+    EXPECT_NEAR(there.arrivals[surface.site(8)], 1., 5e-3); // what strays by x costs x * x more
+  }
+}
+
+TEST(Earth_movers, reach_regions_of_their_component)
+{
+  const Glued_surface surface(apart(square(4), square(4)));
+  const Mass_distribution left = at(surface.at(0)), right = at(surface.at(25));
+  const Earth_movers to_left(surface.triangles(), 0, {}, {surface.site(4)}),
+      to_both(surface.triangles(), 0, {}, sites(surface, {4, 29}));
+  EXPECT_NEAR(to_left.solve_to_region(left, within(1e-6)).value, 1., 1e-5);
+  EXPECT_THROW(to_left.solve_to_region(right), Invalid_argument_error);
+  Mass_distribution all = left;
+  all.at_locations.emplace_back(surface.at(25), 3.);
+  const Earth_movers_result found = to_both.solve_to_region(all, within(1e-6));
+  EXPECT_NEAR(found.value, 4., 1e-5);
+  EXPECT_NEAR(found.arrivals[surface.site(4)], 1., 1e-6);
+  EXPECT_NEAR(found.arrivals[surface.site(29)], 3., 1e-6);
 }
 
 TEST(Earth_movers, refuses_what_cannot_be_moved)

@@ -56,6 +56,82 @@ struct Earth_movers_cost
 #endif
 };
 
+/// has the potential and the flow that the last query of a solver found.
+///
+/// \tparam Surface as for `geodesic_distances()`, not a domain
+template <typename Surface>
+class Transport_solution
+{
+public:
+  using Domain = internal::Domain_of<Surface>;
+  using Site = typename Domain::Site;
+
+  const Domain& domain() const { return m_domain; }
+
+  /// returns the potential of a site: it grows along the flow, nowhere by more than distance does, and
+  /// its integral over the masses is the lower bound.
+  double potential(Site site) const { return m_result.potential[m_domain.index(site)]; }
+
+  /// writes the potential of each site.
+  template <typename PotentialMap>
+  void write_potential(PotentialMap map) const
+  {
+    m_domain.write([&](internal::Index i) { return m_result.potential[i]; }, map);
+  }
+
+  /// writes the flow, in mass per length of a line across: a `Vector_3` for each face of a mesh, or
+  /// each surfel of a cloud.  Where triangles were divided it is the mean over the parts.
+  template <typename FlowMap>
+  void write_flow(FlowMap map) const
+  {
+    internal::write_vectors(m_domain, m_result.flow, map);
+  }
+
+protected:
+  template <typename NamedParameters>
+  Transport_solution(const Domain& domain, const NamedParameters& np,
+                     const std::vector<internal::Index>& region = {})
+      : m_domain(domain), m_kernel(std::make_shared<const internal::Earth_movers>(
+                              domain.triangles(),
+                              internal::parameter(np, internal_np::number_of_refinements,
+                                                  internal::usual_refinements(*domain.triangles())),
+                              internal::measure(domain, np), region))
+  {}
+
+  template <typename Method, typename NamedParameters>
+  internal::Earth_movers_options options(const NamedParameters& np)
+  {
+    using internal::Transport_method;
+    internal::Earth_movers_options result;
+    result.transport.method = std::is_same_v<Method, Interior_point>
+                                  ? Transport_method::interior_point
+                              : std::is_same_v<Method, Weiszfeld> ? Transport_method::weiszfeld
+                                                                  : Transport_method::splitting;
+    result.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
+    result.transport.maximum_iterations =
+        internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
+    result.transport.callback =
+        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+    if(internal::parameter(np, internal_np::do_start_from_last, false))
+      result.transport.start = std::move(m_result.state);
+    result.do_normalize = internal::parameter(np, internal_np::do_normalize, false);
+    result.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
+    return result;
+  }
+
+  Earth_movers_cost cost() const
+  {
+    Earth_movers_cost result(m_result);
+    result.upper_continuous = m_result.upper_continuous;
+    result.estimate = m_result.estimate;
+    return result;
+  }
+
+  Domain m_domain;
+  std::shared_ptr<const internal::Earth_movers> m_kernel;
+  internal::Earth_movers_result m_result;
+};
+
 /// finds out what it costs to move masses along a surface, for many masses on one surface.
 ///
 /// The earth mover's distance, or 1-Wasserstein distance with lengths of paths as cost, is the least
@@ -79,11 +155,12 @@ struct Earth_movers_cost
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
-class Earth_movers_solver
+class Earth_movers_solver : public Transport_solution<Surface>
 {
+  using Base = Transport_solution<Surface>;
+
 public:
-  using Domain = internal::Domain_of<Surface>;
-  using Site = typename Domain::Site;
+  using typename Base::Domain;
 
   /// prepares the surface: two factorizations, about 1 KB per vertex.
   ///
@@ -111,14 +188,8 @@ public:
   {}
   template <typename NamedParameters = internal::Default_parameters>
   explicit Earth_movers_solver(const Domain& domain, const NamedParameters& np = NamedParameters())
-      : m_domain(domain), m_kernel(std::make_shared<const internal::Earth_movers>(
-                              domain.triangles(),
-                              internal::parameter(np, internal_np::number_of_refinements,
-                                                  internal::usual_refinements(*domain.triangles())),
-                              internal::measure(domain, np)))
+      : Base(domain, np)
   {}
-
-  const Domain& domain() const { return m_domain; }
 
   /// finds out what it costs to move masses; what the last call found is forgotten.
   ///
@@ -152,66 +223,16 @@ public:
   template <typename Method = Interior_point, typename From, typename To,
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const To& to,
-                            const NamedParameters& np = NamedParameters());
-
-  /// \name The last computation
-  /// @{
-
-  /// returns the potential of a site: it grows along the flow, nowhere by more than distance does, and
-  /// its integral over the masses is the lower bound.
-  double potential(Site site) const { return m_result.potential[m_domain.index(site)]; }
-
-  /// writes the potential of each site.
-  template <typename PotentialMap>
-  void write_potential(PotentialMap map) const
+                            const NamedParameters& np = NamedParameters())
   {
-    m_domain.write([&](internal::Index i) { return m_result.potential[i]; }, map);
+    const auto options = this->template options<Method>(np);
+    this->m_result = this->m_kernel->solve(internal::masses(this->m_domain, from),
+                                           internal::masses(this->m_domain, to), options);
+    return this->cost();
   }
-
-  /// writes the flow, in mass per length of a line across: a `Vector_3` for each face of a mesh, or
-  /// each surfel of a cloud.  Where triangles were divided it is the mean over the parts.
-  template <typename FlowMap>
-  void write_flow(FlowMap map) const
-  {
-    internal::write_vectors(m_domain, m_result.flow, map);
-  }
-  /// @}
-
-private:
-  Domain m_domain;
-  std::shared_ptr<const internal::Earth_movers> m_kernel;
-  internal::Earth_movers_result m_result;
 };
 
 /// @}
-
-template <typename Surface>
-template <typename Method, typename From, typename To, typename NamedParameters>
-Earth_movers_cost Earth_movers_solver<Surface>::compute(const From& from, const To& to,
-                                                        const NamedParameters& np)
-{
-  using internal::Transport_method;
-  internal::Earth_movers_options options;
-  options.transport.method = std::is_same_v<Method, Interior_point>
-                                 ? Transport_method::interior_point
-                             : std::is_same_v<Method, Weiszfeld> ? Transport_method::weiszfeld
-                                                                 : Transport_method::splitting;
-  options.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
-  options.transport.maximum_iterations =
-      internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
-  options.transport.callback =
-      internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
-  if(internal::parameter(np, internal_np::do_start_from_last, false))
-    options.transport.start = std::move(m_result.state);
-  options.do_normalize = internal::parameter(np, internal_np::do_normalize, false);
-  options.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
-  m_result =
-      m_kernel->solve(internal::masses(m_domain, from), internal::masses(m_domain, to), options);
-  Earth_movers_cost cost(m_result);
-  cost.upper_continuous = m_result.upper_continuous;
-  cost.estimate = m_result.estimate;
-  return cost;
-}
 
 } // namespace CGAL::Geodesic_processing
 

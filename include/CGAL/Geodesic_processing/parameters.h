@@ -176,6 +176,10 @@ enum flow_map_t
 {
   flow_map
 };
+enum arrival_map_t
+{
+  arrival_map
+};
 enum do_normalize_t
 {
   do_normalize
@@ -258,6 +262,7 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, metric_map_t, metric_map)                                 \
   LINK(Geodesic_processing::internal_np, potential_map_t, potential_map)                           \
   LINK(Geodesic_processing::internal_np, flow_map_t, flow_map)                                     \
+  LINK(Geodesic_processing::internal_np, arrival_map_t, arrival_map)                               \
   LINK(Geodesic_processing::internal_np, do_normalize_t, do_normalize)                             \
   LINK(Geodesic_processing::internal_np, do_bound_from_above_t, do_bound_from_above)               \
   LINK(Geodesic_processing::internal_np, do_start_from_last_t, do_start_from_last)                 \

@@ -31,6 +31,7 @@ struct Earth_movers_result : Transport
 {
   double upper_continuous = infinity; // if asked for
   double estimate = 0.;               // extrapolated over the last refinement, else the value
+  Vector arrivals;                    // #sites: the masses that come to a region, zero elsewhere
 };
 
 // Transport_solver on a surface, on request refined, and with another measure of lengths.
@@ -41,23 +42,34 @@ public:
   // measure      #triangles: the length of a vector is that of its product with this positive definite
   //              tensor, in the plane where the triangle is unfolded; infinite where nothing may
   //              pass; empty: its own
+  // region       sites, with the sides and triangles between them: where masses go, for
+  //              solve_to_region() alone
   // Throws Unsupported_surface_error when there is no triangle with an area, or too many.
   explicit Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements = 0,
-                        std::vector<Tensor> measure = {});
+                        std::vector<Tensor> measure = {}, const std::vector<Index>& region = {});
 
   // Throws Invalid_argument_error when a mass is not finite, the sums differ, as a whole or on a
   // component, or nothing can be normalized.
   Earth_movers_result solve(const Mass_distribution& from, const Mass_distribution& to,
                             const Earth_movers_options& options = {}) const;
 
+  // To wherever in the region it costs the least: the region is one site, at which the potential is
+  // zero.  Elsewhere the potential is minus a lower bound of the distance to the region.  Throws as
+  // solve(), and when masses are on a component without a part of the region.
+  Earth_movers_result solve_to_region(const Mass_distribution& from,
+                                      const Earth_movers_options& options = {}) const;
+
 private:
   struct Level
   {
     std::shared_ptr<const Glued_triangles> triangles;
-    std::vector<Tensor> measure;              // #triangles, or empty
-    std::vector<double> area;                 // #triangles: zero where nothing may pass
+    std::vector<Tensor> measure; // #triangles, or empty
+    std::vector<double> area;    // #triangles: zero where nothing may pass
+    std::vector<Index> region;
     std::unique_ptr<Transport_solver> solver; // of the last two alone
   };
+
+  Earth_movers_result move(Mass_distribution masses, const Earth_movers_options& options) const;
 
   double cost_to_sites(const Mass_distribution& masses) const;
   double cost_of_flow(const Field& flow) const;

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Region_transport_solver.h>
+
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+#include "openmesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+// Of the bounds, by default.
+constexpr double gap = 1e-3;
+
+// The unit square in 12 by 12 cells: vertex 13 * row + column.
+Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
+
+TEST(Region_transport_solver, goes_to_the_nearest_place)
+{
+  const Mesh mesh = mesh_of(square(12));
+  const std::vector<Vertex> exits = {at(0, 0), at(12, 9)};
+  GP::Region_transport_solver<Mesh> solver(mesh, exits);
+  const auto value = [&](const auto& from)
+  {
+    const GP::Earth_movers_cost cost = solver.compute(from);
+    EXPECT_TRUE(cost.converged);
+    EXPECT_LE(cost.lower, cost.value);
+    EXPECT_LE(cost.upper - cost.lower, gap * cost.upper);
+    return cost.value;
+  };
+  EXPECT_NEAR(value(at(3, 0)), 0.25, 0.25 * gap);
+  EXPECT_NEAR(solver.arrival(exits[0]), 1., gap); // less what strays
+  EXPECT_NEAR(solver.potential(at(3, 0)), -0.25, 0.25 * gap);
+  EXPECT_NEAR(value(at(12, 0)), 0.75, 0.75 * gap);
+  EXPECT_NEAR(solver.arrival(exits[1]), 1., gap);
+  EXPECT_EQ(solver.arrival(at(5, 5)), 0.);
+  EXPECT_NEAR(value(std::vector<Vertex>{at(3, 0), at(12, 0)}), 0.5, 0.5 * gap); // half a mass each
+  EXPECT_NEAR(solver.arrival(exits[0]), 0.5, gap);                              // what strays
+  EXPECT_EQ(solver.compute(exits[1]).value, 0.);
+  EXPECT_NEAR(solver.arrival(exits[1]), 1., 1e-9);
+}
+
+// To the border: sides between its vertices are as good as they are.
+TEST(Region_transport_solver, takes_borders)
+{
+  Mesh mesh = mesh_of(square(12));
+  std::vector<GP::Source<Mesh>> border;
+  GP::border_sources(mesh, std::back_inserter(border));
+  GP::Region_transport_solver<Mesh> solver(mesh, border);
+  const double middle = solver.compute(at(6, 6)).value;
+  EXPECT_LE(middle, 0.5 * (1. + gap));
+  EXPECT_GE(middle, 0.5 - 0.5 / 24.); // where ways are equally short a part of a side is lost
+  EXPECT_NEAR(solver.compute(at(2, 7)).value, 1. / 6., gap / 6.);
+  auto arrivals = vertex_map(mesh);
+  solver.write_arrivals(arrivals);
+  double sum = 0.;
+  for(const Vertex v : vertices(mesh))
+    sum += arrivals[v];
+  EXPECT_NEAR(sum, 1., 1e-9);
+}
+
+// The surface as any mesh, of any size; the cost from vertex 0 to a ring of vertices.
+template <typename AnyMesh>
+double cost_to_ring(double scale = 1.)
+{
+  const Triangulation shape = icosphere(3);
+  Numbered<AnyMesh> sphere;
+  fill(sphere, scaled(shape, scale));
+  std::vector<typename boost::graph_traits<AnyMesh>::vertex_descriptor> ring;
+  const Point& base = shape.points[0];
+  for(std::size_t i = 0; i < shape.points.size(); ++i)
+    if(const Point& p = shape.points[i];
+       std::abs(p[0] * base[0] + p[1] * base[1] + p[2] * base[2]) < 0.05)
+      ring.push_back(sphere.vertices[i]);
+  GP::Region_transport_solver<AnyMesh> solver(sphere.mesh, ring);
+  return solver.compute(sphere.vertices[0]).value;
+}
+
+TEST(Region_transport_solver, takes_all_meshes_and_scales)
+{
+  const double value = cost_to_ring<Mesh>();
+  EXPECT_NEAR(value, 0.5 * std::acos(-1.), 0.06); // the ring is as wide as that
+  EXPECT_EQ(cost_to_ring<CGAL::Polyhedron_3<Kernel>>(), value);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  EXPECT_NEAR(cost_to_ring<OpenMesh::TriMesh_ArrayKernelT<>>(), value, 1e-5); // single precision
+#endif
+  for(const double scale : {1e-6, 1e6})
+    EXPECT_NEAR(cost_to_ring<Mesh>(scale), scale * value, 1e-9 * scale);
+}
+
+TEST(Region_transport_solver, takes_clouds)
+{
+  const Surfels surfels = sphere_surfels(4);
+  CGAL::Point_set_3<Kernel::Point_3> cloud(true);
+  for(const auto& [point, normal] : surfels)
+    cloud.insert(point, normal);
+  using Index = CGAL::Point_set_3<Kernel::Point_3>::Index;
+  const std::vector<Index> region = {Index(3), Index(1000), Index(2000)};
+  GP::Region_transport_solver<CGAL::Point_set_3<Kernel::Point_3>> solver(cloud, region);
+  double exact = 10.;
+  for(const Index& i : region)
+    exact = std::min(exact, 2. * std::asin(0.5 * std::sqrt(CGAL::squared_distance(
+                                                     cloud.point(i), cloud.point(Index(500))))));
+  EXPECT_NEAR(solver.compute(Index(500)).value, exact, 0.015 * exact); // as between two surfels
+}
+
+TEST(Region_transport_solver, refuses_what_is_no_region)
+{
+  const Mesh mesh = mesh_of(apart(square(4), square(4)));
+  using Solver = GP::Region_transport_solver<Mesh>;
+  EXPECT_THROW(Solver(mesh, std::vector<Vertex>()), GP::Invalid_argument_error);
+  EXPECT_THROW(Solver(mesh, Vertex(99)), GP::Invalid_argument_error);
+  EXPECT_THROW(Solver(mesh, location_of(0, {0.5, 0.5, 0.})), GP::Invalid_argument_error);
+  EXPECT_NO_THROW(Solver(mesh, location_of(0, {0., 1., 0.})));
+  Solver solver(mesh, Vertex(3));
+  EXPECT_THROW(solver.compute(Vertex(30)), GP::Invalid_argument_error);
+  EXPECT_THROW(solver.compute(Vertex(0), GP::parameters::tolerance(0.)),
+               GP::Invalid_argument_error);
+}
+
+} // namespace

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/transport_to_region.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+TEST(Transport_to_region, says_what_the_solver_says)
+{
+  Mesh mesh = mesh_of(square(8, 0.24));
+  const std::vector<Vertex> region = {Vertex(8), Vertex(80)};
+  auto arrivals = vertex_map(mesh), potential = vertex_map(mesh);
+  auto flow = mesh.add_property_map<Face, Kernel::Vector_3>("flow").first;
+  const auto np = GP::parameters::number_of_refinements(0u).tolerance(1e-4);
+  const GP::Earth_movers_cost cost =
+      GP::transport_to_region(mesh, Vertex(0), region,
+                              GP::parameters::number_of_refinements(0u)
+                                  .tolerance(1e-4)
+                                  .arrival_map(arrivals)
+                                  .potential_map(potential)
+                                  .flow_map(flow));
+  GP::Region_transport_solver<Mesh> solver(mesh, region, np);
+  EXPECT_EQ(solver.compute(Vertex(0), np).value, cost.value);
+  EXPECT_NEAR(cost.value, 1., 1e-4);
+  Kernel::Vector_3 moment = CGAL::NULL_VECTOR;
+  for(const Face f : faces(mesh))
+  {
+    const auto h = mesh.halfedge(f);
+    moment = moment + 0.5 *
+                          CGAL::cross_product(
+                              mesh.point(mesh.target(h)) - mesh.point(mesh.source(h)),
+                              mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.source(h)))
+                              .z() *
+                          flow[f];
+  }
+  // The mean way is from where the mass was to where it arrived.
+  Kernel::Vector_3 way = CGAL::NULL_VECTOR;
+  for(const Vertex v : vertices(mesh))
+  {
+    EXPECT_EQ(arrivals[v], solver.arrival(v));
+    EXPECT_EQ(potential[v], solver.potential(v));
+    way = way + arrivals[v] * (mesh.point(v) - mesh.point(Vertex(0)));
+  }
+  EXPECT_LT((moment - way).squared_length(), 1e-16);
+}
+
+} // namespace
