@@ -161,4 +161,15 @@ std::string number_text(double value)
   return text;
 }
 
+std::string lines(const std::vector<double>& values)
+{
+  std::string text;
+  for(const double value : values)
+  {
+    append_number(text, value);
+    text += '\n';
+  }
+  return text;
+}
+
 } // namespace program

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace program {
 
@@ -25,6 +26,8 @@ void check_folder(const std::string& filename);
 // The shortest text that reads back as the same number; inf and nan in these letters.
 void append_number(std::string& text, double value);
 std::string number_text(double value);
+// One number a line.
+std::string lines(const std::vector<double>& values);
 
 } // namespace program
 

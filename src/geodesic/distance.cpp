@@ -163,14 +163,7 @@ void run_distance(Job& job, const Distance_options& options)
             std::to_string(result.values.size()));
 
   job.stage("write");
-  job.write_values(
-      [&]
-      {
-        std::string text;
-        for(const double x : result.values)
-          text += number_text(x) + '\n';
-        return text;
-      });
+  job.write_values([&] { return lines(result.values); });
   if(!job.picture().empty())
     draw(job.picture(),
          {&surface.file, result.values, "distance", {}, {}, result.sources, result.triangles});

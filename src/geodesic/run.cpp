@@ -57,6 +57,8 @@ int run(int argc, char** argv)
   add_remesh(program);
   add_surfels(program);
   add_emd(program);
+  add_plan(program);
+  add_feature_distance(program);
   try
   {
     program.parse(argc, argv);

@@ -84,14 +84,7 @@ void run_surfels(Job& job, const Surfels_options& options)
     job.say("noise           " + readable(100. * finder.noise()) + " % of the spacing");
 
   job.stage("write");
-  job.write_values(
-      [&]
-      {
-        std::string text;
-        for(const double r : radius)
-          text += number_text(r) + '\n';
-        return text;
-      });
+  job.write_values([&] { return lines(radius); });
   if(!job.picture().empty())
   {
     Picture picture{&file};

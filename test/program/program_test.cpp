@@ -337,6 +337,10 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
   expect_keys("emd square.ply --from 0 --to 80",
               {"value", "lower", "upper", "estimate", "iterations", "residual", "converged"});
+  expect_keys("plan square.ply --from 0 --to 80,8",
+              {"value", "lower", "upper", "iterations", "residual", "converged", "arrivals"});
+  expect_keys("feature-distance square.ply --feature 0",
+              {"max", "value", "lower", "upper", "iterations", "residual", "converged"});
   expect_keys("emd square.ply --from 0 --to 80 --basis 5",
               {"basis", "value", "lower", "upper", "iterations", "residual", "converged"});
   expect_keys("emd square.ply --from 0 --to 80 --bound-above --refine 1",
@@ -482,6 +486,46 @@ TEST_F(Program, emd_moves_masses)
   write("short.txt", "1\n2\n");
   expect_failure("emd square.ply --from 0 --to short.txt", 2, "2 masses for 81 vertices");
   expect_failure("emd cloud.xyz --from 0 --to 11 --bound-above", 2, "need a mesh");
+}
+
+TEST_F(Program, plan_moves_masses_to_a_region)
+{
+  // From the left and the lower side to the two right corners.
+  const nlohmann::json two = json("plan square.ply --from 45,6 --to 8,80 -o p.ply --hodge");
+  EXPECT_NEAR(two["value"].get<double>(), 0.5 * (std::sqrt(1. + 9. / 64.) + 0.25), 2e-3);
+  for(const double arrival : two["arrivals"])
+    EXPECT_NEAR(arrival, 0.5, 0.02); // the other corner is 0.07 farther, fifty times the gap
+  const std::string ply = content(m_folder / "p.ply");
+  for(const char* const field : {"arrivals", "potential", "flow_x", "rotation_z"})
+    EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
+  // To a property: where the last answer's arrivals are.
+  EXPECT_NEAR(json("plan p.ply --from 0 --to arrivals")["value"].get<double>(), 1., 1e-3);
+  EXPECT_NEAR(json("plan cloud.xyz --from 0 --to 11,12")["value"].get<double>(), 1. / 11., 1e-3);
+
+  expect_failure("plan square.ply --from 0", 1, "--to");
+  expect_failure("plan square.ply --from 0 --to 81", 2, "81");
+  expect_failure("plan square.ply --from 0 --to nothing", 2, "nothing");
+  expect_failure("plan cloud.xyz --from 0 --to 11 --hodge", 2, "need a mesh");
+}
+
+TEST_F(Program, feature_distance_is_from_all_of_a_feature)
+{
+  const nlohmann::json border =
+      json("feature-distance square.ply --border --values d.txt -o d.ply");
+  const std::vector<double> distances = numbers("d.txt");
+  ASSERT_EQ(distances.size(), 81u);
+  EXPECT_EQ(distances[0], 0.);
+  EXPECT_LE(border["max"].get<double>(), 0.5 * (1. + 1e-9)); // rounding
+  EXPECT_NEAR(border["max"].get<double>(), 0.5, 0.5 / 16.);  // a part of a side at the crease
+  EXPECT_NEAR(border["value"].get<double>(), 1. / 6., 0.01); // the integral; likewise
+  // From all but the border a corner is as far as its nearest inner vertex.
+  EXPECT_NEAR(json("feature-distance d.ply --feature distance")["max"].get<double>(),
+              std::sqrt(2.) / 8., 0.02);
+  EXPECT_EQ(run("feature-distance cloud.xyz --feature 0,1 --quiet").code, 0);
+
+  expect_failure("feature-distance square.ply", 1, "--feature");
+  expect_failure("feature-distance square.ply --feature 99", 2, "99");
+  expect_failure("feature-distance cloud.xyz --border", 2, "border");
 }
 
 TEST_F(Program, logmap_writes_normal_coordinates)
