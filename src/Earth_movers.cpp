@@ -123,6 +123,14 @@ Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, uns
     Operators operators = measured_operators(*triangles, measure);
     m_levels[level].area = operators.area;
     merge(operators, m_levels[level].region);
+    if(level == 0 && !region.empty())
+    {
+      const std::vector<Index> component = components(operators).first;
+      for(const Index label : component)
+        m_reaches_region.push_back(label == component[region.front()]);
+      for(const Index site : region)
+        m_reaches_region[site] = true;
+    }
     if(level + 1 >= refinements)
       m_levels[level].solver = std::make_unique<Transport_solver>(std::move(operators));
   }

@@ -89,12 +89,27 @@ TEST(Feature_distance, is_that_of_clouds)
   EXPECT_LT(std::abs(loss), 0.03);
 }
 
-TEST(Feature_distance, needs_a_feature_on_each_component)
+TEST(Feature_distance, is_infinite_where_no_way_leads)
 {
   Mesh mesh = mesh_of(apart(square(4), square(4)));
+  const Vertex alone = mesh.add_vertex(Kernel::Point_3(0., 0., 9.));
   auto found = vertex_map(mesh);
-  EXPECT_THROW(GP::feature_distance(mesh, Vertex(0), found), GP::Invalid_argument_error);
-  EXPECT_NO_THROW(GP::feature_distance(mesh, std::vector<Vertex>{Vertex(0), Vertex(30)}, found));
+  EXPECT_TRUE(GP::feature_distance(mesh, Vertex(0), found).converged);
+  EXPECT_NEAR(found[Vertex(4)], 1., 0.05); // a part of a side
+  EXPECT_EQ(found[Vertex(30)], infinity);
+  EXPECT_EQ(found[alone], infinity);
+  GP::feature_distance(mesh, std::vector<Vertex>{Vertex(0), Vertex(25), alone}, found);
+  EXPECT_NEAR(found[Vertex(29)], 1., 0.05);
+  EXPECT_EQ(found[alone], 0.);
+  // Behind a wall.
+  Mesh plane = mesh_of(square(4));
+  const auto speed = plane.add_property_map<Vertex, double>("speed", 1.).first;
+  for(Mesh::size_type row = 0; row < 5; ++row)
+    for(const Mesh::size_type column : {1, 2})
+      speed[Vertex(5 * row + column)] = 0.;
+  auto behind = vertex_map(plane);
+  GP::feature_distance(plane, Vertex(0), behind, GP::parameters::speed_map(speed));
+  EXPECT_EQ(behind[Vertex(4)], infinity);
 }
 
 } // namespace

@@ -3,9 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
-# surfels, logmap, decal, matrix, emd and
-# feature-distance.  Whatever is in a file, the program ends with 0, or with 2 and one
-# sentence, in time, without a NaN.
+# surfels, logmap, decal, matrix, emd and feature-distance.  Whatever is in a file, the program ends with 0,
+# or with 2 and one sentence, in time, without a NaN.
 set -u
 
 program=$(realpath "$1") jobs=$2

@@ -7,6 +7,7 @@
 #include "transports.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace program {
 
@@ -61,8 +62,15 @@ void run_feature_distance(Job& job, const Feature_options& options)
   Transport_result result;
   on_surface(surface, [&](const auto& mesh_or_cloud)
              { result = distances(mesh_or_cloud, vertices, options, job); });
-  const double farthest = *std::max_element(result.potential.begin(), result.potential.end());
+  double farthest = 0.;
+  std::size_t unreached = 0;
+  for(const double x : result.potential)
+    if(std::isfinite(x))
+      farthest = std::max(farthest, x);
+    else
+      ++unreached;
   job.result()["max"] = json_number(farthest);
+  job.result()["unreached"] = unreached;
   job.say("largest distance        " + readable(farthest));
   report(job, options, result.cost, "integral");
 

@@ -339,8 +339,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
               {"value", "lower", "upper", "estimate", "iterations", "residual", "converged"});
   expect_keys("plan square.ply --from 0 --to 80,8",
               {"value", "lower", "upper", "iterations", "residual", "converged", "arrivals"});
-  expect_keys("feature-distance square.ply --feature 0",
-              {"max", "value", "lower", "upper", "iterations", "residual", "converged"});
+  expect_keys(
+      "feature-distance square.ply --feature 0",
+      {"max", "unreached", "value", "lower", "upper", "iterations", "residual", "converged"});
   expect_keys("emd square.ply --from 0 --to 80 --basis 5",
               {"basis", "value", "lower", "upper", "iterations", "residual", "converged"});
   expect_keys("emd square.ply --from 0 --to 80 --bound-above --refine 1",

@@ -97,6 +97,12 @@ public:
     return this->cost();
   }
 
+  /// returns whether a way leads from a site to the region.
+  bool is_reachable(Site site) const
+  {
+    return this->m_kernel->reaches_region()[this->m_domain.index(site)];
+  }
+
   /// returns the mass that arrived at a site, zero outside the region.
   double arrival(Site site) const { return this->m_result.arrivals[this->m_domain.index(site)]; }
 

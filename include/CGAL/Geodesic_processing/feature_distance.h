@@ -21,10 +21,11 @@ namespace CGAL::Geodesic_processing {
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface a mesh or a cloud
-/// \param feature as the region of `Region_transport_solver`: at least a part of each component
-/// \param distance_map receives a `double` for each vertex or surfel
+/// \param feature as the region of `Region_transport_solver`
+/// \param distance_map receives a `double` for each vertex or surfel; infinity where no way leads to the
+///        feature
 /// \param np what `Region_transport_solver` and its `compute()` take
-/// \returns the integral of the distance over the surface, and its bounds
+/// \returns the integral of the distance over all that has a way to the feature, and its bounds
 /// \throws as `Region_transport_solver` and its `compute()`
 ///
 /// 10 to 25 iterations of O(n<SUP>1.5</SUP>) each.
@@ -37,10 +38,16 @@ Earth_movers_cost feature_distance(const Surface& surface, const Feature& featur
   const auto domain = make_domain(surface, np);
   using Solver = Region_transport_solver<typename decltype(domain)::Surface>;
   Solver solver(domain, feature, np);
-  const auto one = [](const typename Solver::Site&) { return 1.; };
+  const auto one = [&](const typename Solver::Site& site)
+  { return solver.is_reachable(site) ? 1. : 0.; };
   const Earth_movers_cost cost = solver.template compute<Method>(
       mass_density(boost::make_function_property_map<typename Solver::Site>(one)), np);
-  domain.write([&](internal::Index i) { return -solver.potential(domain.site(i)); }, distance_map);
+  const auto distance = [&](internal::Index i)
+  {
+    const auto site = domain.site(i);
+    return solver.is_reachable(site) ? -solver.potential(site) : internal::infinity;
+  };
+  domain.write(distance, distance_map);
   return cost;
 }
 

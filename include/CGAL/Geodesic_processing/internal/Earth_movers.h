@@ -59,6 +59,9 @@ public:
   Earth_movers_result solve_to_region(const Mass_distribution& from,
                                       const Earth_movers_options& options = {}) const;
 
+  // #sites: whether a way leads to the region; empty without one.
+  const std::vector<bool>& reaches_region() const { return m_reaches_region; }
+
 private:
   struct Level
   {
@@ -75,6 +78,7 @@ private:
   double cost_of_flow(const Field& flow) const;
 
   std::vector<Level> m_levels; // the finest last
+  std::vector<bool> m_reaches_region;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
