@@ -34,6 +34,8 @@ Surfel_fit fit_of(Surfel_path_method method)
   case Surfel_path_method::projected_spheres:
   case Surfel_path_method::spheres:
     return Surfel_fit::spheres;
+  case Surfel_path_method::robust_spheres:
+    return Surfel_fit::robust_spheres;
   case Surfel_path_method::projected_planes:
   case Surfel_path_method::planes:
     return Surfel_fit::planes;
@@ -45,10 +47,11 @@ Surfel_fit fit_of(Surfel_path_method method)
 
 Path_hold hold_of(Surfel_path_method method)
 {
-  return method == Surfel_path_method::spheres || method == Surfel_path_method::planes ||
-                 method == Surfel_path_method::disks
-             ? Path_hold::energy
-             : Path_hold::projected;
+  return method == Surfel_path_method::projected_quadrics ||
+                 method == Surfel_path_method::projected_spheres ||
+                 method == Surfel_path_method::projected_planes
+             ? Path_hold::projected
+             : Path_hold::energy;
 }
 
 Cloud_path_options checked(Cloud_path_options options)

@@ -22,6 +22,12 @@ constexpr double reach_in_large_radii = 1.1;
 // Cosines of the differences of normals at which weights begin to fall, and are zero.
 constexpr double full = 0.76604444311897804 /* 40 degrees */, zero = 0.5 /* 60 degrees */;
 
+// Of robust weights: how many surfels take part, the height at which they do not, in standard
+// deviations, and the least of these, in spacings: below it there is no noise that matters.
+constexpr std::size_t robust_neighbors = 24;
+constexpr double outlying = 2.5, least_deviation = 0.02;
+constexpr double deviation_over_median = 1.4826; // of absolute values of a normal distribution
+
 // Weighted sums over surfels, seen from the point in question.
 struct Sums
 {
@@ -63,13 +69,51 @@ Sphere fitted_sphere(const Sums& s)
           (1. / slope) * linear};
 }
 
+// What robust weights have as a factor.
+std::vector<double> robust_factors(const Surfel_cloud& cloud)
+{
+  std::vector<Kd_tree::Neighbor> near;
+  std::vector<double> values;
+  // The median of value(other) over the surfels around a site.
+  const auto median_around = [&](Index site, const auto& value)
+  {
+    cloud.tree.nearest(cloud.point, cloud.point[site], robust_neighbors, near);
+    values.clear();
+    for(const Kd_tree::Neighbor& neighbor : near)
+      if(dot(cloud.normal[site], cloud.normal[neighbor.point]) > zero)
+        values.push_back(value(neighbor.point));
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  std::vector<double> height(cloud.number_of_sites()), factor(cloud.number_of_sites());
+  for(Index site = 0; site < height.size(); ++site)
+  {
+    // By the planes of both: zero on planes and spheres.
+    const Spatial &point = cloud.point[site], &normal = cloud.normal[site];
+    height[site] = std::abs(median_around(
+        site, [&](Index other)
+        { return 0.5 * dot(normal + cloud.normal[other], cloud.point[other] - point); }));
+  }
+  for(Index site = 0; site < height.size(); ++site)
+  {
+    const double deviation = std::max(
+        deviation_over_median * median_around(site, [&](Index other) { return height[other]; }),
+        least_deviation * cloud.spacing[site]);
+    const double ratio = deviation > 0. ? height[site] / (outlying * deviation) : 0.;
+    factor[site] = ratio < 1. ? (1. - ratio * ratio) * (1. - ratio * ratio) : 0.;
+  }
+  return factor;
+}
+
 } // namespace
 
 Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit,
                                const Surfel_vicinity& vicinity, const std::vector<Index>& home)
     : m_cloud(cloud), m_fit(fit), m_vicinity(vicinity), m_home(home),
       m_squared_support(cloud.number_of_sites()), m_disk(cloud.number_of_sites()),
-      m_reach(cloud.number_of_sites())
+      m_reach(cloud.number_of_sites()),
+      m_factor(fit == Surfel_fit::robust_spheres ? robust_factors(cloud) : std::vector<double>())
 {
   const Site_graph& graph = cloud.graph;
   std::vector<double> around;
@@ -97,6 +141,8 @@ Index Surfel_surface::nearest(const Spatial& point, Index near) const
   const Site_graph& graph = m_cloud.graph;
   const auto squared_distance = [&](Index site)
   {
+    if(!m_factor.empty() && m_factor[site] == 0.)
+      return infinity;
     const Spatial way = m_cloud.point[site] - point;
     return dot(way, way);
   };
@@ -153,57 +199,65 @@ Foot Surfel_surface::on_disk(const Spatial& point, Index site) const
 template <typename Visit>
 void Surfel_surface::visit(const Spatial& point, Index site, Visit v) const
 {
-  const Site_graph& graph = m_cloud.graph;
   const double over = 1. / m_squared_support[site];
-  const auto consider = [&](Index other)
+  const auto consider = [&](Index other, double factor)
   {
     const Spatial way = m_cloud.point[other] - point;
     const double rest = 1. - over * dot(way, way);
     const double cosine = dot(m_cloud.normal[site], m_cloud.normal[other]);
     if(!(rest > 0.) || cosine <= zero)
       return;
-    const double weight = rest * rest * rest * rest;
+    const double weight = factor * rest * rest * rest * rest;
     v(cosine < full ? weight * (cosine - zero) / (full - zero) : weight, other);
   };
-  consider(site);
-  for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-    consider(graph.target[arc]);
+  if(m_fit != Surfel_fit::robust_spheres)
+  {
+    const Site_graph& graph = m_cloud.graph;
+    consider(site, 1.);
+    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+      consider(graph.target[arc], 1.);
+    return;
+  }
+  thread_local std::vector<Kd_tree::Neighbor> near;
+  m_cloud.tree.nearest(m_cloud.point, point, robust_neighbors, near);
+  for(const Kd_tree::Neighbor& neighbor : near)
+    consider(neighbor.point, m_factor[neighbor.point]);
 }
 
-// Moves a point to the surface fitted around it; false where there is none.
-bool Surfel_surface::step(Spatial& point, Spatial& normal, Index site) const
+// Moves a foot to the surface fitted around it; false where there is none.
+bool Surfel_surface::step(Foot& foot) const
 {
   Sums sums;
-  visit(point, site,
+  visit(foot.point, foot.site,
         [&](double weight, Index other)
-        { sums.add(weight, m_cloud.point[other] - point, m_cloud.normal[other]); });
+        { sums.add(weight, m_cloud.point[other] - foot.point, m_cloud.normal[other]); });
   if(!(sums.weight > 0.))
     return false;
   if(m_fit == Surfel_fit::planes)
   {
-    normal = unit(sums.normal);
-    point = point + dot(sums.point, normal) / sums.weight * normal;
+    foot.normal = unit(sums.normal);
+    foot.point = foot.point + dot(sums.point, foot.normal) / sums.weight * foot.normal;
     return true;
   }
   const Sphere sphere = fitted_sphere(sums);
-  const Spatial from = point;
-  normal = sphere.normal;
-  point = point + sphere.height * normal;
+  const Foot from = foot;
+  foot.normal = sphere.normal;
+  foot.point = foot.point + sphere.height * foot.normal;
   if(m_fit == Surfel_fit::quadrics)
-    correct(from, sphere.curvature, site, point, normal);
+    correct(from, sphere.curvature, foot);
   return true;
 }
 
 // Adds to a fitted sphere the surface of second order that fits what it leaves of heights and
 // slopes, with the weights of the place that it was fitted at.
-void Surfel_surface::correct(const Spatial& from, double curvature, Index site, Spatial& point,
-                             Spatial& normal) const
+void Surfel_surface::correct(const Foot& from, double curvature, Foot& foot) const
 {
+  Spatial &point = foot.point, &normal = foot.normal;
   const auto [u, v] = tangent_frame(normal);
-  const double unit_length = std::sqrt(m_squared_support[site]) / support_in_radii;
+  const double unit_length = std::sqrt(m_squared_support[foot.site]) / support_in_radii;
   const double over = 1. / unit_length, bend = curvature * unit_length;
   Quadric_fit rest;
-  visit(from, site,
+  visit(from.point, from.site,
         [&, &u = u, &v = v](double weight, Index other)
         {
           const Spatial way = over * (m_cloud.point[other] - point), n = m_cloud.normal[other];
@@ -301,7 +355,7 @@ Foot Surfel_surface::free_foot(const Spatial& given, Index near) const
   for(int i = 0; i < 4; ++i)
   {
     const Spatial before = foot.point;
-    if(!step(foot.point, foot.normal, site))
+    if(!step(foot))
     {
       foot.point = m_cloud.point[site];
       continue;

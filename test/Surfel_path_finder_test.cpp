@@ -135,7 +135,8 @@ TEST(Surfel_path_finder, finds_like_paths_by_all_methods)
   for(const auto method :
       {GP::Surfel_path_method::projected_quadrics, GP::Surfel_path_method::projected_spheres,
        GP::Surfel_path_method::projected_planes, GP::Surfel_path_method::spheres,
-       GP::Surfel_path_method::planes, GP::Surfel_path_method::disks})
+       GP::Surfel_path_method::robust_spheres, GP::Surfel_path_method::planes,
+       GP::Surfel_path_method::disks})
   {
     GP::Surfel_path_finder<Surfels> find(surfels, maps.surfel_path_method(method)
                                                       .node_weight(0.7)

@@ -55,6 +55,7 @@ void add_cloud_path_options(Command& command, Cloud_path_options& options)
                                  {"projected-spheres", Surfel_path_method::projected_spheres},
                                  {"projected-planes", Surfel_path_method::projected_planes},
                                  {"spheres", Surfel_path_method::spheres},
+                                 {"robust-spheres", Surfel_path_method::robust_spheres},
                                  {"planes", Surfel_path_method::planes},
                                  {"disks", Surfel_path_method::disks}});
   command.add("--control-points", options.control_points, "N", "on a cloud, of the path, at most")

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <random>
 
@@ -237,12 +236,26 @@ std::vector<double> radii(const Cloud& cloud)
 void print_noisy(std::vector<Surface>& surfaces)
 {
   std::printf("Table 5, noise; +5 %%: as many outliers at level 200 %% added\n");
-  Table table(head());
+  Table table(head()),
+      weights({"surface", "surfels", "EG spheres", "EP", "EG robust spheres", "EP"});
   const Printed paper[] = {{0.49, 0.25}, {0.019, 0.097}, {0.69, 0.46},
                            {0.88, 0.31}, {0.023, 0.11},  {1.04, 0.71}},
                 hp[] = {{8.50, 0.10},  {0.12, 0.24}, {2.50, 0.94},
                         {22.20, 0.15}, {0.49, 0.8},  {16.38, 3.70}};
   const Printed none_printed = {std::nan(""), std::nan("")};
+  const auto add_weights = [&](const Surface& s, const std::string& name, const Cloud& cloud)
+  {
+    std::vector<std::string> row = {name, std::to_string(cloud.size())};
+    for(const auto method : {Surfel_path_method::spheres, Surfel_path_method::robust_spheres})
+    {
+      Cloud_path_options options = with(method);
+      options.noise = Surfel_noise::kept;
+      const Errors e = errors(s, cloud, options);
+      row.push_back(percent(e.length));
+      row.push_back(percent(e.path));
+    }
+    weights.add(row);
+  };
   const auto add = [&](const Surface& s, const std::string& name, const Cloud& noisy,
                        const Printed& p, const Printed& h)
   {
@@ -265,6 +278,20 @@ void print_noisy(std::vector<Surface>& surfaces)
   Surface square = {"scan", scanned_square(94, 70, 0), straight};
   add(square, "scanned plane", scanned, {0.15, 0.25}, {0.40, 0.33});
   table.print();
+  std::printf("Plain and robust weights, nothing removed\n");
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const Surface& s = surfaces[i];
+    const std::vector<double> r = radii(s.clean);
+    for(const int level : {0, 2, 10})
+    {
+      const Cloud cloud = level == 0 ? s.clean : with_noise(s.clean, r, 0.01 * level, 7);
+      const std::string name = s.name + " " + std::to_string(level) + " %";
+      add_weights(s, name, cloud);
+      add_weights(s, name + " +5 %", with_outliers(cloud, s.clean, r, 0.05, 2., 8));
+    }
+  }
+  weights.print();
 }
 
 // A surface where a function is zero.
@@ -423,13 +450,12 @@ void print_times(bool is_quick)
               "on more\n\n");
 }
 
-// A scan of the data folder, with its own normals or those of estimate_surfels(); empty where it is not.
-Cloud scan(const std::string& name)
+// A cloud of the data folder, with its own normals or those of estimate_surfels().
+Cloud scan(const std::filesystem::path& file)
 {
   CGAL::Point_set_3<CGAL::Simple_cartesian<double>::Point_3> points;
-  const auto file = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "points" / name;
   Cloud cloud;
-  if(!exists(file) || !CGAL::IO::read_point_set(file.string(), points))
+  if(!CGAL::IO::read_point_set(file.string(), points))
     return cloud;
   const auto spatial = [](const auto& p) -> Spatial { return {p.x(), p.y(), p.z()}; };
   for(const auto& index : points)
@@ -443,35 +469,21 @@ Cloud scan(const std::string& name)
 // How paths on a scan keep to its surfels.
 struct Keeping
 {
-  std::size_t pairs = 0, points = 0, beyond = 0, crossings = 0;
+  std::size_t pairs = 0, points = 0, beyond = 0, crossings = 0, longer = 0;
   double farthest = 0.; // in the largest distances that are not beyond
 };
 
-// Whether a chain of arcs no longer than `most` joins two sites.
-bool are_joined(const Surfel_cloud& cloud, Index from, Index to, double most)
-{
-  std::map<Index, double> distance = {{from, 0.}};
-  std::vector<Index> queue = {from};
-  for(std::size_t i = 0; i < queue.size() && distance.count(to) == 0; ++i)
-  {
-    const Index site = queue[i];
-    for(Index arc = cloud.graph.first[site]; arc < cloud.graph.first[site + 1]; ++arc)
-      if(const double d = distance[site] + cloud.graph.length[arc]; d <= most)
-        if(const auto [place, is_new] = distance.try_emplace(cloud.graph.target[arc], d);
-           is_new || d < place->second)
-        {
-          place->second = d;
-          queue.push_back(place->first);
-        }
-  }
-  return distance.count(to) > 0;
-}
-
 // A point of a path is beyond where the nearest surfel is farther than the 95th percentile of the spacing
-// there: among the 60 surfels nearest to it, that of the distances to their sixth neighbours.  A path
-// crosses a gap or to another sheet where no chain of arcs, which join surfels whose normals agree, leads
-// from the surfel of one point to that of the next, on twice the way and three radii of each.
-Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
+// there: among the 60 surfels nearest to it, that of the distances to their sixth neighbours.
+//
+// Sheets are separate by their normals where no short chain of surfels joins them each of which agrees with
+// the next: by Agree, their normals differ by less than 100 degrees, and their chord does not rise above
+// them by more than these differ.  A path crosses where this is so for the surfels of two consecutive
+// points, and short is twice the way and three radii of each.  Surfels are those that paths see, without
+// noise, and joined to neighbours by their normals whatever graph the path comes from: so paths that start
+// in a graph that knows no normals tell whether a cloud has such sheets at all.  Where normals are chance,
+// as between trees, chains go around nearly everything but gaps and walls.
+Keeping keeping(const Cloud& cloud, std::size_t most_pairs, unsigned seed, Surfel_graph graph)
 {
   constexpr std::size_t around = 60, percentile = 57;
   std::vector<Spatial> place = cloud.points;
@@ -484,12 +496,22 @@ Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
     tree.nearest(place, p, 7, near);
     spacing.push_back(std::sqrt(near.back().squared_distance));
   }
-  const auto prepared = std::make_shared<const Prepared_cloud>(
-      cloud.points, cloud.normals, std::vector<double>(), Cloud_path_options());
+  Cloud_path_options options;
+  options.cloud.graph = graph;
+  const auto prepared = std::make_shared<const Prepared_cloud>(cloud.points, cloud.normals,
+                                                               std::vector<double>(), options);
   Cloud_path_finder finder(prepared);
   const Surfel_cloud& c = prepared->cloud();
+  const Surfel_cloud sheets = make_cloud(c.point, c.normal);
+  const auto cross = [&](const Foot& from, const Foot& to)
+  {
+    const Index a = sheets.site_of_surfel[from.site], b = sheets.site_of_surfel[to.site];
+    const double way = 2. * norm(to.point - from.point) / sheets.frame.scale +
+                       3. * (sheets.radius[a] + sheets.radius[b]);
+    return !are_joined(sheets, a, b, way);
+  };
   Keeping result;
-  std::mt19937 random(1);
+  std::mt19937 random(seed);
   while(result.pairs < most_pairs)
   {
     const Index a = c.site_of_surfel[random() % cloud.size()],
@@ -498,10 +520,11 @@ Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
       continue;
     ++result.pairs;
     const Cloud_path found = finder({a, {0., 0.}}, {b, {0., 0.}});
-    const Foot* before = nullptr;
-    for(const Foot& foot : found.path.points)
+    const std::vector<Foot>& points = found.path.points;
+    result.longer += found.path.length > found.start_length * (1. + 1e-12); // rounding of sums
+    for(std::size_t i = 0; i < points.size(); ++i)
     {
-      tree.nearest(place, c.frame.origin + c.frame.scale * foot.point, around, near);
+      tree.nearest(place, c.frame.origin + c.frame.scale * points[i].point, around, near);
       there.clear();
       for(const Kd_tree::Neighbor& neighbor : near)
         there.push_back(spacing[neighbor.point]);
@@ -510,30 +533,35 @@ Keeping keeping(const Cloud& cloud, std::size_t most_pairs)
       ++result.points;
       result.beyond += ratio > 1.;
       result.farthest = std::max(result.farthest, ratio);
-      result.crossings +=
-          before != nullptr && !are_joined(c, before->site, foot.site,
-                                           2. * norm(foot.point - before->point) +
-                                               3. * (c.radius[before->site] + c.radius[foot.site]));
-      before = &foot;
+      result.crossings += i > 0 && cross(points[i - 1], points[i]);
     }
   }
   return result;
 }
 
-void print_scans()
+void print_scans(unsigned seed)
 {
-  std::printf("Scans: how paths keep to their surfels\n");
-  Table table({"scan", "surfels", "pairs", "points", "beyond", "crossings", "farthest"});
-  for(const std::string name : {"b9_aerial_22k", "isprs_samp53_34k_utm", "radar_21k", "hippo1_6k"})
-    if(const Cloud cloud = scan(name + ".ply"); cloud.size() > 0)
+  std::printf("Scans: how paths keep to their surfels (seed %u)\n", seed);
+  Table table({"scan", "surfels", "pairs", "points", "beyond", "farthest", "longer", "crossings",
+               "without normals"});
+  std::vector<std::filesystem::path> files;
+  const auto folder = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "points";
+  if(exists(folder))
+    files.assign(std::filesystem::directory_iterator(folder), {});
+  std::sort(files.begin(), files.end());
+  for(const auto& file : files)
+    if(const Cloud cloud = scan(file); cloud.size() > 60)
     {
-      const Keeping k = keeping(cloud, 60);
-      table.add({name, std::to_string(cloud.size()), std::to_string(k.pairs),
-                 std::to_string(k.points), std::to_string(k.beyond), std::to_string(k.crossings),
-                 number(k.farthest, 3)});
+      const Keeping k = keeping(cloud, 60, seed, Surfel_graph::extended_spheres),
+                    blind = keeping(cloud, 60, seed, Surfel_graph::nearest);
+      table.add({file.stem().string(), std::to_string(cloud.size()), std::to_string(k.pairs),
+                 std::to_string(k.points), std::to_string(k.beyond), number(k.farthest, 3),
+                 std::to_string(k.longer), std::to_string(k.crossings),
+                 std::to_string(blind.crossings)});
     }
   table.print();
-  std::printf("wanted: none beyond and no crossings\n\n");
+  std::printf("wanted: none beyond, none longer than where it started, and no crossings; without "
+              "normals there may be some\n\n");
 }
 
 } // namespace
@@ -543,7 +571,7 @@ int main(int argc, char* argv[])
   const std::string argument = argc > 1 ? argv[1] : "";
   const bool is_quick = argument == "--quick";
   if(argument == "--scans")
-    return print_scans(), 0;
+    return print_scans(argc > 2 ? unsigned(std::stoul(argv[2])) : 1), 0;
   if(argument == "--times")
     return print_times(false), 0;
   std::vector<Surface> surfaces = {
@@ -554,6 +582,6 @@ int main(int argc, char* argv[])
   print_spheres();
   print_noisy(surfaces);
   print_orders();
-  print_scans();
+  print_scans(1);
   print_times(is_quick);
 }

@@ -114,8 +114,18 @@ TEST(Cloud_path_finder, follows_great_circles_from_coarse_to_fine)
     const std::size_t a = random() % sphere.size(), b = random() % sphere.size();
     const double truth =
         2. * std::asin(std::min(1., norm(sphere.points[b] - sphere.points[a]) / 2.));
+    const Cloud_path found = find(a, b);
     // As above: the chain leaves no trace.
-    EXPECT_NEAR(find.scale() * find(a, b).path.length, truth, 1e-8);
+    EXPECT_NEAR(find.scale() * found.path.length, truth, 1e-8);
+    EXPECT_LE(found.path.length, found.start_length * (1. + rounding));
+    // Nor than the shortest chain, of which this one needs to know nothing.
+    const Surfel_cloud& cloud = find.prepared().cloud();
+    const std::vector<Index> shortest = Graph_search(cloud.graph, cloud.point)(
+        find.place(a).site, find.place(b).site, Surfel_search::dijkstra);
+    double length = 0.;
+    for(std::size_t k = 1; k < shortest.size(); ++k)
+      length += norm(cloud.point[shortest[k]] - cloud.point[shortest[k - 1]]);
+    EXPECT_LE(found.path.length, length * (1. + rounding));
   }
 }
 
@@ -161,6 +171,44 @@ TEST(Cloud_path_finder, is_not_misled_by_noise)
   // Planes fitted to the nearest surfels alone follow the noise.
   EXPECT_LT(sum, 0.05 * sum_kept);
   EXPECT_LT(sum / 20., 2e-4); // the benchmark has 1.3e-5 with four times as many surfels
+}
+
+TEST(Cloud_path_finder, bears_outliers_by_robust_weights)
+{
+  // On a sphere with 5 % of outliers, and a little noise or none, which is kept.
+  const Cloud sphere = octahedron_sphere(4);
+  const std::vector<double> radii(sphere.size(), 0.11); // the 8th neighbour's distance over sqrt(2)
+  for(const double level : {0., 0.02})
+  {
+    const Cloud noisy = level > 0. ? with_noise(sphere, radii, level, 1) : sphere;
+    const Cloud worse = with_outliers(noisy, sphere, radii, 0.05, 2., 2);
+    const auto error = [&](const Cloud& cloud, Surfel_path_method method)
+    {
+      Finder find(cloud, with(method, Surfel_noise::kept));
+      double sum = 0.;
+      std::mt19937 random(1);
+      for(int i = 0; i < 30; ++i)
+      {
+        const std::size_t a = random() % sphere.size(), b = random() % sphere.size();
+        const double truth =
+            2. * std::asin(std::min(1., norm(sphere.points[b] - sphere.points[a]) / 2.));
+        if(truth < 0.2)
+          continue;
+        const Cloud_path found = find(a, b);
+        EXPECT_LE(found.path.length, found.start_length * (1. + rounding));
+        expect_energy_falls(found);
+        sum += std::pow(find.scale() * found.path.length / truth - 1., 2);
+      }
+      return std::sqrt(sum / 30.);
+    };
+    const double robust = error(worse, Surfel_path_method::robust_spheres);
+    EXPECT_LT(robust, (level > 0. ? 0.5 : 0.1) * error(worse, Surfel_path_method::spheres));
+    // One outlier in fifty is as low as noise: one surfel in a thousand, and chance.
+    if(level > 0.)
+    {
+      EXPECT_LT(robust, 1.2 * error(noisy, Surfel_path_method::robust_spheres));
+    }
+  }
 }
 
 TEST(Cloud_path_finder, turns_around_the_edges_of_a_cube)
@@ -240,26 +288,6 @@ TEST(Cloud_path_finder, stays_on_its_sheet)
                     to = nearest(fold, {0.5, 0.25, -fold_radius});
   const Cloud_path found = find(from, to);
   EXPECT_NEAR(find.scale() * found.path.length, 1. + pi * fold_radius, 0.01);
-}
-
-// Whether a chain of arcs no longer than `most` joins two sites.
-bool are_joined(const Surfel_cloud& cloud, Index from, Index to, double most)
-{
-  std::vector<double> distance(cloud.number_of_sites(), infinity);
-  distance[from] = 0.;
-  std::vector<Index> queue = {from};
-  for(std::size_t i = 0; i < queue.size(); ++i)
-  {
-    const Index site = queue[i];
-    for(Index arc = cloud.graph.first[site]; arc < cloud.graph.first[site + 1]; ++arc)
-      if(const double d = distance[site] + cloud.graph.length[arc];
-         d <= most && d < distance[cloud.graph.target[arc]])
-      {
-        distance[cloud.graph.target[arc]] = d;
-        queue.push_back(cloud.graph.target[arc]);
-      }
-  }
-  return distance[to] <= most;
 }
 
 void expect_steps_over_arcs(const Surfel_cloud& cloud, const Cloud_path& found)

@@ -34,7 +34,8 @@ TEST(Surfel_surface, is_a_sphere_where_surfels_are)
 {
   const Cloud sphere = octahedron_sphere(4);
   const Surfel_cloud cloud = cloud_of(sphere);
-  for(const Surfel_fit fit : {Surfel_fit::spheres, Surfel_fit::quadrics})
+  for(const Surfel_fit fit :
+      {Surfel_fit::spheres, Surfel_fit::robust_spheres, Surfel_fit::quadrics})
   {
     const Surface surface(cloud, fit);
     std::mt19937 random(1);
@@ -80,8 +81,56 @@ TEST(Surfel_surface, comes_nearer_to_a_torus_with_more_surfels)
   // fourth for quadrics.
   for(const auto& [fit, factor] :
       {std::pair(Surfel_fit::planes, 2.5), std::pair(Surfel_fit::spheres, 3.),
-       std::pair(Surfel_fit::quadrics, 8.)})
+       std::pair(Surfel_fit::robust_spheres, 3.), std::pair(Surfel_fit::quadrics, 8.)})
     EXPECT_GT(error_on_torus(2000, fit), factor * error_on_torus(8000, fit)) << int(fit);
+}
+
+// The root mean squared distance from the unit sphere, in radii, of the feet of `places` on it.
+double error_on_sphere(const Cloud& cloud, const Cloud& places, double radius, Surfel_fit fit)
+{
+  const Surfel_cloud c = cloud_of(cloud);
+  const Surface surface(c, fit);
+  double sum = 0.;
+  for(std::size_t i = 0; i < places.size(); ++i)
+  {
+    const Spatial p = 1. / c.frame.scale * (places.points[i] - c.frame.origin);
+    const Foot foot = surface.foot(p, c.site_of_surfel[i]);
+    sum += std::pow(norm(c.frame.origin + c.frame.scale * foot.point) - 1., 2);
+  }
+  return std::sqrt(sum / double(places.size())) / radius;
+}
+
+TEST(Surfel_surface, bears_outliers_by_robust_weights)
+{
+  const Cloud sphere = octahedron_sphere(4);
+  const Surfel_cloud given = cloud_of(sphere);
+  std::vector<double> radii;
+  for(const Index site : given.site_of_surfel)
+    radii.push_back(given.frame.scale * given.radius[site]);
+  const auto errors = [&](double level, Surfel_fit fit)
+  {
+    const Cloud noisy = level > 0. ? with_noise(sphere, radii, level, 1) : sphere;
+    const Cloud worse = with_outliers(noisy, sphere, radii, 0.05, 2., 2);
+    return std::pair(error_on_sphere(noisy, sphere, radii[0], fit),
+                     error_on_sphere(worse, sphere, radii[0], fit));
+  };
+  for(const double level : {0.5, 1.})
+  {
+    const auto [plain, plain_worse] = errors(level, Surfel_fit::spheres);
+    const auto [robust, robust_worse] = errors(level, Surfel_fit::robust_spheres);
+    // With the weights that heights between 0 and where they do not count have in the mean, outliers
+    // add one or two percent to the variance, half as much to the error; the rest is chance.
+    EXPECT_LT(robust_worse, 1.05 * robust);
+    // Plain weights see the few surfels that arcs join to the nearest one, which lie as high as it does.
+    EXPECT_LT(robust, 0.6 * plain);
+    EXPECT_LT(robust_worse, 0.6 * plain_worse);
+  }
+  // Without noise those outliers count that are no higher than a twentieth of the spacing: one in fifty.
+  const auto [plain, plain_worse] = errors(0., Surfel_fit::spheres);
+  const auto [robust, robust_worse] = errors(0., Surfel_fit::robust_spheres);
+  EXPECT_LT(plain, 1e-13); // rounding of sums of twenty, in radii
+  EXPECT_LT(robust, 1e-13);
+  EXPECT_LT(robust_worse, 0.1 * plain_worse);
 }
 
 TEST(Surfel_surface, has_disks)
@@ -154,8 +203,8 @@ TEST(Surfel_surface, ends_where_surfels_are_no_longer_near)
         rows.add({double(i), y + (y > 0. ? j : -j), 0.}, {0., 0., 1.});
   const Surfel_cloud cloud =
       make_cloud(rows.points, rows.normals, std::vector<double>(rows.size(), 6.));
-  for(const Surfel_fit fit :
-      {Surfel_fit::disks, Surfel_fit::planes, Surfel_fit::spheres, Surfel_fit::quadrics})
+  for(const Surfel_fit fit : {Surfel_fit::disks, Surfel_fit::planes, Surfel_fit::spheres,
+                              Surfel_fit::robust_spheres, Surfel_fit::quadrics})
   {
     const Surface surface(cloud, fit);
     for(Index site = 0; site < cloud.number_of_sites(); ++site)
@@ -201,7 +250,8 @@ TEST(Surfel_surface, has_sharp_edges)
   const Cloud cube = cube_cloud(10);
   const Surfel_cloud cloud = cloud_of(cube);
   const double half = 0.5 / cloud.frame.scale;
-  for(const Surfel_fit fit : {Surfel_fit::planes, Surfel_fit::spheres, Surfel_fit::quadrics})
+  for(const Surfel_fit fit :
+      {Surfel_fit::planes, Surfel_fit::spheres, Surfel_fit::robust_spheres, Surfel_fit::quadrics})
   {
     const Surface surface(cloud, fit);
     for(Index i = 0; i < cloud.number_of_sites(); ++i)

@@ -619,8 +619,8 @@ TEST_F(Program, decals_lie_in_colours_and_textures)
 
 TEST_F(Program, paths_on_clouds_are_no_longer_than_their_chains)
 {
-  for(const char* const method :
-      {"projected-quadrics", "projected-spheres", "projected-planes", "spheres", "planes", "disks"})
+  for(const char* const method : {"projected-quadrics", "projected-spheres", "projected-planes",
+                                  "spheres", "robust-spheres", "planes", "disks"})
   {
     const nlohmann::json path = json("path cloud.xyz --from 5 --to 143 --start -o p.vtp "
                                      "--surfel-path-method " +

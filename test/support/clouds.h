@@ -3,11 +3,10 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
 
-#include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
+#include <CGAL/Geodesic_processing/internal/normals.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -203,39 +202,10 @@ inline Cloud with_outliers(Cloud cloud, const Cloud& clean, const std::vector<do
   return cloud;
 }
 
-// Normals of the planes nearest to each point's 17 nearest, itself among them; on the side of those given.
-inline void estimate_normals(Cloud& cloud)
-{
-  std::vector<Spatial> points = cloud.points;
-  std::vector<internal::Index> order;
-  const internal::Kd_tree tree(points, order);
-  std::vector<internal::Kd_tree::Neighbor> near;
-  for(std::size_t i = 0; i < points.size(); ++i)
-  {
-    tree.nearest(points, points[i], 17, near);
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for(const auto& neighbor : near)
-      mean +=
-          Eigen::Map<const Eigen::Vector3d>(points[neighbor.point].data()) / double(near.size());
-    for(const auto& neighbor : near)
-    {
-      const Eigen::Vector3d way =
-          Eigen::Map<const Eigen::Vector3d>(points[neighbor.point].data()) - mean;
-      spread += way * way.transpose();
-    }
-    const Eigen::Vector3d normal =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-    Spatial& given = cloud.normals[order[i]];
-    const Spatial found = {normal[0], normal[1], normal[2]};
-    given = internal::dot(found, given) < 0. ? -1. * found : found;
-  }
-}
-
 // The unit square as a scanner that moves a stripe of light would see it: n stripes of m points, each
 // with an error of its own, of the stripe, and of a camera that reads off whole steps, altogether about
-// a tenth of the spacing.  Normals are those of planes
-// through the nearest 17 points.  With seed 0, the square itself.
+// a tenth of the spacing.  Normals are estimated.  With
+// seed 0, the square itself.
 inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
 {
   const double spacing = 1. / double(n - 1);
@@ -254,8 +224,27 @@ inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
     }
   }
   if(seed != 0)
-    estimate_normals(cloud);
+    cloud.normals = internal::estimate_normals(cloud.points, 18, true);
   return cloud;
+}
+
+// Whether a chain of arcs no longer than `most` joins two sites.
+inline bool are_joined(const internal::Surfel_cloud& cloud, internal::Index from,
+                       internal::Index to, double most)
+{
+  const internal::Site_graph& graph = cloud.graph;
+  std::map<internal::Index, double> distance = {{from, 0.}};
+  std::vector<internal::Index> queue = {from};
+  for(std::size_t i = 0; i < queue.size() && distance.count(to) == 0; ++i)
+    for(internal::Index arc = graph.first[queue[i]]; arc < graph.first[queue[i] + 1]; ++arc)
+      if(const double d = distance[queue[i]] + graph.length[arc]; d <= most)
+        if(const auto [place, is_new] = distance.try_emplace(graph.target[arc], d);
+           is_new || d < place->second)
+        {
+          place->second = d;
+          queue.push_back(place->first);
+        }
+  return distance.count(to) > 0;
 }
 
 } // namespace CGAL::Geodesic_processing::test

@@ -22,15 +22,16 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// a path on a cloud.  Each of its locations names the surfel nearest to it; `length` is that of the
+/// a path on a cloud.  Each of its locations names the surfel nearest to it on its sheet; `length` is that of the
 /// polyline, never longer than `start_length`, and `front_distance` that of the curve through its
 /// points: the geodesic distance.
 template <typename SurfelRange>
 struct Surfel_path : Surface_path<SurfelRange>
 {
   std::vector<typename internal::Surface_traits<SurfelRange>::Site>
-      start;                ///< the surfels of the chain of arcs that it started from
-  double start_length = 0.; ///< of that chain
+      start; ///< the surfels of the chain of arcs that it started from
+  double start_length =
+      0.; ///< of that chain, or where arcs cut the surface short of the curve over it
   std::size_t number_of_control_points = 0; ///< the curve has about four points for each
   std::vector<Path_energy_level> levels;    ///< from coarse to fine
 };

@@ -21,12 +21,15 @@ enum class Surfel_graph
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// how a short chain of arcs between two surfels is found: the shortest by all but the first.
+/// how a short chain of arcs between two surfels is found.  Dijkstra's search, from both ends, and A* find
+/// chains of one length, the least: the same chain where no other is as short.  `coarse_to_fine` is another
+/// search, which need not find a shortest chain; a path is never longer than the chain that it started from,
+/// whichever found it.
 enum class Surfel_search
 {
-  /// a chain of regions first, then the shortest in these and their neighbours: in large clouds the
-  /// fastest by far, and the chain is a few tenths of a percent longer, or over hundreds of surfels one or
-  /// two percent; the shortest below 50,000
+  /// A* below 50,000 surfels; above, a chain of regions first, then a short chain in these and their
+  /// neighbours: the fastest by far.  It is a few tenths of a percent longer than the shortest, or over
+  /// hundreds of surfels one or two percent.
   coarse_to_fine,
   a_star,        ///< towards the goal, bounded below by the distance in space
   bidirectional, ///< from both ends
@@ -45,6 +48,9 @@ enum class Surfel_path_method
   projected_planes,
   /// drawn to algebraic spheres by the energy
   spheres,
+  /// the same with robust weights: surfels far off their neighbours do not count.  For outliers that
+  /// `Surfel_noise::kept` leaves, or that are too few to be found as noise
+  robust_spheres,
   /// drawn to fitted planes by the energy
   planes,
   /// drawn to the disks of the surfels by the energy \cgalCite{cgal:rdsk-asg-06}

@@ -16,7 +16,8 @@ enum class Surfel_fit
   disks, // the nearest point of the surfels' disks, of no more than the mean of their neighbours' radii
   planes,  // the plane of the weighted mean point and normal (Alexa and others 2003)
   spheres, // the algebraic sphere through points and normals (Guennebaud, Germann and Gross 2008)
-  quadrics // that sphere, and the surface of second order over it through what it leaves
+  robust_spheres, // the same where outliers do not count
+  quadrics        // that sphere, and the surface of second order over it through what it leaves
 };
 
 // The surface that a cloud suggests.
@@ -26,6 +27,11 @@ enum class Surfel_fit
 // distances d, where h is 2.3 radii, in the mean of the neighbours.  Surfels beyond a sharp edge
 // do not count: the weight falls to zero between 40 and 60 degrees of difference from the normal of
 // the nearest one, and the edge lies where the fits of both sides are equally far.
+//
+// Robust weights have a factor (1 - (h / (2.5 s))^2)^2 for a surfel of a height h over the 24 nearest with
+// agreeing normals, where s is the standard deviation of such heights around, both by medians: noise
+// counts, outliers do not.  No foot is sought on those, and the 24 nearest with agreeing normals take part
+// instead of those joined by arcs, which noise cuts.
 //
 // It ends 1.5 radii from the nearest surfel, along its tangent plane: of its own, or the mean of its
 // neighbours' where that is less, because next to a gap a surfel's neighbours are farther away.  One
@@ -59,17 +65,17 @@ private:
   Foot free_foot(const Spatial& point, Index near) const;
   bool holds(const Spatial& point, Index site) const;
   Foot on_disk(const Spatial& point, Index site) const;
-  bool step(Spatial& point, Spatial& normal, Index site) const;
+  bool step(Foot& foot) const;
   template <typename Visit>
   void visit(const Spatial& point, Index site, Visit v) const;
-  void correct(const Spatial& from, double curvature, Index site, Spatial& point,
-               Spatial& normal) const;
+  void correct(const Foot& from, double curvature, Foot& foot) const;
 
   const Surfel_cloud& m_cloud;
   Surfel_fit m_fit;
   const Surfel_vicinity& m_vicinity;
   const std::vector<Index>& m_home;
   std::vector<double> m_squared_support, m_disk, m_reach; // #sites
+  std::vector<double> m_factor;                           // #sites: of robust weights, else none
 };
 
 } // namespace CGAL::Geodesic_processing::internal
