@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clouds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+// The noise that paths on clouds are measured with is that of the paper.
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// Means of n numbers of variance s^2 lie within five times s / sqrt(n), but for one in a million.
+double chance(double deviation, std::size_t n) { return 5. * deviation / std::sqrt(double(n)); }
+
+TEST(clouds, have_offsets_along_normals_of_even_chances)
+{
+  const Cloud sphere = octahedron_sphere(5);
+  std::vector<double> radii(sphere.size());
+  for(std::size_t i = 0; i < radii.size(); ++i)
+    radii[i] = i % 2 == 0 ? 0.01 : 0.03;
+  for(const double level : {0.5, 1.})
+  {
+    const Cloud noisy = with_noise(sphere, radii, level, 1);
+    ASSERT_EQ(noisy.size(), sphere.size());
+    double sum = 0., squares = 0., most = 0.;
+    for(std::size_t i = 0; i < noisy.size(); ++i)
+    {
+      const Spatial way = noisy.points[i] - sphere.points[i];
+      const double offset = dot(way, sphere.normals[i]);
+      EXPECT_LT(norm(way - offset * sphere.normals[i]), 1e-15); // rounding
+      const double share = offset / (level * radii[i]);
+      EXPECT_LE(std::abs(share), 1. + 1e-12);
+      most = std::max(most, std::abs(share));
+      sum += share;
+      squares += share * share;
+    }
+    // Even chances between -1 and 1: variance 1/3, and 1/5 - 1/9 that of squares.
+    const double n = double(noisy.size());
+    EXPECT_NEAR(sum / n, 0., chance(std::sqrt(1. / 3.), noisy.size()));
+    EXPECT_NEAR(squares / n, 1. / 3., chance(std::sqrt(4. / 45.), noisy.size()));
+    EXPECT_GT(most, 0.99); // of 4,098 numbers none above has a chance of 1e-18
+  }
+}
+
+TEST(clouds, have_normals_turned_by_up_to_ten_degrees)
+{
+  const Cloud square = square_cloud(60);
+  const Cloud noisy = with_noise(square, std::vector<double>(square.size(), 0.01), 1., 2);
+  double sum = 0.;
+  Spatial directions = {0., 0., 0.};
+  for(const Spatial& n : noisy.normals)
+  {
+    EXPECT_NEAR(norm(n), 1., 1e-15);
+    const double angle = std::atan2(std::hypot(n[0], n[1]), n[2]);
+    EXPECT_LE(angle, pi / 18. * (1. + 1e-12));
+    sum += angle;
+    directions = directions + unit({n[0], n[1], 0.});
+  }
+  // Of the angle between 0 and 10 degrees, and of cosines of any direction.
+  EXPECT_NEAR(sum / 3600., pi / 36., chance(pi / 18. / std::sqrt(12.), 3600));
+  for(int k = 0; k < 2; ++k)
+    EXPECT_NEAR(directions[k] / 3600., 0., chance(std::sqrt(0.5), 3600));
+}
+
+TEST(clouds, have_as_many_outliers_as_asked_for)
+{
+  const Cloud square = square_cloud(60);
+  const std::vector<double> radii(square.size(), 0.01);
+  const Cloud noisy = with_noise(square, radii, 0.5, 1),
+              worse = with_outliers(noisy, square, radii, 0.05, 2., 2);
+  ASSERT_EQ(worse.size(), noisy.size() + 180);
+  EXPECT_TRUE(std::equal(noisy.points.begin(), noisy.points.end(), worse.points.begin()));
+  EXPECT_TRUE(std::equal(noisy.normals.begin(), noisy.normals.end(), worse.normals.begin()));
+  std::size_t outside = 0;
+  for(std::size_t i = noisy.size(); i < worse.size(); ++i)
+  {
+    Spatial place = worse.points[i];
+    EXPECT_LE(std::abs(place[2]), 0.02 * (1. + 1e-12));
+    outside += std::abs(place[2]) > 0.005;
+    // Above or below a surfel of the square.
+    place[2] = 0.;
+    EXPECT_NE(std::find(square.points.begin(), square.points.end(), place), square.points.end());
+  }
+  // Three quarters of them are farther off than noise is.
+  EXPECT_NEAR(double(outside) / 180., 0.75, chance(std::sqrt(3. / 16.), 180));
+}
+
+TEST(clouds, are_scanned_stripe_by_stripe)
+{
+  const Cloud scan = scanned_square(94, 70, 3), truth = scanned_square(94, 70, 0);
+  ASSERT_EQ(scan.size(), truth.size());
+  const double spacing = 1. / 93.;
+  double squares = 0., stripes = 0.;
+  for(std::size_t i = 0; i < 94; ++i)
+  {
+    double sum = 0.;
+    for(std::size_t j = 70 * i; j < 70 * (i + 1); ++j)
+    {
+      EXPECT_EQ(truth.points[j][2], 0.);
+      EXPECT_EQ(scan.points[j][0], truth.points[j][0]);
+      EXPECT_GT(scan.normals[j][2], 0.9);
+      // Whole steps of the camera.
+      const double steps = scan.points[j][2] / (0.04 * spacing);
+      EXPECT_NEAR(steps, std::round(steps), 1e-12);
+      sum += scan.points[j][2];
+      squares += scan.points[j][2] * scan.points[j][2];
+    }
+    stripes += sum / 70. * sum / 70.;
+  }
+  // 0.04 of each stripe, 0.08 of each point, and 0.04 / sqrt(12) of steps, of the spacing.
+  const double own = std::hypot(0.08, 0.04 / std::sqrt(12.)), all = std::hypot(0.04, own);
+  // Of 94 squares the mean is known to five times sqrt(2 / 94).
+  const double known = 5. * std::sqrt(2. / 94.);
+  EXPECT_NEAR(squares / 6580. / (spacing * spacing), all * all, known * 0.04 * 0.04);
+  // The mean of a stripe has its own error, and little of those of its points.
+  const double expected = 0.04 * 0.04 + own * own / 70.;
+  EXPECT_NEAR(stripes / 94. / (spacing * spacing), expected, known * expected);
+}
+
+TEST(clouds, are_the_same_for_a_seed)
+{
+  const Cloud square = square_cloud(10);
+  const std::vector<double> radii(square.size(), 0.1);
+  EXPECT_EQ(with_noise(square, radii, 1., 5).points, with_noise(square, radii, 1., 5).points);
+  EXPECT_NE(with_noise(square, radii, 1., 5).points, with_noise(square, radii, 1., 6).points);
+}
+
+} // namespace
