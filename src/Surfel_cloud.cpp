@@ -14,65 +14,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Reads points, without copies, and normals into the tree's order.
-void sort_surfels(std::vector<Spatial> points, std::vector<Spatial> normals, double cosine,
-                  unsigned threads, const Frame* frame, Surfel_cloud& cloud)
-{
-  const std::size_t n = points.size();
-  const Frame own = unit_frame(points);
-  cloud.frame = frame == nullptr ? own : *frame;
-  to_frame(points, cloud.frame);
-  normalize(normals);
-  const std::vector<Index> original = originals(points, normals, cosine);
-  std::vector<Index> place, order;
-  place.reserve(n);
-  for(Index i = 0; i < n; ++i)
-    if(original[i] == i)
-      place.push_back(i);
-  if(place.size() < n)
-    for(Index i = 0; i < place.size(); ++i)
-      points[i] = points[place[i]];
-  points.resize(place.size());
-  cloud.point = std::move(points);
-  cloud.tree = Kd_tree(cloud.point, order, threads);
-  cloud.site_of_surfel.resize(n);
-  cloud.surfel_of_site.resize(place.size());
-  cloud.normal.resize(place.size());
-  for_each_block(place.size(), surfel_block, threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   for(Index s = static_cast<Index>(begin); s < end; ++s)
-                   {
-                     const Index surfel = place[order[s]];
-                     cloud.surfel_of_site[s] = surfel;
-                     cloud.site_of_surfel[surfel] = s;
-                     cloud.normal[s] = normals[surfel];
-                   }
-                 });
-  for(Index i = 0; place.size() < n && i < n; ++i)
-    cloud.site_of_surfel[i] = cloud.site_of_surfel[original[i]];
-}
-
-void set_radii(const std::vector<double>& radii, const Rows& near, std::size_t rank,
-               unsigned threads, Surfel_cloud& cloud)
-{
-  cloud.radius.assign(cloud.number_of_sites(), 0.);
-  // The first radius that is wrong is the one to be named.
-  for_each_block(cloud.radius.size(), surfel_block, radii.empty() ? threads : 1,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   for(Index s = static_cast<Index>(begin); s < end; ++s)
-                     if(!radii.empty())
-                       cloud.radius[s] = scaled_radius(radii, cloud.surfel_of_site[s], cloud.frame);
-                     else if(near.begin(s) != near.end(s))
-                     {
-                       const std::size_t count = near.end(s) - near.begin(s);
-                       const Index last = near.begin(s)[std::min(rank, count) - 1];
-                       cloud.radius[s] = norm(cloud.point[last] - cloud.point[s]) / std::sqrt(2.);
-                     }
-                 });
-}
-
 // Arcs to the neighbours that `meet`, nearest first, and back from those that look at us although we
 // do not look at them.  All have seen what is nearer than their `reach`.
 template <typename Meet>
@@ -185,14 +126,15 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
     throw Invalid_argument_error(
         "The angle between neighbours must lie between 0 and pi, and their "
         "number and rank above 0.");
-  Surfel_cloud cloud;
   const Agree agree = {std::cos(options.maximum_angle)};
-  sort_surfels(std::move(points), std::move(normals), agree.cosine, options.threads, frame, cloud);
-
+  normalize(normals);
+  Surfel_cloud cloud;
+  static_cast<Sorted_surfels&>(cloud) =
+      sort_surfels(std::move(points), normals, agree.cosine, options.threads, frame);
   Surroundings around;
   const Rows near = find_neighbors(cloud.point, cloud.normal, cloud.tree, &agree, options.neighbors,
                                    options.threads, around);
-  set_radii(radii, near, options.rank, options.threads, cloud);
+  cloud.radius = site_radii(cloud, radii, near, options.rank, options.threads);
   const auto graph = [&](const Rows& rows, const auto& meet)
   { cloud.graph = make_graph(cloud.point, rows, around.seen, options.threads, meet); };
   if(options.graph == Surfel_graph::extended_spheres)

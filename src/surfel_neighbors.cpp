@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -37,15 +38,9 @@ void normalize(std::vector<Spatial>& normals)
   }
 }
 
-double scaled_radius(const std::vector<double>& radii, Index surfel, const Frame& frame)
-{
-  const double radius = radii[surfel];
-  if(!std::isfinite(radius) || radius < 0.)
-    throw Invalid_argument_error("The radius of surfel " + std::to_string(surfel) +
-                                 " is negative or not finite.");
-  return std::min(std::ldexp(radius, -std::ilogb(frame.scale)), 8.);
-}
+namespace {
 
+// For each surfel the first one at the same point with an agreeing normal: itself for most.
 std::vector<Index> originals(const std::vector<Spatial>& points,
                              const std::vector<Spatial>& normals, double cosine)
 {
@@ -76,6 +71,73 @@ std::vector<Index> originals(const std::vector<Spatial>& points,
     original[i] = table[slot];
   }
   return original;
+}
+
+} // namespace
+
+Sorted_surfels sort_surfels(std::vector<Spatial> points, const std::vector<Spatial>& normals,
+                            double cosine, unsigned threads, const Frame* frame)
+{
+  Sorted_surfels result;
+  const Frame own = unit_frame(points);
+  result.frame = frame == nullptr ? own : *frame;
+  to_frame(points, result.frame);
+  const std::size_t n = points.size();
+  const std::vector<Index> original = originals(points, normals, cosine);
+  std::vector<Index> place, order;
+  place.reserve(n);
+  for(Index i = 0; i < n; ++i)
+    if(original[i] == i)
+      place.push_back(i);
+  if(place.size() < n)
+    for(Index i = 0; i < place.size(); ++i)
+      points[i] = points[place[i]];
+  points.resize(place.size());
+  result.point = std::move(points);
+  result.tree = Kd_tree(result.point, order, threads);
+  result.site_of_surfel.resize(n);
+  result.surfel_of_site.resize(place.size());
+  result.normal.resize(place.size());
+  for_each_block(place.size(), surfel_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(Index s = static_cast<Index>(begin); s < end; ++s)
+                   {
+                     const Index surfel = place[order[s]];
+                     result.surfel_of_site[s] = surfel;
+                     result.site_of_surfel[surfel] = s;
+                     result.normal[s] = normals[surfel];
+                   }
+                 });
+  for(Index i = 0; place.size() < n && i < n; ++i)
+    result.site_of_surfel[i] = result.site_of_surfel[original[i]];
+  return result;
+}
+
+std::vector<double> site_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
+                               const Rows& near, std::size_t rank, unsigned threads)
+{
+  for(std::size_t i = 0; i < radii.size(); ++i)
+    if(!std::isfinite(radii[i]) || radii[i] < 0.)
+      throw Invalid_argument_error("The radius of surfel " + std::to_string(i) +
+                                   " is negative or not finite.");
+  std::vector<double> result(surfels.point.size(), 0.);
+  const int exponent = std::ilogb(surfels.frame.scale);
+  for_each_block(result.size(), surfel_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(Index s = static_cast<Index>(begin); s < end; ++s)
+                     if(!radii.empty())
+                       result[s] =
+                           std::min(std::ldexp(radii[surfels.surfel_of_site[s]], -exponent), 8.);
+                     else if(near.begin(s) != near.end(s))
+                     {
+                       const std::size_t count = near.end(s) - near.begin(s);
+                       const Index last = near.begin(s)[std::min(rank, count) - 1];
+                       result[s] = norm(surfels.point[last] - surfels.point[s]) / std::sqrt(2.);
+                     }
+                 });
+  return result;
 }
 
 Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,

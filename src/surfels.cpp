@@ -411,76 +411,43 @@ Glued_surfels glue_surfels(std::vector<std::array<double, 3>> points,
                                  "rank of the neighbour that gives the radius above 0.");
   Glued_surfels result;
   Glued_triangles& t = result.triangles;
-  const Frame frame = unit_frame(points);
-  to_frame(points, frame);
-  t.origin = frame.origin;
-  t.scale = frame.scale;
-  normalize(normals);
   const Agree agree = {std::cos(options.maximum_angle)};
-
-  // Sites: originals in the tree's order, then their copies.
-  std::vector<Index> copy_of(n);
-  {
-    const std::vector<Index> original = originals(points, normals, agree.cosine);
-    std::vector<Index> place, order;
-    for(Index i = 0; i < n; ++i)
-      if(original[i] == i)
-      {
-        place.push_back(i);
-        t.point.push_back(points[i]);
-      }
-    const std::size_t m = place.size();
-    result.tree = Kd_tree(t.point, order, options.threads);
-    result.surfel_of_site.resize(m);
-    result.site_of_surfel.resize(n);
-    for(Index s = 0; s < m; ++s)
-    {
-      result.surfel_of_site[s] = place[order[s]];
-      result.site_of_surfel[place[order[s]]] = s;
-    }
-    for(Index i = 0; i < n; ++i)
-      if(original[i] != i)
-      {
-        const Index s = static_cast<Index>(result.surfel_of_site.size());
-        result.site_of_surfel[i] = s;
-        result.surfel_of_site.push_back(i);
-        t.point.push_back(points[original[i]]);
-        copy_of[s] = result.site_of_surfel[original[i]];
-      }
-    points = {};
-  }
-  t.normal.resize(n);
-  for(Index s = 0; s < n; ++s)
-    t.normal[s] = normals[result.surfel_of_site[s]];
-  normals = {};
-
-  const Sites sites = {t.point, t.normal, result.tree, agree, options.threads};
-  const std::size_t m = sites.size();
+  normalize(normals);
+  Sorted_surfels sorted = sort_surfels(std::move(points), normals, agree.cosine, options.threads);
+  t.origin = sorted.frame.origin;
+  t.scale = sorted.frame.scale;
   Surroundings around;
-  Rows near =
-      find_neighbors(t.point, t.normal, result.tree, &agree, neighbors, options.threads, around);
+  Rows near = find_neighbors(sorted.point, sorted.normal, sorted.tree, &agree, neighbors,
+                             options.threads, around);
   near.join();
+  result.radius = site_radii(sorted, radii, near, options.rank, options.threads);
 
-  std::vector<double>& radius = result.radius;
-  radius.assign(n, 0.);
-  for(Index s = 0; s < n; ++s)
-    if(!radii.empty())
-      radius[s] = scaled_radius(radii, result.surfel_of_site[s], frame);
-    else if(s >= m)
-      radius[s] = radius[copy_of[s]];
-    else if(near.begin(s) != near.end(s))
+  result.tree = std::move(sorted.tree);
+  t.point = std::move(sorted.point);
+  t.normal = std::move(sorted.normal);
+  result.site_of_surfel = std::move(sorted.site_of_surfel);
+  result.surfel_of_site = std::move(sorted.surfel_of_site);
+
+  // Behind the sites of the tree come copies of them.
+  std::vector<Index> copy_of(n);
+  for(Index i = 0; i < n; ++i)
+    if(Index& site = result.site_of_surfel[i]; result.surfel_of_site[site] != i)
     {
-      const std::size_t count = near.end(s) - near.begin(s);
-      const Index last = near.begin(s)[std::min<std::size_t>(options.rank, count) - 1];
-      radius[s] = distance(t.point[s], t.point[last]) / std::sqrt(2.);
+      const auto copy = static_cast<Index>(t.point.size());
+      copy_of[copy] = site;
+      t.point.push_back(t.point[site]);
+      t.normal.push_back(normals[i]);
+      result.radius.push_back(result.radius[site]);
+      result.surfel_of_site.push_back(i);
+      site = copy;
     }
-
+  const Sites sites = {t.point, t.normal, result.tree, agree, options.threads};
   {
-    const Rows rings = find_rings(sites, near, around.seen, radius);
+    const Rows rings = find_rings(sites, near, around.seen, result.radius);
     around = {};
     collect_triangles(rings, options.threads, t);
   }
-  build_graph(sites, near, radius, copy_of, t);
+  build_graph(sites, near, result.radius, copy_of, t);
   measure(result, options.threads);
   build_stars(t);
   return result;

@@ -81,11 +81,47 @@ TEST(surfel_neighbors, count_alike)
                Unsupported_surface_error);
 }
 
-TEST(surfel_neighbors, finds_copies)
+TEST(surfel_neighbors, sorts_surfels_without_copies)
 {
   const std::vector<Spatial> points = {{0., 0., 0.}, {1., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}};
   const std::vector<Spatial> normals = {{0., 0., 1.}, {0., 0., 1.}, {0., 0., 1.}, {0., 0., -1.}};
-  EXPECT_EQ(originals(points, normals, 0.5), (std::vector<Index>{0, 1, 0, 3}));
+  const Sorted_surfels sorted = sort_surfels(points, normals, 0.5, 1);
+  ASSERT_EQ(sorted.point.size(), 3u);
+  EXPECT_EQ(sorted.tree.size(), 3u);
+  for(Index i = 0; i < 4; ++i)
+  {
+    const Index site = sorted.site_of_surfel[i];
+    EXPECT_EQ(sorted.surfel_of_site[site], i == 2 ? 0 : i); // the third is the first one's copy
+    EXPECT_EQ(sorted.frame.origin + sorted.frame.scale * sorted.point[site], points[i]);
+    EXPECT_EQ(sorted.normal[site], normals[i]);
+  }
+  // In another frame.
+  const Frame frame = {{4., 0., 0.}, 8.};
+  EXPECT_EQ(sort_surfels(points, normals, 0.5, 1, &frame).point[sorted.site_of_surfel[1]],
+            (Spatial{-0.375, 0., 0.}));
+}
+
+TEST(surfel_neighbors, give_radii_where_there_are_none)
+{
+  const Cloud square = square_cloud(9);
+  const Sorted_surfels sorted = sort_surfels(square.points, square.normals, 0.5, 1);
+  Surroundings around;
+  const Rows near =
+      find_neighbors(sorted.point, sorted.normal, sorted.tree, nullptr, 20, 1, around);
+  std::vector<double> given(81);
+  for(std::size_t i = 0; i < 81; ++i)
+    given[i] = double(i);
+  const std::vector<double> found = site_radii(sorted, {}, near, 8, 1),
+                            read = site_radii(sorted, given, near, 8, 1);
+  const Index middle = sorted.site_of_surfel[40];
+  // Eight are no farther than a diagonal of the lattice.
+  EXPECT_NEAR(sorted.frame.scale * found[middle], 1. / 8., 1e-15);
+  EXPECT_EQ(sorted.frame.scale * read[sorted.site_of_surfel[1]], 1.);
+  EXPECT_EQ(read[middle], 8.); // larger than the cloud
+  given[7] = -1.;
+  EXPECT_THROW(site_radii(sorted, given, near, 8, 1), Invalid_argument_error);
+  given[7] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(site_radii(sorted, given, near, 8, 1), Invalid_argument_error);
 }
 
 } // namespace

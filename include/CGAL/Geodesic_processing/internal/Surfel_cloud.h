@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/Kd_tree.h>
 #include <CGAL/Geodesic_processing/internal/locality.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/surfel_neighbors.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 
 #include <vector>
@@ -29,19 +30,14 @@ struct Cloud_options
 };
 
 // Surfels in the order of their kd-tree, and a proximity graph: what paths on a cloud need.
-struct Surfel_cloud
+struct Surfel_cloud : Sorted_surfels
 {
-  Frame frame;                        // caller's point = origin + scale * ours
-  std::vector<Spatial> point, normal; // #sites
-  std::vector<double> radius;         // #sites
-  std::vector<double> spacing;        // #sites: the distance to the sixth nearest site
-  std::vector<double> seen;           // #sites: that up to which all sites have been looked at
-  Kd_tree tree;                       // over the points
-  Site_graph graph;                   // symmetric
-  std::vector<Index> component;       // #sites: 0 .. number_of_components - 1
+  std::vector<double> radius;   // #sites
+  std::vector<double> spacing;  // #sites: the distance to the sixth nearest site
+  std::vector<double> seen;     // #sites: that up to which all sites have been looked at
+  Site_graph graph;             // symmetric
+  std::vector<Index> component; // #sites: 0 .. number_of_components - 1
   Index number_of_components = 0;
-  std::vector<Index> site_of_surfel; // #surfels
-  std::vector<Index> surfel_of_site; // #sites: the first of the surfels there
 
   std::size_t number_of_sites() const { return point.size(); }
 };

@@ -30,11 +30,6 @@ void check_sizes(std::size_t points, std::size_t normals, std::size_t radii);
 CGAL_GEODESIC_PROCESSING_EXPORT
 void normalize(std::vector<Spatial>& normals);
 
-// Of a surfel in the unit of its frame, no larger than the cloud, where squares are safe.
-// Throws Invalid_argument_error when it is negative or not finite.
-CGAL_GEODESIC_PROCESSING_EXPORT
-double scaled_radius(const std::vector<double>& radii, Index surfel, const Frame& frame);
-
 // How two surfels can be neighbours on a surface.  The chord of a circular arc makes equal angles
 // with both normals, so that the sum of the normals is perpendicular to it; between two parallel
 // sheets it is not, and across noise or a sharp edge it need not be.
@@ -68,12 +63,22 @@ struct Agree
   }
 };
 
-// For each surfel the first one at the same point with an agreeing normal: itself for most.
-//
-// points  of a unit_frame(); cosine  of the angle at which normals do not agree any more
+// Surfels in the order of a tree over their points.  Those at one point with agreeing normals are one
+// site, the first of them.
+struct Sorted_surfels
+{
+  Frame frame;                        // caller's point = origin + scale * ours
+  std::vector<Spatial> point, normal; // #sites
+  Kd_tree tree;                       // over the points
+  std::vector<Index> site_of_surfel;  // #surfels
+  std::vector<Index> surfel_of_site;  // #sites
+};
+
+// normals  of unit length; cosine  of the angle at which they do not agree any more; frame  or none for a
+// unit_frame(), as which it throws
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Index> originals(const std::vector<Spatial>& points,
-                             const std::vector<Spatial>& normals, double cosine);
+Sorted_surfels sort_surfels(std::vector<Spatial> points, const std::vector<Spatial>& normals,
+                            double cosine, unsigned threads, const Frame* frame = nullptr);
 
 // Rows of different lengths, filled block by block, and read by begin() and end().
 class Rows
@@ -165,6 +170,13 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,
                     const Kd_tree& tree, const Agree* agree, std::size_t count, unsigned threads,
                     Surroundings& around);
+
+// For each site the radius given, in the unit of the frame and no larger than the cloud, where squares are
+// safe; or where none are given the distance to its neighbour of a rank, or the last, over sqrt(2).
+// Throws Invalid_argument_error when one is negative or not finite.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<double> site_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
+                               const Rows& near, std::size_t rank, unsigned threads);
 
 } // namespace CGAL::Geodesic_processing::internal
 
