@@ -60,7 +60,24 @@ int main(int argc, char* argv[])
     cloud << knot.point(v) << '\n';
     noisy << knot.point(v) + Vector(noise(random), noise(random), noise(random)) << '\n';
   }
+  // A sphere, and a pipe with noise, one in twenty of its points four times as much.
+  std::ofstream sphere(folder + "/sphere.xyz"), pipe(folder + "/pipe.xyz");
+  for(int i = 0; i < 10000; ++i)
+  {
+    const double z = 1. - (2. * i + 1.) / 10000., r = std::sqrt(1. - z * z);
+    const double a = i * CGAL_PI * (3. - std::sqrt(5.));
+    sphere << Point(r * std::cos(a), r * std::sin(a), z) << '\n';
+  }
+  std::uniform_real_distribution<double> offset(-0.5, 0.5);
+  for(int i = 0; i < 201 * 60; ++i)
+  {
+    const double a = 2. * CGAL_PI * (i % 201) / 201., z = 30. * (i / 201) / 59.;
+    const double r = 15. + (i % 20 == 0 ? 4. : 1.) * offset(random);
+    pipe << Point(r * std::cos(a), r * std::sin(a), z) << '\n';
+  }
+
   const bool written = CGAL::IO::write_polygon_mesh(folder + "/knot.off", knot) &&
-                       CGAL::IO::write_polygon_mesh(folder + "/hills.off", hills) && cloud && noisy;
+                       CGAL::IO::write_polygon_mesh(folder + "/hills.off", hills) && cloud &&
+                       noisy && sphere && pipe;
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -213,6 +213,12 @@ picture cloud-path-knot "The same on a cloud that was made for it." \
   path "$knot_scan" --from 0 --to 12000 --start
 picture cloud-path-noise "Where there is noise it is removed first; the chain is that of the clean surfels." \
   path "$noisy_scan" --from 0 --to 12000 --start
+picture cloud-path-jagged "Projected to planes, as others do, without removing it, the path is torn to and fro." \
+  path "$noisy_scan" --from 0 --to 12000 --start --surfel-noise kept --surfel-path-method projected-planes
+picture cloud-path-sphere "Arcs of a sphere zigzag; the path is a great circle." \
+  path $models/sphere.xyz --from 1000 --to 6800 --start
+picture cloud-path-pipe "Through noise with outliers, around a pipe." \
+  path $models/pipe.xyz --from 20 --to 11950 --start
 picture cloud-graph "Which surfels of a scan are joined: those whose spheres meet and whose normals agree." \
   surfels "$scan_with_normals" --arcs
 
