@@ -17,6 +17,7 @@
 #   transport    only this one
 #   transport_bounds  only this one
 #   transport_family  only this one
+#   transport_claims  only this one
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -29,11 +30,11 @@ for argument in "$@"; do
   case $argument in
     --quick) options=(--quick) ;;
     --patient) patient=(--patient) ;;
-    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal | transport | transport_bounds | transport_family) programs+=("$argument") ;;
-    *) sed -n '5,20s/^# \{0,1\}//p' "$0"; exit 1 ;;
+    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal | transport | transport_bounds | transport_family | transport_claims) programs+=("$argument") ;;
+    *) sed -n '5,22s/^# \{0,1\}//p' "$0"; exit 1 ;;
   esac
 done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds transport_family)
+[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds transport_family transport_claims)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
