@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <functional>
 
 namespace {
@@ -144,6 +146,42 @@ TEST(Transport_metric, does_not_depend_on_the_unit)
         EXPECT_NEAR(of_other.distance(Vertex(0), to, 1e-5), expected, 2e-5 * expected);
       }
     }
+}
+
+// A sheet whose columns of squares stay plane while it is rolled up: no length changes.
+Triangulation rolled_sheet(std::size_t columns, std::size_t rows, double angle)
+{
+  std::vector<std::array<double, 2>> line = {{0., 0.}};
+  for(std::size_t i = 0; i < columns; ++i)
+  {
+    const double direction = angle * double(i) / double(columns);
+    line.push_back({line.back()[0] + std::cos(direction), line.back()[1] + std::sin(direction)});
+  }
+  return grid(columns, rows,
+              [&](double u, double v)
+              {
+                const auto& p = line[std::size_t(std::lround(u * double(columns)))];
+                return Point{p[0], p[1], v * double(rows)};
+              });
+}
+
+TEST(Transport_metric, does_not_know_how_the_surface_is_bent)
+{
+  const Mesh flat = mesh_of(rolled_sheet(24, 8, 0.)), rolled = mesh_of(rolled_sheet(24, 8, 4.));
+  for(const std::size_t k : {0, 12})
+  {
+    const GP::Transport_metric<Mesh> metric(flat, k), of_rolled(rolled, k);
+    EXPECT_EQ(metric.basis_size(), of_rolled.basis_size());
+    for(const std::size_t i : {7, 50, 111, 224})
+    {
+      const Vertex to{Mesh::size_type(i)};
+      const GP::Earth_movers_cost expected = metric.cost(Vertex(0), to),
+                                  found = of_rolled.cost(Vertex(0), to);
+      // Coordinates are rounded, and eigenfunctions found up to some digits.
+      EXPECT_LE(found.lower, expected.upper * (1. + 1e-6));
+      EXPECT_LE(expected.lower, found.upper * (1. + 1e-6));
+    }
+  }
 }
 
 TEST(Transport_metric, comes_down_towards_geodesic_distances)
