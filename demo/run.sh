@@ -111,17 +111,19 @@ picture()
 }
 
 # program NAME ARGUMENTS...: a demo program; its question is the first line of its source.  A
-# result that it leaves, the last argument then, is shown by its distances or another $property.
+# result that it leaves, the last argument then, is shown by its distances or another $property, or
+# without one where that is `none`.
 program()
 {
-  local name=$1 question answer picture=''
+  local name=$1 question answer picture='' shown_by=(--property "${property:-distance}")
+  [ "${property-}" != none ] || shown_by=()
   shift
   question=$(sed -n '4s|^// ||p' "demo/$name.cpp")
   printf '\n%s\n' "$question"
   if answer=$("$build/demo/$name" "$@" 2>&1); then
     printf '%s\n' "$answer"
     rm -f "$gallery/$name.png"
-    if [[ ${!#} == *.ply ]] && "$build/geodesic" info "${!#}" --property "${property:-distance}" --quiet \
+    if [[ ${!#} == *.ply ]] && "$build/geodesic" info "${!#}" "${shown_by[@]}" --quiet \
          --picture "$gallery/$name.png" >>$log 2>&1; then
       picture="<img src=\"$name.png\" alt=\"\">"
     fi
@@ -197,6 +199,22 @@ picture spectral-100 "and with a hundred eigenfunctions, with which it comes nea
   distance "$small" --source 100 --method emd --basis 100
 picture biharmonic "Its elder sister, the biharmonic distance, is uneven." \
   distance "$small" --source 100 --method biharmonic
+picture spectral-holes "Around holes the distance is smooth too, of a vertex of a part of a machine," \
+  distance "$holes" --source 100 --method spectral
+picture biharmonic-holes "and so is the biharmonic one." \
+  distance "$holes" --source 100 --method biharmonic
+picture spectral-fine "Spectral distances from a place of the foot," \
+  distance "$small" --source-at=-0.161,-0.483,-0.052 --method spectral
+if "$build/geodesic" remesh "$small" --number 600 --lloyd 5 --quiet -o $build/coarse.ply 2>>$log; then
+  picture spectral-coarse "and with a fifth of the vertices, on other triangles." \
+    distance $build/coarse.ply --source-at=-0.161,-0.483,-0.052 --method spectral
+fi
+# A mass at each vertex: the second line of the file begins with their number.
+yes 1 | head -n "$(sed -n '2s/ .*//p' "$small")" >$build/everywhere.txt
+picture emd-everywhere "All of a surface moves to a foot: the potential falls by the distance." \
+  emd "$small" --from $build/everywhere.txt --to 100 --density --normalize
+picture emd-feet "From four feet to the tip of the trunk." \
+  emd "$small" --from 1766,2200,2278,2552 --to 691
 picture emd "From three places to three others: what moves, and the potential that proves the least work." \
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
@@ -229,6 +247,10 @@ program attracted_samples "$part" $build/attracted.ply
 program two_speeds $build/two_speeds.ply
 program cut_locus "$bunny" $build/cut_locus.ply
 property=graticule program flat_globe $build/flat_globe.ply
+program from_spectral_to_geodesic "$small" 100 $build/from_spectral_to_geodesic.ply
+program noise_and_bending "$small" 100 $build/noise_and_bending.ply
+property=detour program detours "$small" 100 1500 $build/detours.ply
+property=none program parts_of_a_flow "$small" 100 1200 $build/parts_of_a_flow.ply
 program methods_compared "$small"
 program mesh_or_cloud "$animal" $build/cloud.ply
 program nearest_of_many "$bear" $build/lands.ply

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Of what parts is the cheapest flow: how much is gradient, how much turns, and what goes around handles?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Field = Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3>;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh, row;
+  if(argc != 5 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || is_empty(mesh))
+    return std::cerr << "usage: parts_of_a_flow MESH VERTEX VERTEX RESULT.ply\n", EXIT_FAILURE;
+  const Vertex from(Mesh::size_type(std::stoul(argv[2]))), to(Mesh::size_type(std::stoul(argv[3])));
+  std::vector<Field> field;
+  for(const char* name : {"f:flow", "f:gradient", "f:rotation", "f:harmonic"})
+    field.push_back(mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>(name).first);
+  GP::Earth_movers_solver<Mesh> solver(mesh);
+  std::cout << "A unit of mass moves by " << solver.compute(from, to).value << ".\n";
+  solver.write_flow(field[0]);
+  GP::hodge_decomposition(solver.domain(), field[0], field[1], field[2], field[3]);
+
+  // A copy for each field, with lines along it, as edges between vertices of their own.
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double width = box.xmax() - box.xmin();
+  std::vector<Mesh::Point> lines;
+  double whole = 0.;
+  for(std::size_t i = 0; i < 4; ++i)
+  {
+    double squares = 0.;
+    for(auto f : mesh.faces())
+    {
+      const Kernel::Vector_3 v = field[i][f];
+      squares += v.squared_length() * CGAL::Polygon_mesh_processing::face_area(f, mesh);
+      Kernel::Vector_3 middle = CGAL::NULL_VECTOR;
+      for(Vertex corner : mesh.vertices_around_face(mesh.halfedge(f)))
+        middle += (mesh.point(corner) - CGAL::ORIGIN) / 3.;
+      const double strength = width * std::sqrt(v.squared_length());
+      if(strength > 0.6) // the weak ones would hide the surface
+        for(const double part : {0., 0.05 * width * (std::min)(1., 0.3 * strength) / strength})
+          lines.push_back(CGAL::ORIGIN + middle + part * width * v);
+    }
+    whole = i == 0 ? squares : whole;
+    std::cout << 100. * squares / whole << (i == 0 ? " % are " : " % ")
+              << (i == 0   ? "the flow"
+                  : i == 1 ? "gradient"
+                  : i == 2 ? "turn"
+                           : "wind around")
+              << '\n';
+    row += mesh;
+    for(Vertex v : mesh.vertices())
+      mesh.point(v) += Kernel::Vector_3(1.1 * width, 0., 0.);
+  }
+  const std::size_t first = row.number_of_vertices();
+  for(const Mesh::Point& p : lines)
+    row.add_vertex(p);
+  std::ostringstream ply;
+  CGAL::IO::write_PLY(ply, row);
+  std::string text = ply.str();
+  text.insert(text.find("end_header"), "element edge " + std::to_string(lines.size() / 2) +
+                                           "\nproperty int vertex1\nproperty int vertex2\n");
+  for(std::size_t i = 0; i < lines.size(); ++i)
+    text += std::to_string(first + i) + (i % 2 == 0 ? ' ' : '\n');
+  return std::ofstream(argv[4]) << text ? EXIT_SUCCESS : EXIT_FAILURE;
+}
