@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -47,18 +48,27 @@ int main(int argc, char* argv[])
   for(std::size_t i = 0; i < 4; ++i)
   {
     double squares = 0.;
+    std::vector<double> lengths;
     for(auto f : mesh.faces())
     {
-      const Kernel::Vector_3 v = field[i][f];
-      squares += v.squared_length() * CGAL::Polygon_mesh_processing::face_area(f, mesh);
-      Kernel::Vector_3 middle = CGAL::NULL_VECTOR;
-      for(Vertex corner : mesh.vertices_around_face(mesh.halfedge(f)))
-        middle += (mesh.point(corner) - CGAL::ORIGIN) / 3.;
-      const double strength = width * std::sqrt(v.squared_length());
-      if(strength > 0.6) // the weak ones would hide the surface
-        for(const double part : {0., 0.05 * width * (std::min)(1., 0.3 * strength) / strength})
-          lines.push_back(CGAL::ORIGIN + middle + part * width * v);
+      const double square = field[i][f].squared_length();
+      squares += square * CGAL::Polygon_mesh_processing::face_area(f, mesh);
+      lengths.push_back(std::sqrt(square));
     }
+    // Lines where it is not weak; one face in fifty has a longest one.
+    std::vector<double> sorted = lengths;
+    std::sort(sorted.begin(), sorted.end());
+    const double strong = sorted[sorted.size() * 49 / 50];
+    for(auto f : mesh.faces())
+      if(const double length = lengths[f]; length > 0.12 * strong)
+      {
+        Kernel::Vector_3 middle = CGAL::NULL_VECTOR;
+        for(Vertex corner : mesh.vertices_around_face(mesh.halfedge(f)))
+          middle += (mesh.point(corner) - CGAL::ORIGIN) / 3.;
+        const double scale = 0.05 * width * (std::min)(1. / length, 1. / strong);
+        lines.push_back(CGAL::ORIGIN + middle);
+        lines.push_back(CGAL::ORIGIN + middle + scale * field[i][f]);
+      }
     whole = i == 0 ? squares : whole;
     std::cout << 100. * squares / whole << (i == 0 ? " % are " : " % ")
               << (i == 0   ? "the flow"
