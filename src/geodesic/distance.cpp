@@ -148,19 +148,7 @@ void run_distance(Job& job, const Distance_options& options)
   Result result;
   on_surface(surface,
              [&](const auto& mesh_or_cloud) { result = distances(mesh_or_cloud, options, job); });
-  double farthest = 0.;
-  std::size_t unreached = 0;
-  for(const double x : result.values)
-    if(std::isfinite(x))
-      farthest = std::max(farthest, x);
-    else
-      ++unreached;
-  job.result()["max"] = json_number(farthest);
-  job.result()["unreached"] = unreached;
-  job.say("largest distance  " + readable(farthest));
-  if(unreached > 0)
-    job.say("unreached         " + std::to_string(unreached) + " of " +
-            std::to_string(result.values.size()));
+  const double farthest = report_distances(job, result.values);
 
   job.stage("write");
   job.write_values([&] { return lines(result.values); });

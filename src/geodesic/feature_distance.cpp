@@ -6,9 +6,6 @@
 #include "errors.h"
 #include "transports.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace program {
 
 namespace {
@@ -62,16 +59,7 @@ void run_feature_distance(Job& job, const Feature_options& options)
   Transport_result result;
   on_surface(surface, [&](const auto& mesh_or_cloud)
              { result = distances(mesh_or_cloud, vertices, options, job); });
-  double farthest = 0.;
-  std::size_t unreached = 0;
-  for(const double x : result.potential)
-    if(std::isfinite(x))
-      farthest = std::max(farthest, x);
-    else
-      ++unreached;
-  job.result()["max"] = json_number(farthest);
-  job.result()["unreached"] = unreached;
-  job.say("largest distance        " + readable(farthest));
+  const double farthest = report_distances(job, result.potential);
   report(job, options, result.cost, "integral");
 
   job.stage("write");

@@ -86,6 +86,24 @@ const std::vector<double>& property(const Surface& surface, const std::string& n
                          (names.empty() ? ", they have none" : ", only " + names));
 }
 
+double report_distances(Job& job, const std::vector<double>& distances)
+{
+  double farthest = 0.;
+  std::size_t unreached = 0;
+  for(const double x : distances)
+    if(std::isfinite(x))
+      farthest = std::max(farthest, x);
+    else
+      ++unreached;
+  job.result()["max"] = json_number(farthest);
+  job.result()["unreached"] = unreached;
+  job.say("largest distance  " + readable(farthest));
+  if(unreached > 0)
+    job.say("unreached         " + std::to_string(unreached) + " of " +
+            std::to_string(distances.size()));
+  return farthest;
+}
+
 void write_result(const Job& job, const std::string& name, const std::vector<double>& values,
                   double size)
 {

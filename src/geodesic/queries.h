@@ -198,6 +198,9 @@ std::string place_text([[maybe_unused]] const Surface_type& surface, const Locat
 // Throws Input_error, with the names that there are, when the file has no such property.
 const std::vector<double>& property(const Surface& surface, const std::string& name);
 
+// Says how large distances are, and how many are infinite; returns the largest of the others.
+double report_distances(Job& job, const std::vector<double>& distances);
+
 // Writes the input with one value for each vertex, as the kind of file allows: a property; in OBJ a
 // texture coordinate u = value / size; in OFF a colour.
 void write_result(const Job& job, const std::string& name, const std::vector<double>& values,
