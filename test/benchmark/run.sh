@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing, builds and runs the benchmarks; prints tables, and leaves two plots.
-# Takes about twenty minutes; best with nothing else running.
+# Takes about forty minutes; best with nothing else running.
 #   --quick      small meshes only, a minute
 #   --patient    CGAL's exact distances also where they take minutes
 #   accuracy     only this one
