@@ -87,6 +87,16 @@ public:
     internal::write_vectors(m_domain, m_result.flow, map);
   }
 
+  /// writes what `np` has of `potential_map` and `flow_map`.
+  template <typename NamedParameters>
+  void write_maps(const NamedParameters& np) const
+  {
+    if constexpr(internal::has_parameter<NamedParameters, internal_np::potential_map_t>)
+      write_potential(internal::parameter(np, internal_np::potential_map, 0));
+    if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
+      write_flow(internal::parameter(np, internal_np::flow_map, 0));
+  }
+
 protected:
   template <typename NamedParameters>
   Transport_solution(const Domain& domain, const NamedParameters& np,

@@ -34,10 +34,7 @@ Earth_movers_cost earth_movers_distance(const Surface& surface, const From& from
   const auto domain = make_domain(surface, np);
   Earth_movers_solver<typename decltype(domain)::Surface> solver(domain, np);
   const Earth_movers_cost cost = solver.template compute<Method>(from, to, np);
-  if constexpr(internal::has_parameter<NamedParameters, internal_np::potential_map_t>)
-    solver.write_potential(internal::parameter(np, internal_np::potential_map, 0));
-  if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
-    solver.write_flow(internal::parameter(np, internal_np::flow_map, 0));
+  solver.write_maps(np);
   return cost;
 }
 

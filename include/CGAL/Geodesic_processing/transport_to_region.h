@@ -41,10 +41,7 @@ Earth_movers_cost transport_to_region(const Surface& surface, const From& from,
   const Earth_movers_cost cost = solver.template compute<Method>(from, np);
   if constexpr(internal::has_parameter<NamedParameters, internal_np::arrival_map_t>)
     solver.write_arrivals(internal::parameter(np, internal_np::arrival_map, 0));
-  if constexpr(internal::has_parameter<NamedParameters, internal_np::potential_map_t>)
-    solver.write_potential(internal::parameter(np, internal_np::potential_map, 0));
-  if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
-    solver.write_flow(internal::parameter(np, internal_np::flow_map, 0));
+  solver.write_maps(np);
   return cost;
 }
 
