@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/blas.h>
+#include <CGAL/Geodesic_processing/internal/supernodes.h>
 
 #include <Eigen/Sparse>
 #ifdef GEODESIC_PROCESSING_HAS_CHOLMOD
@@ -113,42 +114,38 @@ struct Sparse_solver::Solver
 
   void solve(Eigen::MatrixXd& columns) const
   {
-    Common common;
-    std::unique_ptr<Workspace> own = take();
-    cholmod_dense view = Eigen::viewAsCholmod(columns);
-    if(!cholmod_solve2(CHOLMOD_A, factor, &view, nullptr, &own->solution, nullptr, &own->y, &own->e,
-                       &common))
-      throw std::bad_alloc();
-    columns = Eigen::MatrixXd::Map(static_cast<const double*>(own->solution->x), columns.rows(),
-                                   columns.cols());
+    std::vector<double> space = take();
+    substitute(supernodes(), columns.data(), std::size_t(columns.cols()), space);
     const std::lock_guard<std::mutex> lock(mutex);
-    idle.push_back(std::move(own));
+    idle.push_back(std::move(space));
   }
 
-  // What is kept from one call to the next: the system takes long to give that much memory each time.
-  struct Workspace
+  Supernodes supernodes() const
   {
-    ~Workspace()
-    {
-      Common common;
-      for(cholmod_dense** matrix : {&solution, &y, &e})
-        cholmod_free_dense(matrix, &common);
-    }
+    const auto integers = [](const void* array) { return static_cast<const int*>(array); };
+    return {factor->n,
+            factor->nsuper,
+            integers(factor->Perm),
+            integers(factor->super),
+            integers(factor->pi),
+            integers(factor->px),
+            integers(factor->s),
+            static_cast<const double*>(factor->x)};
+  }
 
-    cholmod_dense *solution = nullptr, *y = nullptr, *e = nullptr;
-  };
-  std::unique_ptr<Workspace> take() const
+  std::vector<double> take() const
   {
     const std::lock_guard<std::mutex> lock(mutex);
     if(idle.empty())
-      return std::make_unique<Workspace>();
-    std::unique_ptr<Workspace> result = std::move(idle.back());
+      return {};
+    std::vector<double> result = std::move(idle.back());
     idle.pop_back();
     return result;
   }
 
   mutable std::mutex mutex;
-  mutable std::vector<std::unique_ptr<Workspace>> idle; // of calls that have ended
+  // Of calls that have ended: the system takes long to give that much memory each time.
+  mutable std::vector<std::vector<double>> idle;
   cholmod_factor* factor = nullptr;
 };
 

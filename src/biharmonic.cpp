@@ -23,7 +23,7 @@ Biharmonic_distances::Biharmonic_distances(const Glued_triangles& triangles)
   const Laplacian laplacian(m_operators);
   Sparse_matrix matrix = laplacian.matrix(m_operators);
   laplacian.hold(matrix);
-  m_solver = std::make_unique<Sparse_solver>(matrix, Elimination::sparse);
+  m_solver = std::make_unique<Sparse_solver>(matrix, Elimination::quick);
 }
 
 // Of the masses, less the ones of the same masses at the held site of the component: a difference of two

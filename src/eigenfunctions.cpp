@@ -72,7 +72,7 @@ public:
       if(const Index c = constant[component[m_sites[i]]]; c != none)
         m_constants(i, c) = m_root_of_mass[i];
     m_constants.colwise().normalize();
-    m_solver = std::make_unique<Sparse_solver>(held, Elimination::sparse);
+    m_solver = std::make_unique<Sparse_solver>(held, Elimination::quick);
   }
 
   Eigen::Index size() const { return Eigen::Index(m_sites.size()); }

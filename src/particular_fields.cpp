@@ -219,7 +219,7 @@ Particular_fields::Particular_fields(const Glued_triangles& triangles, const Ope
   const Sparse_matrix matrix = laplacian.matrix(operators);
   Sparse_matrix held = matrix;
   laplacian.hold(held);
-  m_poisson = std::make_unique<Sparse_solver>(held, Elimination::sparse);
+  m_poisson = std::make_unique<Sparse_solver>(held, Elimination::quick);
 
   const auto n = Eigen::Index(operators.number_of_triangles());
   m_harmonic.resize(2 * n, 0);
@@ -254,8 +254,7 @@ Particular_fields::Particular_fields(const Glued_triangles& triangles, const Ope
     return;
   }
   m_inner = std::make_unique<Sparse_solver>(
-      inner_laplacian(operators, matrix, m_is_border, m_component, components),
-      Elimination::sparse);
+      inner_laplacian(operators, matrix, m_is_border, m_component, components), Elimination::quick);
 }
 
 Particular_fields::~Particular_fields() = default;

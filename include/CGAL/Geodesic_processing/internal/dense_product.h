@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-// Products of large matrices, by the BLAS that CHOLMOD brings along, which knows the processor: where it
-// is there it takes less than half of the time of Eigen's own for any processor.  One thread each.
+// Products of large matrices, one of which has few columns or rows, with the wide instructions of a
+// processor that has them: half of the time of an OpenBLAS that does not know the processor.  One thread.
 
 namespace CGAL::Geodesic_processing::internal {
 
