@@ -216,6 +216,56 @@ Index Kd_tree::nearest(const std::vector<Point>& points, const Point& query) con
   return best.point;
 }
 
+std::pair<Index, Index> Kd_tree::ancestor(Index point, std::size_t size) const
+{
+  for(unsigned level = m_levels; level > 0; --level)
+    if(const auto range = node(point, level); range.second - range.first >= size)
+      return range;
+  return {0, Index(m_size)};
+}
+
+bool Kd_tree::leaves_near(const std::vector<Point>& points, Index first, Index last,
+                          double squared_distance, std::size_t most,
+                          std::vector<std::pair<Index, Index>>& result) const
+{
+  Box own = {points[first], points[first]};
+  for(Index i = first; i < last; ++i)
+    for(int k = 0; k < 3; ++k)
+    {
+      own.low[k] = std::min(own.low[k], points[i][k]);
+      own.high[k] = std::max(own.high[k], points[i][k]);
+    }
+  result.clear();
+  std::size_t number = 0;
+  std::array<std::pair<std::size_t, unsigned>, 34> stack; // as in visit_leaves()
+  std::size_t top = 0;
+  stack[top++] = {0, 0};
+  while(top != 0)
+  {
+    const auto [node, level] = stack[--top];
+    const Box& box = m_boxes[(std::size_t(1) << level) - 1 + node];
+    double sum = 0.;
+    for(int k = 0; k < 3; ++k)
+    {
+      const double d = std::max(std::max(box.low[k] - own.high[k], own.low[k] - box.high[k]), 0.);
+      sum += d * d;
+    }
+    if(sum > squared_distance)
+      continue;
+    if(level < m_levels)
+    {
+      stack[top++] = {2 * node + 1, level + 1};
+      stack[top++] = {2 * node, level + 1};
+      continue;
+    }
+    result.emplace_back(Index(begin(node, level)), Index(begin(node + 1, level)));
+    number += result.back().second - result.back().first;
+    if(number > most)
+      return false;
+  }
+  return true;
+}
+
 void Kd_tree::within(const std::vector<Point>& points, const Point& query, double squared_radius,
                      std::vector<Index>& result) const
 {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -61,6 +62,18 @@ public:
   void within(const std::vector<Point>& points, const Point& query, double squared_radius,
               std::vector<Index>& result) const;
 
+  // The points of the leaf of a point, and of the smallest node with at least that many, or of all.
+  std::pair<Index, Index> leaf(Index point) const { return node(point, m_levels); }
+  CGAL_GEODESIC_PROCESSING_EXPORT
+  std::pair<Index, Index> ancestor(Index point, std::size_t size) const;
+
+  // The leaves, one after another, with all points not farther than that from the box of some points that
+  // follow each other.  False when these have more than `most` points in all.
+  CGAL_GEODESIC_PROCESSING_EXPORT
+  bool leaves_near(const std::vector<Point>& points, Index first, Index last,
+                   double squared_distance, std::size_t most,
+                   std::vector<std::pair<Index, Index>>& result) const;
+
 private:
   struct Box
   {
@@ -68,6 +81,11 @@ private:
   };
 
   std::size_t begin(std::size_t node, unsigned level) const { return node * m_size >> level; }
+  std::pair<Index, Index> node(Index point, unsigned level) const
+  {
+    const std::size_t node = (((std::size_t(point) + 1) << level) - 1) / m_size;
+    return {Index(begin(node, level)), Index(begin(node + 1, level))};
+  }
   template <typename Visit>
   void visit_leaves(const Point& query, const double& bound, Visit&& visit) const;
 

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_NEIGHBORS_H
 
 #include <CGAL/Geodesic_processing/internal/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/Leaf_neighbors.h>
 #include <CGAL/Geodesic_processing/internal/locality.h>
 #include <CGAL/Geodesic_processing/internal/parallel.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
@@ -141,18 +142,17 @@ void visit_nearest(const std::vector<Spatial>& point, const Kd_tree& tree, std::
   for_each_block(tree.size(), surfel_block, threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
+                   Leaf_neighbors nearest(point, tree, count + 1);
                    std::vector<Kd_tree::Neighbor> found;
-                   for(Index i = static_cast<Index>(begin); i < end; ++i)
+                   for(Index i = static_cast<Index>(begin), last; i < end; i = last)
                    {
-                     // As many were found around the point before: none of ours is farther than they.
-                     double bound = found.size() <= count ? infinity : 0.;
-                     for(const Kd_tree::Neighbor& neighbor : found)
+                     last = std::min(static_cast<Index>(end), nearest.leaf_end(i));
+                     auto row = nearest.find(i, last).begin();
+                     for(Index j = i; j < last; ++j, row += nearest.size())
                      {
-                       const Spatial way = point[neighbor.point] - point[i];
-                       bound = std::max(bound, dot(way, way));
+                       found.assign(row, row + nearest.size());
+                       visit(block, j, found);
                      }
-                     tree.nearest(point, point[i], count + 1, found, bound);
-                     visit(block, i, found);
                    }
                  });
 }

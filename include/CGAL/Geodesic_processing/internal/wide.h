@@ -8,8 +8,8 @@
 
 // What every processor of a kind can do is compiled once more with the wide instructions that some of them
 // have, and chosen where it runs: a kernel is a template of GEODESIC_PROCESSING_INLINE functions on Narrow
-// or Wide<Scalar>, which a function of GEODESIC_PROCESSING_FOR_WIDE calls for the latter.  For sources
-// alone.
+// or Wide<Scalar>, which a function of GEODESIC_PROCESSING_FOR_WIDE calls for the latter; where what comes
+// out must be the same to the last digit, one of GEODESIC_PROCESSING_FOR_WIDE_UNFUSED.  For sources alone.
 
 #if defined(__GNUC__)
 #  define GEODESIC_PROCESSING_INLINE inline __attribute__((always_inline))
@@ -19,8 +19,10 @@
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #  define GEODESIC_PROCESSING_FOR_WIDE __attribute__((target("avx2,fma")))
+#  define GEODESIC_PROCESSING_FOR_WIDE_UNFUSED __attribute__((target("avx2")))
 #else
 #  define GEODESIC_PROCESSING_FOR_WIDE
+#  define GEODESIC_PROCESSING_FOR_WIDE_UNFUSED
 #endif
 
 namespace CGAL::Geodesic_processing::internal {
