@@ -12,8 +12,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // The nearest points of all points of a tree, leaf by leaf: those of one leaf are found among the points
-// that lie in leaves near it, which are gathered once for all of them.  What Kd_tree::nearest() finds, in a
-// third of its time on surfaces.  Keeps arrays from one leaf to the next: one for each thread.
+// that lie in leaves near it, which are gathered once for all of them.  What Kd_tree::nearest() finds, in two
+// thirds of its time on surfaces.  Keeps arrays from one leaf to the next: one for each thread.
 class Leaf_neighbors
 {
 public:
