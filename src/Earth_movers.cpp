@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -55,23 +57,55 @@ std::vector<Index> refined(const Glued_triangles& coarse, const Glued_triangles&
   return result;
 }
 
-// One unknown for all sites of a region.
-void merge(Operators& operators, const std::vector<Index>& region)
+// One unknown for all sites of an exit, the first one's.
+void merge(Operators& operators, const std::vector<std::vector<Index>>& exits)
 {
-  std::vector<bool> is_inside(operators.number_of_sites, false);
-  for(const Index site : region)
-    is_inside[site] = true;
+  std::vector<Index> unknown(operators.number_of_sites);
+  std::iota(unknown.begin(), unknown.end(), Index(0));
+  for(const std::vector<Index>& exit : exits)
+    for(const Index site : exit)
+      unknown[site] = exit.front();
   for(Index& site : operators.corner)
-    if(is_inside[site])
-      site = region.front();
+    site = unknown[site];
 }
 
-// What is missing there, in its first site.
-void merge(Vector& masses, const std::vector<Index>& region)
+// What is missing there, in the first site.
+void merge(Vector& masses, const std::vector<std::vector<Index>>& exits)
 {
-  for(const Index site : region)
-    masses[site] = 0.;
-  masses[region.front()] = -masses.sum();
+  for(const std::vector<Index>& exit : exits)
+    for(const Index site : exit)
+      if(site != exit.front())
+        masses[exit.front()] += std::exchange(masses[site], 0.);
+}
+
+void check(Transport_region& region)
+{
+  if(!region.is_limited() && region.exits.size() > 1) // then all exits are one
+  {
+    std::vector<Index> all;
+    for(const std::vector<Index>& exit : region.exits)
+      all.insert(all.end(), exit.begin(), exit.end());
+    region.exits.assign(1, std::move(all));
+  }
+  std::vector<Index> sites;
+  for(std::vector<Index>& exit : region.exits)
+  {
+    std::sort(exit.begin(), exit.end());
+    exit.erase(std::unique(exit.begin(), exit.end()), exit.end());
+    sites.insert(sites.end(), exit.begin(), exit.end());
+  }
+  std::sort(sites.begin(), sites.end());
+  if(std::adjacent_find(sites.begin(), sites.end()) != sites.end())
+    throw Invalid_argument_error("Two exits share a site.");
+  if(!region.capacity.empty() && region.capacity.size() != region.exits.size())
+    throw Invalid_argument_error("There are " + std::to_string(region.capacity.size()) +
+                                 " capacities for " + std::to_string(region.exits.size()) +
+                                 " exits.");
+  for(const double capacity : region.capacity)
+    if(!(capacity > 0.))
+      throw Invalid_argument_error("A capacity is not positive.");
+  if(!(region.spreading_weight >= 0.) || !std::isfinite(region.spreading_weight))
+    throw Invalid_argument_error("The weight of spreading is negative or not finite.");
 }
 
 // The means over triangles that were divided; the one in the middle is turned by half.
@@ -102,19 +136,22 @@ Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& 
 } // namespace
 
 Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements,
-                           std::vector<Tensor> measure, const std::vector<Index>& region)
+                           std::vector<Tensor> measure, Transport_region region)
+    : m_region(std::move(region))
 {
+  check(m_region);
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
     throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
   m_levels.resize(refinements + 1);
-  m_levels[0].region = region;
+  m_levels[0].exits = m_region.exits;
   for(unsigned level = 0; level <= refinements; ++level)
   {
     if(level > 0)
     {
       const Glued_triangles& coarse = *m_levels[level - 1].triangles;
       triangles = std::make_shared<const Glued_triangles>(refined(coarse));
-      m_levels[level].region = refined(coarse, *triangles, m_levels[level - 1].region);
+      for(const std::vector<Index>& exit : m_levels[level - 1].exits)
+        m_levels[level].exits.push_back(refined(coarse, *triangles, exit));
       for(const Tensor& tensor : std::exchange(measure, {}))
         measure.insert(measure.end(), 4, tensor);
     }
@@ -122,18 +159,43 @@ Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, uns
     m_levels[level].measure = measure;
     Operators operators = measured_operators(*triangles, measure);
     m_levels[level].area = operators.area;
-    merge(operators, m_levels[level].region);
-    if(level == 0 && !region.empty())
+    merge(operators, m_levels[level].exits);
+    if(level == 0 && !m_region.is_empty())
     {
-      const std::vector<Index> component = components(operators).first;
+      const auto [component, number] = components(operators);
+      std::vector<bool> has_exit(number, false);
+      for(const std::vector<Index>& exit : m_region.exits)
+        has_exit[component[exit.front()]] = true;
       for(const Index label : component)
-        m_reaches_region.push_back(label == component[region.front()]);
-      for(const Index site : region)
-        m_reaches_region[site] = true;
+        m_reaches_region.push_back(has_exit[label]);
+      for(const std::vector<Index>& exit : m_region.exits)
+        for(const Index site : exit)
+          m_reaches_region[site] = true;
     }
     if(level + 1 >= refinements)
       m_levels[level].solver = std::make_unique<Transport_solver>(std::move(operators));
   }
+}
+
+std::vector<Exit> Earth_movers::limited_exits(const Level& level) const
+{
+  std::vector<Exit> result;
+  if(!m_region.is_limited())
+    return result;
+  const Level& coarse = m_levels.front();
+  const double scale = coarse.triangles->scale;
+  for(std::size_t i = 0; i < m_region.exits.size(); ++i)
+  {
+    double area = 0.;
+    for(const Index site : m_region.exits[i])
+      for(Index k = coarse.triangles->first[site]; k < coarse.triangles->first[site + 1]; ++k)
+        area += scale * scale * coarse.area[coarse.triangles->star[k] / 3] / 3.;
+    const double weight = m_region.spreading_weight;
+    result.push_back({level.exits[i].front(),
+                      m_region.capacity.empty() ? infinity : m_region.capacity[i],
+                      weight > 0. ? 2. * weight / (area * level.triangles->scale) : 0.});
+  }
+  return result;
 }
 
 // At most what it costs to move masses within the finest triangles to those at sites.
@@ -209,23 +271,28 @@ Earth_movers_result Earth_movers::solve_to_region(const Mass_distribution& from,
   const Level& coarse = m_levels.front();
   const Vector at_sites = masses_at_sites(*coarse.triangles, coarse.area, from);
   Mass_distribution to;
-  to.at_locations = {{{none, coarse.region.front(), {}}, at_sites.sum()}};
-  const Mass_distribution masses =
+  const Index first = coarse.exits.front().front();
+  to.at_locations = {{{none, first, {}}, at_sites.sum()}};
+  Mass_distribution masses =
       difference(*coarse.triangles, coarse.area, from, to, options.do_normalize);
+  if(m_region.is_limited()) // where it goes is not known
+    masses.at_locations.erase(masses.at_locations.begin());
   Earth_movers_result result = move(masses, options);
 
-  const double top = result.potential[coarse.region.front()];
-  for(const Index site : coarse.region)
-    result.potential[site] = top;
-  result.potential.array() -= top;
+  for(const std::vector<Index>& exit : coarse.exits)
+    for(const Index site : exit)
+      result.potential[site] = result.potential[exit.front()];
+  if(!m_region.is_limited())
+    result.potential.array() -= double(result.potential[first]);
 
   const double scale = coarse.triangles->scale;
   const Vector missing =
       divergence(operators(*coarse.triangles, Flat_triangles::raised), result.flow);
   const double factor = options.do_normalize ? 1. / at_sites.sum() : 1.;
   result.arrivals = Vector::Zero(at_sites.size());
-  for(const Index site : coarse.region)
-    result.arrivals[site] = scale * missing[site] + factor * at_sites[site];
+  for(const std::vector<Index>& exit : coarse.exits)
+    for(const Index site : exit)
+      result.arrivals[site] = scale * missing[site] + factor * at_sites[site];
   return result;
 }
 
@@ -256,9 +323,8 @@ Earth_movers_result Earth_movers::move(Mass_distribution masses,
     if(level == finest)
       transport.start = options.transport.start; // which ended there
     Vector missing = masses_at_sites(*here.triangles, here.area, masses);
-    if(!here.region.empty())
-      merge(missing, here.region);
-    static_cast<Transport&>(result) = here.solver->solve(missing, transport);
+    merge(missing, here.exits);
+    static_cast<Transport&>(result) = here.solver->solve(missing, transport, limited_exits(here));
     done = part;
     part = 1. - part;
   }

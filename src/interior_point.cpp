@@ -113,6 +113,72 @@ struct Scaling
   static constexpr double tiny = std::numeric_limits<double>::min();
 };
 
+// An exit, through which x leaves, and y = capacity - x could leave besides.  With multipliers u of x >= 0
+// and v of y >= 0, price x + potential = u - v at the optimum, and the products u x and v y are zero.
+struct Gate : Exit
+{
+  double x, y, u = 0., v = 0.;
+  double x_step = 0., u_step = 0., v_step = 0.;
+  double u_change = 0., v_change = 0.; // of the products, to be reached
+
+  Gate(const Exit& exit, double x) : Exit(exit), x(x), y(capacity - x) {}
+
+  bool is_limited() const { return y < infinity; }
+
+  // With products of about that size.
+  void start(double potential, double product)
+  {
+    v = is_limited() ? product / y : 0.;
+    u = price * x + potential + v;
+  }
+
+  double gap(double primal, double dual) const
+  {
+    const double of_x = (u + primal * u_step) * (x + dual * x_step);
+    return is_limited() ? of_x + (v + primal * v_step) * (y - dual * x_step) : of_x;
+  }
+
+  // By how much more leaves where the potential is lower by one.
+  double softness() const { return 1. / (price + u / x + (is_limited() ? v / y : 0.)); }
+  // What the changes of products let leave.
+  double push() const { return softness() * (u_change / x - (is_limited() ? v_change / y : 0.)); }
+
+  void find_step(double potential_step)
+  {
+    x_step = push() - softness() * potential_step;
+    u_step = (u_change - u * x_step) / x;
+    v_step = is_limited() ? (v_change + v * x_step) / y : 0.;
+  }
+  double inverse_primal_step() const
+  {
+    return std::max({0., -u_step / u, is_limited() ? -v_step / v : 0.});
+  }
+  double inverse_dual_step() const
+  {
+    return std::max({0., -x_step / x, is_limited() ? x_step / y : 0.});
+  }
+
+  void predict()
+  {
+    u_change = -u * x;
+    v_change = is_limited() ? -v * y : 0.;
+  }
+  template <typename Change>
+  void adjust(double primal, double dual, const Change& change)
+  {
+    u_change += change((u + primal * u_step) * (x + dual * x_step));
+    if(is_limited())
+      v_change += change((v + primal * v_step) * (y - dual * x_step));
+  }
+  void move(double primal, double dual)
+  {
+    x += dual * x_step;
+    y -= dual * x_step;
+    u += primal * u_step;
+    v += primal * v_step;
+  }
+};
+
 // In each triangle s = (1, gradient phi) and z = (tau, -J), both inside of the cone; at the optimum their
 // product is zero.  The names are those of Vandenberghe 2010 ("The CVXOPT linear and quadratic cone
 // program solvers"), which has the method for cones in general.
@@ -134,12 +200,42 @@ public:
     m_tensor.resize(n);
     for(const double area : m_operators.area)
       m_area += area;
-    // From the flow of least squares, and no potential.
-    const Field flow = gradient(m_operators, problem.solver.solve(problem.masses));
+    // From the flow of least squares to exits that are all as full, and no potential.
+    for(const Exit_group& group : problem.exits)
+    {
+      m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);
+      m_has_exits[group.component] = true;
+      double room = 0.;
+      for(const Exit& exit : group.exits)
+        room += std::min(exit.capacity, 2. * group.mass);
+      // Nearly to where it would cost the least without a way, though none is empty or has no more room.
+      const double price = least_cost(group, Vector::Zero(problem.masses.size())).second;
+      for(const Exit& exit : group.exits)
+      {
+        const double even = std::min(exit.capacity, 2. * group.mass) * (group.mass / room);
+        const double best = exit.price > 0. ? std::min(price / exit.price, exit.capacity) : even;
+        m_gates.emplace_back(exit, 0.1 * even + 0.9 * best);
+      }
+    }
+    const Field flow = gradient(m_operators, problem.solver.solve(masses()));
     const double mean_square = inner_product(m_operators, flow, flow) / m_area;
     for(std::size_t f = 0; f < n; ++f)
       m_dual[f] = {std::sqrt(dot(flow[f], flow[f]) + mean_square), -1. * flow[f]};
-    keep_flow(flow);
+    m_gate_area = m_area / double(n);
+    m_measure = m_area;
+    const double product = m_gate_area * std::sqrt(mean_square);
+    double most = 0., least_price = infinity; // of what leaves through one of them
+    for(const Gate& gate : m_gates)
+    {
+      most = std::max(most, gate.x);
+      least_price = std::min(least_price, gate.price * gate.x);
+      m_measure += gate.is_limited() ? 2. * m_gate_area : m_gate_area;
+    }
+    if(!m_gates.empty())
+      m_potential.setConstant(product / most - least_price);
+    for(Gate& gate : m_gates)
+      gate.start(m_potential[gate.site], product);
+    keep_flow(flow, leaving(0.));
   }
 
   bool advance() override
@@ -149,7 +245,8 @@ public:
       return false;
     const double gap = mean_gap({0., 0.});
     const Steps predicted = predict();
-    keep_flow(flow(1.)); // needs not stay in the cone, and often costs half as much too much
+    // Needs not stay in the cone, and often costs half as much too much.
+    keep_flow(flow(1.), leaving(1.));
     const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
     return move(center(next, correct(next)));
   }
@@ -176,8 +273,27 @@ private:
   bool factorize()
   {
     problem().laplacian.assemble(m_operators, m_tensor, m_matrix);
-    problem().laplacian.hold(m_matrix);
+    problem().laplacian.hold(m_matrix, m_has_exits);
+    for(const Gate& gate : m_gates)
+      m_matrix.coeffRef(gate.site, gate.site) += gate.softness();
     return m_solver.factorize(m_matrix);
+  }
+
+  // With what arrives at the gates.
+  Vector masses() const
+  {
+    Vector result = problem().masses;
+    for(const Gate& gate : m_gates)
+      result[gate.site] += gate.x;
+    return result;
+  }
+
+  std::vector<double> leaving(double step) const
+  {
+    std::vector<double> result;
+    for(const Gate& gate : m_gates)
+      result.push_back(gate.x + step * gate.x_step);
+    return result;
   }
 
   // The mean of the product of s and z after steps.
@@ -187,7 +303,9 @@ private:
     for(std::size_t f = 0; f < m_dual.size(); ++f)
       sum += m_operators.area[f] * dot(Cone_vector{1., m_slope[f] + steps.primal * m_slope_step[f]},
                                        m_dual[f] + steps.dual * m_dual_step[f]);
-    return sum / m_area;
+    for(const Gate& gate : m_gates)
+      sum += gate.gap(steps.primal, steps.dual);
+    return sum / m_measure;
   }
 
   // The changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d, and how far they may go.
@@ -196,15 +314,28 @@ private:
     Field change(m_dual.size());
     for(std::size_t f = 0; f < m_dual.size(); ++f)
       change[f] = m_target[f].rest + m_dual[f].rest;
-    m_potential_step = m_solver.solve(divergence(m_operators, change) + problem().masses);
+    Vector right = divergence(m_operators, change) + masses();
+    for(const Gate& gate : m_gates)
+      right[gate.site] += gate.push();
+    m_potential_step = m_solver.solve(right);
     gradient(m_operators, m_potential_step, m_slope_step);
     double primal_inverse = 1., dual_inverse = 1.;
+    for(Gate& gate : m_gates)
+    {
+      gate.find_step(m_potential_step[gate.site]);
+      primal_inverse = std::max(primal_inverse, gate.inverse_primal_step());
+      dual_inverse = std::max(dual_inverse, gate.inverse_dual_step());
+    }
     for(std::size_t f = 0; f < m_dual.size(); ++f)
     {
       m_dual_step[f] = m_target[f] + (-1.) * m_scaling[f].apply_inverse_twice(m_slope_step[f]);
       primal_inverse = std::max(primal_inverse, inverse_step(primal(f), {0., m_slope_step[f]}));
       dual_inverse = std::max(dual_inverse, inverse_step(m_dual[f], m_dual_step[f]));
     }
+    // Prices tie the two together.
+    if(std::any_of(m_gates.begin(), m_gates.end(),
+                   [](const Gate& gate) { return gate.price > 0.; }))
+      primal_inverse = dual_inverse = std::max(primal_inverse, dual_inverse);
     return {1. / primal_inverse, 1. / dual_inverse};
   }
 
@@ -213,6 +344,8 @@ private:
   {
     for(std::size_t f = 0; f < m_dual.size(); ++f)
       m_target[f] = -1. * m_dual[f];
+    for(Gate& gate : m_gates)
+      gate.predict();
     return find_step();
   }
 
@@ -230,6 +363,11 @@ private:
       m_target[f] =
           m_target[f] + scaling.apply_inverse(quotient(change(product(s, z)), m_scaled[f]));
     }
+    const auto change_of_gate = [&](double product) {
+      return m_gate_area * change(Cone_vector{product / m_gate_area, {0., 0.}}).first;
+    };
+    for(Gate& gate : m_gates)
+      gate.adjust(steps.primal, steps.dual, change_of_gate);
     return find_step();
   }
 
@@ -248,11 +386,13 @@ private:
   Steps center(double gap, const Steps& steps)
   {
     const std::vector<Cone_vector> target = m_target;
+    const std::vector<Gate> gates = m_gates;
     const Steps longer = {std::min(1., steps.primal + 0.3), std::min(1., steps.dual + 0.3)};
     const Steps centered = adjust(longer, [&](const Cone_vector& x) { return towards(gap, x); });
     if(centered.primal + centered.dual > steps.primal + steps.dual)
       return centered;
     m_target = target;
+    m_gates = gates;
     return find_step();
   }
 
@@ -268,7 +408,9 @@ private:
       m_slope[f] = m_slope[f] + primal_step * m_slope_step[f];
       m_dual[f] = m_dual[f] + dual_step * m_dual_step[f];
     }
-    keep_flow(flow(0.));
+    for(Gate& gate : m_gates)
+      gate.move(primal_step, dual_step);
+    keep_flow(flow(0.), leaving(0.));
     keep_potential(m_potential);
     return true;
   }
@@ -284,7 +426,9 @@ private:
   const Operators& m_operators;
   Sparse_matrix m_matrix;
   Sparse_solver m_solver;
-  double m_area = 0.;
+  double m_area = 0., m_gate_area = 0., m_measure = 0.;
+  std::vector<Gate> m_gates;
+  std::vector<bool> m_has_exits;                // #components
   Vector m_potential, m_potential_step;         // #sites
   Field m_slope, m_slope_step;                  // #triangles: of the potential
   std::vector<Cone_vector> m_dual, m_dual_step; // #triangles: z

@@ -147,13 +147,10 @@ Laplacian::Laplacian(const Operators& operators)
     }
 
   const auto [component, number] = components(operators);
-  std::vector<bool> is_held(number, false);
+  m_held.assign(number, none);
   for(Index site = 0; site < component.size(); ++site)
-    if(!is_held[component[site]])
-    {
-      is_held[component[site]] = true;
-      m_held.push_back(place(site, site));
-    }
+    if(m_held[component[site]] == none)
+      m_held[component[site]] = place(site, site);
 }
 
 Sparse_matrix Laplacian::matrix(const Operators& operators) const
@@ -186,11 +183,12 @@ void Laplacian::assemble(const Operators& operators, const std::vector<Tensor>& 
   }
 }
 
-void Laplacian::hold(Sparse_matrix& matrix) const
+void Laplacian::hold(Sparse_matrix& matrix, const std::vector<bool>& is_definite) const
 {
   double* const entry = matrix.valuePtr();
-  for(const Index held : m_held)
-    entry[held] = entry[held] > 0. ? 2. * entry[held] : 1.;
+  for(std::size_t i = 0; i < m_held.size(); ++i)
+    if(i >= is_definite.size() || !is_definite[i])
+      entry[m_held[i]] = entry[m_held[i]] > 0. ? 2. * entry[m_held[i]] : 1.;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

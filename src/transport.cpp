@@ -56,15 +56,62 @@ private:
 
 } // namespace
 
-void Transport_iteration::keep_flow(const Field& flow)
+// By duality: for a price of the last mass that leaves, each exit takes what it takes for less.
+std::pair<double, double> least_cost(const Exit_group& group, const Vector& price)
+{
+  double low = infinity, high = -infinity, limit = infinity;
+  for(const Exit& exit : group.exits)
+  {
+    low = std::min(low, price[exit.site]);
+    high = std::max(high, price[exit.site] + exit.price * group.mass);
+    if(exit.price == 0. && exit.capacity == infinity)
+      limit = std::min(limit, price[exit.site]);
+  }
+  high = std::min(high, limit);
+  const auto leaves = [](const Exit& exit, double gain)
+  {
+    return gain <= 0.        ? 0.
+           : exit.price > 0. ? std::min(gain / exit.price, exit.capacity)
+                             : exit.capacity;
+  };
+  const auto cost = [&](double last)
+  {
+    double result = last * group.mass;
+    for(const Exit& exit : group.exits)
+      if(const double x = leaves(exit, last - price[exit.site]); x > 0.)
+        result += x * (0.5 * exit.price * x + price[exit.site] - last);
+    return result;
+  };
+  for(double middle; middle = 0.5 * (low + high), low < middle && middle < high;)
+  {
+    double sum = 0.;
+    for(const Exit& exit : group.exits)
+      sum += leaves(exit, middle - price[exit.site]);
+    (sum < group.mass ? low : high) = middle;
+  }
+  const double at_low = cost(low), at_high = cost(high);
+  return at_low > at_high ? std::make_pair(at_low, low) : std::make_pair(at_high, high);
+}
+
+void Transport_iteration::keep_flow(const Field& flow, const std::vector<double>& leaving)
 {
   double upper = 0.;
+  std::size_t i = 0;
+  for(const Exit_group& group : m_problem.exits)
+    for(const Exit& exit : group.exits)
+    {
+      const double x = leaving[i++];
+      if(!(x >= 0. && x <= exit.capacity))
+        return;
+      upper += 0.5 * exit.price * x * x;
+    }
   for(std::size_t f = 0; f < flow.size(); ++f)
     upper += operators().area[f] * norm(flow[f]);
   if(!(upper < m_upper))
     return;
   m_upper = upper;
   m_flow = flow;
+  m_leaving = leaving;
 }
 
 void Transport_iteration::keep_potential(const Vector& potential)
@@ -72,11 +119,14 @@ void Transport_iteration::keep_potential(const Vector& potential)
   double square = 0.;
   for(const Planar& slope : gradient(operators(), potential))
     square = std::max(square, dot(slope, slope));
-  const double lower = m_problem.masses.dot(potential) / std::sqrt(square);
+  const Vector even = potential / std::sqrt(square);
+  double lower = m_problem.masses.dot(even);
+  for(const Exit_group& group : m_problem.exits)
+    lower += least_cost(group, even).first;
   if(!(lower > m_lower))
     return;
   m_lower = lower;
-  m_potential = potential / std::sqrt(square);
+  m_potential = even;
 }
 
 Transport_solver::Transport_solver(Operators operators)
@@ -91,7 +141,7 @@ Transport_solver::Transport_solver(Operators operators)
   m_solver = std::make_unique<Sparse_solver>(m_matrix, Elimination::sparse);
 }
 
-void Transport_solver::check(const Vector& masses) const
+void Transport_solver::check(const Vector& masses, const std::vector<Exit>& exits) const
 {
   if(masses.size() != Eigen::Index(m_operators.number_of_sites))
     throw Invalid_argument_error("There are " + std::to_string(masses.size()) + " masses for " +
@@ -104,8 +154,20 @@ void Transport_solver::check(const Vector& masses) const
     sum[m_component[site]] += masses[site];
     size[m_component[site]] += std::abs(masses[site]);
   }
+  std::vector<double> room(m_components, -1.);
+  for(const Exit& exit : exits)
+  {
+    if(!(exit.capacity > 0.) || !(exit.price >= 0.) || !std::isfinite(exit.price))
+      throw Invalid_argument_error(
+          "A capacity is not positive, or a price negative or not finite.");
+    double& value = room[m_component[exit.site]];
+    value = std::max(value, 0.) + exit.capacity;
+  }
   for(std::size_t i = 0; i < m_components; ++i)
-    if(std::abs(sum[i]) > 1e-9 * size[i])
+    if(room[i] > 0. && -sum[i] > room[i] * (1. + 1e-9))
+      throw Invalid_argument_error("There is room for a mass of " + std::to_string(room[i]) +
+                                   " where one of " + std::to_string(-sum[i]) + " has to go.");
+    else if(!(room[i] > 0. && sum[i] <= 0.) && std::abs(sum[i]) > 1e-9 * size[i])
       throw Invalid_argument_error(
           m_components == 1
               ? "The masses to be moved sum to " + std::to_string(sum[i]) + " instead of zero."
@@ -113,22 +175,66 @@ void Transport_solver::check(const Vector& masses) const
                     " instead of zero on a component of the surface, and none can leave it.");
 }
 
-Transport Transport_solver::solve(const Vector& masses, const Transport_options& options) const
+Transport Transport_solver::solve(const Vector& masses, const Transport_options& options,
+                                  const std::vector<Exit>& exits) const
 {
-  check(masses);
+  check(masses, exits);
   if(!(options.tolerance > 0.))
     throw Invalid_argument_error("The tolerance is not positive.");
   Transport result;
   result.potential = Vector::Zero(masses.size());
   result.flow.assign(m_operators.number_of_triangles(), Planar{0., 0.});
-  const double moved = 0.5 * masses.lpNorm<1>();
+  result.leaving = Vector::Zero(Eigen::Index(exits.size()));
+  const double moved = exits.empty() ? 0.5 * masses.lpNorm<1>() : masses.lpNorm<1>();
   if(moved == 0.)
   {
     result.converged = true;
     return result;
   }
-  const Vector unit = masses / moved;
-  const Transport_problem problem = {m_operators, m_laplacian, m_matrix, *m_solver, unit};
+  Vector unit = masses / moved;
+  std::vector<std::size_t> order; // of exits in groups
+  double filling = 0.;            // what is paid where all are filled
+  std::vector<Exit_group> groups, full;
+  std::vector<Index> with_exits;
+  for(const Exit& exit : exits)
+    with_exits.push_back(m_component[exit.site]);
+  std::sort(with_exits.begin(), with_exits.end());
+  with_exits.erase(std::unique(with_exits.begin(), with_exits.end()), with_exits.end());
+  for(const Index component : with_exits)
+  {
+    Exit_group group = {component, 0., {}};
+    for(std::size_t site = 0; site < m_component.size(); ++site)
+      if(m_component[site] == component)
+        group.mass -= unit[site];
+    double room = 0.;
+    std::vector<std::size_t> those;
+    for(std::size_t i = 0; i < exits.size(); ++i)
+      if(m_component[exits[i].site] == component)
+      {
+        group.exits.push_back({exits[i].site, exits[i].capacity / moved, exits[i].price * moved});
+        room += group.exits.back().capacity;
+        those.push_back(i);
+      }
+    if(group.mass * (1. + 1e-9) < room && group.mass > 1e-12)
+    {
+      groups.push_back(std::move(group));
+      order.insert(order.end(), those.begin(), those.end());
+      continue;
+    }
+    for(std::size_t i = 0; i < those.size(); ++i)
+    {
+      const double leaving =
+          group.mass > 1e-12 ? group.exits[i].capacity * (group.mass / room) : 0.;
+      unit[group.exits[i].site] += leaving;
+      filling += 0.5 * group.exits[i].price * leaving * leaving;
+      result.leaving[those[i]] = leaving;
+    }
+    if(group.mass > 1e-12)
+      full.push_back(std::move(group));
+  }
+  if(!groups.empty() && options.method != Transport_method::interior_point)
+    throw Invalid_argument_error("Only the interior point method knows capacities and prices.");
+  const Transport_problem problem = {m_operators, m_laplacian, m_matrix, *m_solver, unit, groups};
   std::unique_ptr<Transport_iteration> iteration;
   const Splitting_iteration* splitting = nullptr;
   switch(options.method)
@@ -149,7 +255,8 @@ Transport Transport_solver::solve(const Vector& masses, const Transport_options&
                         : splitting                    ? 5000
                                                        : 100;
 
-  const auto gap = [&] { return 1. - iteration->lower() / iteration->upper(); };
+  const auto gap = [&]
+  { return 1. - (iteration->lower() + filling) / (iteration->upper() + filling); };
   const auto is_cancelled = [&]
   {
     // From a gap of one, which is what no potential proves, to the tolerance.
@@ -162,11 +269,32 @@ Transport Transport_solver::solve(const Vector& masses, const Transport_options&
     result.iterations += each;
 
   result.converged = gap() <= options.tolerance;
-  result.lower = moved * iteration->lower();
-  result.upper = moved * iteration->upper();
+  result.lower = moved * (iteration->lower() + filling);
+  result.upper = moved * (iteration->upper() + filling);
   result.value = 0.5 * (result.lower + result.upper);
   result.potential = iteration->potential();
   result.flow = iteration->flow();
+  for(std::size_t i = 0; i < order.size(); ++i)
+  {
+    result.leaving[order[i]] = iteration->leaving()[i];
+    unit[exits[order[i]].site] += iteration->leaving()[i];
+  }
+  result.leaving *= moved;
+  const auto lower = [&](Index component, double change)
+  {
+    for(std::size_t site = 0; site < m_component.size(); ++site)
+      if(m_component[site] == component)
+        result.potential[site] -= change;
+  };
+  for(const Exit_group& group : groups)
+    lower(group.component, least_cost(group, result.potential).second);
+  for(const Exit_group& group : full)
+  {
+    double last = -infinity;
+    for(const Exit& exit : group.exits)
+      last = std::max(last, result.potential[exit.site] + exit.price * exit.capacity);
+    lower(group.component, last);
+  }
   result.residual = (divergence(m_operators, result.flow) - unit).lpNorm<Eigen::Infinity>();
   for(Planar& vector : result.flow)
     vector = moved * vector;

@@ -116,6 +116,50 @@ TEST(Region_transport_solver, takes_clouds)
   EXPECT_NEAR(solver.compute(Index(500)).value, exact, 0.015 * exact); // as between two surfels
 }
 
+// Three exits in a row, the nearest too small; a source of several sites is one exit.
+template <typename AnyMesh>
+void expect_limits(double size)
+{
+  Numbered<AnyMesh> square;
+  fill(square, scaled(GP::test::square(12), size));
+  const auto site = [&](Mesh::size_type column, Mesh::size_type row)
+  { return square.vertices[at(column, row).idx()]; };
+  using Source = GP::Source<AnyMesh>;
+  const std::vector<Source> exits = {Source(site(12, 6)), Source(site(0, 6)), Source(site(8, 6))};
+  const std::vector<double> capacities = {1., 0.4, 0.25};
+  GP::Region_transport_solver<AnyMesh> solver(
+      square.mesh, exits, GP::parameters::capacities(capacities).number_of_refinements(0u));
+  const GP::Earth_movers_cost cost = solver.compute(site(5, 6));
+  EXPECT_TRUE(cost.converged);
+  EXPECT_LE(cost.iterations, 30);
+  const double exact = size * (0.25 * 3. + 0.4 * 5. + 0.35 * 7.) / 12.;
+  EXPECT_NEAR(cost.value, exact, gap * exact);
+  EXPECT_NEAR(solver.arrival(site(8, 6)), 0.25, 0.01); // what strays
+  EXPECT_NEAR(solver.arrival(site(0, 6)), 0.4, 0.01);
+  EXPECT_NEAR(solver.arrival(site(12, 6)), 0.35, 0.01);
+  EXPECT_LE(solver.arrival(site(8, 6)), 0.25 * (1. + 1e-6));
+  // One more mass goes to the last exit.
+  EXPECT_NEAR(solver.potential(site(5, 6)), -size * 7. / 12., 0.01 * size);
+
+  GP::Region_transport_solver<AnyMesh> spreading(
+      square.mesh, exits,
+      GP::parameters::spreading_weight(1e3 * size * size * size).number_of_refinements(0u));
+  spreading.compute(site(5, 6));
+  // The areas are as 1 to 1 to 2.
+  EXPECT_NEAR(spreading.arrival(site(8, 6)), 0.5, 1e-3);
+  EXPECT_NEAR(spreading.arrival(site(0, 6)), 0.25, 1e-3);
+}
+
+TEST(Region_transport_solver, has_limits)
+{
+  for(const double size : {1e-6, 1., 1e6})
+    expect_limits<Mesh>(size);
+  expect_limits<CGAL::Polyhedron_3<Kernel>>(1.);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  expect_limits<OpenMesh::TriMesh_ArrayKernelT<>>(1.);
+#endif
+}
+
 TEST(Region_transport_solver, refuses_what_is_no_region)
 {
   const Mesh mesh = mesh_of(apart(square(4), square(4)));

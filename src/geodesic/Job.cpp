@@ -164,22 +164,29 @@ std::vector<std::size_t> parse_integers(const std::string& text, const std::stri
   return result;
 }
 
-Point parse_point(const std::string& text, const std::string& option)
+std::optional<std::vector<double>> to_numbers(const std::string& text)
 {
-  Point point;
-  std::size_t begin = 0;
-  for(std::size_t c = 0; c < 3; ++c)
+  std::vector<double> result;
+  for(std::size_t begin = 0; begin <= text.size();)
   {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::optional<double> number =
-        begin <= text.size() ? to_number(std::string_view(text).substr(begin, end - begin))
-                             : std::nullopt;
-    if(!number || !std::isfinite(*number) || (c == 2 && end != text.size()))
-      throw Usage_error(option + " " + shown(text) + ": it is not a point x,y,z.");
-    point[c] = *number;
+        to_number(std::string_view(text).substr(begin, end - begin));
+    if(!number)
+      return std::nullopt;
+    result.push_back(*number);
     begin = end + 1;
   }
-  return point;
+  return result;
+}
+
+Point parse_point(const std::string& text, const std::string& option)
+{
+  const auto numbers = to_numbers(text);
+  if(!numbers || numbers->size() != 3 ||
+     !std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); }))
+    throw Usage_error(option + " " + shown(text) + ": it is not a point x,y,z.");
+  return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
 void check_vertex(const Surface& surface, std::size_t vertex)

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,8 @@ std::string readable(double value);
 
 // Reads "3,17,4"; throws Usage_error naming the option.
 std::vector<std::size_t> parse_integers(const std::string& text, const std::string& option);
+// Numbers with commas between; nothing for other texts.
+std::optional<std::vector<double>> to_numbers(const std::string& text);
 Point parse_point(const std::string& text, const std::string& option);
 
 // Throws Input_error when the surface has no such vertex.

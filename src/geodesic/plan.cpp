@@ -2,17 +2,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
 #include "errors.h"
+#include "Scanner.h"
 #include "transports.h"
 
 namespace program {
 
 namespace {
 
+struct Plan_options : Transport_options
+{
+  std::string capacity;
+  double spread = 0.;
+};
+
+// One for each vertex of the region; empty without a limit.
+std::vector<double> capacities(const std::string& text, const std::vector<std::size_t>& region,
+                               const Surface& surface)
+{
+  std::vector<double> result;
+  if(text.empty())
+    return result;
+  if(const auto numbers = to_numbers(text))
+  {
+    if(numbers->size() != region.size())
+      throw Usage_error("--capacity " + shown(text) + ": there are " +
+                        std::to_string(region.size()) + " vertices in the region.");
+    return *numbers;
+  }
+  const std::vector<double> values = property(surface, text);
+  for(const std::size_t vertex : region)
+    result.push_back(values[vertex]);
+  return result;
+}
+
 // The library's part.
 template <typename Surface_type>
 Transport_result find_plan(const Surface_type& surface, const Masses& from,
-                           const std::vector<std::size_t>& to, const Transport_options& options,
-                           Job& job)
+                           const std::vector<std::size_t>& to, const std::vector<double>& capacity,
+                           const Plan_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Site = typename std::decay_t<decltype(domain)>::Site;
@@ -21,7 +48,10 @@ Transport_result find_plan(const Surface_type& surface, const Masses& from,
     region.push_back(site<Surface_type>(vertex));
   std::optional<GP::Region_transport_solver<Surface_type>> solver;
   with_preparation<Site>(domain, options, job,
-                         [&](const auto& np) { solver.emplace(domain, region, np); });
+                         [&](const auto& np) {
+                           solver.emplace(domain, region,
+                                          np.capacities(capacity).spreading_weight(options.spread));
+                         });
   job.stage("query");
   Transport_result result;
   with_masses<Site>(from,
@@ -42,7 +72,7 @@ Transport_result find_plan(const Surface_type& surface, const Masses& from,
   return result;
 }
 
-void run_plan(Job& job, const Transport_options& options)
+void run_plan(Job& job, const Plan_options& options)
 {
   if(options.from.empty() || options.to.empty())
     throw Usage_error("plan: give --from and --to.");
@@ -50,12 +80,13 @@ void run_plan(Job& job, const Transport_options& options)
   const Surface& surface = job.read({"ply", "vtp"});
   const Masses from = read_masses(options.from, "--from", options, surface);
   const std::vector<std::size_t> to = region_vertices(options.to, "--to", surface);
+  const std::vector<double> capacity = capacities(options.capacity, to, surface);
   check(options, surface);
 
   job.stage("prepare");
   Transport_result result;
   on_surface(surface, [&](const auto& mesh_or_cloud)
-             { result = find_plan(mesh_or_cloud, from, to, options, job); });
+             { result = find_plan(mesh_or_cloud, from, to, capacity, options, job); });
   report(job, options, result.cost, "cost");
   std::vector<std::size_t> marked = from.vertices;
   if(are_vertices(options.to))
@@ -81,10 +112,14 @@ void add_plan(CLI::App& program)
 {
   Command command(program, "plan", "how masses move to wherever in a region it costs the least");
   const auto job = std::make_shared<Job>(command);
-  const auto options = std::make_shared<Transport_options>();
+  const auto options = std::make_shared<Plan_options>();
   command.add("--from", options->from, "X", "masses, as those of emd");
   command.add("--to", options->to, "X",
               "vertices V[,V...], or a property that is positive at those of the region");
+  command.add("--capacity", options->capacity, "X",
+              "how much may arrive at each vertex: X[,X...] in the order of --to, or a property");
+  command.add("--spread", options->spread, "W",
+              "pay W times the integral of the squared density of what arrives as well");
   add_options(command, *options);
   command.set_run([job, options] { run_plan(*job, *options); });
 }

@@ -486,11 +486,106 @@ TEST(Earth_movers, arrive_all_along_a_region)
   }
 }
 
+// Doors of two sites in a maze, one too small: what does not fit goes on to the next one.
+TEST(Earth_movers, fill_exits)
+{
+  const Glued_surface surface(maze());
+  const std::vector<std::vector<Index>> doors = {{24, 49}, {24 * 25, 24 * 25 + 1}, {24 * 25 + 24}};
+  std::vector<std::vector<double>> distance;
+  Transport_region region;
+  for(const std::vector<Index>& door : doors)
+  {
+    distance.push_back(distances_to(surface, door));
+    region.exits.push_back(sites(surface, door));
+  }
+  for(const unsigned refinements : {0u, 1u})
+    for(const Index from : {0u, 12u * 25u + 12u, 5u * 25u + 7u})
+    {
+      std::vector<std::size_t> order = {0, 1, 2};
+      std::sort(order.begin(), order.end(),
+                [&](std::size_t a, std::size_t b)
+                { return distance[a][from] < distance[b][from]; });
+      region.capacity = {infinity, infinity, infinity};
+      region.capacity[order[0]] = 1.2;
+      region.capacity[order[1]] = 0.5;
+      double exact = 0.3 * distance[order[2]][from];
+      for(std::size_t i = 0; i < 2; ++i)
+        exact += region.capacity[order[i]] * distance[order[i]][from];
+      const Earth_movers kernel(surface.triangles(), refinements, {}, region);
+      const Earth_movers_result found =
+          kernel.solve_to_region(at(surface.at(from), 2.), within(1e-6));
+      EXPECT_TRUE(found.converged);
+      EXPECT_LE(found.lower, exact * (1. + rounding));
+      // Where masses part in a fan of six triangles a part of a side is lost.
+      EXPECT_NEAR(found.value, exact, 2. * 0.2 / 24.);
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // a hundred masses' rounding in each step
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        double there = 0.;
+        for(const Index site : region.exits[order[i]])
+          there += found.arrivals[site];
+        EXPECT_LE(there, region.capacity[order[i]] * (1. + rounding));
+        EXPECT_NEAR(there,
+                    i == 0   ? 1.2
+                    : i == 1 ? 0.5
+                             : 0.3,
+                    1e-3); // as among exits without limits
+      }
+    }
+}
+
+// Without a way to go, what spreads evenly over the region costs the least.
+TEST(Earth_movers, spread_over_a_region)
+{
+  for(const double scale : {1., 1e-3, 1e3})
+  {
+    const Glued_surface surface(scaled(square(8), scale));
+    Transport_region region;
+    for(Index i = 0; i < surface.size(); ++i)
+      region.exits.push_back({surface.site(i)});
+    const double area = scale * scale, weight = 1e3 * scale * area; // far dearer than any way
+    region.spreading_weight = weight;
+    const Earth_movers kernel(surface.triangles(), 0, {}, region);
+    const Earth_movers_result found = kernel.solve_to_region(at(surface.at(40), 3.), within(1e-7));
+    // Ways cost a mass of three a part of two times the side.
+    EXPECT_NEAR(found.value, weight * 9. / area, 6. * scale);
+    EXPECT_NEAR(found.arrivals[surface.site(30)], 3. / 64., 1e-5);
+    EXPECT_NEAR(found.arrivals[surface.site(4)], 3. / 128., 1e-5);
+  }
+}
+
+TEST(Earth_movers, refuses_limits_that_make_no_sense)
+{
+  const Glued_surface surface(square(4));
+  const auto make =
+      [&](std::vector<std::vector<Index>> exits, std::vector<double> capacity, double weight = 0.)
+  {
+    Transport_region region;
+    region.exits = std::move(exits);
+    region.capacity = std::move(capacity);
+    region.spreading_weight = weight;
+    return Earth_movers(surface.triangles(), 0, {}, region);
+  };
+  EXPECT_THROW(make({{1, 2}, {2, 3}}, {1., 1.}), Invalid_argument_error);
+  EXPECT_NO_THROW(make({{1, 2}, {2, 3}}, {})); // one anyway
+  EXPECT_THROW(make({{1}, {3}}, {1.}), Invalid_argument_error);
+  EXPECT_THROW(make({{1}, {3}}, {1., 0.}), Invalid_argument_error);
+  EXPECT_THROW(make({{1}, {3}}, {1., std::nan("")}), Invalid_argument_error);
+  EXPECT_THROW(make({{1}, {3}}, {}, -1.), Invalid_argument_error);
+  EXPECT_THROW(make({{1}, {3}}, {}, infinity), Invalid_argument_error);
+  const Earth_movers small = make({{surface.site(1)}, {surface.site(3)}}, {1., 0.5});
+  EXPECT_THROW(small.solve_to_region(at(surface.at(0), 1.6)), Invalid_argument_error);
+  EXPECT_NEAR(small.solve_to_region(at(surface.at(0), 1.5)).arrivals[surface.site(3)], 0.5, 1e-9);
+  Earth_movers_options splitting;
+  splitting.transport.method = Transport_method::splitting;
+  EXPECT_THROW(small.solve_to_region(at(surface.at(0)), splitting), Invalid_argument_error);
+}
+
 TEST(Earth_movers, reach_regions_of_their_component)
 {
   const Glued_surface surface(apart(square(4), square(4)));
   const Mass_distribution left = at(surface.at(0)), right = at(surface.at(25));
-  const Earth_movers to_left(surface.triangles(), 0, {}, {surface.site(4)}),
+  const Earth_movers to_left(surface.triangles(), 0, {}, sites(surface, {4})),
       to_both(surface.triangles(), 0, {}, sites(surface, {4, 29}));
   EXPECT_NEAR(to_left.solve_to_region(left, within(1e-6)).value, 1., 1e-5);
   EXPECT_THROW(to_left.solve_to_region(right), Invalid_argument_error);

@@ -283,6 +283,151 @@ TEST(Transport, passes_triangles_without_area)
   EXPECT_NEAR(transport.value * surface.scale(), std::sqrt(2.), 0.01);
 }
 
+// Exits in a row of a square for a mass of one in that row: distances there, of which the potential is a
+// function, have kinks along columns alone, so that nothing is lost.
+struct Ways
+{
+  Glued_surface surface{square(20)};
+  Transport_solver solver{operators(surface.t())};
+  std::vector<Index> to = {210, 222, 230};
+  std::vector<double> distance;
+  Vector masses = Vector::Zero(surface.size());
+
+  Ways()
+  {
+    for(const Index i : to)
+      distance.push_back(exact_distance(surface, 218, i));
+    masses[surface.site(218)] = -1.;
+  }
+
+  std::vector<Exit> exits(const std::vector<double>& capacity, double price) const
+  {
+    std::vector<Exit> result;
+    for(std::size_t i = 0; i < to.size(); ++i)
+      result.push_back({surface.site(to[i]), capacity[i], price});
+    return result;
+  }
+  double cost(const Vector& leaving, double price) const
+  {
+    double result = 0.;
+    for(std::size_t i = 0; i < to.size(); ++i)
+      result += leaving[i] * (distance[i] + 0.5 * price * leaving[i]);
+    return result;
+  }
+};
+
+// Bounds are of what is paid, and everything that has to leave does.
+void expect_certified(const Ways& ways, const std::vector<Exit>& exits, const Transport& transport)
+{
+  EXPECT_TRUE(transport.converged);
+  EXPECT_LE(transport.iterations, 30);
+  EXPECT_NEAR(transport.leaving.sum(), -ways.masses.sum(), rounding);
+  EXPECT_LT(transport.residual, rounding);
+  Vector missing = ways.masses;
+  double upper = 0.;
+  for(std::size_t f = 0; f < transport.flow.size(); ++f)
+    upper += ways.solver.operators().area[f] * norm(transport.flow[f]);
+  double lower = transport.potential.dot(ways.masses);
+  for(std::size_t i = 0; i < exits.size(); ++i)
+  {
+    const double x = transport.leaving[Eigen::Index(i)], capacity = exits[i].capacity,
+                 price = exits[i].price, gain = -transport.potential[exits[i].site];
+    EXPECT_GE(x, 0.);
+    EXPECT_LE(x, capacity);
+    upper += 0.5 * price * x * x;
+    missing[exits[i].site] += x;
+    // The potential is zero where the last mass leaves: nothing is gained by more of it.
+    if(const double most = price > 0. ? std::min(gain / price, capacity) : capacity; gain > 0.)
+      lower += most * (0.5 * price * most - gain);
+  }
+  EXPECT_NEAR(transport.upper, upper, rounding);
+  EXPECT_NEAR(transport.lower, lower, rounding);
+  EXPECT_LE(transport.lower, transport.upper);
+  EXPECT_LT(
+      (divergence(ways.solver.operators(), transport.flow) - missing).lpNorm<Eigen::Infinity>(),
+      rounding);
+}
+
+TEST(Transport, fills_the_nearest_exits_first)
+{
+  const Ways ways;
+  std::vector<std::size_t> order = {0, 1, 2};
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return ways.distance[a] < ways.distance[b]; });
+  for(const std::vector<double>& capacity : {std::vector<double>{0.3, 0.3, 0.9},
+                                             {0.5, 0.2, infinity},
+                                             {2., 2., 2.},
+                                             {infinity, infinity, infinity},
+                                             {1e-3, 1e-3, 1.5},
+                                             {0.3, 0.3, 0.4}})
+  {
+    const std::vector<Exit> exits = ways.exits(capacity, 0.);
+    double rest = 1., exact = 0.;
+    Vector leaving = Vector::Zero(3);
+    for(const std::size_t i : order)
+    {
+      leaving[i] = std::min(rest, capacity[i]);
+      rest -= leaving[i];
+    }
+    exact = ways.cost(leaving, 0.);
+    const Transport transport = ways.solver.solve(ways.masses, within(1e-6), exits);
+    expect_certified(ways, exits, transport);
+    EXPECT_NEAR(transport.value, exact, 1e-5 * exact);
+    // What goes elsewhere costs a tenth more at least.
+    EXPECT_LT((transport.leaving - leaving).lpNorm<Eigen::Infinity>(), 1e-4);
+  }
+}
+
+TEST(Transport, spreads_over_exits_that_cost_by_the_square)
+{
+  const Ways ways;
+  for(const double price : {0.1, 1., 10., 1e3})
+    for(const double capacity : {infinity, 0.45})
+    {
+      const std::vector<Exit> exits = ways.exits({capacity, capacity, capacity}, price);
+      // Of all that cost the same at the margin, by bisection.
+      double low = 0., high = 100. + price;
+      Vector leaving(3);
+      for(int i = 0; i < 100; ++i)
+      {
+        const double middle = 0.5 * (low + high);
+        for(std::size_t j = 0; j < 3; ++j)
+          leaving[j] = std::clamp((middle - ways.distance[j]) / price, 0., capacity);
+        (leaving.sum() < 1. ? low : high) = middle;
+      }
+      const double exact = ways.cost(leaving, price);
+      const Transport transport = ways.solver.solve(ways.masses, within(1e-6), exits);
+      expect_certified(ways, exits, transport);
+      EXPECT_NEAR(transport.value, exact, 1e-5 * exact);
+      // By how much a sum of squares shows what is a millionth away.
+      EXPECT_LT((transport.leaving - leaving).norm(), std::sqrt(4e-6 * exact / price) + 1e-6);
+    }
+}
+
+TEST(Transport, lets_masses_leave_on_their_components)
+{
+  const Glued_surface surface(apart(square(6), square(6)));
+  const Transport_solver solver(operators(surface.t()));
+  Vector masses = Vector::Zero(surface.size());
+  masses[surface.site(0)] = -2.;
+  masses[surface.site(49)] = -3.; // on the second one, where it also goes from a corner to another
+  masses[surface.site(55)] = 3.;
+  const Transport transport =
+      solver.solve(masses, within(1e-6), {{surface.site(6), 5., 0.}, {surface.site(90), 1., 0.}});
+  EXPECT_NEAR(transport.value * surface.scale(), 2. + 3., 1e-5);
+  EXPECT_NEAR(transport.leaving[0], 2., 1e-9);
+  EXPECT_EQ(transport.leaving[1], 0.);
+  EXPECT_THROW(solver.solve(masses, {}, {{surface.site(6), 1.9, 0.}}), Invalid_argument_error);
+  EXPECT_THROW(solver.solve(masses, {}, {{surface.site(90), 9., 0.}}), Invalid_argument_error);
+  for(const Exit& bad : {Exit{surface.site(6), 0., 0.}, Exit{surface.site(6), std::nan(""), 0.},
+                         Exit{surface.site(6), 3., -1.}, Exit{surface.site(6), 3., infinity}})
+    EXPECT_THROW(solver.solve(masses, {}, {bad}), Invalid_argument_error);
+  Transport_options splitting;
+  splitting.method = Transport_method::splitting;
+  EXPECT_THROW(solver.solve(masses, splitting, {{surface.site(6), 5., 0.}}),
+               Invalid_argument_error);
+}
+
 TEST(Transport, measures_clouds)
 {
   const Cloud cloud = octahedron_sphere(4); // 1026 surfels

@@ -503,6 +503,18 @@ TEST_F(Program, plan_moves_masses_to_a_region)
   EXPECT_NEAR(json("plan p.ply --from 0 --to arrivals")["value"].get<double>(), 1., 1e-3);
   EXPECT_NEAR(json("plan cloud.xyz --from 0 --to 11,12")["value"].get<double>(), 1. / 11., 1e-3);
 
+  // Too little room at the nearest corner, by numbers or by a property; and what is spread evenly.
+  const nlohmann::json full = json("plan square.ply --from 45 --to 8,80 --capacity 0.7,0.6");
+  EXPECT_NEAR(full["arrivals"][1].get<double>(), 0.6, 0.02);
+  const nlohmann::json halves = json("plan p.ply --from 45 --to arrivals --capacity arrivals");
+  const double to_both = 0.5 * (std::hypot(1., 0.625) + std::hypot(1., 0.375));
+  EXPECT_NEAR(halves["value"].get<double>(), to_both, 0.02); // a part of a side where masses part
+  const nlohmann::json even = json("plan square.ply --from 45 --to 8,80 --spread 100");
+  EXPECT_NEAR(even["arrivals"][0].get<double>(), 0.5, 0.01);
+  expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.7", 1, "2 vertices");
+  expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.3,0.6", 2, "room");
+  expect_failure("plan square.ply --from 45 --to 8,80 --capacity none", 2, "none");
+  expect_failure("plan square.ply --from 45 --to 8,80 --spread -1", 2, "spreading");
   expect_failure("plan square.ply --from 0", 1, "--to");
   expect_failure("plan square.ply --from 0 --to 81", 2, "81");
   expect_failure("plan square.ply --from 0 --to nothing", 2, "nothing");

@@ -100,12 +100,12 @@ public:
 protected:
   template <typename NamedParameters>
   Transport_solution(const Domain& domain, const NamedParameters& np,
-                     const std::vector<internal::Index>& region = {})
+                     internal::Transport_region region = {})
       : m_domain(domain), m_kernel(std::make_shared<const internal::Earth_movers>(
                               domain.triangles(),
                               internal::parameter(np, internal_np::number_of_refinements,
                                                   internal::usual_refinements(*domain.triangles())),
-                              internal::measure(domain, np), region))
+                              internal::measure(domain, np), std::move(region)))
   {}
 
   template <typename Method, typename NamedParameters>

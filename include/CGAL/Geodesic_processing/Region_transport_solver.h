@@ -7,21 +7,24 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/sources.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// The sites of sources that are made of sites, each once.
-template <typename Domain, typename Region>
-std::vector<Index> region_sites(const Domain& domain, const Region& region)
+// Sources that are made of sites: an exit each.
+template <typename Domain, typename Region, typename NamedParameters>
+Transport_region transport_region(const Domain& domain, const Region& region,
+                                  const NamedParameters& np)
 {
   std::vector<std::size_t> labels;
-  std::vector<Index> result;
+  Transport_region result;
   for(const internal::Source& source : sources(domain, region, labels))
+  {
+    result.exits.emplace_back();
     for(const Location& location : source.polyline)
     {
       Index site = location.site;
@@ -30,10 +33,12 @@ std::vector<Index> region_sites(const Domain& domain, const Region& region)
           site = domain.triangles()->corner[3 * location.triangle + k];
       if(site == none)
         throw Invalid_argument_error("A region has a location that is not at a vertex or surfel.");
-      result.push_back(site);
+      result.exits.back().push_back(site);
     }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  }
+  for(const double capacity : parameter(np, internal_np::capacities, std::vector<double>()))
+    result.capacity.push_back(capacity);
+  result.spreading_weight = parameter(np, internal_np::spreading_weight, 0.);
   return result;
 }
 
@@ -52,6 +57,11 @@ std::vector<Index> region_sites(const Domain& domain, const Region& region)
 /// region, and close to it wherever masses come from or pass.  Bounds are certified as those of
 /// `Earth_movers_solver` are.  \cgalCite{cgal:srgb-emd-14}, section 6.3
 ///
+/// Each source of the region is an exit, and there may be limits: how much goes through each, and a price
+/// for crowding that spreads what arrives.  Then moving between exits is not for nothing, the potential
+/// tells what it costs one more mass to go: it is zero where the last one went, and below where exits
+/// are full, by what more room would save.
+///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
 class Region_transport_solver : public Transport_solution<Surface>
@@ -65,10 +75,22 @@ public:
   /// prepares surface and region, as `Earth_movers_solver` does.
   ///
   /// \param region a site, a range of sites, or sources of sites as those of `border_sources()`
-  /// \param np as for `Earth_movers_solver`
+  /// \param np as for `Earth_movers_solver`, and
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{capacities}
+  ///     \cgalParamDescription{a range of `double`: the mass that may arrive at each source of the
+  ///       region, in their order; positive, infinite for no limit}
+  ///     \cgalParamDefault{no limits} \cgalParamNEnd
+  ///   \cgalParamNBegin{spreading_weight}
+  ///     \cgalParamDescription{what the integral of the square of the density of what arrives is
+  ///       multiplied with, to be paid as well; the area of a source is that of a third of the faces
+  ///       around its sites}
+  ///     \cgalParamDefault{0} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
   /// \throws Invalid_argument_error when the region is empty, or has a place that is not at a site of
-  ///         the surface
+  ///         the surface; when there are limits, but not one for each source, one is not positive, or two
+  ///         sources share a site
   template <typename Region, typename NamedParameters = internal::Default_parameters>
   Region_transport_solver(const Surface& surface, const Region& region,
                           const NamedParameters& np = NamedParameters())
@@ -77,16 +99,16 @@ public:
   template <typename Region, typename NamedParameters = internal::Default_parameters>
   Region_transport_solver(const Domain& domain, const Region& region,
                           const NamedParameters& np = NamedParameters())
-      : Base(domain, np, internal::region_sites(domain, region))
+      : Base(domain, np, internal::transport_region(domain, region, np))
   {}
 
   /// finds out what it costs to move masses to the region; what the last call found is forgotten.
   ///
-  /// \tparam Method as for `Earth_movers_solver::compute()`
+  /// \tparam Method as for `Earth_movers_solver::compute()`; with limits `Interior_point`
   /// \param from masses, as `Earth_movers_solver` takes them
   /// \param np as for `Earth_movers_solver::compute()`
   /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`, and when masses are on a
-  ///         component that has no part of the region
+  ///         component that has no part of the region, or exits too small for them
   template <typename Method = Interior_point, typename From,
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const NamedParameters& np = NamedParameters())

@@ -180,6 +180,14 @@ enum arrival_map_t
 {
   arrival_map
 };
+enum capacities_t
+{
+  capacities
+};
+enum spreading_weight_t
+{
+  spreading_weight
+};
 enum do_normalize_t
 {
   do_normalize
@@ -263,6 +271,8 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, potential_map_t, potential_map)                           \
   LINK(Geodesic_processing::internal_np, flow_map_t, flow_map)                                     \
   LINK(Geodesic_processing::internal_np, arrival_map_t, arrival_map)                               \
+  LINK(Geodesic_processing::internal_np, capacities_t, capacities)                                 \
+  LINK(Geodesic_processing::internal_np, spreading_weight_t, spreading_weight)                     \
   LINK(Geodesic_processing::internal_np, do_normalize_t, do_normalize)                             \
   LINK(Geodesic_processing::internal_np, do_bound_from_above_t, do_bound_from_above)               \
   LINK(Geodesic_processing::internal_np, do_start_from_last_t, do_start_from_last)                 \

@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/transport.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -26,6 +27,21 @@ inline unsigned usual_refinements(const Glued_triangles& triangles)
   return triangles.number_of_sites() <= 5000 ? 1 : 0;
 }
 
+// Where masses may go.  Of an exit all sites are one, with the sides and triangles between them.  Without
+// limits all exits are one.
+struct Transport_region
+{
+  std::vector<std::vector<Index>> exits;
+  std::vector<double> capacity; // #exits: of masses, infinite for no limit; or empty
+  double spreading_weight = 0.; // times the integral of the square of the density of what arrives
+
+  Transport_region() = default;
+  Transport_region(std::vector<Index> sites) { exits.push_back(std::move(sites)); }
+
+  bool is_empty() const { return exits.empty(); }
+  bool is_limited() const { return !capacity.empty() || spreading_weight > 0.; }
+};
+
 // In the caller's units; potential and flow of the coarse sites and triangles.
 struct Earth_movers_result : Transport
 {
@@ -42,20 +58,21 @@ public:
   // measure      #triangles: the length of a vector is that of its product with this positive definite
   //              tensor, in the plane where the triangle is unfolded; infinite where nothing may
   //              pass; empty: its own
-  // region       sites, with the sides and triangles between them: where masses go, for
-  //              solve_to_region() alone
-  // Throws Unsupported_surface_error when there is no triangle with an area, or too many.
+  // region       for solve_to_region() alone
+  // Throws Unsupported_surface_error when there is no triangle with an area, or too many, and
+  // Invalid_argument_error when two exits share a site or a limit makes no sense.
   explicit Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements = 0,
-                        std::vector<Tensor> measure = {}, const std::vector<Index>& region = {});
+                        std::vector<Tensor> measure = {}, Transport_region region = {});
 
   // Throws Invalid_argument_error when a mass is not finite, the sums differ, as a whole or on a
   // component, or nothing can be normalized.
   Earth_movers_result solve(const Mass_distribution& from, const Mass_distribution& to,
                             const Earth_movers_options& options = {}) const;
 
-  // To wherever in the region it costs the least: the region is one site, at which the potential is
-  // zero.  Elsewhere the potential is minus a lower bound of the distance to the region.  Throws as
-  // solve(), and when masses are on a component without a part of the region.
+  // To wherever in the region it costs the least: without limits the region is one site, at which the
+  // potential is zero; elsewhere the potential is minus a lower bound of the distance to the region.  With
+  // limits it is that of Transport_solver.  Throws as solve(), and when masses are on a component without a
+  // part of the region, or without enough room.
   Earth_movers_result solve_to_region(const Mass_distribution& from,
                                       const Earth_movers_options& options = {}) const;
 
@@ -66,18 +83,20 @@ private:
   struct Level
   {
     std::shared_ptr<const Glued_triangles> triangles;
-    std::vector<Tensor> measure; // #triangles, or empty
-    std::vector<double> area;    // #triangles: zero where nothing may pass
-    std::vector<Index> region;
+    std::vector<Tensor> measure;              // #triangles, or empty
+    std::vector<double> area;                 // #triangles: zero where nothing may pass
+    std::vector<std::vector<Index>> exits;    // without limits one
     std::unique_ptr<Transport_solver> solver; // of the last two alone
   };
 
   Earth_movers_result move(Mass_distribution masses, const Earth_movers_options& options) const;
 
+  std::vector<Exit> limited_exits(const Level& level) const;
   double cost_to_sites(const Mass_distribution& masses) const;
   double cost_of_flow(const Field& flow) const;
 
   std::vector<Level> m_levels; // the finest last
+  Transport_region m_region;
   std::vector<bool> m_reaches_region;
 };
 

@@ -3,13 +3,28 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_ITERATION_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_ITERATION_H
 
-#include <CGAL/Geodesic_processing/internal/operators.h>
+#include <CGAL/Geodesic_processing/internal/transport.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
-// To minimize the integral of |J| over the fields with divergence(J) = masses.
+// Those of a component whose masses, which sum to minus `mass`, leave through them; with room for more.
+struct Exit_group
+{
+  Index component;
+  double mass;
+  std::vector<Exit> exits;
+};
+
+// For a price of leaving at each site, and what is paid besides: no more than what it costs to get rid of
+// the mass; and the price at which the last of it leaves.
+std::pair<double, double> least_cost(const Exit_group& group, const Vector& price);
+
+// To minimize the integral of |J| over the fields with divergence(J) = masses; with exits, and what is paid
+// there, over those with divergence(J) = masses + what leaves.
 struct Transport_problem
 {
   const Operators& operators;
@@ -17,6 +32,7 @@ struct Transport_problem
   const Sparse_matrix& matrix; // of it, held
   const Sparse_solver& solver; // of the matrix
   const Vector& masses;
+  std::vector<Exit_group> exits = {};
 };
 
 // A way to get there step by step, and the best that was seen so far.
@@ -31,21 +47,27 @@ public:
 
   double upper() const { return m_upper; }
   double lower() const { return m_lower; }
-  const Field& flow() const { return m_flow; }            // costs `upper`
+  const Field& flow() const { return m_flow; } // costs `upper`
+  const std::vector<double>& leaving() const
+  {
+    return m_leaving;
+  }                                                       // through exits, one after another
   const Vector& potential() const { return m_potential; } // of slope one at most, proves `lower`
 
 protected:
   const Operators& operators() const { return m_problem.operators; }
   const Transport_problem& problem() const { return m_problem; }
 
-  // The field must have the divergence that is asked for; the potential may have any slope.
-  void keep_flow(const Field& flow);
+  // The field must have the divergence that is asked for, and is not kept when more leaves than there is
+  // room for, or less than nothing; the potential may have any slope.
+  void keep_flow(const Field& flow, const std::vector<double>& leaving = {});
   void keep_potential(const Vector& potential);
 
 private:
   Transport_problem m_problem;
   double m_lower = 0., m_upper = infinity;
   Field m_flow;
+  std::vector<double> m_leaving;
   Vector m_potential = Vector::Zero(m_problem.masses.size());
 };
 

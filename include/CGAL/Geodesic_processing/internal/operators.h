@@ -98,12 +98,14 @@ public:
 
   // Makes it definite: it does not see the constants of a component.  Solutions vanish at one site of
   // each then, and solve the system as it was, when the right side sums to zero on each component.
-  void hold(Sparse_matrix& matrix) const;
+  //
+  // is_definite: of the first components, which need not be held
+  void hold(Sparse_matrix& matrix, const std::vector<bool>& is_definite = {}) const;
 
 private:
   Sparse_matrix m_pattern;                   // all entries zero
   std::vector<std::array<Index, 6>> m_place; // #triangles: entries of corners 0, 1, 2 and of sides
-  std::vector<Index> m_held;                 // the entries of held sites
+  std::vector<Index> m_held;                 // #components: the entry of a site
 };
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -28,6 +28,14 @@ struct Transport_options
   Splitting::State start;               // for `splitting`, from the same solver; may be empty
 };
 
+// Where masses may leave the surface.
+struct Exit
+{
+  Index site;      // each has one exit at most
+  double capacity; // of mass: positive, or infinite
+  double price;    // half of it times the square of what leaves is paid
+};
+
 // What moving masses costs, in lengths of the domain times masses, and how they move.
 struct Transport
 {
@@ -36,6 +44,7 @@ struct Transport
   double upper = 0.;       // what the flow costs
   Vector potential;        // #sites: grows along the flow, by at most one per unit of length
   Field flow;              // #triangles: mass per length of a line across
+  Vector leaving;          // #exits
   unsigned iterations = 0; // factorizations, or of `splitting` solutions
   double residual = 0.;   // largest |divergence(flow) - masses|, relative to the mass that is moved
   bool converged = false; // whether the gap is within the tolerance
@@ -77,12 +86,18 @@ public:
   // masses  #sites: what is missing there, negative where there is too much; the sum over each component
   // is zero up to 1e-9 of the sum of sizes.  Throws Invalid_argument_error when it is not, when a mass
   // is not finite, or the tolerance not positive.
-  Transport solve(const Vector& masses, const Transport_options& options = {}) const;
+  //
+  // exits  what is too much on their components leaves through them.  Bounds are of all that is paid,
+  // proved with each exit taking what it takes for less than a price; the potential is zero where that is
+  // paid, below where there is no more room.  `interior_point` alone.  Throws Invalid_argument_error when
+  // there is not enough room as well.
+  Transport solve(const Vector& masses, const Transport_options& options = {},
+                  const std::vector<Exit>& exits = {}) const;
 
   const Operators& operators() const { return m_operators; }
 
 private:
-  void check(const Vector& masses) const;
+  void check(const Vector& masses, const std::vector<Exit>& exits) const;
 
   Operators m_operators;
   Laplacian m_laplacian;
