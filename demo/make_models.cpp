@@ -7,6 +7,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/generators.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -40,6 +41,120 @@ Mesh tube(int length, int girth)
       mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   return mesh;
+}
+
+using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, double>;
+
+// The cells of a plan that are no wall; each vertex is given two numbers.
+template <typename Is_floor, typename Mark>
+bool write_plan(const std::string& file, int columns, int rows, const Is_floor& is_floor,
+                const Mark& mark)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertex((columns + 1) * (rows + 1));
+  Vertex_map people = mesh.add_property_map<Mesh::Vertex_index, double>("v:people").first;
+  Vertex_map room = mesh.add_property_map<Mesh::Vertex_index, double>("v:room").first;
+  mesh.add_property_map<Mesh::Vertex_index, double>("v:floor", 1.);
+  const auto at = [&](int i, int j)
+  {
+    Mesh::Vertex_index& v = vertex[j * (columns + 1) + i];
+    if(v == Mesh::null_vertex())
+    {
+      v = mesh.add_vertex(Point(i, j, 0.));
+      mark(i, j, people[v], room[v]);
+    }
+    return v;
+  };
+  for(int j = 0; j < rows; ++j)
+    for(int i = 0; i < columns; ++i)
+      if(is_floor(i, j))
+      {
+        // Diagonals in turn, so that no direction is the better one.
+        const int turn = (i + j) % 2;
+        const Mesh::Vertex_index a = at(i + turn, j), b = at(i + 1, j + turn),
+                                 c = at(i + 1 - turn, j + 1), d = at(i, j + 1 - turn);
+        mesh.add_face(a, b, c);
+        mesh.add_face(a, c, d);
+      }
+  std::ofstream out(file);
+  return CGAL::IO::write_PLY(out, mesh);
+}
+
+// A way from each place of a square lattice to each other one, by a random walk that goes back where it
+// cannot go on; passages are three cells wide, walls one.
+std::vector<bool> maze(int size, unsigned seed)
+{
+  const int cells = 4 * size + 1;
+  std::vector<bool> is_floor(cells * cells, false), is_seen(size * size, false);
+  const auto carve = [&](int i, int j, int width, int height)
+  {
+    for(int y = j; y < j + height; ++y)
+      std::fill_n(is_floor.begin() + y * cells + i, width, true);
+  };
+  std::mt19937 random(seed);
+  std::vector<int> way = {0};
+  is_seen[0] = true;
+  while(!way.empty())
+  {
+    const int x = way.back() % size, y = way.back() / size;
+    carve(4 * x + 1, 4 * y + 1, 3, 3);
+    std::vector<int> next;
+    for(const int step : {-1, 1, -size, size})
+      if((step != -1 || x > 0) && (step != 1 || x < size - 1) && way.back() + step >= 0 &&
+         way.back() + step < size * size && !is_seen[way.back() + step])
+        next.push_back(way.back() + step);
+    if(next.empty())
+    {
+      way.pop_back();
+      continue;
+    }
+    const int to = next[random() % next.size()], u = to % size, v = to / size;
+    if(v == y)
+      carve(4 * (std::max)(x, u), 4 * y + 1, 1, 3);
+    else
+      carve(4 * x + 1, 4 * (std::max)(y, v), 3, 1);
+    is_seen[to] = true;
+    way.push_back(to);
+  }
+  return is_floor;
+}
+
+bool write_maze(const std::string& file)
+{
+  const int size = 9, cells = 4 * size + 1;
+  const std::vector<bool> is_floor = maze(size, 7);
+  // From two places in the middle to the ends of the first row and of the last one.
+  return write_plan(
+      file, cells, cells, [&](int i, int j) { return is_floor[j * cells + i]; },
+      [&](int i, int j, double& people, double& room)
+      {
+        people = (i == 14 && j == 23) || (i == 22 && j == 10) ? 0.5 : 0.;
+        room = (i == 1 && j > 1 && j < 4) || (i == cells - 1 && j > cells - 4 && j < cells - 1)
+                   ? 1.
+                   : 0.;
+      });
+}
+
+// Rooms on both sides of a corridor with a door at each end, of which the right one has room for a
+// quarter of the people alone; walls and doors of rooms are one cell wide.
+bool write_floor(const std::string& file)
+{
+  const int columns = 73, rows = 29;
+  return write_plan(
+      file, columns, rows,
+      [&](int i, int j)
+      {
+        const bool in_corridor = j > 12 && j < 16, is_wall = i % 12 == 0 || j == 0 || j == 28;
+        const bool is_door = (j == 12 || j == 16) && i % 12 > 4 && i % 12 < 7;
+        const bool is_between = i == 36 && (j == 5 || j == 6);
+        return in_corridor || is_door || is_between || (!is_wall && j != 12 && j != 16);
+      },
+      [&](int i, int j, double& people, double& room)
+      {
+        people = j < 13 || j > 16 ? 1. : 0.;
+        const double all = 12. * 11. * 11.;
+        room = i == 0 ? all : i == columns ? all / 16. : 0.;
+      });
 }
 
 int main(int argc, char* argv[])
@@ -76,7 +191,8 @@ int main(int argc, char* argv[])
     pipe << Point(r * std::cos(a), r * std::sin(a), z) << '\n';
   }
 
-  const bool written = CGAL::IO::write_polygon_mesh(folder + "/knot.off", knot) &&
+  const bool written = write_maze(folder + "/maze.ply") && write_floor(folder + "/floor.ply") &&
+                       CGAL::IO::write_polygon_mesh(folder + "/knot.off", knot) &&
                        CGAL::IO::write_polygon_mesh(folder + "/hills.off", hills) && cloud &&
                        noisy && sphere && pipe;
   return written ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -115,17 +115,18 @@ picture()
 # without one where that is `none`.
 program()
 {
-  local name=$1 question answer picture='' shown_by=(--property "${property:-distance}")
+  local name=$1 file=${as:-$1} question answer picture=''
+  local shown_by=(--property "${property:-distance}")
   [ "${property-}" != none ] || shown_by=()
   shift
   question=$(sed -n '4s|^// ||p' "demo/$name.cpp")
   printf '\n%s\n' "$question"
   if answer=$("$build/demo/$name" "$@" 2>&1); then
     printf '%s\n' "$answer"
-    rm -f "$gallery/$name.png"
+    rm -f "$gallery/$file.png"
     if [[ ${!#} == *.ply ]] && "$build/geodesic" info "${!#}" "${shown_by[@]}" --quiet \
-         --picture "$gallery/$name.png" >>$log 2>&1; then
-      picture="<img src=\"$name.png\" alt=\"\">"
+         --picture "$gallery/$file.png" >>$log 2>&1; then
+      picture="<img src=\"$file.png\" alt=\"\">"
     fi
     printf '<figure>%s<figcaption><p>%s</p><pre>%s</pre><code>%s</code></figcaption></figure>\n' \
       "$picture" "$(printf '%s' "$question" | escape)" "$(printf '%s' "$answer" | escape)" \
@@ -218,6 +219,14 @@ picture emd-feet "From four feet to the tip of the trunk." \
 picture emd "From three places to three others: what moves, and the potential that proves the least work." \
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
+picture maze "From two places in a maze to whichever way out is nearer." \
+  plan $models/maze.ply --from people --to room
+picture floor "How people leave their rooms for the doors at both ends of a corridor." \
+  plan $models/floor.ply --from people --density --to room
+picture floor-full "The same where the right door has room for a quarter of them." \
+  plan $models/floor.ply --from people --density --to room --capacity room
+picture maze-spread "From two places to all others, where it costs to be crowded." \
+  plan $models/maze.ply --from people --to floor --spread 500
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
 picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
   sample "$scan" --number 1500 --density-image "$rings"
@@ -251,6 +260,8 @@ program from_spectral_to_geodesic "$small" 100 $build/from_spectral_to_geodesic.
 program noise_and_bending "$small" 100 $build/noise_and_bending.ply
 property=detour program detours "$small" 100 1500 $build/detours.ply
 property=none program parts_of_a_flow "$small" 100 1200 $build/parts_of_a_flow.ply
+as=parts_in_a_maze property=none program parts_of_a_flow $models/maze.ply 804 3 1223 \
+  $build/parts_in_a_maze.ply
 program methods_compared "$small"
 program mesh_or_cloud "$animal" $build/cloud.ply
 program nearest_of_many "$bear" $build/lands.ply
