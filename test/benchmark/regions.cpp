@@ -1,0 +1,304 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Masses that choose where to go: how far off exits of mazes, small exits, features and refracted rays are,
+// and how long they take, with everything that is prepared.  One thread.  --quick: small meshes.
+#include "models.h"
+#include "report.h"
+
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
+#include <CGAL/Geodesic_processing/Region_transport_solver.h>
+#include <CGAL/Geodesic_processing/feature_distance.h>
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
+#include <CGAL/Geodesic_processing/geodesic_path.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace benchmarks;
+using Distances = Mesh::Property_map<Vertex, double>;
+
+// The unit square with a wall in every fifth column of cells, with a gap of two cells in each; diagonals in
+// turn.
+Mesh maze(int cells, std::mt19937& random)
+{
+  Mesh mesh;
+  std::vector<Vertex> vertex((cells + 1) * (cells + 1));
+  const auto at = [&](int i, int j)
+  {
+    Vertex& v = vertex[j * (cells + 1) + i];
+    if(v == Mesh::null_vertex())
+      v = mesh.add_vertex({double(i) / cells, double(j) / cells, 0.});
+    return v;
+  };
+  int gap = 0;
+  for(int i = 0; i < cells; ++i)
+  {
+    if(i % 5 == 0)
+      gap = int(random() % unsigned(cells - 1));
+    for(int j = 0; j < cells; ++j)
+      if(i % 5 != 4 || j == gap || j == gap + 1)
+      {
+        const int turn = (i + j) % 2;
+        const Vertex a = at(i + turn, j), b = at(i + 1, j + turn), c = at(i + 1 - turn, j + 1),
+                     d = at(i, j + 1 - turn);
+        mesh.add_face(a, b, c);
+        mesh.add_face(a, c, d);
+      }
+  }
+  return mesh;
+}
+
+template <typename Sources>
+std::vector<double> exact_distances(Mesh& mesh, const Sources& sources)
+{
+  const Distances map = mesh.add_property_map<Vertex, double>("v:exact").first;
+  GP::geodesic_distances<GP::Exact>(mesh, sources, map);
+  std::vector<double> result;
+  for(const Vertex v : mesh.vertices())
+    result.push_back(map[v]);
+  return result;
+}
+
+Vertex any(const Mesh& mesh, std::mt19937& random)
+{
+  return Vertex(Mesh::size_type(random() % mesh.number_of_vertices()));
+}
+
+void print_mazes(bool is_quick)
+{
+  Table nearest({"maze", "vertices", "off exact, largest", "gap, largest", "iterations"});
+  Table full({"maze", "vertices", "exits", "to a gap of", "iterations, most", "gap, largest",
+              "too full", "lost", "s each"});
+  for(const int cells : is_quick ? std::vector<int>{20} : std::vector<int>{20, 40, 80})
+  {
+    std::mt19937 random(1);
+    double off = 0., gap = 0.;
+    unsigned iterations = 0;
+    Mesh mesh;
+    for(int trial = 0; trial < 5; ++trial)
+    {
+      mesh = maze(cells, random);
+      const std::vector<Vertex> exits = {any(mesh, random), any(mesh, random)};
+      const std::vector<double> exact = exact_distances(mesh, exits);
+      GP::Region_transport_solver<Mesh> solver(mesh, exits);
+      for(int i = 0; i < 10; ++i)
+      {
+        const Vertex from = any(mesh, random);
+        const auto cost = solver.compute(from, GP::parameters::tolerance(1e-6));
+        off = std::max(off, exact[from] > 0. ? std::abs(cost.value / exact[from] - 1.) : 0.);
+        gap = std::max(gap, cost.upper > 0. ? 1. - cost.lower / cost.upper : 0.);
+        iterations = std::max(iterations, cost.iterations);
+      }
+    }
+    const std::string name = std::to_string(cells) + " cells";
+    nearest.add({name, std::to_string(mesh.number_of_vertices()), number(off, 7), number(gap, 7),
+                 std::to_string(iterations)});
+
+    // From everywhere; exits that take one part in `exits` and a fifth of it more.
+    for(const std::size_t exits : {3, 10})
+      for(const double tolerance : {1e-2, 1e-3})
+      {
+        double largest = 0., excess = 0., lost = 0., time = 0.;
+        unsigned most = 0;
+        constexpr int trials = 5;
+        for(int trial = 0; trial < trials; ++trial)
+        {
+          mesh = maze(cells, random);
+          std::vector<Vertex> places;
+          while(places.size() < exits)
+            if(const Vertex v = any(mesh, random);
+               std::find(places.begin(), places.end(), v) == places.end())
+              places.push_back(v);
+          const std::vector<double> capacity(exits, 1.2 / double(exits));
+          GP::Earth_movers_cost cost;
+          double sum = 0.;
+          time += seconds(
+              [&]
+              {
+                GP::Region_transport_solver<Mesh> solver(mesh, places,
+                                                         GP::parameters::capacities(capacity));
+                const std::vector<Vertex> all(mesh.vertices().begin(), mesh.vertices().end());
+                cost = solver.compute(all, GP::parameters::tolerance(tolerance));
+                for(const Vertex v : places)
+                {
+                  excess = std::max(excess, solver.arrival(v) / capacity[0] - 1.);
+                  sum += solver.arrival(v);
+                }
+              });
+          most = std::max(most, cost.iterations);
+          largest = std::max(largest, 1. - cost.lower / cost.upper);
+          lost = std::max(lost, std::abs(sum - 1.));
+        }
+        full.add({name, std::to_string(mesh.number_of_vertices()), std::to_string(exits),
+                  number(tolerance, 3), std::to_string(most), number(largest, 5),
+                  number(std::max(excess, 0.), 9), number(lost, 9), number(time / trials, 2)});
+      }
+  }
+  std::printf("The nearest of two exits, to a gap of 1e-6, relative to exact distances\n");
+  nearest.print();
+  std::printf("To reach: 1e-5.\n\nFrom everywhere to exits that are too small, largest of five\n");
+  full.print();
+  std::printf("To reach: 1 %% in 150 iterations, capacities to 1e-6.\n\n");
+}
+
+void print_features(bool is_quick)
+{
+  Table table({"feature", "vertices", "mean off exact %", "largest %", "masses fixed, mean %",
+               "above exact", "iterations", "s"});
+  const auto measure = [&](const std::string& name, Mesh mesh, const std::vector<Vertex>& feature)
+  {
+    // With the edges between its vertices: chains of them are the curves.
+    using Source = GP::Source<Mesh>;
+    std::vector<Source> sources(feature.begin(), feature.end());
+    for(const auto h : mesh.halfedges())
+    {
+      const Vertex a = mesh.source(h), b = mesh.target(h);
+      if(a < b && std::find(feature.begin(), feature.end(), a) != feature.end() &&
+         std::find(feature.begin(), feature.end(), b) != feature.end())
+      {
+        const auto inner = mesh.is_border(h) ? mesh.opposite(h) : h;
+        const Face f = mesh.face(inner);
+        Source::Location first{f, {0., 0., 0.}}, second = first;
+        auto side = mesh.halfedge(f);
+        for(std::size_t k = 0; k < 3; ++k, side = mesh.next(side))
+        {
+          first.second[k] = mesh.source(side) == a ? 1. : 0.;
+          second.second[k] = mesh.source(side) == b ? 1. : 0.;
+        }
+        sources.emplace_back(Source::Polyline{first, second});
+      }
+    }
+    const std::vector<double> exact = exact_distances(mesh, sources);
+    const double diameter = *std::max_element(exact.begin(), exact.end());
+    const Distances found = mesh.add_property_map<Vertex, double>("v:found").first;
+    GP::Earth_movers_cost cost;
+    const double time = seconds([&] { cost = GP::feature_distance(mesh, feature, found); });
+    double mean = 0., largest = 0., above = 0.;
+    for(const Vertex v : mesh.vertices())
+    {
+      mean += std::abs(found[v] - exact[v]) / double(exact.size());
+      largest = std::max(largest, std::abs(found[v] - exact[v]));
+      above = std::max(above, found[v] - exact[v]);
+    }
+    // The paper's way: what arrives is even over the feature.
+    GP::Earth_movers_solver<Mesh> solver(mesh);
+    const auto one = boost::make_function_property_map<Vertex>([](Vertex) { return 1.; });
+    solver.compute(GP::mass_density(one), feature, GP::parameters::do_normalize(true));
+    double top = -GP::internal::infinity, fixed = 0.;
+    for(const Vertex v : feature)
+      top = std::max(top, solver.potential(v));
+    for(const Vertex v : mesh.vertices())
+      fixed += std::abs(top - solver.potential(v) - exact[v]) / double(exact.size());
+    table.add({name, std::to_string(exact.size()), number(100. * mean / diameter, 3),
+               number(100. * largest / diameter, 2), number(100. * fixed / diameter, 2),
+               number(std::max(above, 0.) / diameter, 9), std::to_string(cost.iterations),
+               number(time, 2)});
+  };
+  std::vector<std::string> names = {"fandisk_6k5", "camel_10k", "fsaverage5_inflated_left_10k"};
+  if(!is_quick)
+    names.insert(names.end(), {"bunny_37k", "nefertiti_35k", "armadillo_26k"});
+  for(const std::string& name : names)
+  {
+    const auto mesh = model(name);
+    if(!mesh)
+      continue;
+    // A chain of edges from the first vertex to the farthest one.
+    Mesh copy = *mesh;
+    const Distances map = copy.add_property_map<Vertex, double>("v:d").first;
+    GP::geodesic_distances<GP::Dijkstra>(copy, Vertex(0), map);
+    Vertex last(0);
+    for(const Vertex v : copy.vertices())
+      if(std::isfinite(map[v]) && map[v] > map[last])
+        last = v;
+    measure(name + ", a point", *mesh, {Vertex(0)});
+    std::vector<Vertex> curve = {last};
+    while(map[curve.back()] > 0.)
+    {
+      Vertex best = curve.back();
+      for(const Vertex v : copy.vertices_around_target(copy.halfedge(curve.back())))
+        if(map[v] + std::sqrt(CGAL::squared_distance(copy.point(v), copy.point(curve.back()))) <=
+           map[curve.back()] * (1. + 1e-9))
+          best = v;
+      if(best == curve.back())
+        break;
+      curve.push_back(best);
+    }
+    measure(name + ", a curve", *mesh, curve);
+  }
+  if(!is_quick)
+    measure("sphere, three points", icosphere(6), {Vertex(0), Vertex(5), Vertex(11)});
+  std::printf("Distances to features from one solution, relative to the largest\n");
+  table.print();
+  std::printf("To reach: a mean of 1 %%, 2 s for 50,000 vertices.\n\n");
+}
+
+void print_refraction()
+{
+  Table table({"vertices", "refined", "rays", "off Snell's law %, mean", "largest"});
+  constexpr std::size_t cells = 80;
+  const Mesh mesh = mesh_of(CGAL::Geodesic_processing::test::square(cells));
+  const auto speed = boost::make_function_property_map<Face>(
+      [&](Face f)
+      {
+        double y = 0.;
+        for(const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+          y += mesh.point(v).y() / 3.;
+        return y > 0.5 ? 1. / 3. : 1.;
+      });
+  for(const unsigned refinements : {0u, 1u})
+  {
+    GP::Earth_movers_solver<Mesh> solver(
+        mesh, GP::parameters::speed_map(speed).number_of_refinements(refinements));
+    std::mt19937 random(1);
+    double mean = 0., largest = 0.;
+    constexpr int rays = 20;
+    for(int i = 0; i < rays;)
+    {
+      const Vertex from = any(mesh, random), to = any(mesh, random);
+      const auto p = mesh.point(from), q = mesh.point(to);
+      if(!(p.y() < 0.4 && q.y() > 0.6))
+        continue;
+      ++i;
+      double low = 0., high = 1.; // where the ray crosses, by the slope of its time
+      for(int step = 0; step < 60; ++step)
+      {
+        const double x = 0.5 * (low + high);
+        const double slope = (x - p.x()) / std::hypot(x - p.x(), 0.5 - p.y()) +
+                             3. * (x - q.x()) / std::hypot(x - q.x(), q.y() - 0.5);
+        (slope < 0. ? low : high) = x;
+      }
+      const double exact =
+          std::hypot(low - p.x(), 0.5 - p.y()) + 3. * std::hypot(low - q.x(), q.y() - 0.5);
+      const auto cost = solver.compute(from, to, GP::parameters::tolerance(1e-5));
+      const double off = std::abs(cost.value / exact - 1.);
+      mean += off / rays;
+      largest = std::max(largest, off);
+    }
+    table.add({std::to_string(mesh.number_of_vertices()), std::to_string(refinements),
+               std::to_string(rays), number(100. * mean, 3), number(100. * largest, 3)});
+  }
+  std::printf("Between random places on both sides of a square, one three times as slow\n");
+  table.print();
+  std::printf("To reach: 0.15 %%.\n");
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const bool is_quick = argc > 1 && std::string(argv[1]) == "--quick";
+  print_mazes(is_quick);
+  print_features(is_quick);
+  print_refraction();
+}
