@@ -219,6 +219,11 @@ picture emd-feet "From four feet to the tip of the trunk." \
 picture emd "From three places to three others: what moves, and the potential that proves the least work." \
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
+picture feature "How far is everything from four places, by one transport?" \
+  feature-distance "$animal" --feature 0,100,2000,9000
+picture ridge "From a ridge of the back, with speeds that are high where it bends like there." \
+  feature-distance "$beast" --feature 3000 --speed curvature-like-3000 --strength 1
+picture ridge-plain "The same with one speed." feature-distance "$beast" --feature 3000
 picture maze "From two places in a maze to whichever way out is nearer." \
   plan $models/maze.ply --from people --to room
 picture floor "How people leave their rooms for the doors at both ends of a corridor." \

@@ -29,10 +29,9 @@ double doubled_area(const Glued_triangles& t, Index triangle)
   return weight(t, triangle) * twice_area(l[0], l[1], l[2]);
 }
 
-} // namespace
-
-std::vector<double> total_curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
-                                     double radius, unsigned threads)
+template <typename Number>
+std::vector<double> numbers_of(const std::shared_ptr<const Glued_triangles>& triangles,
+                               double radius, unsigned threads, const Number& number)
 {
   double area = 0.;
   for(Index f = 0; f < triangles->number_of_triangles(); ++f)
@@ -40,8 +39,24 @@ std::vector<double> total_curvatures(const std::shared_ptr<const Glued_triangles
   std::vector<double> result;
   for(const Curvature& here : curvatures(triangles, radius, threads))
     result.push_back(
-        std::min(most_bent, std::sqrt(area) * (std::abs(here.least) + std::abs(here.most))));
+        std::clamp(std::sqrt(area) * number(here.least, here.most), -most_bent, most_bent));
   return result;
+}
+
+} // namespace
+
+std::vector<double> total_curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
+                                     double radius, unsigned threads)
+{
+  return numbers_of(triangles, radius, threads,
+                    [](double least, double most) { return std::abs(least) + std::abs(most); });
+}
+
+std::vector<double> summed_curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
+                                      double radius, unsigned threads)
+{
+  return numbers_of(triangles, radius, threads,
+                    [](double least, double most) { return least + most; });
 }
 
 std::vector<double> relative_gradients(const Glued_triangles& t,

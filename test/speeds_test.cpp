@@ -87,6 +87,51 @@ TEST(Curvature_speeds, are_the_same_on_every_kind_of_mesh_and_near_on_clouds)
     EXPECT_NEAR(speed, 0.5, 0.01);
 }
 
+// A torus bends most on its outside: from there the outside is quick, and from inside the inside.
+TEST(Similar_curvature_speeds, fall_with_the_difference_of_mean_curvatures)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const Triangulation shape = scaled(torus(60, 30), scale);
+    Mesh mesh = mesh_of(shape);
+    auto speed = vertex_map(mesh);
+    const auto radius = [&](Vertex v)
+    { return std::hypot(mesh.point(v).x(), mesh.point(v).y()) / scale; };
+    Vertex outside(0), inside(0);
+    for(const Vertex v : mesh.vertices())
+    {
+      outside = radius(v) > radius(outside) ? v : outside;
+      inside = radius(v) < radius(inside) ? v : inside;
+    }
+    for(const Vertex place : {outside, inside})
+    {
+      GP::similar_curvature_speeds(mesh, place, speed);
+      EXPECT_EQ(speed[place], 1.);
+      const Vertex other = place == outside ? inside : outside;
+      EXPECT_LT(speed[other], 0.75);
+      for(const Vertex v : mesh.vertices())
+      {
+        EXPECT_GT(speed[v], 0.);
+        EXPECT_LE(speed[v], 1.);
+        if(std::abs(radius(v) - radius(place)) < 1e-9)
+        {
+          EXPECT_GT(speed[v], 0.95); // the tensors of a ring differ by a few percent
+        }
+      }
+    }
+    const auto before = values(mesh, speed);
+    GP::similar_curvature_speeds<CGAL::Parallel_tag>(mesh, inside, speed,
+                                                     GP::parameters::threads(2));
+    EXPECT_EQ(values(mesh, speed), before);
+    GP::similar_curvature_speeds(mesh, inside, speed, GP::parameters::strength(0));
+    EXPECT_EQ(speed[outside], 1.);
+    EXPECT_THROW(GP::similar_curvature_speeds(mesh, inside, speed, GP::parameters::strength(-1)),
+                 GP::Invalid_argument_error);
+    EXPECT_THROW(GP::similar_curvature_speeds(mesh, Vertex(1u << 30), speed),
+                 GP::Invalid_argument_error);
+  }
+}
+
 // How many of 120 samples of a sheet lie within 0.1 of the crease in its middle.
 template <typename SpeedMap>
 std::size_t samples_at_crease(const Mesh& mesh, SpeedMap speed)

@@ -13,9 +13,12 @@ namespace program {
 
 namespace {
 
+const std::string like = "curvature-like-";
+
 bool is_word(const std::string& speed)
 {
-  return speed == "curvature-attractive" || speed == "curvature-repulsive" || speed == "colours";
+  return speed.rfind(like, 0) == 0 || speed == "curvature-attractive" ||
+         speed == "curvature-repulsive" || speed == "colours";
 }
 
 // Columns of the file by their names; empty when one is missing.
@@ -77,7 +80,8 @@ void add_density_options(Command& command, Density_options& options)
 {
   command.add("--speed", options.speed, "NAME",
               "of the fronts; samples are dense where it is low: a property of the vertices; "
-              "curvature-attractive, low at creases; curvature-repulsive, high there; or colours, "
+              "curvature-attractive, low at creases; curvature-repulsive, high there; "
+              "curvature-like-V, high where it is as at vertex V; or colours, "
               "low where the vertices' red, green and blue vary");
   command.add("--density-image", options.image, "FILE",
               "a picture, .png: the speed is low where it varies. It is seen through "
@@ -97,6 +101,16 @@ void check(const Density_options& options)
     throw Usage_error("--strength: it is finite and not negative.");
   if(options.image.empty() && !is_word(options.speed))
     throw Usage_error("--strength: only curvature, colours and images have one.");
+}
+
+std::optional<std::size_t> similar_vertex(const Density_options& options)
+{
+  if(options.speed.rfind(like, 0) != 0)
+    return std::nullopt;
+  const auto vertices = parse_integers(options.speed.substr(like.size()), "--speed " + like);
+  if(vertices.size() != 1)
+    throw Usage_error("--speed " + shown(options.speed) + ": give one vertex.");
+  return vertices.front();
 }
 
 std::vector<Colour> colours_on(const Surface& surface, const Density_options& options)

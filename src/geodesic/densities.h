@@ -25,6 +25,9 @@ void add_density_options(Command& command, Density_options& options);
 // Throws Usage_error.
 void check(const Density_options& options);
 
+// The V of a speed "curvature-like-V".
+std::optional<std::size_t> similar_vertex(const Density_options& options);
+
 // #vertices: the colours of the vertices, or those of an image where it is seen.  Throws Input_error.
 std::vector<Colour> colours_on(const Surface& surface, const Density_options& options);
 
@@ -43,6 +46,11 @@ std::vector<double> speeds(const Domain& domain, const Density_options& options,
       GP::curvature_speeds<GP::Edge_attractive, CGAL::Parallel_tag>(domain, map, np);
     else if(options.speed == "curvature-repulsive")
       GP::curvature_speeds<GP::Edge_repulsive, CGAL::Parallel_tag>(domain, map, np);
+    else if(const auto vertex = similar_vertex(options))
+    {
+      check_vertex(job.surface(), *vertex);
+      GP::similar_curvature_speeds<CGAL::Parallel_tag>(domain, Site(*vertex), map, np);
+    }
     else if(options.speed == "colours" || !options.image.empty())
     {
       const std::vector<Colour> colours = colours_on(job.surface(), options);

@@ -950,6 +950,19 @@ TEST_F(Program, speeds_are_made_of_curvature)
   EXPECT_GT(along_edge(" --speed curvature-attractive --strength 1"),
             along_edge(" --speed curvature-attractive"));
 
+  // Along the middle of a side, of which all bends alike but next to the ends, or as no edge bends.
+  const auto along_side = [&](const std::string& vertex)
+  {
+    json("distance pipe.off --source 1 --values d.txt --strength 1 --speed curvature-like-" +
+         vertex);
+    return numbers("d.txt")[12 * 23 + 1];
+  };
+  EXPECT_NEAR(along_side("145"), 23., 23. / 12.); // two of 24 rows
+  EXPECT_GT(along_side("144"), 1.3 * 23.);
+  expect_failure("distance pipe.off --source 0 --speed curvature-like-1,2", 1, "one vertex");
+  expect_failure("distance pipe.off --source 0 --speed curvature-like-x", 1, "x");
+  expect_failure("distance pipe.off --source 0 --speed curvature-like-288", 2, "288");
+
   for(const char* const command : {"sample pipe.off --number 12", "sample cloud.xyz --number 5",
                                    "voronoi cloud.xyz --number 4", "voronoi pipe.off --number 4",
                                    "remesh pipe.off --number 30", "remesh cloud.xyz --number 20"})

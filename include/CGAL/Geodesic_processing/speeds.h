@@ -89,6 +89,41 @@ void curvature_speeds(const Surface& surface, SpeedMap speeds,
 
 /// \ingroup PkgGeodesicProcessingSpeeds
 ///
+/// makes speeds for `speed_map` that are high where the surface bends as it does at a place: what starts on
+/// a ridge stays on ridges.
+///
+/// The speed is \f$ 1 / (1 + \mu |\sigma - \sigma_0|) \f$, where \f$ \sigma = \lambda_1 + \lambda_2 \f$ is
+/// twice the mean curvature, in units of one over the square root of the surface's area,
+/// \f$ \sigma_0 \f$ that of the place, and \f$ \mu \f$ the strength.  Scaling the surface changes nothing.
+/// Figure 15 of \cgalCite{cgal:srgb-emd-14} has distances of this kind.
+///
+/// \tparam Concurrency_tag as for `curvature_speeds()`
+/// \param surface as for `geodesic_distances()`
+/// \param place a vertex or surfel
+/// \param speeds receives a number in (0, 1] for each site
+/// \param np as for `curvature_speeds()`
+/// \throws Invalid_argument_error as `curvature_speeds()`, and when the place is none of the surface's
+///
+/// O(n b) for balls of b sites.
+template <typename Concurrency_tag = Sequential_tag, typename Surface, typename Site,
+          typename SpeedMap, typename NamedParameters = internal::Default_parameters>
+void similar_curvature_speeds(const Surface& surface, Site place, SpeedMap speeds,
+                              const NamedParameters& np = NamedParameters())
+{
+  const double strength = internal::strength(np, 1. / internal::sphere_bend);
+  const double radius = internal::ball_radius(np);
+  const auto domain = make_domain(surface, np);
+  const internal::Index here = domain.inner_site(place).site;
+  const auto sums =
+      internal::summed_curvatures(domain.triangles(), radius / domain.triangles()->scale,
+                                  internal::threads<Concurrency_tag>(np));
+  domain.write([&](internal::Index site)
+               { return 1. / (1. + strength * std::abs(sums[site] - sums[here])); },
+               speeds);
+}
+
+/// \ingroup PkgGeodesicProcessingSpeeds
+///
 /// makes speeds for `speed_map` from an image on the surface, or any other function: low where it varies.
 ///
 /// The speed is \f$ 1 / (1 + \mu |\nabla I| / \max |\nabla I|) \f$ with the strength \f$ \mu \f$: scaling

@@ -18,6 +18,12 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> total_curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
                                      double radius, unsigned threads);
 
+// The same of their sum, which is twice the mean curvature: negative where the surface bends towards its
+// normals.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<double> summed_curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
+                                      double radius, unsigned threads);
+
 // That of a sphere: 4 sqrt(pi).
 inline constexpr double sphere_bend = 7.0898154036220641;
 
