@@ -39,13 +39,20 @@ Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
                          missing[block].emplace_back(*j, i);
                      }
                  });
-  std::vector<std::pair<Index, Index>> back;
+  // Dealt out to where they begin; those of a site are in their order.
+  std::vector<Index> first_back(n + 1, 0);
   for(const auto& part : missing)
-    back.insert(back.end(), part.begin(), part.end());
-  std::sort(back.begin(), back.end());
-  for(const auto& arc : back)
-    ++graph.first[arc.first + 1];
+    for(const auto& arc : part)
+    {
+      ++graph.first[arc.first + 1];
+      ++first_back[arc.first + 1];
+    }
   std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+  std::partial_sum(first_back.begin(), first_back.end(), first_back.begin());
+  std::vector<Index> back(first_back.back()), end_of_back = first_back;
+  for(const auto& part : missing)
+    for(const auto& arc : part)
+      back[end_of_back[arc.first]++] = arc.second;
   const std::size_t arcs = graph.first.back();
   for_each_block(2, 1, threads,
                  [&](std::size_t part, std::size_t, std::size_t)
@@ -59,15 +66,13 @@ Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
                      graph.target[arc] = j;
                      graph.length[arc++] = length;
                    };
-                   auto extra =
-                       std::lower_bound(back.begin(), back.end(), std::make_pair(i, Index(0)));
                    for(; i < end; ++i)
                    {
                      for(const Index* j = near.begin(i); j != near.end(i); ++j)
                        if(const double length = norm(point[*j] - point[i]); meet(i, *j, length))
                          put(*j, length);
-                     for(; extra != back.end() && extra->first == i; ++extra)
-                       put(extra->second, norm(point[extra->second] - point[i]));
+                     for(Index k = first_back[i]; k < first_back[i + 1]; ++k)
+                       put(back[k], norm(point[back[k]] - point[i]));
                    }
                  });
   return graph;

@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -40,36 +41,62 @@ void normalize(std::vector<Spatial>& normals)
 
 namespace {
 
-// For each surfel the first one at the same point with an agreeing normal: itself for most.
+// For each surfel the first one at the same point with an agreeing normal: itself for most.  Surfels are
+// dealt out by their points, so that each part's table stays in the cache, and parts are treated side by
+// side.
 std::vector<Index> originals(const std::vector<Spatial>& points,
-                             const std::vector<Spatial>& normals, double cosine)
+                             const std::vector<Spatial>& normals, double cosine, unsigned threads)
 {
+  constexpr std::size_t parts = 256;
   // Points closer than 2^-51 of the extent are rounded together by this sum, so that no squared
   // distance between originals underflows.
   const auto key = [&](Index i) -> Spatial {
     return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};
   };
-  std::size_t slots = 16;
-  while(slots < 2 * points.size())
-    slots *= 2;
-  std::vector<Index> table(slots, none), original(points.size());
-  for(Index i = 0; i < points.size(); ++i)
-  {
-    const Spatial k = key(i);
-    std::uint64_t hash = 0;
-    for(const double x : k)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(x * 0x1p50)) * 0x9e3779b97f4a7c15ull;
-      hash ^= hash >> 29;
-    }
-    std::size_t slot = hash & (slots - 1);
-    while(table[slot] != none &&
-          !(key(table[slot]) == k && dot(normals[table[slot]], normals[i]) > cosine))
-      slot = (slot + 1) & (slots - 1);
-    if(table[slot] == none)
-      table[slot] = i;
-    original[i] = table[slot];
-  }
+  const std::size_t n = points.size();
+  std::vector<std::uint64_t> hash(n);
+  for_each_block(n, surfel_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   for(Index i = Index(begin); i < end; ++i)
+                     for(const double x : key(i))
+                     {
+                       hash[i] = (hash[i] ^ static_cast<std::uint64_t>(x * 0x1p50)) *
+                                 0x9e3779b97f4a7c15ull;
+                       hash[i] ^= hash[i] >> 29;
+                     }
+                 });
+  std::vector<std::size_t> first(parts + 1, 0);
+  for(const std::uint64_t h : hash)
+    ++first[h % parts + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Index> dealt(n), original(n);
+  std::vector<std::size_t> end_of_part = first;
+  for(Index i = 0; i < n; ++i)
+    dealt[end_of_part[hash[i] % parts]++] = i;
+
+  for_each_block(parts, 1, threads,
+                 [&](std::size_t part, std::size_t, std::size_t)
+                 {
+                   std::size_t slots = 16;
+                   while(slots < 2 * (first[part + 1] - first[part]))
+                     slots *= 2;
+                   std::vector<Index> table(slots, none);
+                   for(std::size_t k = first[part]; k < first[part + 1]; ++k)
+                   {
+                     const Index i = dealt[k];
+                     const auto is_same = [&](Index j) {
+                       return hash[j] == hash[i] && key(j) == key(i) &&
+                              dot(normals[j], normals[i]) > cosine;
+                     };
+                     std::size_t slot = hash[i] / parts & (slots - 1);
+                     while(table[slot] != none && !is_same(table[slot]))
+                       slot = (slot + 1) & (slots - 1);
+                     if(table[slot] == none)
+                       table[slot] = i;
+                     original[i] = table[slot];
+                   }
+                 });
   return original;
 }
 
@@ -83,7 +110,7 @@ Sorted_surfels sort_surfels(std::vector<Spatial> points, const std::vector<Spati
   result.frame = frame == nullptr ? own : *frame;
   to_frame(points, result.frame);
   const std::size_t n = points.size();
-  const std::vector<Index> original = originals(points, normals, cosine);
+  const std::vector<Index> original = originals(points, normals, cosine, threads);
   std::vector<Index> place, order;
   place.reserve(n);
   for(Index i = 0; i < n; ++i)
