@@ -17,31 +17,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-Tensor inverse(const Tensor& a)
-{
-  const double determinant = a[0] * a[2] - a[1] * a[1];
-  return {a[2] / determinant, -a[1] / determinant, a[0] / determinant};
-}
-
-bool is_blocked(const Tensor& measure) { return !std::isfinite(measure[0] + measure[2]); }
-
-// Those of the field that is measured, A J: its divergence is that of J, and the length of a function's
-// gradient what it changes by per measured length.  Triangles through which nothing may pass have no area.
-Operators measured_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
-{
-  Operators result = operators(t, Flat_triangles::raised);
-  for(std::size_t f = 0; f < measure.size(); ++f)
-  {
-    const bool blocked = is_blocked(measure[f]);
-    if(blocked)
-      result.area[f] = 0.;
-    for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
-      result.hat[corner] =
-          blocked ? Planar{0., 0.} : product(inverse(measure[f]), result.hat[corner]);
-  }
-  return result;
-}
-
 // Sites of a surface that was refined: those of the coarse one, and middles between two of them.
 std::vector<Index> refined(const Glued_triangles& coarse, const Glued_triangles& fine,
                            const std::vector<Index>& region)
@@ -106,31 +81,6 @@ void check(Transport_region& region)
       throw Invalid_argument_error("A capacity is not positive.");
   if(!(region.spreading_weight >= 0.) || !std::isfinite(region.spreading_weight))
     throw Invalid_argument_error("The weight of spreading is negative or not finite.");
-}
-
-// The means over triangles that were divided; the one in the middle is turned by half.
-Field of_coarse(const Field& fine)
-{
-  Field result(fine.size() / 4);
-  for(std::size_t f = 0; f < result.size(); ++f)
-    result[f] = 0.25 * (fine[4 * f] + fine[4 * f + 1] + fine[4 * f + 2] - fine[4 * f + 3]);
-  return result;
-}
-
-Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& fine,
-                          const Mass_distribution& masses)
-{
-  Mass_distribution result;
-  if(masses.at_sites.size() > 0)
-  {
-    result.at_sites = Vector::Zero(Eigen::Index(fine.number_of_sites()));
-    result.at_sites.head(masses.at_sites.size()) = masses.at_sites;
-  }
-  for(const auto& [location, mass] : masses.at_locations)
-    result.at_locations.emplace_back(refined(location), mass);
-  if(masses.density.size() > 0)
-    result.density = refined(coarse, fine, masses.density);
-  return result;
 }
 
 } // namespace
@@ -339,7 +289,7 @@ Earth_movers_result Earth_movers::move(Mass_distribution masses,
   result.estimate = finest > 0 ? 2. * result.value - before : result.value;
   result.potential.conservativeResize(Eigen::Index(m_levels.front().triangles->number_of_sites()));
   for(std::size_t level = finest; level > 0; --level)
-    result.flow = of_coarse(result.flow);
+    result.flow = coarsened(result.flow);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/Mass_distribution.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/flat_refinement.h>
 
 #include <algorithm>
 #include <array>
@@ -54,6 +55,22 @@ Vector masses_at_sites(const Glued_triangles& t, const std::vector<double>& area
       for(std::size_t k = 0; k < 3; ++k)
         result[corner[k]] += part * (sum + density[corner[k]]);
     }
+  return result;
+}
+
+Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& fine,
+                          const Mass_distribution& masses)
+{
+  Mass_distribution result;
+  if(masses.at_sites.size() > 0)
+  {
+    result.at_sites = Vector::Zero(Eigen::Index(fine.number_of_sites()));
+    result.at_sites.head(masses.at_sites.size()) = masses.at_sites;
+  }
+  for(const auto& [location, mass] : masses.at_locations)
+    result.at_locations.emplace_back(refined(location), mass);
+  if(masses.density.size() > 0)
+    result.density = refined(coarse, fine, masses.density);
   return result;
 }
 

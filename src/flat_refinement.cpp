@@ -137,4 +137,27 @@ Vector refined(const Glued_triangles& coarse, const Glued_triangles& fine, const
   return result;
 }
 
+// The triangle in the middle is turned by half.
+Field coarsened(const Field& fine)
+{
+  Field result(fine.size() / 4);
+  for(std::size_t f = 0; f < result.size(); ++f)
+    result[f] = 0.25 * (fine[4 * f] + fine[4 * f + 1] + fine[4 * f + 2] - fine[4 * f + 3]);
+  return result;
+}
+
+Vector coarsened(const Glued_triangles& coarse, const Glued_triangles& fine, const Vector& masses)
+{
+  Vector result = masses.head(Eigen::Index(coarse.number_of_sites()));
+  Vector rest = masses;
+  for(Index side = 0; side < coarse.corner.size(); ++side)
+  {
+    double& mass = rest[fine.corner[corner_in(side, side % 3, side % 3 + 1)]];
+    for(const Index end : {side, next_side(side)})
+      result[coarse.corner[end]] += 0.5 * mass;
+    mass = 0.; // other sides with this middle have the same ends
+  }
+  return result;
+}
+
 } // namespace CGAL::Geodesic_processing::internal

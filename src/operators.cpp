@@ -38,6 +38,21 @@ Operators operators(const Glued_triangles& triangles, Flat_triangles flat)
   return result;
 }
 
+Operators measured_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
+{
+  Operators result = operators(t, Flat_triangles::raised);
+  for(std::size_t f = 0; f < measure.size(); ++f)
+  {
+    const bool blocked = is_blocked(measure[f]);
+    if(blocked)
+      result.area[f] = 0.;
+    for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
+      result.hat[corner] =
+          blocked ? Planar{0., 0.} : product(inverse(measure[f]), result.hat[corner]);
+  }
+  return result;
+}
+
 void gradient(const Operators& operators, const Vector& function, Field& result)
 {
   result.resize(operators.number_of_triangles());

@@ -14,6 +14,7 @@
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
+#include <CGAL/Geodesic_processing/Transport_barycenter_solver.h>
 #include <CGAL/Geodesic_processing/Transport_metric.h>
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
@@ -40,6 +41,7 @@
 #include <CGAL/Geodesic_processing/surfel_geodesic_path.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 #include <CGAL/Geodesic_processing/tags.h>
+#include <CGAL/Geodesic_processing/transport_barycenter.h>
 #include <CGAL/Geodesic_processing/transport_to_region.h>
 
 #endif // CGAL_GEODESIC_PROCESSING_H

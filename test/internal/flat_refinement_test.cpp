@@ -147,6 +147,31 @@ TEST(flat_refinement, keeps_gradients)
         EXPECT_NEAR((child == 3 ? -2. : 2.) * children[4 * f + child][c], coarse[f][c], 1e-9);
 }
 
+// What is refined and coarsened again is as it was; integrals of linear functions are kept, on clouds as on
+// meshes.
+TEST(flat_refinement, coarsens_fields_and_masses)
+{
+  const Cloud cloud = octahedron_sphere(2);
+  for(const Glued_triangles& t :
+      {Glued_surface(square(4, 0.24)).t(), Glued_surface(torus(8, 6)).t(),
+       glue_surfels(cloud.points, cloud.normals).triangles})
+  {
+    const Glued_triangles fine = refined(t);
+    Vector function(t.number_of_sites()), masses(fine.number_of_sites());
+    for(Eigen::Index i = 0; i < function.size(); ++i)
+      function[i] = std::cos(double(i));
+    for(Eigen::Index i = 0; i < masses.size(); ++i)
+      masses[i] = std::sin(double(i));
+    const Vector coarse = coarsened(t, fine, masses);
+    EXPECT_NEAR(coarse.dot(function), masses.dot(refined(t, fine, function)), 1e-9);
+    EXPECT_NEAR(coarse.sum(), masses.sum(), 1e-9);
+    const Field whole = gradient(operators(t), function);
+    const Field mean = coarsened(gradient(operators(fine), refined(t, fine, function)));
+    for(std::size_t f = 0; f < whole.size(); ++f)
+      EXPECT_LT(norm(2. * mean[f] + (-1.) * whole[f]), 1e-9);
+  }
+}
+
 TEST(flat_refinement, refines_clouds)
 {
   const Cloud cloud = octahedron_sphere(2);

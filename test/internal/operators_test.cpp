@@ -60,6 +60,32 @@ TEST(Operators, differentiate_linear_functions_of_the_plane)
               rounding);
 }
 
+// A gradient is what changes by measured length: half where lengths are twice as long, and nothing where nothing
+// passes.
+TEST(Operators, measure_lengths)
+{
+  const Glued_surface surface(square(6, 0.24));
+  const std::size_t n = surface.t().number_of_triangles();
+  std::vector<Tensor> measure(n, Tensor{2., 0., 2.});
+  measure[7] = {infinity, 0., infinity};
+  const Operators plain = operators(surface.t(), Flat_triangles::raised);
+  const Operators measured = measured_operators(surface.t(), measure);
+  const Vector function = random_function(surface.size(), 1);
+  const Field slope = gradient(plain, function), half = gradient(measured, function);
+  for(std::size_t f = 0; f < n; ++f)
+  {
+    const bool is_open = f != 7;
+    EXPECT_EQ(measured.area[f], is_open ? plain.area[f] : 0.);
+    EXPECT_LT(norm(half[f] + (is_open ? -0.5 : 0.) * slope[f]), rounding);
+  }
+  EXPECT_EQ(measured_operators(surface.t(), {}).area, plain.area);
+  // The inverse of a tensor undoes its product.
+  const Tensor tensor = {3., 1., 2.};
+  const Planar p = product(inverse(tensor), product(tensor, {0.3, -0.7}));
+  EXPECT_NEAR(p[0], 0.3, rounding);
+  EXPECT_NEAR(p[1], -0.7, rounding);
+}
+
 TEST(Operators, know_hat_functions)
 {
   const Glued_surface surface(shaken(icosphere(2), 0.03));

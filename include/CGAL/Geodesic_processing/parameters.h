@@ -188,6 +188,14 @@ enum spreading_weight_t
 {
   spreading_weight
 };
+enum weights_t
+{
+  weights
+};
+enum objective_map_t
+{
+  objective_map
+};
 enum do_normalize_t
 {
   do_normalize
@@ -273,6 +281,8 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, arrival_map_t, arrival_map)                               \
   LINK(Geodesic_processing::internal_np, capacities_t, capacities)                                 \
   LINK(Geodesic_processing::internal_np, spreading_weight_t, spreading_weight)                     \
+  LINK(Geodesic_processing::internal_np, weights_t, weights)                                       \
+  LINK(Geodesic_processing::internal_np, objective_map_t, objective_map)                           \
   LINK(Geodesic_processing::internal_np, do_normalize_t, do_normalize)                             \
   LINK(Geodesic_processing::internal_np, do_bound_from_above_t, do_bound_from_above)               \
   LINK(Geodesic_processing::internal_np, do_start_from_last_t, do_start_from_last)                 \

@@ -28,6 +28,11 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Vector masses_at_sites(const Glued_triangles& triangles, const std::vector<double>& area,
                        const Mass_distribution& masses);
 
+// The same masses on triangles that were divided in four.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& fine,
+                          const Mass_distribution& masses);
+
 // What is to be moved: `to` less `from`, each scaled to a sum of one on request.  Throws
 // Invalid_argument_error when a mass is not finite, the sums differ, or nothing can be scaled.
 CGAL_GEODESIC_PROCESSING_EXPORT

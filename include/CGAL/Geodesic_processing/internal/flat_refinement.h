@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_FLAT_REFINEMENT_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/Sparse_solver.h>
+#include <CGAL/Geodesic_processing/internal/operators.h>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -22,6 +22,15 @@ Location refined(const Location& location);
 // The same function, linear in each triangle: #sites of the coarse triangles to those of the fine ones.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector refined(const Glued_triangles& coarse, const Glued_triangles& fine, const Vector& function);
+
+// The field's means over the triangles that one was divided into.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Field coarsened(const Field& fine);
+
+// Masses at sites of the coarse triangles, those of a middle in equal parts at the ends of its side: the
+// integral of each function that is linear in coarse triangles is the same.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Vector coarsened(const Glued_triangles& coarse, const Glued_triangles& fine, const Vector& masses);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/planar.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -24,6 +25,12 @@ using Tensor = std::array<double, 3>;
 inline Planar product(const Tensor& tensor, const Planar& p)
 {
   return {tensor[0] * p[0] + tensor[1] * p[1], tensor[1] * p[0] + tensor[2] * p[1]};
+}
+
+inline Tensor inverse(const Tensor& a)
+{
+  const double determinant = a[0] * a[2] - a[1] * a[1];
+  return {a[2] / determinant, -a[1] / determinant, a[0] / determinant};
 }
 
 // What becomes of triangles whose height is less than 1e-7 of their shortest side: left out, they have
@@ -51,6 +58,16 @@ struct Operators
 CGAL_GEODESIC_PROCESSING_EXPORT
 Operators operators(const Glued_triangles& triangles,
                     Flat_triangles flat = Flat_triangles::left_out);
+
+// Whether nothing may pass where lengths are measured so.
+inline bool is_blocked(const Tensor& measure) { return !std::isfinite(measure[0] + measure[2]); }
+
+// Where the length of a vector is that of its product with a tensor A, those of the field that is measured,
+// A J: its divergence is that of J, and the length of a function's gradient what it changes by per
+// measured length.  Triangles through which nothing may pass have no area; flat ones are raised.
+// measure: #triangles, or empty: lengths as they are
+CGAL_GEODESIC_PROCESSING_EXPORT
+Operators measured_operators(const Glued_triangles& triangles, const std::vector<Tensor>& measure);
 
 // G: #sites to #triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT

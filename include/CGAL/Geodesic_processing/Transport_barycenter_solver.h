@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H
+#define CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H
+
+#include <CGAL/Geodesic_processing/internal/Barycenters.h>
+#include <CGAL/Geodesic_processing/internal/masses.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingTransport
+/// is what a barycenter costs: the weighted sum of squared distances, in the units of the coordinates and of
+/// the masses, both squared, times that of the weights.
+struct Transport_barycenter_cost
+{
+  double value = 0.; ///< halfway between the bounds
+  double lower = 0.; ///< certified: no masses cost less, also on the surface itself
+  double upper =
+      0.; ///< certified: the masses that were found cost no more, by flows constant in faces
+  std::vector<double>
+      distances; ///< from the barycenter to each of the masses, as flows bound them from above
+  unsigned iterations = 0;
+  /// the largest error of the masses that a flow moves, relative to their sum.
+  double residual = 0.;
+  bool converged = false; ///< whether the bounds are as close as was asked for
+};
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// finds barycenters of masses: those masses, not negative, from which the weighted sum of squared earth
+/// mover's distances to given ones is the least.
+///
+/// Each of the given masses is what `Earth_movers_solver` takes, not negative: a site or a location, which
+/// is a unit mass, a range of these, a property map of masses, or what `mass_density()` makes of one.
+/// All have the same sum, on each component.
+///
+/// That sum of squares is convex, but not strictly: where several masses cost the same, any of them may
+/// be found.  Between two points it is all the masses on shortest paths whose mean distance from both is the
+/// same, from one in the middle to half at either end.  What to rely on is the cost, of which both bounds
+/// are certified as those of `Earth_movers_solver` are; for one point see `geodesic_barycenter()`.
+/// \cgalCite{cgal:srgb-emd-14}, section 6.4
+///
+/// Speeds, metrics, borders and clouds are as for `Earth_movers_solver`.  Copies share what was prepared,
+/// and may compute at the same time.
+///
+/// \tparam Surface as for `geodesic_distances()`, not a domain
+template <typename Surface>
+class Transport_barycenter_solver
+{
+public:
+  using Domain = internal::Domain_of<Surface>;
+  using Site = typename Domain::Site;
+
+  /// prepares the surface: two factorizations.
+  ///
+  /// \param np as for `Earth_movers_solver`, but that surfaces are refined once up to 2,000 vertices or
+  ///        surfels
+  /// \throws as `Earth_movers_solver`
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Transport_barycenter_solver(const Surface& surface,
+                                       const NamedParameters& np = NamedParameters())
+      : Transport_barycenter_solver(Domain(surface, np), np)
+  {}
+  template <typename NamedParameters = internal::Default_parameters>
+  explicit Transport_barycenter_solver(const Domain& domain,
+                                       const NamedParameters& np = NamedParameters())
+      : m_domain(domain), m_kernel(std::make_shared<const internal::Barycenters>(
+                              domain.triangles(),
+                              internal::parameter(np, internal_np::number_of_refinements,
+                                                  domain.number_of_sites() <= 2000 ? 1u : 0u),
+                              internal::measure(domain, np)))
+  {}
+
+  const Domain& domain() const { return m_domain; }
+
+  /// finds the barycenter of masses; what the last call found is forgotten.
+  ///
+  /// \param masses a range, each element masses as above
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{weights}
+  ///     \cgalParamDescription{a range of numbers, one for each of the masses: not negative, not all zero}
+  ///     \cgalParamDefault{1 each} \cgalParamNEnd
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one}
+  ///     \cgalParamDefault{0.01} \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDefault{5,000} \cgalParamNEnd
+  ///   \cgalParamNBegin{do_normalize}
+  ///     \cgalParamDescription{whether to scale each of the masses to a sum of one}
+  ///     \cgalParamDefault{false} \cgalParamNEnd
+  ///   \cgalParamNBegin{do_start_from_last}
+  ///     \cgalParamDescription{whether to start where the last call, for as many masses, ended: for
+  ///       example with other weights} \cgalParamDefault{false} \cgalParamNEnd
+  ///   \cgalParamNBegin{callback}
+  ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and
+  ///       ends by returning false: with the bounds that it has by then} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Invalid_argument_error when there are no masses, one is negative or not finite, a place is
+  ///         none of the surface's, sums differ, as a whole or on a component, or are zero, there are not
+  ///         as many weights as masses, a weight is negative or not finite, all are zero, or the
+  ///         tolerance is not positive
+  ///
+  /// An iteration is O(k n log n) for k masses; to a gap of 1 percent it takes some hundreds.
+  template <typename Masses, typename NamedParameters = internal::Default_parameters>
+  Transport_barycenter_cost compute(const Masses& masses,
+                                    const NamedParameters& np = NamedParameters())
+  {
+    std::vector<internal::Mass_distribution> given;
+    for(const auto& one : masses)
+      given.push_back(internal::masses(m_domain, one));
+    std::vector<double> weights;
+    if constexpr(internal::has_parameter<NamedParameters, internal_np::weights_t>)
+      for(const auto& weight : internal::parameter(np, internal_np::weights, 0))
+        weights.push_back(to_double(weight));
+    else
+      weights.assign(given.size(), 1.);
+
+    internal::Barycenter_options options;
+    options.tolerance = internal::parameter(np, internal_np::tolerance, options.tolerance);
+    options.maximum_iterations =
+        internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
+    options.callback =
+        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+    if(internal::parameter(np, internal_np::do_start_from_last, false))
+      options.start = std::move(m_result.state);
+    m_result = m_kernel->solve(given, weights,
+                               internal::parameter(np, internal_np::do_normalize, false), options);
+    return {m_result.value,      m_result.lower,    m_result.upper,    m_result.distances,
+            m_result.iterations, m_result.residual, m_result.converged};
+  }
+
+  /// returns the barycenter's mass at a site.
+  double mass(Site site) const { return m_result.masses[m_domain.index(site)]; }
+
+  /// writes the barycenter's mass at each site; with that on refined triangles shared by the sites near it.
+  template <typename MassMap>
+  void write_masses(MassMap map) const
+  {
+    m_domain.write([&](internal::Index i) { return m_result.masses[i]; }, map);
+  }
+
+private:
+  Domain m_domain;
+  std::shared_ptr<const internal::Barycenters> m_kernel;
+  internal::Barycenter m_result;
+};
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H

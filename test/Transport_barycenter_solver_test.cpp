@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Transport_barycenter_solver.h>
+
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+#include "openmesh.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+// Of the bounds, by default.
+constexpr double gap = 0.01;
+const double pi = std::acos(-1.);
+
+// The unit square in 12 by 12 cells: vertex 13 * row + column.
+Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
+
+TEST(Transport_barycenter_solver, finds_the_middle_of_two_points)
+{
+  const Mesh mesh = mesh_of(square(12));
+  GP::Transport_barycenter_solver<Mesh> solver(mesh);
+  const std::vector<Vertex> points = {at(1, 2), at(9, 8)};
+  const GP::Transport_barycenter_cost cost = solver.compute(points);
+  const double exact = 0.5 * (std::pow(8. / 12., 2) + std::pow(6. / 12., 2)); // d^2 / 2
+  EXPECT_TRUE(cost.converged);
+  EXPECT_GE(cost.lower, (1. - gap) * cost.upper);
+  EXPECT_LE(cost.lower, exact * (1. + 1e-9));
+  EXPECT_GE(cost.upper, exact * (1. - 1e-9));
+  EXPECT_EQ(cost.value, 0.5 * (cost.lower + cost.upper));
+  EXPECT_LT(cost.residual, 1e-9);
+  ASSERT_EQ(cost.distances.size(), 2u);
+  for(const double distance :
+      cost.distances) // half of d; a cost above by 1 % is 0.1 of that farther
+    EXPECT_NEAR(distance, std::sqrt(0.5 * exact), 0.1 * std::sqrt(0.5 * exact));
+  double sum = 0.;
+  for(const Vertex v : vertices(mesh))
+    sum += solver.mass(v);
+  EXPECT_NEAR(sum, 1., 1e-9);
+  // A weight w of the other costs w / (1 + w) d^2, at that part of the way.
+  const auto cost_for = [&](const auto& weights)
+  { return solver.compute(points, GP::parameters::weights(weights)); };
+  const GP::Transport_barycenter_cost pulled = cost_for(std::vector<double>{1., 3.});
+  EXPECT_LE(pulled.lower, 0.75 * 2. * exact * (1. + 1e-9));
+  EXPECT_GE(pulled.upper, 0.75 * 2. * exact * (1. - 1e-9));
+  EXPECT_EQ(cost_for(std::array<int, 2>{0, 5}).value, 0.);
+  EXPECT_NEAR(solver.mass(points[1]), 1., 1e-9);
+}
+
+TEST(Transport_barycenter_solver, takes_masses_of_all_kinds)
+{
+  Mesh mesh = mesh_of(square(12, 0.2));
+  GP::Transport_barycenter_solver<Mesh> solver(mesh, GP::parameters::number_of_refinements(0u));
+  const std::vector<Vertex> points = {at(2, 2), at(10, 3), at(6, 11)};
+  const double value = solver.compute(points).value;
+  std::vector<Mesh::Property_map<Vertex, double>> maps;
+  std::vector<std::vector<Vertex>> groups;
+  for(const Vertex point : points)
+  {
+    maps.push_back(mesh.add_property_map<Vertex, double>("mass " + std::to_string(point)).first);
+    maps.back()[point] = 2.;
+    groups.push_back({point, point});
+  }
+  EXPECT_NEAR(solver.compute(maps).value, 4. * value, 1e-9 * value);
+  EXPECT_NEAR(solver.compute(maps, GP::parameters::do_normalize(true)).value, value, 1e-9 * value);
+  EXPECT_NEAR(solver.compute(groups).value, value, 1e-9 * value);
+  // Of equal densities what they are.
+  auto density = mesh.add_property_map<Vertex, double>("density", 3.).first;
+  const std::vector<GP::Mass_density<decltype(density)>> same(3, GP::mass_density(density));
+  EXPECT_LT(solver.compute(same).value, 1e-18);
+  double sum = 0.;
+  for(const Vertex v : vertices(mesh))
+    sum += solver.mass(v);
+  EXPECT_NEAR(sum, 3., 1e-9);
+  // A location in a face is a mass at its corners.
+  const std::vector<std::pair<Face, std::array<double, 3>>> places = {
+      location_of(0, {0.2, 0.3, 0.5}), location_of(100, {1., 0., 0.})};
+  EXPECT_TRUE(solver.compute(places).converged);
+}
+
+// The cost of three points on any mesh, of any size.
+template <typename AnyMesh>
+double cost_on_sphere(double scale = 1.)
+{
+  Numbered<AnyMesh> sphere;
+  fill(sphere, scaled(icosphere(2), scale));
+  const std::vector<typename boost::graph_traits<AnyMesh>::vertex_descriptor> points = {
+      sphere.vertices[0], sphere.vertices[50], sphere.vertices[101]};
+  GP::Transport_barycenter_solver<AnyMesh> solver(sphere.mesh);
+  return solver.compute(points).value;
+}
+
+TEST(Transport_barycenter_solver, takes_all_meshes_and_scales)
+{
+  const double value = cost_on_sphere<Mesh>();
+  EXPECT_EQ(cost_on_sphere<CGAL::Polyhedron_3<Kernel>>(), value);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  EXPECT_NEAR(cost_on_sphere<OpenMesh::TriMesh_ArrayKernelT<>>(), value, 1e-4); // single precision
+#endif
+  for(const double scale : {1e-6, 1e6})
+    EXPECT_NEAR(cost_on_sphere<Mesh>(scale), scale * scale * value, 1e-6 * scale * scale);
+}
+
+TEST(Transport_barycenter_solver, loses_less_when_refined)
+{
+  const Mesh mesh = mesh_of(shaken(icosphere(2), 0.05));
+  const std::vector<Vertex> points = {Vertex(0), Vertex(101)};
+  const auto value = [&](unsigned refinements)
+  {
+    GP::Transport_barycenter_solver<Mesh> solver(
+        mesh, GP::parameters::number_of_refinements(refinements));
+    const auto cost = solver.compute(points, GP::parameters::tolerance(1e-3));
+    double sum = 0.;
+    for(const Vertex v : vertices(mesh))
+      sum += solver.mass(v);
+    EXPECT_NEAR(sum, 1., 1e-9);
+    return cost.value;
+  };
+  GP::Earth_movers_solver<Mesh> distances(mesh, GP::parameters::number_of_refinements(3u));
+  const double distance = distances.compute(points[0], points[1]).estimate;
+  const double exact = 0.5 * distance * distance;
+  EXPECT_LT(value(0), value(1)); // by much more than the gap
+  EXPECT_LT(value(1), exact);
+  EXPECT_NEAR(value(1), exact, 0.01 * exact);
+}
+
+TEST(Transport_barycenter_solver, takes_clouds)
+{
+  const Surfels surfels = sphere_surfels(4);
+  CGAL::Point_set_3<Kernel::Point_3> cloud(true);
+  for(const auto& [point, normal] : surfels)
+    cloud.insert(point, normal);
+  using Index = CGAL::Point_set_3<Kernel::Point_3>::Index;
+  GP::Transport_barycenter_solver<CGAL::Point_set_3<Kernel::Point_3>> solver(cloud);
+  const auto cost = solver.compute(std::vector<Index>{Index(0), Index(700)});
+  EXPECT_TRUE(cost.converged);
+  const auto p = cloud.point(Index(0)), q = cloud.point(Index(700));
+  const double d = std::acos((p - CGAL::ORIGIN) * (q - CGAL::ORIGIN));
+  // Each distance is short by up to half a percent there, its square by up to one.
+  EXPECT_NEAR(cost.value, 0.5 * d * d, 0.5 * d * d * (0.5 * gap + 0.01));
+  double sum = 0.;
+  for(const Index& i : cloud)
+    sum += solver.mass(i);
+  EXPECT_NEAR(sum, 1., 1e-9);
+}
+
+// Twice as fast is half as far, and a wall is gone around.
+TEST(Transport_barycenter_solver, takes_speeds)
+{
+  Mesh mesh = mesh_of(square(12));
+  const std::vector<Vertex> points = {at(2, 6), at(10, 6)};
+  auto speed = mesh.add_property_map<Face, double>("speed", 2.).first;
+  const auto value = [&]
+  {
+    return GP::Transport_barycenter_solver<Mesh>(mesh, GP::parameters::speed_map(speed))
+        .compute(points)
+        .value;
+  };
+  const double exact = 0.25 * 0.5 * std::pow(8. / 12., 2);
+  EXPECT_NEAR(value(), exact, gap * exact);
+  for(const Face f : faces(mesh)) // but for the upper sixth
+  {
+    const auto h = mesh.halfedge(f);
+    const auto c = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                  mesh.point(mesh.target(mesh.next(h))));
+    if(c.x() > 0.5 && c.x() < 7. / 12. && c.y() < 10. / 12.)
+      speed[f] = 0.;
+  }
+  const double way = std::hypot(4., 4.) + 1. + std::hypot(3., 4.); // around the wall's corners
+  const double around = 0.25 * 0.5 * std::pow(way / 12., 2);
+  EXPECT_NEAR(value(), around, 0.02 * around); // at corners a part of a side is lost
+}
+
+TEST(Transport_barycenter_solver, goes_on_and_can_be_cancelled)
+{
+  const Mesh mesh = mesh_of(icosphere(3));
+  const std::vector<Vertex> points = {Vertex(0), Vertex(200), Vertex(300)};
+  GP::Transport_barycenter_solver<Mesh> solver(mesh);
+  const auto cost = solver.compute(points);
+  const auto again = solver.compute(points, GP::parameters::do_start_from_last(true));
+  EXPECT_LT(again.iterations, cost.iterations);
+  EXPECT_TRUE(again.converged);
+  EXPECT_THROW(
+      solver.compute(std::vector<Vertex>{Vertex(0)}, GP::parameters::do_start_from_last(true)),
+      GP::Invalid_argument_error);
+  const auto cancelled = solver.compute(
+      points, GP::parameters::callback(std::function<bool(double)>([](double) { return false; })));
+  EXPECT_FALSE(cancelled.converged);
+  EXPECT_EQ(cancelled.iterations, 0u);
+  EXPECT_LE(cancelled.lower, cost.upper);
+  EXPECT_GE(cancelled.upper, cost.lower);
+  const auto few = solver.compute(points, GP::parameters::maximum_number_of_iterations(10u));
+  EXPECT_EQ(few.iterations, 10u);
+  EXPECT_FALSE(few.converged);
+}
+
+TEST(Transport_barycenter_solver, refuses_what_has_no_barycenter)
+{
+  Mesh mesh = mesh_of(tetrahedron());
+  GP::Transport_barycenter_solver<Mesh> solver(mesh);
+  const std::vector<Vertex> points = {Vertex(0), Vertex(1)};
+  using Error = GP::Invalid_argument_error;
+  const auto refuses = [&](const auto& masses, const auto& np)
+  { EXPECT_THROW(solver.compute(masses, np), Error); };
+  const auto no = GP::parameters::tolerance(0.01);
+  refuses(std::vector<Vertex>{}, no);
+  refuses(std::vector<Vertex>{Vertex(0), Vertex(4)}, no);
+  refuses(std::vector<std::vector<Vertex>>{{Vertex(0)}, {}}, no);
+  refuses(points, GP::parameters::tolerance(0.));
+  for(const auto& weights : std::vector<std::vector<double>>{{1.},
+                                                             {1., 2., 3.},
+                                                             {1., -1.},
+                                                             {0., 0.},
+                                                             {1., std::nan("")},
+                                                             {1., GP::internal::infinity}})
+    refuses(points, GP::parameters::weights(weights));
+  auto one = vertex_map(mesh), other = vertex_map(mesh);
+  const std::vector<decltype(one)> both = {one, other};
+  const auto refuses_mass = [&](double first, double second, bool do_normalize)
+  {
+    one[Vertex(0)] = first;
+    other[Vertex(1)] = second;
+    refuses(both, GP::parameters::do_normalize(do_normalize));
+  };
+  refuses_mass(1., 2., false);
+  refuses_mass(0., 0., false);
+  refuses_mass(0., 1., true);
+  refuses_mass(-1., -1., true);
+  refuses_mass(std::nan(""), 1., false);
+  refuses_mass(std::nan(""), 1., true);
+  refuses_mass(std::numeric_limits<double>::infinity(), 1., true);
+}
+
+} // namespace

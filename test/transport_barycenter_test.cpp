@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/transport_barycenter.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+TEST(Transport_barycenter, says_what_the_solver_says)
+{
+  Mesh mesh = mesh_of(square(8, 0.24));
+  const std::vector<Vertex> points = {Vertex(0), Vertex(8), Vertex(76)};
+  auto masses = vertex_map(mesh);
+  const std::vector<double> weights = {1., 2., 3.};
+  const auto np = GP::parameters::weights(weights).number_of_refinements(0u);
+  const GP::Transport_barycenter_cost cost = GP::transport_barycenter(mesh, points, masses, np);
+  GP::Transport_barycenter_solver<Mesh> solver(mesh, np);
+  EXPECT_EQ(solver.compute(points, np).value, cost.value);
+  EXPECT_GT(cost.value, 0.);
+  double sum = 0.;
+  for(const Vertex v : vertices(mesh))
+  {
+    EXPECT_EQ(masses[v], solver.mass(v));
+    EXPECT_GE(masses[v], 0.);
+    sum += masses[v];
+  }
+  EXPECT_NEAR(sum, 1., 1e-9);
+  const auto domain = GP::make_domain(mesh);
+  EXPECT_EQ(GP::transport_barycenter(domain, points, masses, np).value, cost.value);
+}
+
+} // namespace
