@@ -290,20 +290,25 @@ Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::mov
   m_damped = std::make_unique<Sparse_solver>(damped, Elimination::sparse);
 }
 
+void check_weights(const std::vector<double>& weights, std::size_t number)
+{
+  if(weights.size() != number)
+    throw Invalid_argument_error("There are " + std::to_string(weights.size()) + " weights for " +
+                                 std::to_string(number) + " of what they weigh.");
+  for(const double weight : weights)
+    if(!(weight >= 0. && std::isfinite(weight)))
+      throw Invalid_argument_error("A weight is " + std::to_string(weight) +
+                                   ", not a number from zero on.");
+  if(std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.; }))
+    throw Invalid_argument_error("All weights are zero.");
+}
+
 void Barycenter_solver::check(const std::vector<Vector>& masses,
                               const std::vector<double>& weights) const
 {
   if(masses.empty())
     throw Invalid_argument_error("There are no masses to find the barycenter of.");
-  if(weights.size() != masses.size())
-    throw Invalid_argument_error("There are " + std::to_string(weights.size()) + " weights for " +
-                                 std::to_string(masses.size()) + " masses.");
-  for(const double weight : weights)
-    if(!(weight >= 0. && std::isfinite(weight)))
-      throw Invalid_argument_error("A weight is " + std::to_string(weight) +
-                                   ", not a number from zero on.");
-  if(!(*std::max_element(weights.begin(), weights.end()) > 0.))
-    throw Invalid_argument_error("All weights are zero.");
+  check_weights(weights, masses.size());
   std::vector<double> first;
   for(const Vector& one : masses)
   {

@@ -24,6 +24,7 @@
 #include <CGAL/Geodesic_processing/exponential_map.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/feature_distance.h>
+#include <CGAL/Geodesic_processing/geodesic_barycenter.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>

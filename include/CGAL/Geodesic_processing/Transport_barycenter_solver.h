@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/Barycenters.h>
 #include <CGAL/Geodesic_processing/internal/masses.h>
+#include <CGAL/Geodesic_processing/internal/weights.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
@@ -45,7 +46,7 @@ struct Transport_barycenter_cost
 /// be found.  Between two points it is all the masses on shortest paths whose mean distance from both is the
 /// same, from one in the middle to half at either end.  What to rely on is the cost, of which both bounds
 /// are certified as those of `Earth_movers_solver` are; for one point see `geodesic_barycenter()`.
-/// \cgalCite{cgal:srgb-emd-14}, section 6.4
+/// \cgalCite{cgal:srgb-emd-14}
 ///
 /// Speeds, metrics, borders and clouds are as for `Earth_movers_solver`.  Copies share what was prepared,
 /// and may compute at the same time.
@@ -115,13 +116,6 @@ public:
     std::vector<internal::Mass_distribution> given;
     for(const auto& one : masses)
       given.push_back(internal::masses(m_domain, one));
-    std::vector<double> weights;
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::weights_t>)
-      for(const auto& weight : internal::parameter(np, internal_np::weights, 0))
-        weights.push_back(to_double(weight));
-    else
-      weights.assign(given.size(), 1.);
-
     internal::Barycenter_options options;
     options.tolerance = internal::parameter(np, internal_np::tolerance, options.tolerance);
     options.maximum_iterations =
@@ -130,7 +124,7 @@ public:
         internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
     if(internal::parameter(np, internal_np::do_start_from_last, false))
       options.start = std::move(m_result.state);
-    m_result = m_kernel->solve(given, weights,
+    m_result = m_kernel->solve(given, internal::weights(np, given.size()),
                                internal::parameter(np, internal_np::do_normalize, false), options);
     return {m_result.value,      m_result.lower,    m_result.upper,    m_result.distances,
             m_result.iterations, m_result.residual, m_result.converged};

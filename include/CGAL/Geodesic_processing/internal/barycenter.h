@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/operators.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -42,8 +43,13 @@ struct Barycenter
   Barycenter_state state; // where the iteration ended
 };
 
+// Throws Invalid_argument_error when there are not as many weights, one is negative or not finite, or all are
+// zero.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void check_weights(const std::vector<double>& weights, std::size_t number);
+
 // The barycenter of masses m_i, with weights w_i: the masses m >= 0 that minimize the sum of w_i W(m, m_i)^2,
-// W the earth mover's distance (Solomon, Rustamov, Guibas and Butscher 2014, section 6.4):
+// W the earth mover's distance (Solomon, Rustamov, Guibas and Butscher 2014):
 //   minimize the sum of w_i (integral of |J_i|)^2 where divergence(J_i) = m_i - m for all i.
 //
 // Both bounds are certified.  Any such m and J_i are an upper one.  As W^2 is the largest of
