@@ -17,7 +17,9 @@ Barycenters::Barycenters(std::shared_ptr<const Glued_triangles> triangles, unsig
 {
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
     throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
-  m_levels.push_back({triangles, measured_operators(*triangles, measure).area});
+  const Operators whole = measured_operators(*triangles, measure);
+  m_site_areas = triangles->scale * triangles->scale * lumped_mass(whole);
+  m_levels.push_back({triangles, whole.area});
   for(unsigned level = 0; level < refinements; ++level)
   {
     triangles = std::make_shared<const Glued_triangles>(refined(*triangles));

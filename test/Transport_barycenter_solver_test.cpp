@@ -81,10 +81,15 @@ TEST(Transport_barycenter_solver, takes_masses_of_all_kinds)
   auto density = mesh.add_property_map<Vertex, double>("density", 3.).first;
   const std::vector<GP::Mass_density<decltype(density)>> same(3, GP::mass_density(density));
   EXPECT_LT(solver.compute(same).value, 1e-18);
+  auto found = mesh.add_property_map<Vertex, double>("found").first;
+  solver.write_density(found);
   double sum = 0.;
   for(const Vertex v : vertices(mesh))
+  {
     sum += solver.mass(v);
-  EXPECT_NEAR(sum, 3., 1e-9);
+    EXPECT_NEAR(found[v], 3., 1e-9);
+  }
+  EXPECT_NEAR(sum, 3., 1e-9); // the square has an area of one
   // A location in a face is a mass at its corners.
   const std::vector<std::pair<Face, std::array<double, 3>>> places = {
       location_of(0, {0.2, 0.3, 0.5}), location_of(100, {1., 0., 0.})};

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
-# surfels, logmap, decal, matrix, emd and feature-distance.  Whatever is in a file, the program ends with 0,
+# surfels, logmap, decal, matrix, emd, barycenter and feature-distance.  Whatever is in a file, the program ends with 0,
 # or with 2 and one sentence, in time, without a NaN.
 set -u
 
@@ -61,6 +61,7 @@ check_all()
   check "$file" path --from 0 --to 1 --method exact || failed=1
   check "$file" matrix --number 5 --method exact || failed=1
   check "$file" emd --from 0 --to 1 || failed=1
+  check "$file" barycenter --points 0,1 || failed=1
   check "$file" feature-distance --feature 0 || failed=1
   check "$file" matrix --number 5 --method spectral || failed=1
   return $failed

@@ -23,6 +23,7 @@ void add_remesh(CLI::App& program);
 void add_surfels(CLI::App& program);
 void add_emd(CLI::App& program);
 void add_plan(CLI::App& program);
+void add_barycenter(CLI::App& program);
 void add_feature_distance(CLI::App& program);
 
 } // namespace program

@@ -58,6 +58,7 @@ int run(int argc, char** argv)
   add_surfels(program);
   add_emd(program);
   add_plan(program);
+  add_barycenter(program);
   add_feature_distance(program);
   try
   {

@@ -90,6 +90,7 @@ all_of_a_file()
   attempt "$file" $limit matrix --number 5 --method spectral || failed=1
   attempt "$file" $limit emd --from 0 --to 1,2 --tolerance 0.01 || failed=1
   attempt "$file" $limit plan --from 0 --to 1,2 --tolerance 0.01 || failed=1
+  attempt "$file" $limit barycenter --points 0,1,2 --tolerance 0.1 || failed=1
   attempt "$file" $limit voronoi --number 10 || failed=1
   attempt "$file" $limit voronoi --seeds 0,1 || failed=1
   attempt "$file" $limit sample --number 30 || failed=1

@@ -339,6 +339,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
               {"value", "lower", "upper", "estimate", "iterations", "residual", "converged"});
   expect_keys("plan square.ply --from 0 --to 80,8",
               {"value", "lower", "upper", "iterations", "residual", "converged", "arrivals"});
+  expect_keys("barycenter square.ply --points 0,80",
+              {"value", "lower", "upper", "iterations", "residual", "converged", "distances",
+               "point", "point_value"});
   expect_keys(
       "feature-distance square.ply --feature 0",
       {"max", "unreached", "value", "lower", "upper", "iterations", "residual", "converged"});
@@ -519,6 +522,38 @@ TEST_F(Program, plan_moves_masses_to_a_region)
   expect_failure("plan square.ply --from 0 --to 81", 2, "81");
   expect_failure("plan square.ply --from 0 --to nothing", 2, "nothing");
   expect_failure("plan cloud.xyz --from 0 --to 11 --hodge", 2, "need a mesh");
+}
+
+TEST_F(Program, barycenter_is_between_masses)
+{
+  // Of two opposite corners, a root of two apart.
+  const nlohmann::json two = json("barycenter square.ply --points 0,80 --values b.txt -o b.ply");
+  EXPECT_NEAR(two["value"].get<double>(), 1., 0.01); // the gap
+  EXPECT_EQ(two["point"], 40);
+  EXPECT_NEAR(two["point_value"].get<double>(), 1., 1e-9);
+  const std::string ply = content(m_folder / "b.ply");
+  for(const char* const field : {"mass", "density"})
+    EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
+  // What was found is as far from both, and in the middle between itself and itself.
+  EXPECT_NEAR(json("emd b.ply --from mass --to 0 --normalize")["value"].get<double>(),
+              std::sqrt(0.5), 0.08);
+  EXPECT_LT(json("barycenter b.ply --of mass --of b.txt")["value"], 1e-12);
+  EXPECT_LT(json("barycenter b.ply --of density --of density --density")["value"], 1e-12);
+  EXPECT_FALSE(json("barycenter b.ply --of 0,80 --of 8 --normalize").contains("point"));
+  // All weight on one.
+  const nlohmann::json one =
+      json("barycenter square.ply --points 0,80,8 --weight 0 --weight 0 --weight 2");
+  EXPECT_EQ(one["value"], 0.);
+  EXPECT_EQ(one["point"], 8);
+  EXPECT_NEAR(json("barycenter cloud.xyz --points 0,11")["value"].get<double>(), 0.5, 0.02);
+
+  expect_failure("barycenter square.ply", 1, "--of");
+  expect_failure("barycenter square.ply --points 0,81", 2, "81");
+  expect_failure("barycenter square.ply --of nothing", 2, "nothing");
+  expect_failure("barycenter square.ply --points 0,80 --weight 1", 1, "--weight");
+  expect_failure("barycenter square.ply --points 0,80 --weight 1 --weight -1", 2, "weight");
+  expect_failure("barycenter square.ply --points 0,80 --density", 1, "--density");
+  expect_failure("barycenter square.ply --points 0,80 --tolerance 0", 1, "--tolerance");
 }
 
 TEST_F(Program, feature_distance_is_from_all_of_a_feature)

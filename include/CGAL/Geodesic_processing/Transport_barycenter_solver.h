@@ -140,6 +140,16 @@ public:
     m_domain.write([&](internal::Index i) { return m_result.masses[i]; }, map);
   }
 
+  /// writes the barycenter's mass per area around each site, as far as masses may move there; zero where
+  /// there is no mass, infinity where there is no area.
+  template <typename DensityMap>
+  void write_density(DensityMap map) const
+  {
+    const auto density = [&](internal::Index i)
+    { return m_result.masses[i] > 0. ? m_result.masses[i] / m_kernel->site_areas()[i] : 0.; };
+    m_domain.write(density, map);
+  }
+
 private:
   Domain m_domain;
   std::shared_ptr<const internal::Barycenters> m_kernel;

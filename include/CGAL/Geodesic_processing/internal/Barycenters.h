@@ -28,6 +28,9 @@ public:
   Barycenter solve(const std::vector<Mass_distribution>& masses, const std::vector<double>& weights,
                    bool do_normalize = false, const Barycenter_options& options = {}) const;
 
+  // #sites: the area whose masses are theirs, in the square of the caller's unit.
+  const Vector& site_areas() const { return m_site_areas; }
+
 private:
   struct Level
   {
@@ -36,6 +39,7 @@ private:
   };
 
   std::vector<Level> m_levels; // the finest last
+  Vector m_site_areas;
   std::unique_ptr<Barycenter_solver> m_solver;
 };
 

@@ -17,6 +17,7 @@ struct Barycenter_state
 {
   std::vector<Field> short_flows, excesses; // #masses; empty: from the weighted mean of the masses
   Vector masses, mass_excess;               // #sites
+  double factor = 0.; // of the integral of a flow's length: by how much vectors get shorter
 };
 
 struct Barycenter_options
