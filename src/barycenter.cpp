@@ -25,7 +25,7 @@ constexpr unsigned steps_at_once = 10;
 constexpr double threshold_factor = 20.;
 
 // After how many looks thresholds may change, and after which no more.
-constexpr unsigned looks_between_changes = 4, last_change = 16;
+constexpr unsigned looks_between_changes = 16, last_change = 64;
 
 // Of the area.  From a third to twice of it makes no difference, ten times and a tenth some.
 constexpr double stiffness_factor = 1e-3;
@@ -172,7 +172,7 @@ private:
     mass_excess = beyond - m;
   }
 
-  // The smaller triangles are, the stronger flows between points: thresholds should be half of what their
+  // The smaller triangles are, the stronger flows between points: thresholds should be a third of what their
   // vectors are in the mean, each as often as it carries mass.  At 40,000 vertices that saves half of the steps.
   void strengthen()
   {
@@ -185,7 +185,7 @@ private:
         strength += m_weights[i] * inner_product(m_operators, flow, flow) / length;
       threshold += m_weights[i] * m_threshold[i];
     }
-    const double change = threshold > 0. ? std::clamp(0.5 * strength / threshold, 1., 4.) : 1.;
+    const double change = threshold > 0. ? std::clamp(strength / (3. * threshold), 1., 4.) : 1.;
     m_state.factor *= change;
     m_state.mass_excess *= change;
     for(Field& excess : m_state.excesses)

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Barycenters of masses at points: what they cost after 250 steps, where those of two points lie, and
+// those of some in the plane.  One thread.  --quick: meshes of some thousand vertices.
+#include "models.h"
+#include "report.h"
+
+#include <CGAL/Geodesic_processing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace benchmarks;
+
+struct Model
+{
+  std::string name;
+  Mesh mesh;
+};
+
+std::vector<Vertex> some_vertices(const Mesh& mesh, std::size_t number, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<Mesh::size_type> any(0, mesh.number_of_vertices() - 1);
+  std::vector<Vertex> result;
+  while(result.size() < number)
+    if(const Vertex v(any(random)); !mesh.is_isolated(v))
+      result.push_back(v);
+  return result;
+}
+
+std::string percent(double part, int decimals) { return number(100. * part, decimals); }
+
+// After 250 steps, and after 4,000; then as long as to a gap of one percent.
+void in_250_steps(const std::vector<Model>& models)
+{
+  Table table({"points on", "vertices", "number", "set-up, s", "250 steps, s", "above, %", "gap, %",
+               "gap of 4,000, %", "to 1 %: steps", "s"});
+  for(const auto& [name, mesh] : models)
+    for(const std::size_t k : {3u, 6u})
+    {
+      const bool is_large = mesh.number_of_vertices() > 5000;
+      if(is_large && k == 6)
+        continue;
+      const std::vector<Vertex> points = some_vertices(mesh, k, 1);
+      std::unique_ptr<GP::Transport_barycenter_solver<Mesh>> solver;
+      const auto domain = GP::make_domain(mesh);
+      const double setup = seconds(
+          [&]
+          {
+            solver = std::make_unique<GP::Transport_barycenter_solver<Mesh>>(
+                domain, GP::parameters::number_of_refinements(0u));
+          });
+      const auto steps = [&](unsigned most, double tolerance)
+      {
+        return solver->compute(
+            points, GP::parameters::maximum_number_of_iterations(most).tolerance(tolerance));
+      };
+      GP::Transport_barycenter_cost quick, percent_cost;
+      const double time = seconds([&] { quick = steps(250, 1e-6); });
+      const double percent_time = seconds([&] { percent_cost = steps(4000, 0.01); });
+      const GP::Transport_barycenter_cost patient = is_large ? percent_cost : steps(4000, 1e-6);
+      const auto gap = [](const GP::Transport_barycenter_cost& cost)
+      { return percent(1. - cost.lower / cost.upper, 2); };
+      table.add({name, std::to_string(mesh.number_of_vertices()), std::to_string(k),
+                 number(setup, 2), number(time, 2),
+                 is_large ? "-" : percent(quick.upper / patient.upper - 1., 3), gap(quick),
+                 is_large ? "-" : gap(patient), std::to_string(percent_cost.iterations),
+                 number(percent_time, 2)});
+    }
+  table.print();
+}
+
+// At a distance d: half of its square, in the middle of the geodesic.
+void between_two(const std::vector<Model>& models)
+{
+  Table table({"two points on", "vertices", "edges apart", "cost / (d^2/2) - 1, %",
+               "half at both, %", "at one site, %", "mass within 3 edges, %", "mean position"});
+  for(const auto& [name, mesh] : models)
+  {
+    if(mesh.number_of_vertices() > 5000)
+      continue;
+    const double edge = mean_edge(mesh);
+    GP::Transport_barycenter_solver<Mesh> solver(mesh);
+    GP::Earth_movers_solver<Mesh> distances(mesh);
+    for(unsigned seed = 1; seed <= 3; ++seed)
+    {
+      const std::vector<Vertex> points = some_vertices(mesh, 2, 10 + seed);
+      GP::Geodesic_distance_solver<Mesh, GP::Exact> from(mesh), to(mesh), near(mesh);
+      from.compute(points[0]);
+      to.compute(points[1]);
+      const double d = from.distance(points[1]), exact = 0.5 * d * d;
+      near.compute(GP::Source<Mesh>(from.path(points[1]).locations));
+      const GP::Transport_barycenter_cost cost =
+          solver.compute(points, GP::parameters::tolerance(2e-3));
+      const auto costs = [&](const auto& masses)
+      {
+        double result = 0.;
+        for(const Vertex point : points)
+          result += std::pow(distances.compute(masses, point).value, 2);
+        return percent(result / exact - 1., 2);
+      };
+      double inside = 0., position = 0.;
+      for(const Vertex v : mesh.vertices())
+      {
+        const double mass = solver.mass(v), a = from.distance(v), b = to.distance(v);
+        inside += near.distance(v) <= 3. * edge ? mass : 0.;
+        position += mass > 0. ? mass * a / (a + b) : 0.;
+      }
+      const Vertex middle = GP::geodesic_barycenter<GP::Exact>(mesh, points).site;
+      table.add({name, std::to_string(mesh.number_of_vertices()), number(d / edge, 0),
+                 percent(cost.value / exact - 1., 2), costs(points), costs(middle),
+                 percent(inside, 1), number(position, 3)});
+    }
+  }
+  table.print();
+}
+
+// Of a convex domain: the squared distances from the centroid.
+void in_the_plane(std::size_t n)
+{
+  const Mesh mesh = jittered_square(n);
+  GP::Transport_barycenter_solver<Mesh> solver(mesh);
+  Table table({"points in a square", "vertices", "cost / centroid's - 1, %", "steps"});
+  for(const std::size_t k : {2u, 3u, 4u, 5u, 6u})
+  {
+    const std::vector<Vertex> points = some_vertices(mesh, k, 100 + unsigned(k));
+    double x = 0., y = 0., exact = 0.;
+    for(const Vertex v : points)
+    {
+      x += mesh.point(v).x() / double(k);
+      y += mesh.point(v).y() / double(k);
+    }
+    for(const Vertex v : points)
+      exact += std::pow(mesh.point(v).x() - x, 2) + std::pow(mesh.point(v).y() - y, 2);
+    const GP::Transport_barycenter_cost cost =
+        solver.compute(points, GP::parameters::tolerance(5e-3));
+    table.add({std::to_string(k), std::to_string(mesh.number_of_vertices()),
+               percent(cost.value / exact - 1., 2), std::to_string(cost.iterations)});
+  }
+  table.print();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const bool is_quick = argc > 1 && std::string(argv[1]) == "--quick";
+  std::vector<Model> models = {{"sphere", icosphere(4)}};
+  std::vector<std::string> names = {"rotor_2k4", "cow_2k9", "elephant_2k8", "triceratops_2k8"};
+  if(!is_quick)
+    names.insert(names.end(), {"kitten_9k", "bunny_37k"});
+  for(const std::string& name : names)
+    if(const auto mesh = model(name))
+      models.push_back({name, *mesh});
+  in_250_steps(models);
+  between_two(models);
+  in_the_plane(50);
+}
