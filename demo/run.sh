@@ -218,6 +218,8 @@ picture emd-feet "From four feet to the tip of the trunk." \
   emd "$small" --from 1766,2200,2278,2552 --to 691
 picture emd "From three places to three others: what moves, and the potential that proves the least work." \
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
+picture barycenter "Which vertex has the least sum of squared distances to four feet and the tip of the trunk?" \
+  barycenter "$small" --points 691,1766,2200,2278,2552
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
 picture feature "How far is everything from four places, by one transport?" \
   feature-distance "$animal" --feature 0,100,2000,9000
@@ -264,6 +266,7 @@ property=graticule program flat_globe $build/flat_globe.ply
 program from_spectral_to_geodesic "$small" 100 $build/from_spectral_to_geodesic.ply
 program noise_and_bending "$small" 100 $build/noise_and_bending.ply
 property=detour program detours "$small" 100 1500 $build/detours.ply
+property=density program between_six "$runner" $build/between_six.ply
 property=none program parts_of_a_flow "$small" 100 1200 $build/parts_of_a_flow.ply
 as=parts_in_a_maze property=none program parts_of_a_flow $models/maze.ply 804 3 1223 \
   $build/parts_in_a_maze.ply

@@ -6,6 +6,9 @@
 #include "errors.h"
 #include "transports.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace program {
 
 namespace {
@@ -23,7 +26,9 @@ struct Barycenter_result
   std::vector<double> masses, density; // #vertices
   std::optional<std::size_t> point;    // of points alone: the one of least squared distances
   double point_value = 0.;
-  std::vector<std::uint32_t> triangles; // of a cloud
+  std::vector<double> objective;             // #vertices: those squares, of points alone
+  std::vector<std::vector<Point>> ways = {}; // from that point to all, for a picture
+  std::vector<std::uint32_t> triangles;      // of a cloud
 };
 
 // The library's part.
@@ -48,20 +53,32 @@ Barycenter_result find_barycenter(const Surface_type& surface, const std::vector
 
   std::optional<GP::Transport_barycenter_solver<Surface_type>> solver;
   Barycenter_result result;
-  with_preparation<Site>(domain, options, job,
-                         [&](const auto& np)
-                         {
-                           solver.emplace(domain, np);
-                           if(points.size() != masses.size())
-                             return;
-                           std::vector<Site> sites;
-                           for(const std::size_t vertex : points)
-                             sites.push_back(site<Surface_type>(vertex));
-                           const auto found =
-                               GP::geodesic_barycenter(domain, sites, np.weights(weights));
-                           result.point = static_cast<std::size_t>(found.site);
-                           result.point_value = found.value;
-                         });
+  with_preparation<Site>(
+      domain, options, job,
+      [&](const auto& np)
+      {
+        solver.emplace(domain, np);
+        if(points.size() != masses.size())
+          return;
+        std::vector<Site> sites;
+        for(const std::size_t vertex : points)
+          sites.push_back(site<Surface_type>(vertex));
+        result.objective.resize(job.surface().file.points.size());
+        const auto found = GP::geodesic_barycenter(
+            domain, sites, np.weights(weights).objective_map(Value_map<Site>{&result.objective}));
+        result.point = static_cast<std::size_t>(found.site);
+        result.point_value = found.value;
+        if(job.picture().empty())
+          return;
+        GP::Geodesic_distance_solver<Surface_type> from(domain);
+        from.compute(found.site, np);
+        for(const Site& site : sites)
+        {
+          result.ways.emplace_back();
+          for(const auto& p : from.path(site).points)
+            result.ways.back().push_back({p.x(), p.y(), p.z()});
+        }
+      });
   job.stage("query");
   const auto np = GP::parameters::tolerance(options.tolerance)
                       .do_normalize(options.normalize)
@@ -128,8 +145,22 @@ void run_barycenter(Job& job, const Barycenter_options& options)
     for(const Masses& one : masses)
       for(const std::size_t vertex : one.vertices)
         marked.push_back(surface.file.points[vertex]);
-    draw(job.picture(),
-         {&surface.file, found.density, "mass per area", {}, {}, marked, found.triangles});
+    Picture picture{&surface.file};
+    picture.values = found.point ? found.objective : found.density;
+    picture.title = found.point ? "squared distances" : "mass per area";
+    picture.polylines = found.ways;
+    picture.markers = marked;
+    picture.triangles = found.triangles;
+    // To be seen: from the highest mass on, as far as half of it.
+    std::vector<std::size_t> order(found.masses.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return found.masses[i] > found.masses[j]; });
+    const double half = 0.5 * std::accumulate(found.masses.begin(), found.masses.end(), 0.);
+    double sum = 0.;
+    for(std::size_t i = 0; i < order.size() && sum < half; sum += found.masses[order[i++]])
+      picture.places.push_back(surface.file.points[order[i]]);
+    draw(job.picture(), picture);
   }
   if(!job.output().empty())
   {

@@ -19,6 +19,7 @@
 #   transport_family  only this one
 #   transport_claims  only this one
 #   regions      only this one
+#   barycenters  only this one
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -36,6 +37,11 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds transport_family transport_claims regions)
+    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal | transport | transport_bounds | transport_family | transport_claims | barycenters) programs+=("$argument") ;;
+    *) sed -n '5,23s/^# \{0,1\}//p' "$0"; exit 1 ;;
+  esac
+done
+[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds transport_family transport_claims barycenters)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
