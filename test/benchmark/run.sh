@@ -6,20 +6,7 @@
 # Takes about forty minutes; best with nothing else running.
 #   --quick      small meshes only, a minute
 #   --patient    CGAL's exact distances also where they take minutes
-#   accuracy     only this one
-#   speed        only this one
-#   exact        only this one
-#   sampling     only this one
-#   remeshing    only this one
-#   surfels      only this one
-#   logmap       only this one
-#   decal        only this one
-#   transport    only this one
-#   transport_bounds  only this one
-#   transport_family  only this one
-#   transport_claims  only this one
-#   regions      only this one
-#   barycenters  only this one
+#   NAME         only this one: a source in this folder, without its ending
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -32,16 +19,18 @@ for argument in "$@"; do
   case $argument in
     --quick) options=(--quick) ;;
     --patient) patient=(--patient) ;;
-    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal | transport | transport_bounds | transport_family | transport_claims | regions) programs+=("$argument") ;;
-    *) sed -n '5,23s/^# \{0,1\}//p' "$0"; exit 1 ;;
+    *)
+      if [ ! -f "test/benchmark/$argument.cpp" ]; then
+        sed -n '5,12s/^# \{0,1\}//p' "$0"
+        exit 1
+      fi
+      programs+=("$argument")
+      ;;
   esac
 done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds transport_family transport_claims regions)
-    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal | transport | transport_bounds | transport_family | transport_claims | barycenters) programs+=("$argument") ;;
-    *) sed -n '5,23s/^# \{0,1\}//p' "$0"; exit 1 ;;
-  esac
-done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds transport_family transport_claims barycenters)
+[ ${#programs[@]} -gt 0 ] ||
+  programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds
+            transport_family transport_claims regions flows barycenters volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
