@@ -53,6 +53,35 @@ void merge(Vector& masses, const std::vector<std::vector<Index>>& exits)
         masses[exit.front()] += std::exchange(masses[site], 0.);
 }
 
+// Not glued where nothing may pass on one side.
+std::shared_ptr<const Glued_triangles> opened(const std::shared_ptr<const Glued_triangles>& whole,
+                                              const std::vector<Tensor>& measure)
+{
+  if(whole->is_cloud() || std::none_of(measure.begin(), measure.end(), is_blocked))
+    return whole;
+  Glued_triangles result = *whole;
+  for(Index side = 0; side < result.twin.size(); ++side)
+    if(const Index twin = whole->twin[side];
+       twin != none && is_blocked(measure[side / 3]) != is_blocked(measure[twin / 3]))
+      result.twin[side] = none;
+  return std::make_shared<const Glued_triangles>(std::move(result));
+}
+
+std::vector<Tensor> opened(std::vector<Tensor> measure)
+{
+  std::replace_if(measure.begin(), measure.end(), is_blocked, Tensor{1., 0., 1.});
+  return measure;
+}
+
+Mass_distribution scaled(Mass_distribution masses, double factor)
+{
+  masses.at_sites *= factor;
+  for(auto& [location, mass] : masses.at_locations)
+    mass *= factor;
+  masses.density *= factor;
+  return masses;
+}
+
 void check(Transport_region& region)
 {
   if(!region.is_limited() && region.exits.size() > 1) // then all exits are one
@@ -195,24 +224,68 @@ double Earth_movers::cost_to_sites(const Mass_distribution& masses) const
 // On the surface itself; what is blocked is no part of it.
 double Earth_movers::cost_of_flow(const Field& flow) const
 {
-  const Glued_triangles& whole = *m_levels.back().triangles;
-  std::vector<Tensor> measure = m_levels.back().measure;
-  if(std::none_of(measure.begin(), measure.end(), is_blocked))
-    return cost_of_continuous_flow(whole, operators(whole), flow, measure);
-  Glued_triangles open = whole;
-  for(Index side = 0; side < open.twin.size(); ++side)
-    if(const Index twin = whole.twin[side];
-       twin != none && is_blocked(measure[side / 3]) != is_blocked(measure[twin / 3]))
-      open.twin[side] = none;
-  std::replace_if(measure.begin(), measure.end(), is_blocked, Tensor{1., 0., 1.});
-  return cost_of_continuous_flow(open, operators(open), flow, measure);
+  const Level& fine = m_levels.back();
+  const auto open = opened(fine.triangles, fine.measure);
+  return continuous_flow(*open, operators(*open), flow, opened(fine.measure)).cost;
+}
+
+std::shared_ptr<const Glued_triangles> Earth_movers::open_triangles() const
+{
+  return opened(m_levels.front().triangles, m_levels.front().measure);
+}
+
+bool Earth_movers::has_own_lengths() const
+{
+  const std::vector<Tensor> measure = opened(m_levels.front().measure);
+  return std::all_of(measure.begin(), measure.end(),
+                     [](const Tensor& tensor) {
+                       return tensor == Tensor{1., 0., 1.};
+                     });
+}
+
+Streamlines Earth_movers::streamlines(const Earth_movers_result& result) const
+{
+  const Level& coarse = m_levels.front();
+  const auto open = open_triangles();
+  const double scale = coarse.triangles->scale;
+  Field flow = result.flow;
+  for(Planar& vector : flow)
+    vector = scale * vector;
+  const Operators flat = operators(*open, Flat_triangles::raised);
+  const Vector from = masses_at_sites(*open, coarse.area, result.from);
+  const Vector to = from + divergence(flat, flow);
+
+  // What is negative before is there after.
+  Moved_masses masses;
+  masses.before = from.cwiseMax(0.) - to.cwiseMin(0.);
+  masses.after = to.cwiseMax(0.) - from.cwiseMin(0.);
+  masses.are_points_before = result.from.density.size() == 0;
+  masses.are_points_after = result.to.density.size() == 0;
+  for(const auto& [place, mass] : result.from.at_locations)
+    masses.places_before.push_back(place);
+  for(const auto& [place, mass] : result.to.at_locations)
+    masses.places_after.push_back(place);
+  if(open->is_cloud())
+    return Streamlines(open, flat, flow, std::move(masses));
+  return Streamlines(open, continuous_flow(*open, operators(*open), flow, opened(coarse.measure)),
+                     std::move(masses));
 }
 
 Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mass_distribution& to,
                                         const Earth_movers_options& options) const
 {
   const Level& coarse = m_levels.front();
-  return move(difference(*coarse.triangles, coarse.area, from, to, options.do_normalize), options);
+  Earth_movers_result result =
+      move(difference(*coarse.triangles, coarse.area, from, to, options.do_normalize), options);
+  const auto moved = [&](const Mass_distribution& side)
+  {
+    if(!options.do_normalize)
+      return side;
+    return scaled(side, 1. / masses_at_sites(*coarse.triangles, coarse.area, side).sum());
+  };
+  result.from = moved(from);
+  result.to = moved(to);
+  return result;
 }
 
 Earth_movers_result Earth_movers::solve_to_region(const Mass_distribution& from,
@@ -243,6 +316,7 @@ Earth_movers_result Earth_movers::solve_to_region(const Mass_distribution& from,
   for(const std::vector<Index>& exit : coarse.exits)
     for(const Index site : exit)
       result.arrivals[site] = scale * missing[site] + factor * at_sites[site];
+  result.from = scaled(from, factor);
   return result;
 }
 

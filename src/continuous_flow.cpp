@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/continuous_flow.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/harmonic_fields.h>
 #include <CGAL/Geodesic_processing/internal/splitting.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
@@ -71,6 +72,27 @@ Tensor square(const Tensor& a)
   return {a[0] * a[0] + a[1] * a[1], a[1] * (a[0] + a[2]), a[1] * a[1] + a[2] * a[2]};
 }
 
+// Each costs a solution; surfaces with so many handles have hardly any way around one that pays.
+constexpr std::size_t most_circulations = 32;
+
+// Flows around handles, of a surface without border: harmonic fields turned, orthogonal to all functions'
+// turned gradients.
+std::vector<Field> circulations(const Glued_triangles& t, const Operators& operators)
+{
+  const std::size_t number = number_of_harmonic_fields(t);
+  if(number == 0 || number > most_circulations ||
+     std::find(t.twin.begin(), t.twin.end(), none) != t.twin.end())
+    return {};
+  const Laplacian laplacian(operators);
+  Sparse_matrix matrix = laplacian.matrix(operators);
+  laplacian.hold(matrix);
+  std::vector<Field> result =
+      harmonic_fields(t, operators, Sparse_solver(matrix, Elimination::sparse));
+  for(Field& field : result)
+    field = turned_left(std::move(field));
+  return result;
+}
+
 // What flows out of triangles through their sides, and what that costs.
 class Side_flow
 {
@@ -85,6 +107,9 @@ public:
     shorten();
   }
 
+  Continuous_flow flow() const { return {m_outward, m_missing, cost()}; }
+
+private:
   double cost() const
   {
     double result = m_spreading;
@@ -93,7 +118,6 @@ public:
     return result;
   }
 
-private:
   std::array<Planar, 3> place(Index f) const
   {
     auto result = unfolded(m_triangles, f);
@@ -174,7 +198,7 @@ private:
         m_outward[side] += pressure[side / 3] - pressure[twin / 3];
   }
 
-  // Adds a function's turned gradient: only where that makes the flow shorter.
+  // Adds a function's turned gradient, and what circles around handles: if that makes the flow shorter.
   void shorten()
   {
     const Operators operators = operators_of_fans(m_triangles, m_operators, m_fans);
@@ -218,17 +242,26 @@ private:
       }
       else
         center[f] = {0., 0.};
-    const auto function_of = [&](const Field& field)
+    const auto change_of = [&](Field field)
     {
-      Field change = field;
-      for(std::size_t f = 0; f < change.size(); ++f)
-        change[f] = change[f] - center[f];
-      return solver.solve(rotation(std::move(change)));
+      for(std::size_t f = 0; f < field.size(); ++f)
+        field[f] = field[f] - center[f];
+      return field;
     };
+    // Of measured lengths they are not orthogonal.
+    const std::vector<Field> circling =
+        m_measure.empty() ? circulations(m_triangles, m_operators) : std::vector<Field>();
     Splitting splitting(m_operators,
                         [&](const Field& field)
                         {
-                          Field result = turned_gradient(function_of(field));
+                          const Field change = change_of(field);
+                          Field result = turned_gradient(solver.solve(rotation(change)));
+                          for(const Field& circle : circling)
+                          {
+                            const double part = inner_product(m_operators, change, circle);
+                            for(std::size_t f = 0; f < result.size(); ++f)
+                              result[f] = result[f] + part * circle[f];
+                          }
                           for(std::size_t f = 0; f < result.size(); ++f)
                             result[f] = center[f] + result[f];
                           return result;
@@ -243,10 +276,21 @@ private:
     }
     const double before = cost();
     std::vector<double> outward = m_outward;
-    const Vector function = function_of(splitting.flow());
+    const Field change = change_of(splitting.flow());
+    const Vector function = solver.solve(rotation(change));
     for(Index side = 0; side < m_outward.size(); ++side)
       m_outward[side] -=
           function[operators.corner[next_side(side)]] - function[operators.corner[side]];
+    for(const Field& circle : circling)
+    {
+      const double part = inner_product(m_operators, change, circle);
+      for(Index side = 0; side < m_outward.size(); ++side)
+      {
+        const auto p = unfolded(m_triangles, side / 3);
+        m_outward[side] +=
+            part * cross(p[next_side(side) % 3] - p[side % 3], -1. * circle[side / 3]);
+      }
+    }
     if(cost() > before)
       m_outward = std::move(outward);
   }
@@ -277,13 +321,13 @@ private:
 
 } // namespace
 
-double cost_of_continuous_flow(const Glued_triangles& triangles, const Operators& operators,
-                               const Field& flow, const std::vector<Tensor>& measure)
+Continuous_flow continuous_flow(const Glued_triangles& triangles, const Operators& operators,
+                                const Field& flow, const std::vector<Tensor>& measure)
 {
   if(triangles.is_cloud())
     throw Unsupported_surface_error(
         "On a cloud flows are not bounded from above: its triangles are not glued.");
-  return Side_flow(triangles, operators, flow, measure).cost();
+  return Side_flow(triangles, operators, flow, measure).flow();
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 #include <CGAL/Geodesic_processing/internal/Mass_distribution.h>
+#include <CGAL/Geodesic_processing/internal/streamlines.h>
 #include <CGAL/Geodesic_processing/internal/transport.h>
 
 #include <memory>
@@ -48,6 +49,7 @@ struct Earth_movers_result : Transport
   double upper_continuous = infinity; // if asked for
   double estimate = 0.;               // extrapolated over the last refinement, else the value
   Vector arrivals;                    // #sites: the masses that come to a region, zero elsewhere
+  Mass_distribution from, to;         // as they were moved; of a region the first alone
 };
 
 // Transport_solver on a surface, on request refined, and with another measure of lengths.
@@ -75,6 +77,16 @@ public:
   // part of the region, or without enough room.
   Earth_movers_result solve_to_region(const Mass_distribution& from,
                                       const Earth_movers_options& options = {}) const;
+
+  // The lines along which masses were moved.  On a mesh two factorizations and some hundred solutions.
+  Streamlines streamlines(const Earth_movers_result& result) const;
+
+  // Whether lengths are those of the surface, but for where nothing may pass: then a line that is pulled
+  // taut on open_triangles() is shorter.
+  bool has_own_lengths() const;
+
+  // The coarse ones, not glued where something may pass on one side alone.
+  std::shared_ptr<const Glued_triangles> open_triangles() const;
 
   // #sites: whether a way leads to the region; empty without one.
   const std::vector<bool>& reaches_region() const { return m_reaches_region; }
