@@ -236,10 +236,11 @@ std::shared_ptr<const Glued_triangles> Earth_movers::open_triangles() const
 
 bool Earth_movers::has_own_lengths() const
 {
-  const std::vector<Tensor> measure = opened(m_levels.front().measure);
-  return std::all_of(measure.begin(), measure.end(),
-                     [](const Tensor& tensor) {
-                       return tensor == Tensor{1., 0., 1.};
+  const Level& coarse = m_levels.front();
+  return std::all_of(coarse.measure.begin(), coarse.measure.end(),
+                     [&](const Tensor& tensor) {
+                       return tensor == Tensor{1., 0., 1.} ||
+                              (is_blocked(tensor) && !coarse.triangles->is_cloud());
                      });
 }
 

@@ -107,6 +107,21 @@ Vector lumped_mass(const Operators& operators)
   return result;
 }
 
+Vector mean_lengths(const Glued_triangles& triangles, const Field& field)
+{
+  const Operators o = operators(triangles);
+  Vector sum = Vector::Zero(Eigen::Index(o.number_of_sites)), area = sum;
+  for(std::size_t c = 0; c < o.corner.size() && !field.empty(); ++c)
+  {
+    sum[o.corner[c]] += o.area[c / 3] * norm(field[c / 3]);
+    area[o.corner[c]] += o.area[c / 3];
+  }
+  for(Eigen::Index i = 0; i < sum.size(); ++i)
+    if(area[i] > 0.)
+      sum[i] /= area[i];
+  return sum;
+}
+
 std::pair<std::vector<Index>, std::size_t> components(const Operators& operators)
 {
   std::vector<Index> parent(operators.number_of_sites);

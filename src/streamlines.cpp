@@ -47,6 +47,7 @@ class Streamlines::Tracer
 {
 public:
   virtual ~Tracer() = default;
+  virtual bool moves() const = 0; // anything
   // Of so many that have the same mass.
   virtual Grain grain(std::size_t i, std::size_t number) const = 0;
   virtual Streamline line(const Grain& grain) const = 0;
@@ -134,6 +135,8 @@ public:
     m_sums = sums_of(m_before);
   }
 
+  bool moves() const override { return m_sums.back() > 0.; }
+
   Grain grain(std::size_t i, std::size_t number) const override
   {
     const auto [f, share] = found_in(m_sums, (double(i) + 0.5) / double(number) * m_sums.back());
@@ -155,6 +158,12 @@ public:
       if(t().first[site] == t().first[site + 1])
         return result;
       place = leaving(site);
+      // Rounding is no flow.
+      if(ahead(3 * place.triangle + corner_at(place.triangle, site)) <= 1e-12 * m_sums.back())
+      {
+        result.has_arrived = masses().after[site] > 0.;
+        return result;
+      }
     }
     add(result, place);
     follow(result, place);
@@ -172,6 +181,14 @@ private:
 
   // What flows out of the triangle through the side opposite of the corner.
   double ahead(Index corner) const { return m_outward[next_side(corner)]; }
+
+  Index corner_at(Index triangle, Index site) const
+  {
+    Index k = 0;
+    while(k < 2 && t().corner[3 * triangle + k] != site)
+      ++k;
+    return k;
+  }
 
   // Among the triangles around a site: the middle of the one through which most leaves.
   Location leaving(Index site) const
@@ -298,6 +315,8 @@ public:
     for(Index site = 0; site + 1 < m_first.size(); ++site)
       sort_around(site);
   }
+
+  bool moves() const override { return m_sums.back() > 0.; }
 
   Grain grain(std::size_t i, std::size_t number) const override
   {
@@ -441,7 +460,7 @@ Streamlines::Streamlines(Streamlines&&) noexcept = default;
 std::vector<Grain> Streamlines::grains(std::size_t number) const
 {
   std::vector<Grain> result;
-  for(std::size_t i = 0; i < number; ++i)
+  for(std::size_t i = 0; i < number && m_tracer->moves(); ++i)
     result.push_back(m_tracer->grain(i, number));
   return result;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Geodesic_processing/Mesh_domain.h>
 #include <CGAL/Geodesic_processing/Region_transport_solver.h>
 #include <CGAL/Geodesic_processing/Source.h>
+#include <CGAL/Geodesic_processing/Streamline_tracer.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
@@ -25,6 +26,7 @@
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/feature_distance.h>
 #include <CGAL/Geodesic_processing/geodesic_barycenter.h>
+#include <CGAL/Geodesic_processing/fuzzy_geodesic.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
@@ -43,6 +45,7 @@
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 #include <CGAL/Geodesic_processing/tags.h>
 #include <CGAL/Geodesic_processing/transport_barycenter.h>
+#include <CGAL/Geodesic_processing/transport_streamlines.h>
 #include <CGAL/Geodesic_processing/transport_to_region.h>
 
 #endif // CGAL_GEODESIC_PROCESSING_H

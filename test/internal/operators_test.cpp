@@ -208,4 +208,21 @@ TEST(Operators, weigh_the_triangles_of_a_cloud)
   EXPECT_NEAR(lumped_mass(o).sum(), total_area(o), rounding);
 }
 
+TEST(operators, mean_lengths_are_those_of_the_triangles_around)
+{
+  const Glued_triangles t = glued(tetrahedron()).triangles;
+  Field field(4, Planar{0., 0.});
+  field[0] = {3., 4.};
+  field[1] = {0., 1.};
+  const Vector lengths = mean_lengths(t, field);
+  for(Index site = 0; site < 4; ++site)
+  {
+    double sum = 0.; // of equal areas
+    for(Index c = 0; c < 6; ++c)
+      if(t.corner[c] == site)
+        sum += c < 3 ? 5. : 1.;
+    EXPECT_NEAR(lengths[site], sum / 3., 1e-15 * 8); // a few roundings
+  }
+}
+
 } // namespace

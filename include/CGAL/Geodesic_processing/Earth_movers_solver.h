@@ -3,6 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_EARTH_MOVERS_SOLVER_H
 #define CGAL_GEODESIC_PROCESSING_EARTH_MOVERS_SOLVER_H
 
+#include <CGAL/Geodesic_processing/Streamline_tracer.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/masses.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -85,6 +87,36 @@ public:
   void write_flow(FlowMap map) const
   {
     internal::write_vectors(m_domain, m_result.flow, map);
+  }
+
+  /// writes for each site how much flows there, the mean length of the flow around it, relative to where
+  /// that is the largest: from 0 to 1.
+  template <typename LikelihoodMap>
+  void write_likelihood(LikelihoodMap map) const
+  {
+    const internal::Vector lengths = internal::mean_lengths(*m_domain.triangles(), m_result.flow);
+    const double largest = lengths.size() > 0 ? lengths.maxCoeff() : 0.;
+    m_domain.write([&](internal::Index i) { return largest > 0. ? lengths[i] / largest : 0.; },
+                   map);
+  }
+
+  /// returns what follows the flow of the last query.
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{do_straighten}
+  ///     \cgalParamDescription{whether lines are pulled taut; never where there is a metric, or a speed
+  ///       that is neither zero nor one} \cgalParamDefault{true} \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Invalid_argument_error when there was no query
+  ///
+  /// On a mesh two factorizations and up to 300 solutions.
+  template <typename NamedParameters = internal::Default_parameters>
+  Streamline_tracer<Surface> streamlines(const NamedParameters& np = NamedParameters()) const
+  {
+    if(m_result.flow.empty())
+      throw Invalid_argument_error("There are no lines of a flow that was not computed.");
+    return {m_domain, *m_kernel, m_result,
+            internal::parameter(np, internal_np::do_straighten, true)};
   }
 
   /// writes what `np` has of `potential_map` and `flow_map`.

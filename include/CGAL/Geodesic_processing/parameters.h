@@ -208,6 +208,14 @@ enum do_start_from_last_t
 {
   do_start_from_last
 };
+enum do_straighten_t
+{
+  do_straighten
+};
+enum width_t
+{
+  width
+};
 
 } // namespace internal_np
 
@@ -286,6 +294,8 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, do_normalize_t, do_normalize)                             \
   LINK(Geodesic_processing::internal_np, do_bound_from_above_t, do_bound_from_above)               \
   LINK(Geodesic_processing::internal_np, do_start_from_last_t, do_start_from_last)                 \
+  LINK(Geodesic_processing::internal_np, do_straighten_t, do_straighten)                           \
+  LINK(Geodesic_processing::internal_np, width_t, width)                                           \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \

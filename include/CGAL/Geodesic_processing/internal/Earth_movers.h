@@ -81,8 +81,8 @@ public:
   // The lines along which masses were moved.  On a mesh two factorizations and some hundred solutions.
   Streamlines streamlines(const Earth_movers_result& result) const;
 
-  // Whether lengths are those of the surface, but for where nothing may pass: then a line that is pulled
-  // taut on open_triangles() is shorter.
+  // Whether lengths are those of the surface, on a mesh but for where nothing may pass: then a line that is
+  // pulled taut on open_triangles() is shorter.
   bool has_own_lengths() const;
 
   // The coarse ones, not glued where something may pass on one side alone.

@@ -93,6 +93,10 @@ double inner_product(const Operators& operators, const Field& a, const Field& b)
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector lumped_mass(const Operators& operators);
 
+// At each site the mean of the lengths of a field's vectors, weighted by areas; zero at sites of no triangle.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Vector mean_lengths(const Glued_triangles& triangles, const Field& field);
+
 // Sites joined by triangles that have area: a label for each site, and how many labels there are.
 // Between components nothing flows.  Sites of no such triangle are components of their own.
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -60,7 +60,7 @@ public:
   ~Streamlines();
   Streamlines(Streamlines&&) noexcept;
 
-  // As many grains of equal mass, spread over all that moves.
+  // As many grains of equal mass, spread over all that moves; none of nothing.
   std::vector<Grain> grains(std::size_t number) const;
 
   // The line of a grain from the time 0 to 1; from where nothing is before, along the flow as far as it

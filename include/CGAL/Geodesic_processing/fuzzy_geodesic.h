@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_FUZZY_GEODESIC_H
+#define CGAL_GEODESIC_PROCESSING_FUZZY_GEODESIC_H
+
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
+#include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+
+namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+// A twentieth of the distance, unless named parameters say otherwise.
+template <typename NamedParameters>
+double fuzzy_width(double distance, const NamedParameters& np)
+{
+  if(!(distance < infinity))
+    throw Invalid_argument_error("No way leads from the one place to the other.");
+  const double result = parameter(np, internal_np::width, 0.05 * distance);
+  if(!(result > 0.) || !std::isfinite(result))
+    throw Invalid_argument_error("The width of a fuzzy geodesic is not positive and finite.");
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// finds how likely geodesics between the surroundings of two places pass: where much flows from a blob of
+/// mass around the one to a blob around the other.  \cgalCite{cgal:srgb-emd-14}, section 7
+///
+/// The blobs are Gaussian in distances by `Euclidean_front`, cut off at four widths.  The length of the
+/// flow is scaled so that it is 1 where it is the largest.  Unlike `fuzzy_geodesic_by_distances()` it tells ways
+/// that are equally short from each other by how much mass each takes.
+///
+/// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
+/// \tparam Surface as for `geodesic_distances()`
+/// \param surface a mesh or a cloud
+/// \param p, q a site or a location each
+/// \param likelihood_map receives a `double` from 0 to 1 for each vertex or surfel
+/// \param np what `Earth_movers_solver`, its `compute()` and `Transport_solution::write_maps()` take, and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{width}
+///     \cgalParamDescription{the standard deviation of the blobs; no less than an edge makes sense}
+///     \cgalParamDefault{a twentieth of the distance from `p` to `q`} \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \returns the cost of moving a mass of one
+/// \throws Invalid_argument_error when no way leads from `p` to `q`, or the width is not positive: by
+///         default where they are the same place
+/// \throws as `Earth_movers_solver` and its `compute()`
+template <typename Method = Interior_point, typename Surface, typename P, typename Q,
+          typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
+Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
+                                 LikelihoodMap likelihood_map,
+                                 const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  using Solver = Earth_movers_solver<typename decltype(domain)::Surface>;
+  using Front = Geodesic_distance_solver<typename Solver::Domain::Surface>;
+  Front from_p(domain), from_q(domain);
+  from_p.compute(p, parameters::targets(q));
+  const double width = internal::fuzzy_width(from_p.distance(q), np);
+  from_p.compute(p, parameters::maximum_distance(4. * width));
+  from_q.compute(q, parameters::maximum_distance(4. * width));
+  const auto blob = [&](const Front& distances)
+  {
+    return mass_density(boost::make_function_property_map<typename Solver::Site>(
+        [&distances, width](const typename Solver::Site& site)
+        {
+          const double x = distances.distance(site) / width;
+          return std::exp(-0.5 * x * x);
+        }));
+  };
+  Solver solver(domain, np);
+  const Earth_movers_cost cost = solver.template compute<Method>(
+      blob(from_p), blob(from_q), internal::chain(np).do_normalize(true));
+  solver.write_likelihood(likelihood_map);
+  solver.write_maps(np);
+  return cost;
+}
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// finds how little of a detour a way from a place to another by way of each site is:
+/// \f$ \exp(-|d(p,x) + d(x,q) - d(p,q)| / \sigma) \f$.  \cgalCite{cgal:scf-fgcsc-10}
+///
+/// \tparam Method of distances, as for `geodesic_distances()`
+/// \tparam Surface as for `geodesic_distances()`
+/// \param surface a mesh or a cloud
+/// \param p, q a site or a location each
+/// \param likelihood_map receives a `double` from 0 to 1 for each vertex or surfel
+/// \param np what `Geodesic_distance_solver` takes, and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{width}
+///     \cgalParamDescription{\f$ \sigma \f$, a length}
+///     \cgalParamDefault{a twentieth of the distance from `p` to `q`} \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \throws Invalid_argument_error as `fuzzy_geodesic()`
+/// \throws as `Geodesic_distance_solver::compute()`
+template <typename Method = Euclidean_front, typename Surface, typename P, typename Q,
+          typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
+void fuzzy_geodesic_by_distances(const Surface& surface, const P& p, const Q& q,
+                                 LikelihoodMap likelihood_map,
+                                 const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(surface, np);
+  using Solver = Geodesic_distance_solver<typename decltype(domain)::Surface, Method>;
+  Solver from_p(domain), from_q(domain);
+  from_p.compute(p, np);
+  from_q.compute(q, np);
+  const double distance = from_p.distance(q), width = internal::fuzzy_width(distance, np);
+  domain.write(
+      [&](internal::Index i)
+      {
+        const double way = from_p.distance(domain.site(i)) + from_q.distance(domain.site(i));
+        return std::exp(-std::abs(way - distance) / width);
+      },
+      likelihood_map);
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_FUZZY_GEODESIC_H

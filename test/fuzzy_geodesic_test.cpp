@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/fuzzy_geodesic.h>
+
+#include <CGAL/Point_set_3.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+// In the plane a blob moves as a whole: midway as much flows as the blob is wide there.
+TEST(fuzzy_geodesic, is_as_wide_as_the_blobs)
+{
+  Mesh mesh = mesh_of(square(60));
+  const auto at = [](unsigned i, unsigned j) { return Vertex(61 * j + i); };
+  auto likelihood = vertex_map(mesh);
+  const double width = 0.07;
+  const GP::Earth_movers_cost cost =
+      GP::fuzzy_geodesic(mesh, at(15, 30), at(45, 30), likelihood, GP::parameters::width(width));
+  EXPECT_NEAR(cost.value, 0.5, 0.001); // the gap; fronts are exact in the plane
+  double largest = 0.;
+  for(const Vertex v : mesh.vertices())
+  {
+    EXPECT_GE(likelihood[v], 0.);
+    largest = std::max(largest, likelihood[v]);
+  }
+  EXPECT_EQ(largest, 1.);
+  for(unsigned j = 20; j <= 40; ++j)
+  {
+    const double y = (double(j) - 30.) / 60. / width;
+    // Of flows that cost up to 0.1 % more than the best.
+    EXPECT_NEAR(likelihood[at(30, j)], std::exp(-0.5 * y * y), 0.05);
+  }
+  EXPECT_LT(likelihood[at(30, 2)], 0.01);
+  EXPECT_LT(likelihood[at(2, 30)], 0.05);
+}
+
+// Where two ways are equally short, both are likely; where one is shorter, that alone.
+TEST(fuzzy_geodesic, tells_ways_around_a_hole)
+{
+  Mesh mesh = mesh_of(cylinder(48, 20, 1., 2.));
+  const auto at = [](unsigned around, unsigned ring) { return Vertex(48 * ring + around); };
+  auto likelihood = vertex_map(mesh), by_distances = vertex_map(mesh);
+  GP::fuzzy_geodesic(mesh, at(0, 10), at(24, 10), likelihood);
+  GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, at(0, 10), at(24, 10), by_distances);
+  EXPECT_NEAR(likelihood[at(12, 10)], likelihood[at(36, 10)], 0.1);
+  EXPECT_GT(likelihood[at(12, 10)], 0.4);
+  EXPECT_NEAR(by_distances[at(12, 10)], 1., 1e-9);
+  GP::fuzzy_geodesic(mesh, at(0, 10), at(18, 10), likelihood);
+  GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, at(0, 10), at(18, 10), by_distances);
+  EXPECT_GT(likelihood[at(9, 10)], 0.5);
+  EXPECT_LT(likelihood[at(33, 10)], 0.01);
+  EXPECT_NEAR(by_distances[at(9, 10)], 1., 1e-9);
+  EXPECT_LT(by_distances[at(33, 10)], 0.01);
+}
+
+TEST(fuzzy_geodesic, by_distances_tells_the_detour)
+{
+  Mesh mesh = mesh_of(square(20, 0.2));
+  const Vertex p(70), q(300);
+  auto likelihood = vertex_map(mesh);
+  GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, p, q, likelihood, GP::parameters::width(0.1));
+  const auto length = [&](Vertex a, Vertex b)
+  { return std::sqrt(CGAL::squared_distance(mesh.point(a), mesh.point(b))); };
+  for(const Vertex v : mesh.vertices())
+    EXPECT_NEAR(likelihood[v], std::exp(-(length(p, v) + length(v, q) - length(p, q)) / 0.1),
+                1e-9); // rounding
+}
+
+TEST(fuzzy_geodesic, takes_clouds)
+{
+  const Surfels surfels = sphere_surfels(4);
+  using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
+  Cloud cloud(true);
+  for(const auto& [point, normal] : surfels)
+    cloud.insert(point, normal);
+  auto likelihood = cloud.add_property_map<double>("likelihood").first;
+  const Cloud::Index p(3), q(900);
+  const auto a = cloud.point(p), b = cloud.point(q);
+  const auto middle = CGAL::midpoint(a, b) - CGAL::ORIGIN;
+  const auto expect_ridge = [&](double least)
+  {
+    for(const auto& i : cloud)
+    {
+      const auto x = cloud.point(i) - CGAL::ORIGIN;
+      const double cosine = x * middle / std::sqrt(middle * middle);
+      if(cosine > 0.995)
+      {
+        EXPECT_GT(likelihood[i], least);
+      }
+      if(cosine < -0.5)
+      {
+        EXPECT_LT(likelihood[i], 0.01);
+      }
+    }
+  };
+  const double width = 0.15; // two sides
+  GP::fuzzy_geodesic(cloud, p, q, likelihood, GP::parameters::width(width));
+  expect_ridge(0.5); // within 0.1 of the way
+  GP::fuzzy_geodesic_by_distances(cloud, p, q, likelihood, GP::parameters::width(width));
+  expect_ridge(0.8);
+}
+
+TEST(fuzzy_geodesic, refuses_what_has_no_way)
+{
+  Mesh mesh = mesh_of(apart(square(4), square(4)));
+  auto likelihood = vertex_map(mesh);
+  EXPECT_THROW(GP::fuzzy_geodesic(mesh, Vertex(3), Vertex(3), likelihood),
+               GP::Invalid_argument_error);
+  EXPECT_NO_THROW(
+      GP::fuzzy_geodesic(mesh, Vertex(3), Vertex(3), likelihood, GP::parameters::width(0.2)));
+  EXPECT_EQ(likelihood[Vertex(3)], 0.);
+  EXPECT_THROW(GP::fuzzy_geodesic(mesh, Vertex(3), Vertex(30), likelihood),
+               GP::Invalid_argument_error);
+  for(const double width : {0., -1., std::nan("")})
+  {
+    EXPECT_THROW(
+        GP::fuzzy_geodesic(mesh, Vertex(3), Vertex(8), likelihood, GP::parameters::width(width)),
+        GP::Invalid_argument_error);
+    EXPECT_THROW(GP::fuzzy_geodesic_by_distances(mesh, Vertex(3), Vertex(8), likelihood,
+                                                 GP::parameters::width(width)),
+                 GP::Invalid_argument_error);
+  }
+}
+
+} // namespace

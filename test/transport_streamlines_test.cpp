@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/transport_streamlines.h>
+
+#include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+// Proposition 2 of Solomon and others 2014: from a point to a ball that is filled evenly lines are shortest
+// paths to all of its points, and as it shrinks what that costs becomes the distance: it differs by no
+// more than the radius, and by what bounds leave open.
+TEST(transport_streamlines, lead_from_a_point_to_a_ball)
+{
+  const Mesh mesh = mesh_of(shaken(icosphere(4), 0.01));
+  const Vertex p(7), q(1900);
+  GP::Geodesic_distance_solver<Mesh, GP::Exact> from_p(mesh), from_q(mesh);
+  from_p.compute(p);
+  from_q.compute(q);
+  const double distance = from_p.distance(q);
+  for(const double radius : {0.4, 0.2, 0.1})
+  {
+    std::vector<Vertex> ball;
+    for(const Vertex v : mesh.vertices())
+      if(from_q.distance(v) <= radius)
+        ball.push_back(v);
+    GP::Earth_movers_solver<Mesh> solver(mesh);
+    const GP::Earth_movers_cost cost = solver.compute(p, ball);
+    // Half of a percent: what is lost on the curved surface.
+    EXPECT_LE(std::abs(cost.value - distance),
+              radius + (cost.upper - cost.lower) + 0.005 * distance);
+
+    std::vector<GP::Streamline<Mesh>> lines;
+    GP::transport_streamlines(mesh, p, ball, std::size_t(40), std::back_inserter(lines));
+    ASSERT_EQ(lines.size(), 40u);
+    for(const auto& line : lines)
+    {
+      EXPECT_TRUE(line.has_arrived);
+      const auto is_at = [&mesh](Vertex v, const Kernel::Point_3& x)
+      { return CGAL::squared_distance(mesh.point(v), x) < 1e-24; }; // rounding
+      EXPECT_TRUE(is_at(p, line.points.front()));
+      const auto end = std::find_if(ball.begin(), ball.end(),
+                                    [&](Vertex v) { return is_at(v, line.points.back()); });
+      ASSERT_NE(end, ball.end());
+      EXPECT_LE(line.length, 1.01 * from_p.distance(*end));
+      EXPECT_GE(line.length, (1. - 1e-9) * from_p.distance(*end)); // rounding
+    }
+  }
+}
+
+TEST(transport_streamlines, lead_from_seeds)
+{
+  const Mesh mesh = mesh_of(square(12));
+  const std::vector<Vertex> from = {Vertex(0), Vertex(12)},
+                            to = {Vertex(5 * 13), Vertex(5 * 13 + 12)};
+  std::vector<GP::Streamline<Mesh>> lines;
+  GP::transport_streamlines<GP::Alternating_directions>(
+      mesh, from, to, from, std::back_inserter(lines), GP::parameters::tolerance(1e-3));
+  ASSERT_EQ(lines.size(), 2u);
+  for(std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(lines[i].points.front(), mesh.point(from[i]));
+    EXPECT_EQ(lines[i].points.back(), mesh.point(to[i]));
+    EXPECT_NEAR(lines[i].length, 5. / 12., 1e-12);
+  }
+  // From elsewhere: along the border to where it ends.
+  std::vector<GP::Streamline<Mesh>> more;
+  const std::vector<GP::Location<Mesh>> places = {location_of(3, {0.2, 0.3, 0.5})};
+  GP::transport_streamlines(mesh, from, to, places, std::back_inserter(more));
+  ASSERT_EQ(more.size(), 1u);
+  EXPECT_EQ(more[0].locations.front(), places[0]);
+}
+
+} // namespace
