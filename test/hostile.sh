@@ -4,6 +4,7 @@
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
 # surfels, logmap, decal, matrix, emd, barycenter and feature-distance.  Whatever is in a file, the program ends with 0,
+# surfels, logmap, decal, matrix, emd, feature-distance, fuzzy and streamlines.  Whatever is in a file, the program ends with 0,
 # or with 2 and one sentence, in time, without a NaN.
 set -u
 
@@ -63,6 +64,8 @@ check_all()
   check "$file" emd --from 0 --to 1 || failed=1
   check "$file" barycenter --points 0,1 || failed=1
   check "$file" feature-distance --feature 0 || failed=1
+  check "$file" fuzzy --from 0 --to 1 || failed=1
+  check "$file" streamlines --from 0 --to 1 || failed=1
   check "$file" matrix --number 5 --method spectral || failed=1
   return $failed
 }
@@ -70,7 +73,7 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 18 times each: no crash, no hang, no NaN"
+  echo "$# files, 20 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -25,6 +25,8 @@ void add_emd(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_barycenter(CLI::App& program);
 void add_feature_distance(CLI::App& program);
+void add_fuzzy(CLI::App& program);
+void add_streamlines(CLI::App& program);
 
 } // namespace program
 

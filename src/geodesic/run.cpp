@@ -60,6 +60,8 @@ int run(int argc, char** argv)
   add_plan(program);
   add_barycenter(program);
   add_feature_distance(program);
+  add_fuzzy(program);
+  add_streamlines(program);
   try
   {
     program.parse(argc, argv);

@@ -135,7 +135,7 @@ std::vector<std::size_t> region_vertices(const std::string& text, const std::str
   return result;
 }
 
-void add_options(Command& command, Transport_options& options)
+void add_query_options(Command& command, Transport_options& options)
 {
   command.add_flag("--density", options.density, "properties and files have mass per area");
   command.add_flag("--normalize", options.normalize, "scale each side so that it sums to one");
@@ -148,6 +148,11 @@ void add_options(Command& command, Transport_options& options)
   command.add("--refine", options.refine, "N",
               "divide each triangle in four so often: less is lost where the surface is curved "
               "(default 1 up to 5,000 vertices, 0 above)");
+}
+
+void add_options(Command& command, Transport_options& options)
+{
+  add_query_options(command, options);
   command.add_flag("--bound-above", options.bound_above,
                    "also a bound from above for flows on the surface itself");
   command.add_flag("--hodge", options.hodge,

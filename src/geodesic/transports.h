@@ -26,6 +26,8 @@ struct Transport_options
 };
 
 void add_options(Command& command, Transport_options& options);
+// Those that say what is asked alone, without speeds.
+void add_query_options(Command& command, Transport_options& options);
 
 // Throws Usage_error.
 void check(const Transport_options& options);

@@ -345,6 +345,12 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys(
       "feature-distance square.ply --feature 0",
       {"max", "unreached", "value", "lower", "upper", "iterations", "residual", "converged"});
+  expect_keys("streamlines square.ply --from 0 --to 80",
+              {"value", "lower", "upper", "iterations", "residual", "converged", "lines", "arrived",
+               "mean_length"});
+  expect_keys("fuzzy square.ply --from 0 --to 80",
+              {"value", "lower", "upper", "iterations", "residual", "converged"});
+  expect_keys("fuzzy square.ply --from 0 --to 80 --by-distances", {});
   expect_keys("emd square.ply --from 0 --to 80 --basis 5",
               {"basis", "value", "lower", "upper", "iterations", "residual", "converged"});
   expect_keys("emd square.ply --from 0 --to 80 --bound-above --refine 1",
@@ -554,6 +560,50 @@ TEST_F(Program, barycenter_is_between_masses)
   expect_failure("barycenter square.ply --points 0,80 --weight 1 --weight -1", 2, "weight");
   expect_failure("barycenter square.ply --points 0,80 --density", 1, "--density");
   expect_failure("barycenter square.ply --points 0,80 --tolerance 0", 1, "--tolerance");
+TEST_F(Program, streamlines_lead_to_the_masses)
+{
+  // From the lower left corner to both others on its sides.
+  const nlohmann::json lines =
+      json("streamlines square.ply --from 0 --to 8,72 --number 20 -o l.obj");
+  EXPECT_EQ(lines["lines"], 20);
+  EXPECT_EQ(lines["arrived"], 20);
+  EXPECT_NEAR(lines["mean_length"].get<double>(), 1., 1e-9); // rounding
+  EXPECT_NE(content(m_folder / "l.obj").find("\nl "), std::string::npos);
+  EXPECT_NEAR(
+      json("streamlines square.ply --from 0 --to 80 --seeds 0")["mean_length"].get<double>(),
+      std::sqrt(2.), 1e-9);
+  EXPECT_GE(
+      json("streamlines square.ply --from 1 --to 78 --as-traced")["mean_length"].get<double>(),
+      std::hypot(5. / 8., 1.));
+  EXPECT_EQ(json("streamlines cloud.xyz --from 0 --to 11,12 --number 7")["arrived"], 7);
+
+  expect_failure("streamlines square.ply --from 0", 1, "--to");
+  expect_failure("streamlines square.ply --from 0 --to 81", 2, "81");
+  expect_failure("streamlines square.ply --from 0 --to 80 --seeds 99", 2, "99");
+}
+
+TEST_F(Program, fuzzy_geodesics_are_likely_between_their_ends)
+{
+  EXPECT_EQ(run("fuzzy square.ply --from 36 --to 44 --width 0.15 --values f.txt --quiet").code, 0);
+  EXPECT_EQ(
+      run("fuzzy square.ply --from 36 --to 44 --by-distances --values d.txt -o d.ply --quiet").code,
+      0);
+  const std::vector<double> flow = numbers("f.txt"), detour = numbers("d.txt");
+  ASSERT_EQ(flow.size(), 81u);
+  ASSERT_EQ(detour.size(), 81u);
+  EXPECT_NEAR(detour[40], 1., 1e-9); // no detour, but for rounding
+  EXPECT_GT(flow[40], 0.5);
+  for(const std::size_t corner : {0u, 8u, 72u, 80u})
+  {
+    EXPECT_LT(flow[corner], 0.1);
+    EXPECT_LT(detour[corner], 0.01);
+  }
+  EXPECT_EQ(run("fuzzy cloud.xyz --from 0 --to 11 --quiet").code, 0);
+
+  expect_failure("fuzzy square.ply --from 0", 1, "--to");
+  expect_failure("fuzzy square.ply --from 0 --to 0", 1, "same");
+  expect_failure("fuzzy square.ply --from 0 --to 9 --width 0", 1, "--width");
+  expect_failure("fuzzy square.ply --from 0 --to 99", 2, "99");
 }
 
 TEST_F(Program, feature_distance_is_from_all_of_a_feature)
