@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/streamlines.h>
 
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/path_to_sources.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
@@ -466,5 +467,21 @@ std::vector<Grain> Streamlines::grains(std::size_t number) const
 }
 
 Streamline Streamlines::operator()(const Grain& grain) const { return m_tracer->line(grain); }
+
+Line_shortener::Line_shortener(std::shared_ptr<const Glued_triangles> triangles)
+    : m_triangles(std::move(triangles))
+{}
+
+std::vector<Location> Line_shortener::operator()(const std::vector<Location>& line, double least)
+{
+  const Glued_triangles& t = *m_triangles;
+  std::vector<Location> taut = shortened(t, line);
+  if(t.is_cloud() || path_length(t, taut) <= 1.01 * least)
+    return taut;
+  if(!m_finder)
+    m_finder.emplace(m_triangles);
+  std::vector<Location> other = shortened(t, (*m_finder)(taut.front(), taut.back()));
+  return !other.empty() && path_length(t, other) < path_length(t, taut) ? other : taut;
+}
 
 } // namespace CGAL::Geodesic_processing::internal

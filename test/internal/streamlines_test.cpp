@@ -291,4 +291,21 @@ TEST(streamlines, go_around_obstacles)
   }
 }
 
+// Around a cylinder, the longer way: it is pulled taut, unless no path is known to be as long.
+TEST(streamlines, give_way_to_shorter_paths)
+{
+  const Glued_surface surface(cylinder(24, 4, 1., 1.));
+  std::vector<Index> around;
+  for(Index i = 0; i <= 14; ++i)
+    around.push_back(48 + i);
+  const std::vector<Location> line = surface.along(around);
+  const double side = 2. * std::sin(pi / 24.), scale = surface.scale();
+  Line_shortener shorten(surface.triangles());
+  EXPECT_NEAR(scale * path_length(surface.t(), shorten(line, 14. * side / scale)), 14. * side,
+              rounding);
+  const std::vector<Location> other = shorten(line, 10. * side / scale);
+  EXPECT_NEAR(scale * path_length(surface.t(), other), 10. * side, rounding);
+  expect_path_on_surface(surface.t(), other, line.front(), line.back());
+}
+
 } // namespace

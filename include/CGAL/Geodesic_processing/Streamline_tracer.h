@@ -32,8 +32,11 @@ struct Streamline : Surface_path<Surface>
 ///
 /// On a mesh masses are spread over the faces around their vertices, and what leaves a face enters the next
 /// one, so that lines do not cross, and as many arrive as there is mass.  On a cloud the flow goes along arcs.
-/// Lines of the best flow are geodesics; those that are traced zigzag with the edges, and are pulled taut.
 /// They begin and end where masses are points.
+///
+/// Lines of the best flow are shortest paths; those that are traced zigzag with the edges, and are pulled
+/// taut.  On a mesh one that is more than a percent longer than the potential proves gives way to the path that
+/// `Geodesic_path_finder` finds between its ends, if that is shorter.
 ///
 /// It may be used in several threads, and does not depend on the solver any more.
 ///
@@ -63,7 +66,8 @@ public:
   template <typename Place>
   Streamline<Surface> operator()(const Place& place) const
   {
-    return line({internal::location(m_domain, place)});
+    internal::Line_shortener shorten(m_triangles);
+    return line({internal::location(m_domain, place)}, shorten);
   }
 
   /// writes lines that stand for equal parts of all the mass that moves: on a mesh they begin at places
@@ -71,8 +75,9 @@ public:
   template <typename OutputIterator>
   OutputIterator operator()(std::size_t number, OutputIterator out) const
   {
+    internal::Line_shortener shorten(m_triangles);
     for(const internal::Grain& grain : m_lines->grains(number))
-      *out++ = line(grain);
+      *out++ = line(grain, shorten);
     return out;
   }
 
@@ -109,13 +114,13 @@ private:
     return result;
   }
 
-  Streamline<Surface> line(const internal::Grain& grain) const
+  Streamline<Surface> line(const internal::Grain& grain, internal::Line_shortener& shorten) const
   {
     const internal::Streamline traced = (*m_lines)(grain);
     const double growth = potential(traced.locations.back()) - potential(traced.locations.front());
     Streamline<Surface> result{internal::surface_path(
         m_domain,
-        m_do_straighten ? internal::shortened(*m_triangles, traced.locations) : traced.locations,
+        m_do_straighten ? shorten(traced.locations, growth / m_triangles->scale) : traced.locations,
         growth)};
     result.has_arrived = traced.has_arrived;
     return result;

@@ -4,11 +4,13 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_STREAMLINES_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/Path_finder.h>
 #include <CGAL/Geodesic_processing/internal/continuous_flow.h>
 #include <CGAL/Geodesic_processing/internal/operators.h>
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -74,6 +76,23 @@ private:
   class Cloud_tracer;
 
   std::unique_ptr<const Tracer> m_tracer;
+};
+
+// Makes the lines of best flows what they are without the triangles: shortest paths.
+class CGAL_GEODESIC_PROCESSING_EXPORT Line_shortener
+{
+public:
+  explicit Line_shortener(std::shared_ptr<const Glued_triangles> triangles);
+
+  // The line pulled taut.  On a mesh, where that is more than a percent longer than `least`, in the
+  // domain's scale, it is compared with the path of a Path_finder, and gives way to that if it is shorter:
+  // it may have strayed to the other side of a hill.
+  // least  such as the growth of a potential: no path is shorter
+  std::vector<Location> operator()(const std::vector<Location>& line, double least);
+
+private:
+  std::shared_ptr<const Glued_triangles> m_triangles;
+  std::optional<Path_finder> m_finder; // once it is needed
 };
 
 } // namespace CGAL::Geodesic_processing::internal
