@@ -21,8 +21,8 @@ struct Lines
 {
   GP::Earth_movers_cost cost;
   std::vector<std::vector<Point>> lines;
-  std::vector<double> potential, flow; // #vertices
-  double length = 0.;                  // of all
+  std::vector<double> potential; // #vertices
+  double length = 0.;            // of all
   std::size_t arrived = 0;
   std::vector<std::uint32_t> triangles; // of a cloud
 };
@@ -65,8 +65,6 @@ Lines find_lines(const Surface_type& surface, const Masses& from, const Masses& 
   }
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
     result.potential.push_back(solver->potential(site<Surface_type>(i)));
-  result.flow.resize(result.potential.size());
-  solver->write_likelihood(Value_map<Site>{&result.flow});
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -101,8 +99,8 @@ void run_streamlines(Job& job, const Streamline_options& options)
   if(!job.picture().empty())
   {
     Picture picture{&surface.file};
-    picture.values = found.flow;
-    picture.title = "flow";
+    picture.values = found.potential;
+    picture.title = "potential";
     picture.triangles = found.triangles;
     picture.chains = found.lines;
     for(const std::vector<Point>& line : found.lines)

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Streamline_tracer.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/blur.h>
 #include <CGAL/Geodesic_processing/internal/masses.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -91,10 +92,14 @@ public:
 
   /// writes for each site how much flows there, the mean length of the flow around it, relative to where
   /// that is the largest: from 0 to 1.
+  /// \param radius by how much it is blurred: a standard deviation, in the coordinates' unit
   template <typename LikelihoodMap>
-  void write_likelihood(LikelihoodMap map) const
+  void write_likelihood(LikelihoodMap map, double radius = 0.) const
   {
-    const internal::Vector lengths = internal::mean_lengths(*m_domain.triangles(), m_result.flow);
+    const internal::Glued_triangles& t = *m_domain.triangles();
+    internal::Vector lengths = internal::mean_lengths(t, m_result.flow);
+    if(radius > 0.)
+      lengths = internal::blurred(internal::operators(t), lengths, radius / t.scale).cwiseMax(0.);
     const double largest = lengths.size() > 0 ? lengths.maxCoeff() : 0.;
     m_domain.write([&](internal::Index i) { return largest > 0. ? lengths[i] / largest : 0.; },
                    map);

@@ -35,7 +35,8 @@ double fuzzy_width(double distance, const NamedParameters& np)
 /// mass around the one to a blob around the other.  \cgalCite{cgal:srgb-emd-14}, section 7
 ///
 /// The blobs are Gaussian in distances by `Euclidean_front`, cut off at four widths.  The length of the
-/// flow is scaled so that it is 1 where it is the largest.  Unlike `fuzzy_geodesic_by_distances()` it tells ways
+/// flow is blurred by a quarter of the width, as what is finer tells of the triangles, and scaled so that
+/// it is 1 where it is the largest.  Unlike `fuzzy_geodesic_by_distances()` it tells ways
 /// that are equally short from each other by how much mass each takes.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
@@ -79,7 +80,7 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
   Solver solver(domain, np);
   const Earth_movers_cost cost = solver.template compute<Method>(
       blob(from_p), blob(from_q), internal::chain(np).do_normalize(true));
-  solver.write_likelihood(likelihood_map);
+  solver.write_likelihood(likelihood_map, 0.25 * width);
   solver.write_maps(np);
   return cost;
 }
