@@ -234,6 +234,17 @@ picture floor-full "The same where the right door has room for a quarter of them
   plan $models/floor.ply --from people --density --to room --capacity room
 picture maze-spread "From two places to all others, where it costs to be crowded." \
   plan $models/maze.ply --from people --to floor --spread 500
+picture streamlines "Which grain goes where? Lines of the flow from a hind foot to all the others." \
+  streamlines "$small" --from 1766 --to 2200,2278,2552 --number 60
+picture streamlines-everywhere "And from everywhere to the tip of the trunk, along shortest paths." \
+  streamlines "$small" --from $build/everywhere.txt --to 691 --density --normalize --number 200
+picture streamlines-runner "From a head to three other places of a man." \
+  streamlines "$runner" --from 0 --to 5000,10000,15000 --number 60
+picture streamlines-cloud "On points alone." streamlines "$scan" --from 0 --to 1000,3000 --number 40
+picture fuzzy "Where do shortest paths between the surroundings of two places pass? Where a flow between blobs is strong," \
+  fuzzy "$small" --from 691 --to 2278 --width 0.06
+picture fuzzy-detours "or over small detours." fuzzy "$small" --from 691 --to 2278 --width 0.06 --by-distances
+picture fuzzy-cloud "On points alone." fuzzy "$scan" --from 0 --to 3000
 picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
 picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
   sample "$scan" --number 1500 --density-image "$rings"
@@ -267,6 +278,7 @@ program from_spectral_to_geodesic "$small" 100 $build/from_spectral_to_geodesic.
 program noise_and_bending "$small" 100 $build/noise_and_bending.ply
 property=detour program detours "$small" 100 1500 $build/detours.ply
 property=density program between_six "$runner" $build/between_six.ply
+property=likelihood program fuzzy_geodesics "$small" 691 2278 $build/fuzzy_geodesics.ply
 property=none program parts_of_a_flow "$small" 100 1200 $build/parts_of_a_flow.ply
 as=parts_in_a_maze property=none program parts_of_a_flow $models/maze.ply 804 3 1223 \
   $build/parts_in_a_maze.ply
