@@ -3,8 +3,8 @@
 #include <CGAL/Geodesic_processing/internal/streamlines.h>
 
 #include <CGAL/Geodesic_processing/internal/Earth_movers.h>
-#include <CGAL/Geodesic_processing/internal/surfels.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/surfels.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
 #include "Glued_surface.h"
