@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
-# surfels, logmap, decal, matrix, emd, barycenter and feature-distance.  Whatever is in a file, the program ends with 0,
-# surfels, logmap, decal, matrix, emd, feature-distance, fuzzy and streamlines.  Whatever is in a file, the program ends with 0,
+# surfels, logmap, decal, matrix, emd, plan, feature-distance, fuzzy, streamlines, barycenter and volume.  Whatever is in a file, the program ends with 0,
 # or with 2 and one sentence, in time, without a NaN.
 set -u
 
@@ -64,6 +63,7 @@ check_all()
   check "$file" emd --from 0 --to 1 || failed=1
   check "$file" barycenter --points 0,1 || failed=1
   check "$file" feature-distance --feature 0 || failed=1
+  check "$file" plan --from 0 --to 1,2 --capacity 0.6,0.7 || failed=1
   check "$file" fuzzy --from 0 --to 1 || failed=1
   check "$file" streamlines --from 0 --to 1 || failed=1
   check "$file" matrix --number 5 --method spectral || failed=1

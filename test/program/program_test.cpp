@@ -560,6 +560,8 @@ TEST_F(Program, barycenter_is_between_masses)
   expect_failure("barycenter square.ply --points 0,80 --weight 1 --weight -1", 2, "weight");
   expect_failure("barycenter square.ply --points 0,80 --density", 1, "--density");
   expect_failure("barycenter square.ply --points 0,80 --tolerance 0", 1, "--tolerance");
+}
+
 TEST_F(Program, streamlines_lead_to_the_masses)
 {
   // From the lower left corner to both others on its sides.
