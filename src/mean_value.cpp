@@ -162,7 +162,7 @@ Mean_value_coordinates::Mean_value_coordinates(std::shared_ptr<const Glued_trian
   m_near = 1e-12 * norm(high - low);
 }
 
-Vector Mean_value_coordinates::operator()(const Spatial& point) const
+std::pair<Vector, double> Mean_value_coordinates::weights(const Spatial& point) const
 {
   const Glued_triangles& t = *m_triangles;
   for(const double x : point)
@@ -179,7 +179,7 @@ Vector Mean_value_coordinates::operator()(const Spatial& point) const
     if(length <= m_near && t.first[site] != t.first[site + 1])
     {
       result[site] = 1.;
-      return result;
+      return {result, infinity};
     }
     rays[site] = {way, length, (1. / length) * way};
   }
@@ -204,7 +204,7 @@ Vector Mean_value_coordinates::operator()(const Spatial& point) const
           result.setZero();
           for(int k = 0; k < 3; ++k)
             result[corner[k]] = share[k];
-          return result;
+          return {result, infinity};
         }
       }
       if(triangle.determinant == 0.)
@@ -222,7 +222,20 @@ Vector Mean_value_coordinates::operator()(const Spatial& point) const
   if(!(std::abs(sum) > 1e-10 * absolute))
     throw Unsupported_surface_error("A point has no mean value coordinates: the mesh encloses "
                                     "nothing that is seen from there.");
-  return result / sum;
+  return {result, sum};
+}
+
+Vector Mean_value_coordinates::operator()(const Spatial& point) const
+{
+  auto [result, sum] = weights(point);
+  if(sum != infinity)
+    result /= sum;
+  return result;
+}
+
+bool Mean_value_coordinates::are_on_one_side(const Spatial& p, const Spatial& q) const
+{
+  return (weights(p).second > 0.) == (weights(q).second > 0.);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

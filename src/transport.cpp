@@ -177,6 +177,12 @@ void Transport_solver::check(const Vector& masses, const std::vector<Exit>& exit
 
 Transport Transport_solver::solve(const Vector& masses, const Transport_options& options,
                                   const std::vector<Exit>& exits) const
+Field Transport_solver::least_flow(const Vector& masses) const
+{
+  return gradient(m_operators, m_solver->solve(masses));
+}
+
+Transport Transport_solver::solve(const Vector& masses, const Transport_options& options) const
 {
   check(masses, exits);
   if(!(options.tolerance > 0.))

@@ -17,6 +17,7 @@
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
 #include <CGAL/Geodesic_processing/Transport_barycenter_solver.h>
 #include <CGAL/Geodesic_processing/Transport_metric.h>
+#include <CGAL/Geodesic_processing/Volumetric_metric.h>
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/earth_movers_distance.h>
@@ -36,6 +37,7 @@
 #include <CGAL/Geodesic_processing/locate_on_surface.h>
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/mean_value_coordinates.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/principal_curvatures.h>
 #include <CGAL/Geodesic_processing/shorten_polyline.h>
@@ -47,5 +49,6 @@
 #include <CGAL/Geodesic_processing/transport_barycenter.h>
 #include <CGAL/Geodesic_processing/transport_streamlines.h>
 #include <CGAL/Geodesic_processing/transport_to_region.h>
+#include <CGAL/Geodesic_processing/volumetric_distance.h>
 
 #endif // CGAL_GEODESIC_PROCESSING_H

@@ -91,6 +91,10 @@ public:
   // #sites: whether a way leads to the region; empty without one.
   const std::vector<bool>& reaches_region() const { return m_reaches_region; }
 
+  // Of the surface as it is refined: its first sites are those of the surface.
+  const Transport_solver& finest_solver() const { return *m_levels.back().solver; }
+  double finest_scale() const { return m_levels.back().triangles->scale; }
+
 private:
   struct Level
   {

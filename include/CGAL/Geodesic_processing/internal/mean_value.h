@@ -8,6 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include <memory>
+#include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -29,7 +30,13 @@ public:
   // rounding hides where the inside is: there is none, or the point is too far away.  O(n)
   Vector operator()(const Spatial& point) const;
 
+  // Whether two points, off the surface, are on the same side of it.  Throws as operator().
+  bool are_on_one_side(const Spatial& p, const Spatial& q) const;
+
 private:
+  // Coordinates times their sum, which is positive on one side; on the surface the sum is infinite.
+  std::pair<Vector, double> weights(const Spatial& point) const;
+
   std::shared_ptr<const Glued_triangles> m_triangles;
   double m_near; // distances below are zero
 };

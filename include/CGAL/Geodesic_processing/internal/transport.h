@@ -94,6 +94,10 @@ public:
   Transport solve(const Vector& masses, const Transport_options& options = {},
                   const std::vector<Exit>& exits = {}) const;
 
+  // The flow of least squares that moves the masses, which sum to zero on each component: with a vector
+  // of any field's missing masses, what brings it nearest to flows that do.  One solution.
+  Field least_flow(const Vector& masses) const;
+
   const Operators& operators() const { return m_operators; }
 
 private:

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_MEAN_VALUE_COORDINATES_H
+#define CGAL_GEODESIC_PROCESSING_MEAN_VALUE_COORDINATES_H
+
+#include <CGAL/Geodesic_processing/internal/mean_value.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+
+#include <CGAL/number_utils.h>
+
+namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+template <typename Point>
+Spatial spatial(const Point& point)
+{
+  return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// finds the mean value coordinates of a point with respect to a closed mesh: a number for each vertex,
+/// such that they sum to one, and the vertices times their numbers to the point.  \cgalCite{cgal:jsw-mvc-05}
+///
+/// They are continuous in space, and smooth off the surface; on it they are barycentric coordinates in a
+/// face.  Inside of a convex mesh they are positive, elsewhere some may be negative.  Borders and
+/// components do not matter beyond this: the mesh is closed, and encloses something.
+///
+/// \param mesh as for `geodesic_distances()`, a mesh and closed, or a domain of one
+/// \param point a `Point_3` of any kernel, inside, outside, or on the surface
+/// \param coordinate_map receives a `double` for each vertex
+/// \param np what `make_domain()` takes
+/// \throws Unsupported_surface_error when the mesh has a border or no faces, when it encloses nothing,
+///         or the point is millions of times as far away as it is large
+/// \throws Invalid_argument_error when a coordinate is not finite
+///
+/// O(n): 1.3 ms for 10,000 vertices.  At a distance of d diameters roundings are d² times as large.
+template <typename Mesh, typename Point, typename CoordinateMap,
+          typename NamedParameters = internal::Default_parameters>
+void mean_value_coordinates(const Mesh& mesh, const Point& point, CoordinateMap coordinate_map,
+                            const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(mesh, np);
+  static_assert(!internal::Is_cloud<typename decltype(domain)::Surface>::value,
+                "A cloud encloses nothing: mean value coordinates need a closed mesh.");
+  const internal::Vector found =
+      internal::Mean_value_coordinates(domain.triangles())(internal::spatial(point));
+  domain.write([&](internal::Index i) { return found[i]; }, coordinate_map);
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_MEAN_VALUE_COORDINATES_H

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_VOLUMETRIC_DISTANCE_H
+#define CGAL_GEODESIC_PROCESSING_VOLUMETRIC_DISTANCE_H
+
+#include <CGAL/Geodesic_processing/Volumetric_metric.h>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// finds out how far two points in space are from each other, inside or outside of a closed mesh, once.
+/// For many points `Volumetric_metric` is prepared only once.
+///
+/// \param mesh as for `Volumetric_metric`, or a domain of it
+/// \param from, to `Point_3` of any kernel
+/// \param np what `Volumetric_metric` and its `cost()` take
+/// \throws as `Volumetric_metric` and its `cost()`
+template <typename Mesh, typename From, typename To,
+          typename NamedParameters = internal::Default_parameters>
+Earth_movers_cost volumetric_distance(const Mesh& mesh, const From& from, const To& to,
+                                      const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(mesh, np);
+  return Volumetric_metric<typename decltype(domain)::Surface>(domain, np).cost(from, to, np);
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_VOLUMETRIC_DISTANCE_H

@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Volumetric_metric.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+
+#include <CGAL/Geodesic_processing/Earth_movers_solver.h>
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using Metric = GP::Volumetric_metric<Mesh>;
+using Point_3 = Kernel::Point_3;
+
+// Of the bounds, by default.
+constexpr double gap = 1e-3;
+
+// Two long rooms side by side, joined at one end: a U of cubes.
+Triangulation bent_hall()
+{
+  return blocks(3, 2, 8, [](int x, int, int z) { return x != 1 || z == 0; });
+}
+
+std::vector<Point_3> random_points(std::size_t number, double size, unsigned seed = 1)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> coordinate(-size, size);
+  std::vector<Point_3> result;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const double x = coordinate(random), y = coordinate(random);
+    result.emplace_back(x, y, coordinate(random));
+  }
+  return result;
+}
+
+double straight(const Point_3& p, const Point_3& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
+
+TEST(Volumetric_metric, is_the_distance_on_the_surface_there)
+{
+  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
+  const auto np = GP::parameters::number_of_refinements(2u);
+  const Metric metric(mesh, np);
+  GP::Earth_movers_solver<Mesh> solver(mesh, np);
+  Mesh copy = mesh;
+  auto exact = vertex_map(copy);
+  GP::geodesic_distances<GP::Exact>(copy, Vertex(3), exact);
+  for(const Vertex v : {Vertex(0), Vertex(100), Vertex(600)})
+  {
+    const GP::Earth_movers_cost cost = metric.cost(mesh.point(Vertex(3)), mesh.point(v));
+    // Coordinates of the vertices themselves are ones and zeros up to rounding.
+    EXPECT_NEAR(cost.value, solver.compute(Vertex(3), v).value, 1e-9);
+    EXPECT_LE(cost.lower, exact[v] * (1. + 1e-9));
+    EXPECT_NEAR(cost.value, exact[v], 0.01 * exact[v]); // a part of an edge, of 0.04
+  }
+}
+
+TEST(Volumetric_metric, is_a_metric_above_the_straight_distance)
+{
+  for(const Triangulation& shape : {icosphere(2), bent_hall()})
+  {
+    const Metric metric(mesh_of(shape), GP::parameters::number_of_refinements(0u));
+    const std::vector<Point_3> points = random_points(7, 2.5);
+    std::vector<std::vector<GP::Earth_movers_cost>> d(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i)
+      for(std::size_t j = 0; j < points.size(); ++j)
+      {
+        d[i].push_back(metric.cost(points[i], points[j]));
+        const GP::Earth_movers_cost& cost = d[i][j];
+        EXPECT_TRUE(cost.converged);
+        EXPECT_LE(cost.upper - cost.lower, gap * cost.upper);
+        EXPECT_GE(cost.lower, straight(points[i], points[j]));
+        EXPECT_EQ(i == j, cost.upper == 0.);
+        EXPECT_NEAR(cost.value, d[std::min(i, j)][std::max(i, j)].value, gap * cost.upper);
+      }
+    for(std::size_t i = 0; i < points.size(); ++i)
+      for(std::size_t j = 0; j < points.size(); ++j)
+        for(std::size_t k = 0; k < points.size(); ++k)
+          EXPECT_LE(d[i][j].lower, d[i][k].upper + d[k][j].upper);
+  }
+}
+
+// In a slab whose sides are far away, along it; nothing is in the way there.
+TEST(Volumetric_metric, is_straight_between_parallel_planes)
+{
+  const Mesh mesh = mesh_of(blocks(20, 20, 1, [](int, int, int) { return true; }));
+  const Metric metric(mesh);
+  const double d = metric.distance(Point_3(5., 10., 0.5), Point_3(15., 10., 0.5));
+  EXPECT_GE(d, 10. * (1. - gap));
+  EXPECT_LE(d, 10.1); // the last percent is what masses near to each other must go around
+}
+
+TEST(Volumetric_metric, goes_around_walls)
+{
+  const Metric metric(mesh_of(bent_hall()));
+  const Point_3 end(0.5, 1., 7.5), other_end(2.5, 1., 7.5);
+  const double inside = metric.distance(end, other_end);
+  EXPECT_GT(inside, 2. * 6.5 + 1.); // down one room and up the other
+  EXPECT_LT(inside, 2. * 8. + 3.);  // along the outer walls
+}
+
+// Positive coordinates are masses that need not go farther than any two places are apart.
+TEST(Volumetric_metric, is_at_most_the_diameter_inside_of_convex_meshes)
+{
+  const Mesh mesh = mesh_of(icosphere(3));
+  const Metric metric(mesh);
+  const std::vector<Point_3> points = random_points(6, 0.55);
+  for(const Point_3& p : points)
+    for(const Point_3& q : points)
+      EXPECT_LE(metric.cost(p, q).lower, std::acos(-1.));
+}
+
+TEST(Volumetric_metric, takes_scales)
+{
+  const Point_3 p(0.1, 0.3, -0.2), q(1., 2., 0.);
+  const double value = Metric(mesh_of(icosphere(2))).distance(p, q);
+  for(const double scale : {1e-6, 1e6})
+  {
+    const CGAL::Aff_transformation_3<Kernel> larger(CGAL::SCALING, scale);
+    const Metric metric(mesh_of(scaled(icosphere(2), scale)));
+    EXPECT_NEAR(metric.distance(larger(p), larger(q)), scale * value, 1e-9 * scale);
+  }
+}
+
+TEST(Volumetric_metric, has_potential_and_flow)
+{
+  Mesh mesh = mesh_of(icosphere(3));
+  const Metric metric(mesh, GP::parameters::number_of_refinements(0u));
+  const auto potential = vertex_map(mesh);
+  const auto before = vertex_map(mesh), after = vertex_map(mesh);
+  const auto flow = mesh.add_property_map<Face, Kernel::Vector_3>().first;
+  const Point_3 p(0.1, 0.3, -0.2), q(-0.4, 0.1, 0.5);
+  const GP::Earth_movers_cost cost = metric.cost(
+      p, q, GP::parameters::potential_map(potential).flow_map(flow).do_bound_from_above(true));
+  GP::mean_value_coordinates(mesh, p, before);
+  GP::mean_value_coordinates(mesh, q, after);
+  double proven = 0.;
+  for(const Vertex v : mesh.vertices())
+    proven += potential[v] * (after[v] - before[v]);
+  EXPECT_NEAR(std::max(proven, straight(p, q)), cost.lower, 1e-12);
+  EXPECT_GE(cost.upper_continuous, cost.upper * (1. - 1e-9));
+  // On either side a mass of one is gathered in vertices: half an edge of 0.16 at most.
+  EXPECT_LE(cost.upper_continuous, cost.upper + 0.16);
+  double length = 0.;
+  for(const Face f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    length += std::sqrt(flow[f].squared_length() *
+                        CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                           mesh.point(mesh.target(mesh.next(h)))));
+  }
+  EXPECT_NEAR(length, cost.upper, 1e-9);
+}
+
+TEST(Volumetric_metric, knows_many_within_a_percent)
+{
+  const Metric metric(mesh_of(bent_hall()));
+  const Point_3 from(0.5, 1., 7.5);
+  const std::vector<Point_3> to = random_points(60, 5.);
+  const auto found = metric.costs(from, to);
+  const auto parallel = metric.costs<CGAL::Parallel_tag>(from, to, GP::parameters::threads(3));
+  ASSERT_EQ(found.size(), to.size());
+  for(std::size_t i = 0; i < to.size(); ++i)
+  {
+    EXPECT_TRUE(found[i].converged);
+    EXPECT_EQ(found[i].value, parallel[i].value);
+    if(i % 6 == 0)
+    {
+      const double value = metric.distance(from, to[i]);
+      EXPECT_NEAR(found[i].value, value, (0.01 + gap) * value);
+    }
+  }
+  EXPECT_TRUE(
+      metric.costs(from, to, GP::parameters::callback([](double) { return false; })).empty());
+}
+
+// Lengths of a path, and that no segment of it meets the surface.
+double length_of(const std::vector<Point_3>& path, const Mesh& mesh)
+{
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(faces(mesh).begin(),
+                                                                   faces(mesh).end(), mesh);
+  double result = 0.;
+  for(std::size_t i = 1; i < path.size(); ++i)
+  {
+    EXPECT_FALSE(tree.do_intersect(Kernel::Segment_3(path[i - 1], path[i])));
+    result += straight(path[i - 1], path[i]);
+  }
+  return result;
+}
+
+TEST(Volumetric_metric, has_paths_that_stay_inside)
+{
+  const Mesh mesh = mesh_of(bent_hall());
+  const Metric metric(mesh, GP::parameters::number_of_refinements(0u));
+  const Point_3 end(0.5, 1., 7.5), other_end(2.5, 1., 7.5);
+  std::vector<Point_3> path;
+  ASSERT_TRUE(metric.write_path(end, other_end, std::back_inserter(path)));
+  EXPECT_EQ(path.front(), end);
+  EXPECT_EQ(path.back(), other_end);
+  const double length = length_of(path, mesh);
+  EXPECT_GT(length, 2. * 6.5 + 1.); // around the wall between the rooms
+  EXPECT_LT(length, 18.);
+}
+
+TEST(Volumetric_metric, has_paths_outside)
+{
+  const Mesh mesh = mesh_of(icosphere(3));
+  const Metric metric(mesh, GP::parameters::number_of_refinements(0u));
+  std::vector<Point_3> path;
+  ASSERT_TRUE(
+      metric.write_path(Point_3(1.5, 0.1, 0.2), Point_3(-1.5, 0., 0.), std::back_inserter(path)));
+  EXPECT_LT(length_of(path, mesh), 6.);
+}
+
+TEST(Volumetric_metric, refuses_what_it_cannot_measure)
+{
+  EXPECT_THROW(Metric(mesh_of(square(3))), GP::Unsupported_surface_error);
+  const Mesh mesh = mesh_of(icosphere(1));
+  const Metric metric(mesh);
+  const Point_3 inside(0., 0., 0.), outside(0., 0., 2.);
+  EXPECT_THROW(metric.distance(inside, outside, 0.), GP::Invalid_argument_error);
+  EXPECT_THROW(metric.distance(inside, Point_3(std::nan(""), 0., 0.)), GP::Invalid_argument_error);
+  std::vector<Point_3> path;
+  EXPECT_THROW(metric.write_path(inside, outside, std::back_inserter(path)),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(metric.write_path(inside, mesh.point(Vertex(0)), std::back_inserter(path)),
+               GP::Invalid_argument_error);
+}
+
+} // namespace
