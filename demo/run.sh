@@ -62,12 +62,12 @@ if fetch_models; then
   m=$models/data/meshes p=$models/data/points_3
   animal=$m/armadillo.off beast=$m/ChineseDragon-10kv.off part=$m/fandisk.off
   runner=$m/man.off holes=$m/mech-holes-shark.off mask=$m/mannequin-devil.off
-  bear=$m/bear.off bunny=$m/bunny00.off small=$m/elephant.off
+  bear=$m/bear.off bunny=$m/bunny00.off small=$m/elephant.off loop=$m/knot1.off cow=$m/cow.off
   scan=$p/kitten.xyz scan_with_normals=$p/oni.pwn
 else
   echo "Debian's libcgal-demo cannot be had here: the tour runs on models of its own."
   animal=$models/knot.off beast=$animal part=$models/hills.off runner=$animal bear=$animal
-  bunny=$animal
+  bunny=$animal loop=$animal cow=$animal
   holes=$models/hills.off mask=$models/hills.off small=$models/hills.off
   scan=$models/scan.xyz scan_with_normals=$scan
 fi
@@ -220,6 +220,18 @@ picture emd "From three places to three others: what moves, and the potential th
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
 picture barycenter "Which vertex has the least sum of squared distances to four feet and the tip of the trunk?" \
   barycenter "$small" --points 691,1766,2200,2278,2552
+picture volume-slice "How far is every point of a plane, inside of a body and outside, by masses on its surface?" \
+  volume "$small" --from=-0.12,0,0 --slice z,0 --refine 0
+picture volume-slices "On two planes, from a place in the body of an animal," \
+  volume "$small" --from=-0.061,-0.201,-0.006 --slice x,0 --slice y,-0.2 --refine 0 --resolution 40
+picture volume-knot "and from one in a knot: what is near through the air is far." \
+  volume "$loop" --from 0.277,0.419,-0.015 --slice z,-0.015 --refine 0
+picture volume-path "A path inside of a body, down the distance to its end, from the trunk to a foot," \
+  volume "$small" --from 0.152,0.371,0.201 --to=-0.113,-0.456,-0.052 --path --refine 0
+picture volume-path-knot "around a knot," \
+  volume "$loop" --from 0.277,0.419,-0.015 --to=-0.367,-0.14,0.092 --path --refine 0
+picture volume-path-cow "and from a leg to a head." \
+  volume "$cow" --from 0.149,-0.069,-0.012 --to=-0.384,0.163,-0.03 --path --refine 0
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
 picture feature "How far is everything from four places, by one transport?" \
   feature-distance "$animal" --feature 0,100,2000,9000

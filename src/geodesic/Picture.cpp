@@ -256,7 +256,7 @@ void finish(vtkActor* actor)
   actor->GetProperty()->SetSpecularPower(25.);
 }
 
-void add_skin(vtkRenderer* renderer, const Skin& skin)
+void add_skin(vtkRenderer* renderer, const Skin& skin, double opacity = 1.)
 {
   const vtkSmartPointer<vtkPolyData> data = triangles_of(skin.points, skin.corners);
   vtkNew<vtkUnsignedCharArray> colours;
@@ -287,6 +287,7 @@ void add_skin(vtkRenderer* renderer, const Skin& skin)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   finish(actor);
+  actor->GetProperty()->SetOpacity(opacity);
   renderer->AddActor(actor);
 }
 
@@ -739,7 +740,7 @@ void draw(const std::string& filename, const Picture& picture)
     if(picture.texture != nullptr)
       add_textured_skin(renderer, points, surface, *picture.texture);
     else if(is_mesh)
-      add_skin(renderer, {points, {}, triangles, colours});
+      add_skin(renderer, {points, {}, triangles, colours}, picture.is_glass ? 0.25 : 1.);
     if(!range.empty())
       lines = add_isolines(renderer, points, triangles, picture.values, range);
   }
@@ -776,7 +777,14 @@ void draw(const std::string& filename, const Picture& picture)
 
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();
-  window->SetMultiSamples(8);
+  window->SetMultiSamples(picture.is_glass ? 0 : 8);
+  if(picture.is_glass)
+  {
+    window->AlphaBitPlanesOn();
+    renderer->UseDepthPeelingOn();
+    renderer->SetMaximumNumberOfPeels(12);
+    renderer->UseFXAAOn();
+  }
   window->SetSize(width, height);
   window->AddRenderer(renderer);
   window->Render();

@@ -27,6 +27,7 @@ void add_barycenter(CLI::App& program);
 void add_feature_distance(CLI::App& program);
 void add_fuzzy(CLI::App& program);
 void add_streamlines(CLI::App& program);
+void add_volume(CLI::App& program);
 
 } // namespace program
 

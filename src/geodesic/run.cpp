@@ -62,6 +62,7 @@ int run(int argc, char** argv)
   add_feature_distance(program);
   add_fuzzy(program);
   add_streamlines(program);
+  add_volume(program);
   try
   {
     program.parse(argc, argv);

@@ -606,6 +606,42 @@ TEST_F(Program, fuzzy_geodesics_are_likely_between_their_ends)
   expect_failure("fuzzy square.ply --from 0 --to 0", 1, "same");
   expect_failure("fuzzy square.ply --from 0 --to 9 --width 0", 1, "--width");
   expect_failure("fuzzy square.ply --from 0 --to 99", 2, "99");
+TEST_F(Program, volume_measures_in_space)
+{
+  // Corners at one on each axis.
+  write("o.off", "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
+                 "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n");
+  const nlohmann::json pair =
+      json("volume o.off --from 0.2,0,0 --to=-0.2,0,0 --bound-above -o v.ply --values v.txt");
+  EXPECT_GE(pair["lower"].get<double>(), 0.4);
+  EXPECT_LE(pair["lower"].get<double>(), pair["value"].get<double>());
+  EXPECT_LE(pair["value"].get<double>(), pair["upper"].get<double>());
+  EXPECT_LE(pair["upper"].get<double>(), pair["upper_continuous"].get<double>() * (1. + 1e-9));
+  EXPECT_NE(content(m_folder / "v.ply").find("property double potential\n"), std::string::npos);
+  // The corner is a unit mass.
+  EXPECT_NEAR(json("volume o.off --from 1,0,0 --to 0,1,0")["value"].get<double>(), std::sqrt(2.),
+              2e-3);
+  const nlohmann::json slice =
+      json("volume o.off --from 0.2,0,0 --slice z,0.1 --slice x,2 --resolution 7 --values s.txt "
+           "-o s.ply");
+  EXPECT_EQ(slice["points"], 98); // seven by seven, twice
+  EXPECT_LE(slice["gap"].get<double>(), 0.02);
+  EXPECT_GE(slice["max"].get<double>(), 2.);
+  EXPECT_NE(content(m_folder / "s.ply").find("property double distance\n"), std::string::npos);
+  const nlohmann::json path =
+      json("volume o.off --from 0.4,0.1,0 --to=-0.4,0.1,0 --path -o p.obj --values p.txt");
+  EXPECT_TRUE(path["arrives"]);
+  EXPECT_GE(path["length"].get<double>(), 0.8);
+
+  expect_failure("volume o.off --from 0,0,0", 1, "--to or --slice");
+  expect_failure("volume o.off --from 0,0,0 --to 1,1,1 --slice z,0", 1, "--to or --slice");
+  expect_failure("volume o.off --from 0,0 --to 1,1,1", 1, "x,y,z");
+  expect_failure("volume o.off --from 0,0,0 --slice w,0", 1, "like z,0.5");
+  expect_failure("volume o.off --from 0,0,0 --slice z,a", 1, "--slice");
+  expect_failure("volume o.off --from 0,0,0 --to 1,0,0 --tolerance 0", 1, "--tolerance");
+  expect_failure("volume o.off --from 0,0,0 --to 3,0,0 --path", 2, "different sides");
+  expect_failure("volume square.ply --from 0,0,0 --to 1,0,0", 2, "not closed");
+  expect_failure("volume cloud.xyz --from 0,0,0 --to 1,0,0", 2, "closed mesh");
 }
 
 TEST_F(Program, feature_distance_is_from_all_of_a_feature)
