@@ -221,8 +221,8 @@ picture emd "From three places to three others: what moves, and the potential th
 picture barycenter "Which vertex has the least sum of squared distances to four feet and the tip of the trunk?" \
   barycenter "$small" --points 691,1766,2200,2278,2552
 picture volume-slice "How far is every point of a plane, inside of a body and outside, by masses on its surface?" \
-  volume "$small" --from=-0.12,0,0 --slice z,0 --refine 0
-picture volume-slices "On two planes, from a place in the body of an animal," \
+  volume "$small" --from=-0.061,-0.201,-0.006 --slice z,-0.006 --refine 0
+picture volume-slices "On two planes, from the same place," \
   volume "$small" --from=-0.061,-0.201,-0.006 --slice x,0 --slice y,-0.2 --refine 0 --resolution 40
 picture volume-knot "and from one in a knot: what is near through the air is far." \
   volume "$loop" --from 0.277,0.419,-0.015 --slice z,-0.015 --refine 0
@@ -230,8 +230,8 @@ picture volume-path "A path inside of a body, down the distance to its end, from
   volume "$small" --from 0.152,0.371,0.201 --to=-0.113,-0.456,-0.052 --path --refine 0
 picture volume-path-knot "around a knot," \
   volume "$loop" --from 0.277,0.419,-0.015 --to=-0.367,-0.14,0.092 --path --refine 0
-picture volume-path-cow "and from a leg to a head." \
-  volume "$cow" --from 0.149,-0.069,-0.012 --to=-0.384,0.163,-0.03 --path --refine 0
+picture volume-path-cow "and from a foot to a mouth." \
+  volume "$cow" --from=-0.364,-0.299,-0.102 --to 0.473,0.173,0.021 --path --refine 0
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
 picture feature "How far is everything from four places, by one transport?" \
   feature-distance "$animal" --feature 0,100,2000,9000
