@@ -175,14 +175,13 @@ void Transport_solver::check(const Vector& masses, const std::vector<Exit>& exit
                     " instead of zero on a component of the surface, and none can leave it.");
 }
 
-Transport Transport_solver::solve(const Vector& masses, const Transport_options& options,
-                                  const std::vector<Exit>& exits) const
 Field Transport_solver::least_flow(const Vector& masses) const
 {
   return gradient(m_operators, m_solver->solve(masses));
 }
 
-Transport Transport_solver::solve(const Vector& masses, const Transport_options& options) const
+Transport Transport_solver::solve(const Vector& masses, const Transport_options& options,
+                                  const std::vector<Exit>& exits) const
 {
   check(masses, exits);
   if(!(options.tolerance > 0.))

@@ -7,19 +7,6 @@
 #   --quick      small meshes only, a minute
 #   --patient    CGAL's exact distances also where they take minutes
 #   NAME         only this one: a source in this folder, without its ending
-#   accuracy     only this one
-#   speed        only this one
-#   exact        only this one
-#   sampling     only this one
-#   remeshing    only this one
-#   surfels      only this one
-#   logmap       only this one
-#   decal        only this one
-#   transport    only this one
-#   transport_bounds  only this one
-#   transport_family  only this one
-#   transport_claims  only this one
-#   volumes      only this one
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -44,11 +31,6 @@ done
 [ ${#programs[@]} -gt 0 ] ||
   programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds
             transport_family transport_claims regions flows barycenters volumes)
-    accuracy | speed | exact | sampling | remeshing | surfels | logmap | decal | transport | transport_bounds | transport_family | transport_claims | volumes) programs+=("$argument") ;;
-    *) sed -n '5,23s/^# \{0,1\}//p' "$0"; exit 1 ;;
-  esac
-done
-[ ${#programs[@]} -gt 0 ] || programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds transport_family transport_claims volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

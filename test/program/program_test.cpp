@@ -606,6 +606,8 @@ TEST_F(Program, fuzzy_geodesics_are_likely_between_their_ends)
   expect_failure("fuzzy square.ply --from 0 --to 0", 1, "same");
   expect_failure("fuzzy square.ply --from 0 --to 9 --width 0", 1, "--width");
   expect_failure("fuzzy square.ply --from 0 --to 99", 2, "99");
+}
+
 TEST_F(Program, volume_measures_in_space)
 {
   // Corners at one on each axis.
