@@ -28,6 +28,7 @@
 #include <CGAL/Geodesic_processing/feature_distance.h>
 #include <CGAL/Geodesic_processing/geodesic_barycenter.h>
 #include <CGAL/Geodesic_processing/fuzzy_geodesic.h>
+#include <CGAL/Geodesic_processing/geodesic_centroidal_tessellation.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>

@@ -208,6 +208,18 @@ enum do_start_from_last_t
 {
   do_start_from_last
 };
+enum do_make_discs_t
+{
+  do_make_discs
+};
+enum center_output_t
+{
+  center_output
+};
+enum energy_output_t
+{
+  energy_output
+};
 enum do_straighten_t
 {
   do_straighten
@@ -294,6 +306,9 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, do_normalize_t, do_normalize)                             \
   LINK(Geodesic_processing::internal_np, do_bound_from_above_t, do_bound_from_above)               \
   LINK(Geodesic_processing::internal_np, do_start_from_last_t, do_start_from_last)                 \
+  LINK(Geodesic_processing::internal_np, do_make_discs_t, do_make_discs)                           \
+  LINK(Geodesic_processing::internal_np, center_output_t, center_output)                           \
+  LINK(Geodesic_processing::internal_np, energy_output_t, energy_output)                           \
   LINK(Geodesic_processing::internal_np, do_straighten_t, do_straighten)                           \
   LINK(Geodesic_processing::internal_np, width_t, width)                                           \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \

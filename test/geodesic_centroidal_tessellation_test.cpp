@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/geodesic_centroidal_tessellation.h>
+
+#include <CGAL/Geodesic_processing/geodesic_distances.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+#include "meshes.h"
+#include "openmesh.h"
+#include "topology.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+const std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
+// The corners of the faces of each cell.
+std::map<std::size_t, std::vector<Index>> patches(const Triangulation& surface,
+                                                  const std::vector<std::size_t>& label)
+{
+  std::map<std::size_t, std::vector<Index>> result;
+  for(std::size_t f = 0; f < label.size(); ++f)
+    for(int k = 0; k < 3; ++k)
+      result[label[f]].push_back(surface.corners[3 * f + k]);
+  return result;
+}
+
+template <typename Surface, typename NamedParameters>
+std::vector<std::size_t> labels(const Numbered<Surface>& surface, std::size_t number,
+                                const NamedParameters& np, std::size_t& cells)
+{
+  std::map<typename Numbered<Surface>::Face, std::size_t> map;
+  cells = GP::geodesic_centroidal_tessellation(surface.mesh, number,
+                                               boost::make_assoc_property_map(map), np);
+  std::vector<std::size_t> result;
+  for(const auto face : surface.faces)
+    result.push_back(map.at(face));
+  return result;
+}
+
+template <typename Surface>
+void expect_discs(const Triangulation& triangulation, std::size_t number)
+{
+  Numbered<Surface> surface;
+  fill(surface, triangulation);
+  std::vector<double> energies;
+  std::size_t cells = 0;
+  const auto label = labels(
+      surface, number,
+      GP::parameters::do_make_discs(true).energy_output(std::back_inserter(energies)), cells);
+  const Topology disc = {true, {{1, 1}}};
+  const auto found = patches(triangulation, label);
+  EXPECT_EQ(found.size(), cells);
+  EXPECT_GE(cells, number);
+  for(const auto& [cell, corners] : found)
+  {
+    EXPECT_LT(cell, cells);
+    EXPECT_EQ(topology(corners), disc) << cell;
+  }
+  EXPECT_TRUE(std::is_sorted(energies.rbegin(), energies.rend()));
+}
+
+using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
+
+TEST(Geodesic_centroidal_tessellation, is_of_discs_on_all_meshes)
+{
+  for(const std::size_t number : {1, 4, 20})
+    for(const Triangulation& surface :
+        {icosphere(3), shaken(torus(24, 12), 0.02), cylinder(16, 9, 1., 3.), square(12, 0.2)})
+    {
+      expect_discs<Mesh>(surface, number);
+      expect_discs<Polyhedron>(surface, number);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+      expect_discs<OpenMesh::TriMesh_ArrayKernelT<>>(surface, number);
+#endif
+    }
+}
+
+TEST(Geodesic_centroidal_tessellation, does_not_depend_on_the_scale)
+{
+  std::vector<std::size_t> first;
+  double energy = 0.;
+  for(const double scale : {1., 0x1p-20, 0x1p20})
+  {
+    Numbered<Mesh> surface;
+    fill(surface, scaled(shaken(icosphere(3), 0.03), scale));
+    std::vector<double> energies;
+    std::size_t cells = 0;
+    const auto label =
+        labels(surface, 15, GP::parameters::energy_output(std::back_inserter(energies)), cells);
+    EXPECT_EQ(cells, 15u);
+    if(first.empty())
+    {
+      first = label;
+      energy = energies.back();
+    }
+    // Powers of two change no digit.
+    EXPECT_EQ(label, first);
+    EXPECT_EQ(energies.back(), std::pow(scale, 4) * energy);
+  }
+}
+
+TEST(Geodesic_centroidal_tessellation, faces_belong_to_the_nearest_centre)
+{
+  Mesh mesh = mesh_of(icosphere(4));
+  const auto label = mesh.add_property_map<Face, std::size_t>("f:label").first;
+  std::vector<GP::Location<Mesh>> centers;
+  const std::size_t cells = GP::geodesic_centroidal_tessellation(
+      mesh, 12, label, GP::parameters::center_output(std::back_inserter(centers)));
+  ASSERT_EQ(cells, 12u);
+  ASSERT_EQ(centers.size(), 12u);
+  std::vector<double> area(12, 0.);
+  for(const Face f : mesh.faces())
+  {
+    ASSERT_LT(get(label, f), 12u);
+    const Point p = point_of(mesh, GP::Location<Mesh>(f, {1. / 3., 1. / 3., 1. / 3.}));
+    std::vector<double> far;
+    for(const auto& center : centers)
+      far.push_back(distance(p, point_of(mesh, center)));
+    // The longest side of this icosphere: faces go with their corners.
+    EXPECT_LT(far[get(label, f)], *std::min_element(far.begin(), far.end()) + 0.0812);
+    area[get(label, f)] += 1. / double(mesh.number_of_faces());
+  }
+  // Of a dozen even cells; farthest points begin with parts that differ by a factor of two.
+  for(const double part : area)
+    EXPECT_NEAR(part, 1. / 12., 0.25 / 12.);
+}
+
+TEST(Geodesic_centroidal_tessellation, of_surfels_with_threads)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  CGAL::Point_set_3<Kernel::Point_3> cloud;
+  cloud.add_normal_map();
+  const Triangulation sphere = icosphere(4);
+  for(const Point& p : sphere.points)
+    cloud.insert({p[0], p[1], p[2]}, {p[0], p[1], p[2]});
+  std::vector<std::vector<std::size_t>> found;
+  for(const unsigned threads : {1u, 2u})
+  {
+    const auto label = cloud.add_property_map<std::size_t>("label", nowhere).first;
+    const std::size_t cells =
+        GP::geodesic_centroidal_tessellation<GP::Euclidean_front, CGAL::Parallel_tag>(
+            cloud, 20, label, GP::parameters::threads(threads));
+    EXPECT_EQ(cells, 20u);
+    found.emplace_back();
+    for(const auto& surfel : cloud)
+      found.back().push_back(get(label, surfel));
+  }
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(std::set<std::size_t>(found[0].begin(), found[0].end()).size(), 20u);
+}
+
+TEST(Geodesic_centroidal_tessellation, takes_other_fronts_speeds_and_limits)
+{
+  Mesh mesh = mesh_of(square(20, 0.2));
+  const auto label = mesh.add_property_map<Face, std::size_t>("f:label").first;
+  const auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
+  for(const Vertex v : mesh.vertices())
+    put(speed, v, mesh.point(v).x() < 0.5 ? 1. : 0.25);
+  std::vector<GP::Location<Mesh>> centers;
+  GP::geodesic_centroidal_tessellation<GP::Fast_marching>(
+      mesh, 30, label, GP::parameters::speed_map(speed).center_output(std::back_inserter(centers)));
+  const auto slow =
+      std::count_if(centers.begin(), centers.end(),
+                    [&](const auto& center) { return point_of(mesh, center)[0] > 0.5; });
+  // Sixteen on the right for one on the left in the limit of small cells.
+  EXPECT_GT(slow, 24);
+
+  std::vector<double> energies;
+  GP::geodesic_centroidal_tessellation<GP::Dijkstra>(
+      mesh, 10, label,
+      GP::parameters::maximum_number_of_iterations(2u).energy_output(std::back_inserter(energies)));
+  EXPECT_EQ(energies.size(), 3u);
+  EXPECT_THROW(GP::geodesic_centroidal_tessellation(mesh, 0, label), GP::Invalid_argument_error);
+  // More than there are vertices: as many as are apart.
+  Mesh small = mesh_of(tetrahedron());
+  const auto of_face = small.add_property_map<Face, std::size_t>("f:label").first;
+  const std::size_t cells = GP::geodesic_centroidal_tessellation(small, 100, of_face);
+  EXPECT_LE(cells, 4u);
+  EXPECT_GE(cells, 1u);
+}
+
+TEST(Geodesic_centroidal_tessellation, of_real_models_is_of_discs)
+{
+  // One component each; the rotor has tubes, the shark's borders are holes.
+  for(const char* const name : {"fandisk_6k5", "rotor_2k4", "mech_holes_shark_5k", "elephant_2k8"})
+  {
+    const std::string file = model(std::string("meshes/") + name + ".off");
+    if(file.empty())
+      GTEST_SKIP() << "There are no shared models.";
+    expect_discs<Mesh>(read_off(file), 30);
+  }
+}
+
+} // namespace
