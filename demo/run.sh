@@ -153,6 +153,10 @@ picture sample-bent "Samples where curvature attracts them on a smooth surface."
 picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
   voronoi "$bear" --number 60
 picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40
+picture segment "Forty charts of about equal size, each a disc, with their centres." \
+  segment "$bear" --number 40 --discs
+picture segment-part "Charts that are smaller where creases slow fronts down." \
+  segment "$part" --number 60 --discs --speed curvature-attractive
 picture remesh "The same surface in 1,000 vertices, with even triangles." \
   remesh "$animal" --number 1000 --lloyd 10
 picture remesh-part "Sharp edges are kept on request." \

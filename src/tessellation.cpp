@@ -200,8 +200,8 @@ private:
     // Beyond the mean of the logarithms, to it, or a part of the way.
     const Planar mean = (-0.5 / (mass * slowness * slowness)) * gradient;
     std::vector<double> found(sites.size());
-    for(double way = std::min(overrelaxation * norm(mean), radius / slowness); way * slowness > least_move * radius;
-        way /= 2.)
+    for(double way = std::min(overrelaxation * norm(mean), radius / slowness);
+        way * slowness > least_move * radius; way /= 2.)
     {
       const Location place = end_of(plane, (way / norm(mean)) * mean, sites);
       if(measure(place, way, &found) < (1. - rounding) * before)

@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, sample, remesh, path,
+# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, segment, sample, remesh, path,
 # surfels, logmap, decal, matrix, emd, plan, feature-distance, fuzzy, streamlines, barycenter and volume.
 # Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
 set -u
@@ -48,6 +48,7 @@ check_all()
   check "$file" info || failed=1
   check "$file" distance --source 0 || failed=1
   check "$file" voronoi --number 3 || failed=1
+  check "$file" segment --number 5 --discs || failed=1
   check "$file" sample --number 20 || failed=1
   check "$file" sample --number 20 --speed curvature-attractive || failed=1
   check "$file" remesh --number 20 || failed=1

@@ -19,6 +19,7 @@ void add_decal(CLI::App& program);
 void add_matrix(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);
+void add_segment(CLI::App& program);
 void add_remesh(CLI::App& program);
 void add_surfels(CLI::App& program);
 void add_emd(CLI::App& program);

@@ -156,6 +156,23 @@ void with_speeds(const std::vector<double>& speeds, const NamedParameters& np, F
     f(np.speed_map(Property_map<Site>{&speeds}));
 }
 
+// Labels as the library writes them, at vertices, faces or surfels by their numbers.
+template <typename Key>
+struct Label_map
+{
+  using key_type = Key;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::writable_property_map_tag;
+
+  std::vector<long long>* labels;
+  // The largest number, which stands for no label, becomes -1.
+  friend void put(const Label_map& map, const Key& key, std::size_t label)
+  {
+    (*map.labels)[static_cast<std::size_t>(key)] = static_cast<long long>(label);
+  }
+};
+
 // Vertices that lie in a triangle, or surfels, each as far as can be from those before it.  Fewer than
 // asked for when no vertex is left at a distance.
 template <typename Domain>

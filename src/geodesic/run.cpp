@@ -54,6 +54,7 @@ int run(int argc, char** argv)
   add_matrix(program);
   add_sample(program);
   add_voronoi(program);
+  add_segment(program);
   add_remesh(program);
   add_surfels(program);
   add_emd(program);

@@ -28,23 +28,6 @@ struct Result
   std::vector<std::uint32_t> triangles;  // of a cloud
 };
 
-// Labels as the library writes them, at vertices by their numbers.
-template <typename Site>
-struct Label_map
-{
-  using key_type = Site;
-  using value_type = std::size_t;
-  using reference = std::size_t;
-  using category = boost::writable_property_map_tag;
-
-  std::vector<long long>* labels;
-  // The largest number, which stands for no label, becomes -1.
-  friend void put(const Label_map& map, const Site& site, std::size_t label)
-  {
-    (*map.labels)[static_cast<std::size_t>(site)] = static_cast<long long>(label);
-  }
-};
-
 // The library's part: seeds, the nearest one of each vertex, and the lines between.
 template <typename Surface_type>
 Result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)

@@ -96,6 +96,7 @@ all_of_a_file()
   attempt "$file" $limit volume --from 0,0,0 --to 0.1,0.2,0.3 --tolerance 0.01 || failed=1
   attempt "$file" $limit voronoi --number 10 || failed=1
   attempt "$file" $limit voronoi --seeds 0,1 || failed=1
+  attempt "$file" $limit segment --number 10 || failed=1
   attempt "$file" $limit sample --number 30 || failed=1
   attempt "$file" $limit sample --number 30 --speed curvature-attractive || failed=1
   attempt "$file" $limit voronoi --number 10 --speed curvature-repulsive || failed=1

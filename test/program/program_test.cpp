@@ -228,9 +228,11 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("info square.ply --property distance", 1, "--picture");
   expect_failure("voronoi square.ply", 1, "--number");
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
+  expect_failure("segment square.ply", 1, "--number");
+  expect_failure("segment cloud.xyz --number 3 --discs", 2, "cloud.xyz");
   expect_failure("matrix square.ply", 1, "--limit");
   expect_failure("sample square.ply", 1, "--number");
-  for(const char* const command : {"sample", "voronoi", "matrix"})
+  for(const char* const command : {"sample", "voronoi", "segment", "matrix"})
     expect_failure(std::string(command) + " square.ply --number -1", 1, "--number");
   expect_failure("sample square.ply --number 2 --spacing 1", 1, "--spacing");
   expect_failure("sample square.ply --spacing -1", 1, "--spacing");
@@ -329,6 +331,7 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("decal square.ply --base 40", {"covered"});
   expect_keys("surfels cloud.xyz", {"outliers", "components", "arcs", "radius", "noise"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
+  expect_keys("segment square.ply --number 3", {"charts", "energy", "energies", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
   expect_keys("remesh square.ply --number 20", {"vertices_out", "faces_out", "added"});
   expect_keys("remesh square.ply --number 20 --fill-holes",
@@ -1253,6 +1256,37 @@ TEST_F(Program, cells_belong_to_the_nearest_seed)
     {
       EXPECT_EQ(labels[static_cast<std::size_t>(i)], i % 9 + i / 9 > 8 ? 1. : 0.);
     }
+}
+
+TEST_F(Program, charts_are_numbered_faces_of_even_patches)
+{
+  // A square of 8 x 8 cells in two triangles each.
+  const nlohmann::json result =
+      json("segment square.ply --number 4 --discs --values l.txt -o charts.ply");
+  EXPECT_EQ(result["charts"], 4);
+  EXPECT_EQ(result["unreached"], 0);
+  const std::vector<double> energies = result["energies"];
+  EXPECT_TRUE(std::is_sorted(energies.rbegin(), energies.rend()));
+  EXPECT_EQ(energies.back(), result["energy"]);
+  const std::vector<double> labels = numbers("l.txt");
+  ASSERT_EQ(labels.size(), 128u);
+  for(const double label : {0., 1., 2., 3.})
+  {
+    // Of 32; a centre in each quarter, with borders that follow vertices.
+    EXPECT_GE(std::count(labels.begin(), labels.end(), label), 22);
+    EXPECT_LE(std::count(labels.begin(), labels.end(), label), 42);
+  }
+  // Cut apart along their borders, charts are four components without a handle.
+  const nlohmann::json charts = json("info charts.ply");
+  EXPECT_EQ(charts["components"], 4);
+  EXPECT_EQ(charts["boundary_loops"], 4);
+  EXPECT_EQ(charts["faces"], 128);
+
+  // The isolated vertex and what has no centre are in no chart.
+  EXPECT_EQ(json("segment apart.off --number 2")["unreached"], 0);
+  EXPECT_GT(json("segment apart.off --number 1")["unreached"], 0);
+  EXPECT_EQ(json("segment cloud.xyz --number 5 --values c.txt")["charts"], 5);
+  EXPECT_EQ(numbers("c.txt").size(), 144u);
 }
 
 TEST_F(Program, farthest_seeds_cover_every_component_and_end_in_time)

@@ -19,11 +19,11 @@ namespace CGAL::Geodesic_processing {
 /// \ingroup PkgGeodesicProcessingFlattening
 ///
 /// divides a surface into cells of about equal size: those of a geodesic Voronoi diagram, whose centres have
-/// gone to the intrinsic centres of mass of their cells. \cgalCite{cgal:pc-grfp-05}
+/// gone to the intrinsic centres of mass of their cells. \cgalCite{cgal:pc-ssgct-04}
 ///
 /// From farthest points on, each centre \f$c\f$ goes by the mean of the logarithms of its cell, which is
 /// \f$-\frac{1}{2}\f$ of the gradient of the energy \f$\int d(c, x)^2 dx\f$ over the area, or a part of that way: no
-/// step raises the sum of the energies of all cells (section 3 of the paper).
+/// step raises the sum of the energies of all cells.
 ///
 /// On a mesh the cells are patches of faces. Each is in one piece and meets itself in no vertex alone, as far as
 /// it has a neighbour that can take what does not fit. They need not be discs unless that is asked for: a cell
