@@ -15,8 +15,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Steps longer than one save two of five.
-constexpr double over_relaxation = 1.7;
+// Steps of nearly two are the fastest; 1.7 takes a tenth more of them.
+constexpr double over_relaxation = 1.9;
 
 // Steps between two looks at the upper bound, which cost as much as one.
 constexpr unsigned steps_at_once = 10;
@@ -27,8 +27,8 @@ constexpr double threshold_factor = 20.;
 // After how many looks thresholds may change, and after which no more.
 constexpr unsigned looks_between_changes = 16, last_change = 64;
 
-// Of the area.  From a third to twice of it makes no difference, ten times and a tenth some.
-constexpr double stiffness_factor = 1e-3;
+// Of the area.  From a half to twice of it makes no difference, ten times some.
+constexpr double stiffness_factor = 2e-4;
 
 double integral_of_length(const Operators& o, const Field& field)
 {
