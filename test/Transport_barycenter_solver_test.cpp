@@ -149,7 +149,8 @@ TEST(Transport_barycenter_solver, takes_clouds)
   for(const auto& [point, normal] : surfels)
     cloud.insert(point, normal);
   using Index = CGAL::Point_set_3<Kernel::Point_3>::Index;
-  GP::Transport_barycenter_solver<CGAL::Point_set_3<Kernel::Point_3>> solver(cloud);
+  GP::Transport_barycenter_solver<CGAL::Point_set_3<Kernel::Point_3>> solver(
+      cloud, GP::parameters::number_of_refinements(0u));
   const auto cost = solver.compute(std::vector<Index>{Index(0), Index(700)});
   EXPECT_TRUE(cost.converged);
   const auto p = cloud.point(Index(0)), q = cloud.point(Index(700));

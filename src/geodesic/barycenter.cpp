@@ -190,8 +190,7 @@ void add_barycenter(CLI::App& program)
   command.add_flag("--normalize", options->normalize, "scale all masses so that they sum to one");
   command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
       .shows_default();
-  command.add("--refine", options->refine, "N",
-              "divide each triangle in four so often (default 1 up to 2,000 vertices, 0 above)");
+  command.add("--refine", options->refine, "N", "as in emd");
   add_density_options(command, options->densities);
   command.set_run([job, options] { run_barycenter(*job, *options); });
 }

@@ -61,8 +61,7 @@ public:
 
   /// prepares the surface: two factorizations.
   ///
-  /// \param np as for `Earth_movers_solver`, but that surfaces are refined once up to 2,000 vertices or
-  ///        surfels
+  /// \param np as for `Earth_movers_solver`
   /// \throws as `Earth_movers_solver`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_barycenter_solver(const Surface& surface,
@@ -75,7 +74,7 @@ public:
       : m_domain(domain), m_kernel(std::make_shared<const internal::Barycenters>(
                               domain.triangles(),
                               internal::parameter(np, internal_np::number_of_refinements,
-                                                  domain.number_of_sites() <= 2000 ? 1u : 0u),
+                                                  internal::usual_refinements(*domain.triangles())),
                               internal::measure(domain, np)))
   {}
 
