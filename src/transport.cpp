@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -53,6 +53,65 @@ private:
 
   Splitting m_splitting;
 };
+
+// Exits by component.  Where there is no more room than is needed each is filled, and nothing is left to be
+// found out.
+struct Grouped_exits
+{
+  std::vector<Exit_group> open, full;
+  std::vector<std::size_t> order; // of the open ones, one group after another, among all
+  std::vector<double> leaving;    // #exits: through those that are full
+  double cost = 0.;               // of filling them
+};
+
+// masses  as parts of all that is moved
+Grouped_exits grouped(const std::vector<Exit>& exits, const std::vector<Index>& component,
+                      const Vector& masses, double moved)
+{
+  Grouped_exits result;
+  result.leaving.assign(exits.size(), 0.);
+  std::map<Index, std::vector<std::size_t>> exits_of;
+  for(std::size_t i = 0; i < exits.size(); ++i)
+    exits_of[component[exits[i].site]].push_back(i);
+  for(const auto& [label, those] : exits_of)
+  {
+    Exit_group group = {label, 0., {}};
+    for(std::size_t site = 0; site < component.size(); ++site)
+      if(component[site] == label)
+        group.mass -= masses[Eigen::Index(site)];
+    double room = 0.;
+    for(const std::size_t i : those)
+    {
+      group.exits.push_back({exits[i].site, exits[i].capacity / moved, exits[i].price * moved});
+      room += group.exits.back().capacity;
+    }
+    if(!(group.mass > 1e-12)) // none is left to leave
+      continue;
+    if(group.mass * (1. + 1e-9) < room)
+    {
+      result.open.push_back(std::move(group));
+      result.order.insert(result.order.end(), those.begin(), those.end());
+      continue;
+    }
+    for(std::size_t i = 0; i < those.size(); ++i)
+    {
+      const double leaving = group.exits[i].capacity * (group.mass / room);
+      result.leaving[those[i]] = leaving;
+      result.cost += 0.5 * group.exits[i].price * leaving * leaving;
+    }
+    result.full.push_back(std::move(group));
+  }
+  return result;
+}
+
+// The price at which the last mass leaves.
+double last_price(const Exit_group& full, const Vector& potential)
+{
+  double result = -infinity;
+  for(const Exit& exit : full.exits)
+    result = std::max(result, potential[exit.site] + exit.price * exit.capacity);
+  return result;
+}
 
 } // namespace
 
@@ -197,49 +256,13 @@ Transport Transport_solver::solve(const Vector& masses, const Transport_options&
     return result;
   }
   Vector unit = masses / moved;
-  std::vector<std::size_t> order; // of exits in groups
-  double filling = 0.;            // what is paid where all are filled
-  std::vector<Exit_group> groups, full;
-  std::vector<Index> with_exits;
-  for(const Exit& exit : exits)
-    with_exits.push_back(m_component[exit.site]);
-  std::sort(with_exits.begin(), with_exits.end());
-  with_exits.erase(std::unique(with_exits.begin(), with_exits.end()), with_exits.end());
-  for(const Index component : with_exits)
-  {
-    Exit_group group = {component, 0., {}};
-    for(std::size_t site = 0; site < m_component.size(); ++site)
-      if(m_component[site] == component)
-        group.mass -= unit[site];
-    double room = 0.;
-    std::vector<std::size_t> those;
-    for(std::size_t i = 0; i < exits.size(); ++i)
-      if(m_component[exits[i].site] == component)
-      {
-        group.exits.push_back({exits[i].site, exits[i].capacity / moved, exits[i].price * moved});
-        room += group.exits.back().capacity;
-        those.push_back(i);
-      }
-    if(group.mass * (1. + 1e-9) < room && group.mass > 1e-12)
-    {
-      groups.push_back(std::move(group));
-      order.insert(order.end(), those.begin(), those.end());
-      continue;
-    }
-    for(std::size_t i = 0; i < those.size(); ++i)
-    {
-      const double leaving =
-          group.mass > 1e-12 ? group.exits[i].capacity * (group.mass / room) : 0.;
-      unit[group.exits[i].site] += leaving;
-      filling += 0.5 * group.exits[i].price * leaving * leaving;
-      result.leaving[those[i]] = leaving;
-    }
-    if(group.mass > 1e-12)
-      full.push_back(std::move(group));
-  }
-  if(!groups.empty() && options.method != Transport_method::interior_point)
+  const Grouped_exits groups = grouped(exits, m_component, unit, moved);
+  for(std::size_t i = 0; i < exits.size(); ++i)
+    unit[exits[i].site] += result.leaving[Eigen::Index(i)] = groups.leaving[i];
+  if(!groups.open.empty() && options.method != Transport_method::interior_point)
     throw Invalid_argument_error("Only the interior point method knows capacities and prices.");
-  const Transport_problem problem = {m_operators, m_laplacian, m_matrix, *m_solver, unit, groups};
+  const Transport_problem problem = {m_operators, m_laplacian, m_matrix,
+                                     *m_solver,   unit,        groups.open};
   std::unique_ptr<Transport_iteration> iteration;
   const Splitting_iteration* splitting = nullptr;
   switch(options.method)
@@ -261,7 +284,7 @@ Transport Transport_solver::solve(const Vector& masses, const Transport_options&
                                                        : 100;
 
   const auto gap = [&]
-  { return 1. - (iteration->lower() + filling) / (iteration->upper() + filling); };
+  { return 1. - (iteration->lower() + groups.cost) / (iteration->upper() + groups.cost); };
   const auto is_cancelled = [&]
   {
     // From a gap of one, which is what no potential proves, to the tolerance.
@@ -274,32 +297,27 @@ Transport Transport_solver::solve(const Vector& masses, const Transport_options&
     result.iterations += each;
 
   result.converged = gap() <= options.tolerance;
-  result.lower = moved * (iteration->lower() + filling);
-  result.upper = moved * (iteration->upper() + filling);
+  result.lower = moved * (iteration->lower() + groups.cost);
+  result.upper = moved * (iteration->upper() + groups.cost);
   result.value = 0.5 * (result.lower + result.upper);
   result.potential = iteration->potential();
   result.flow = iteration->flow();
-  for(std::size_t i = 0; i < order.size(); ++i)
+  for(std::size_t i = 0; i < groups.order.size(); ++i)
   {
-    result.leaving[order[i]] = iteration->leaving()[i];
-    unit[exits[order[i]].site] += iteration->leaving()[i];
+    const std::size_t exit = groups.order[i];
+    unit[exits[exit].site] += result.leaving[Eigen::Index(exit)] = iteration->leaving()[i];
   }
   result.leaving *= moved;
   const auto lower = [&](Index component, double change)
   {
     for(std::size_t site = 0; site < m_component.size(); ++site)
       if(m_component[site] == component)
-        result.potential[site] -= change;
+        result.potential[Eigen::Index(site)] -= change;
   };
-  for(const Exit_group& group : groups)
+  for(const Exit_group& group : groups.open)
     lower(group.component, least_cost(group, result.potential).second);
-  for(const Exit_group& group : full)
-  {
-    double last = -infinity;
-    for(const Exit& exit : group.exits)
-      last = std::max(last, result.potential[exit.site] + exit.price * exit.capacity);
-    lower(group.component, last);
-  }
+  for(const Exit_group& group : groups.full)
+    lower(group.component, last_price(group, result.potential));
   result.residual = (divergence(m_operators, result.flow) - unit).lpNorm<Eigen::Infinity>();
   for(Planar& vector : result.flow)
     vector = moved * vector;
