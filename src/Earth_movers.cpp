@@ -82,25 +82,8 @@ Mass_distribution scaled(Mass_distribution masses, double factor)
   return masses;
 }
 
-void check(Transport_region& region)
+void check(const Transport_region& region)
 {
-  if(!region.is_limited() && region.exits.size() > 1) // then all exits are one
-  {
-    std::vector<Index> all;
-    for(const std::vector<Index>& exit : region.exits)
-      all.insert(all.end(), exit.begin(), exit.end());
-    region.exits.assign(1, std::move(all));
-  }
-  std::vector<Index> sites;
-  for(std::vector<Index>& exit : region.exits)
-  {
-    std::sort(exit.begin(), exit.end());
-    exit.erase(std::unique(exit.begin(), exit.end()), exit.end());
-    sites.insert(sites.end(), exit.begin(), exit.end());
-  }
-  std::sort(sites.begin(), sites.end());
-  if(std::adjacent_find(sites.begin(), sites.end()) != sites.end())
-    throw Invalid_argument_error("Two exits share a site.");
   if(!region.capacity.empty() && region.capacity.size() != region.exits.size())
     throw Invalid_argument_error("There are " + std::to_string(region.capacity.size()) +
                                  " capacities for " + std::to_string(region.exits.size()) +
@@ -112,6 +95,28 @@ void check(Transport_region& region)
     throw Invalid_argument_error("The weight of spreading is negative or not finite.");
 }
 
+// Without limits all exits are one.
+std::vector<std::vector<Index>> distinct(std::vector<std::vector<Index>> exits, bool is_limited)
+{
+  if(!is_limited && exits.size() > 1)
+  {
+    for(std::size_t i = 1; i < exits.size(); ++i)
+      exits[0].insert(exits[0].end(), exits[i].begin(), exits[i].end());
+    exits.resize(1);
+  }
+  std::vector<Index> sites;
+  for(std::vector<Index>& exit : exits)
+  {
+    std::sort(exit.begin(), exit.end());
+    exit.erase(std::unique(exit.begin(), exit.end()), exit.end());
+    sites.insert(sites.end(), exit.begin(), exit.end());
+  }
+  std::sort(sites.begin(), sites.end());
+  if(std::adjacent_find(sites.begin(), sites.end()) != sites.end())
+    throw Invalid_argument_error("Two exits share a site.");
+  return exits;
+}
+
 } // namespace
 
 Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements,
@@ -121,39 +126,68 @@ Earth_movers::Earth_movers(std::shared_ptr<const Glued_triangles> triangles, uns
   check(m_region);
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
     throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
-  m_levels.resize(refinements + 1);
-  m_levels[0].exits = m_region.exits;
-  for(unsigned level = 0; level <= refinements; ++level)
+  std::vector<std::vector<Index>> exits = m_region.exits;
+  if(!m_region.curves.empty())
   {
-    if(level > 0)
-    {
-      const Glued_triangles& coarse = *m_levels[level - 1].triangles;
-      triangles = std::make_shared<const Glued_triangles>(refined(coarse));
-      for(const std::vector<Index>& exit : m_levels[level - 1].exits)
-        m_levels[level].exits.push_back(refined(coarse, *triangles, exit));
-      for(const Tensor& tensor : std::exchange(measure, {}))
-        measure.insert(measure.end(), 4, tensor);
-    }
-    m_levels[level].triangles = triangles;
-    m_levels[level].measure = measure;
-    Operators operators = measured_operators(*triangles, measure);
-    m_levels[level].area = operators.area;
-    merge(operators, m_levels[level].exits);
-    if(level == 0 && !m_region.is_empty())
-    {
-      const auto [component, number] = components(operators);
-      std::vector<bool> has_exit(number, false);
-      for(const std::vector<Index>& exit : m_region.exits)
-        has_exit[component[exit.front()]] = true;
-      for(const Index label : component)
-        m_reaches_region.push_back(has_exit[label]);
-      for(const std::vector<Index>& exit : m_region.exits)
-        for(const Index site : exit)
-          m_reaches_region[site] = true;
-    }
-    if(level + 1 >= refinements)
-      m_levels[level].solver = std::make_unique<Transport_solver>(std::move(operators));
+    if(triangles->is_cloud())
+      throw Invalid_argument_error("A region of a cloud has a location that is not at a surfel.");
+    std::vector<Index> whole;
+    for(const std::vector<Index>& exit : exits)
+      whole.insert(whole.end(), exit.begin(), exit.end());
+    m_inscription.emplace(triangles, m_region.curves, whole);
+    for(std::size_t i = 0; i < exits.size(); ++i)
+      if(exits[i].empty())
+        exits[i] = m_inscription->sites()[i];
+    add_level(triangles, measure, {});
+    triangles = m_inscription->triangles();
+    measure = m_inscription->refined(measure);
   }
+  add_level(triangles, measure, distinct(std::move(exits), m_region.is_limited()));
+  if(!m_region.is_empty())
+  {
+    Operators operators = measured_operators(*triangles, measure);
+    merge(operators, m_levels.back().exits);
+    const auto [component, number] = components(operators);
+    std::vector<bool> has_exit(number, false);
+    for(const std::vector<Index>& exit : m_levels.back().exits)
+      has_exit[component[exit.front()]] = true;
+    for(const Index label : component)
+      m_reaches_region.push_back(has_exit[label]);
+    for(const std::vector<Index>& exit : m_levels.back().exits)
+      for(const Index site : exit)
+        m_reaches_region[site] = true;
+  }
+  for(unsigned level = 0; level < refinements; ++level)
+  {
+    const Level& coarse = m_levels.back();
+    triangles = std::make_shared<const Glued_triangles>(refined(*coarse.triangles));
+    exits.clear();
+    for(const std::vector<Index>& exit : coarse.exits)
+      exits.push_back(refined(*coarse.triangles, *triangles, exit));
+    for(const Tensor& tensor : std::exchange(measure, {}))
+      measure.insert(measure.end(), 4, tensor);
+    add_level(triangles, measure, std::move(exits));
+  }
+  for(std::size_t level =
+          std::max(base(), m_levels.size() - std::min<std::size_t>(m_levels.size(), 2));
+      level < m_levels.size(); ++level)
+  {
+    Level& here = m_levels[level];
+    Operators operators = measured_operators(*here.triangles, here.measure);
+    merge(operators, here.exits);
+    here.solver = std::make_unique<Transport_solver>(std::move(operators));
+  }
+}
+
+void Earth_movers::add_level(std::shared_ptr<const Glued_triangles> triangles,
+                             std::vector<Tensor> measure, std::vector<std::vector<Index>> exits)
+{
+  m_levels.emplace_back();
+  Level& level = m_levels.back();
+  level.area = measured_operators(*triangles, measure).area;
+  level.triangles = std::move(triangles);
+  level.measure = std::move(measure);
+  level.exits = std::move(exits);
 }
 
 std::vector<Exit> Earth_movers::limited_exits(const Level& level) const
@@ -161,12 +195,12 @@ std::vector<Exit> Earth_movers::limited_exits(const Level& level) const
   std::vector<Exit> result;
   if(!m_region.is_limited())
     return result;
-  const Level& coarse = m_levels.front();
+  const Level& coarse = m_levels[base()];
   const double scale = coarse.triangles->scale;
-  for(std::size_t i = 0; i < m_region.exits.size(); ++i)
+  for(std::size_t i = 0; i < coarse.exits.size(); ++i)
   {
     double area = 0.;
-    for(const Index site : m_region.exits[i])
+    for(const Index site : coarse.exits[i])
       for(Index k = coarse.triangles->first[site]; k < coarse.triangles->first[site + 1]; ++k)
         area += scale * scale * coarse.area[coarse.triangles->star[k] / 3] / 3.;
     const double weight = m_region.spreading_weight;
@@ -292,13 +326,14 @@ Earth_movers_result Earth_movers::solve(const Mass_distribution& from, const Mas
 Earth_movers_result Earth_movers::solve_to_region(const Mass_distribution& from,
                                                   const Earth_movers_options& options) const
 {
-  const Level& coarse = m_levels.front();
-  const Vector at_sites = masses_at_sites(*coarse.triangles, coarse.area, from);
+  const Mass_distribution there = m_inscription ? m_inscription->refined(from) : from;
+  const Level& coarse = m_levels[base()];
+  const Vector at_sites = masses_at_sites(*coarse.triangles, coarse.area, there);
   Mass_distribution to;
   const Index first = coarse.exits.front().front();
   to.at_locations = {{{none, first, {}}, at_sites.sum()}};
   Mass_distribution masses =
-      difference(*coarse.triangles, coarse.area, from, to, options.do_normalize);
+      difference(*coarse.triangles, coarse.area, there, to, options.do_normalize);
   if(m_region.is_limited()) // where it goes is not known
     masses.at_locations.erase(masses.at_locations.begin());
   Earth_movers_result result = move(masses, options);
@@ -318,6 +353,12 @@ Earth_movers_result Earth_movers::solve_to_region(const Mass_distribution& from,
     for(const Index site : exit)
       result.arrivals[site] = scale * missing[site] + factor * at_sites[site];
   result.from = scaled(from, factor);
+  if(m_inscription)
+  {
+    result.arrivals = m_inscription->coarsened(result.arrivals);
+    result.flow = m_inscription->coarsened(result.flow);
+    result.potential.conservativeResize(result.arrivals.size());
+  }
   return result;
 }
 
@@ -328,7 +369,7 @@ Earth_movers_result Earth_movers::move(Mass_distribution masses,
   Earth_movers_result result;
   Transport_options transport = options.transport;
   transport.start = {};
-  double done = 0., part = finest > 0 ? 0.2 : 1.; // of the time, about
+  double done = 0., part = finest > base() ? 0.2 : 1.; // of the time, about
   bool is_cancelled = false;
   if(options.transport.callback) // not asked again after it said no
     transport.callback = [&](double fraction)
@@ -337,10 +378,10 @@ Earth_movers_result Earth_movers::move(Mass_distribution masses,
       return !is_cancelled;
     };
   double before = 0.; // the value on the surface that is refined once less
-  for(std::size_t level = 0; level <= finest; ++level)
+  for(std::size_t level = base(); level <= finest; ++level)
   {
     const Level& here = m_levels[level];
-    if(level > 0)
+    if(level > base())
       masses = refined(*m_levels[level - 1].triangles, *here.triangles, masses);
     if(!here.solver)
       continue;
@@ -361,9 +402,9 @@ Earth_movers_result Earth_movers::move(Mass_distribution masses,
   if(options.do_bound_from_above)
     result.upper_continuous = scale * (cost_of_flow(result.flow) + cost_to_sites(masses));
   rescale(result, scale);
-  result.estimate = finest > 0 ? 2. * result.value - before : result.value;
-  result.potential.conservativeResize(Eigen::Index(m_levels.front().triangles->number_of_sites()));
-  for(std::size_t level = finest; level > 0; --level)
+  result.estimate = finest > base() ? 2. * result.value - before : result.value;
+  result.potential.conservativeResize(Eigen::Index(m_levels[base()].triangles->number_of_sites()));
+  for(std::size_t level = finest; level > base(); --level)
     result.flow = coarsened(result.flow);
   return result;
 }

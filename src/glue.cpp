@@ -55,7 +55,8 @@ std::size_t number_of_degenerate_triangles(const std::vector<double>& length)
   return count;
 }
 
-// Fills first and star.  A fan starts at its border where it has one, else at its first triangle.
+} // namespace
+
 void build_stars(Glued_triangles& t, std::size_t sites)
 {
   t.first.assign(sites + 1, 0);
@@ -88,8 +89,6 @@ void build_stars(Glued_triangles& t, std::size_t sites)
     } while(turn != none && turn != start);
   }
 }
-
-} // namespace
 
 Glued_mesh glue(std::vector<std::array<double, 3>> points, const std::vector<Index>& corners,
                 const std::vector<Index>& twins)

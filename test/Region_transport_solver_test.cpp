@@ -160,13 +160,48 @@ TEST(Region_transport_solver, has_limits)
 #endif
 }
 
+// What arrives in faces is told of their vertices, in parts whose mean is there; and each exit has its room.
+TEST(Region_transport_solver, reaches_places_in_faces)
+{
+  const Mesh mesh = mesh_of(square(8, 0.2));
+  const auto left = location_of(10, {0.3, 0.3, 0.4}), right = location_of(100, {0.2, 0.5, 0.3});
+  const auto point = [&](const auto& location)
+  { return CGAL::Polygon_mesh_processing::construct_point(location, mesh); };
+  const Vertex from(40);
+  const double to_left = std::sqrt(CGAL::squared_distance(mesh.point(from), point(left))),
+               to_right = std::sqrt(CGAL::squared_distance(mesh.point(from), point(right)));
+  using Solver = GP::Region_transport_solver<Mesh>;
+  Solver one(mesh, left);
+  EXPECT_NEAR(one.compute(from).value, to_left, 2e-3 * to_left); // the gap
+  double mass = 0., x = 0., y = 0.;
+  for(const Vertex v : vertices(mesh))
+  {
+    mass += one.arrival(v);
+    x += one.arrival(v) * mesh.point(v).x();
+    y += one.arrival(v) * mesh.point(v).y();
+    EXPECT_TRUE(one.is_reachable(v));
+  }
+  EXPECT_NEAR(mass, 1., 1e-9);
+  EXPECT_NEAR(x, point(left).x(), 1e-9);
+  EXPECT_NEAR(y, point(left).y(), 1e-9);
+  Solver both(mesh, std::vector{left, right},
+              GP::parameters::capacities(std::vector<double>{0.25, 1.}).number_of_refinements(0u));
+  const double least = std::min(to_left, to_right), most = std::max(to_left, to_right);
+  const double exact = to_left < to_right ? 0.25 * least + 0.75 * most : least;
+  EXPECT_NEAR(both.compute(from).value, exact, 0.03); // a part of an edge where masses part
+  // Its lines end there.
+  const GP::Streamline<Mesh> line = one.streamlines()(from);
+  ASSERT_FALSE(line.empty());
+  EXPECT_LT(std::sqrt(CGAL::squared_distance(line.points.back(), point(left))), 0.2); // an edge
+}
+
 TEST(Region_transport_solver, refuses_what_is_no_region)
 {
   const Mesh mesh = mesh_of(apart(square(4), square(4)));
   using Solver = GP::Region_transport_solver<Mesh>;
   EXPECT_THROW(Solver(mesh, std::vector<Vertex>()), GP::Invalid_argument_error);
   EXPECT_THROW(Solver(mesh, Vertex(99)), GP::Invalid_argument_error);
-  EXPECT_THROW(Solver(mesh, location_of(0, {0.5, 0.5, 0.})), GP::Invalid_argument_error);
+  EXPECT_THROW(Solver(mesh, location_of(0, {0.5, 0.8, 0.})), GP::Invalid_argument_error);
   EXPECT_NO_THROW(Solver(mesh, location_of(0, {0., 1., 0.})));
   Solver solver(mesh, Vertex(3));
   EXPECT_THROW(solver.compute(Vertex(30)), GP::Invalid_argument_error);

@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// Sources that are made of sites: an exit each.
+// An exit for each source: sites, or a curve.
 template <typename Domain, typename Region, typename NamedParameters>
 Transport_region transport_region(const Domain& domain, const Region& region,
                                   const NamedParameters& np)
@@ -24,18 +24,20 @@ Transport_region transport_region(const Domain& domain, const Region& region,
   Transport_region result;
   for(const internal::Source& source : sources(domain, region, labels))
   {
-    result.exits.emplace_back();
+    std::vector<Index> sites;
     for(const Location& location : source.polyline)
+      if(const Index site = site_of(*domain.triangles(), location); site != none)
+        sites.push_back(site);
+    if(sites.size() < source.polyline.size())
     {
-      Index site = location.site;
-      for(std::size_t k = 0; k < 3 && location.triangle != none; ++k)
-        if(location.barycentric[k] == 1.)
-          site = domain.triangles()->corner[3 * location.triangle + k];
-      if(site == none)
-        throw Invalid_argument_error("A region has a location that is not at a vertex or surfel.");
-      result.exits.back().push_back(site);
+      sites.clear();
+      result.curves.resize(result.exits.size());
+      result.curves.push_back(source.polyline);
     }
+    result.exits.push_back(std::move(sites));
   }
+  if(!result.curves.empty())
+    result.curves.resize(result.exits.size());
   for(const double capacity : parameter(np, internal_np::capacities, std::vector<double>()))
     result.capacity.push_back(capacity);
   result.spreading_weight = parameter(np, internal_np::spreading_weight, 0.);
@@ -51,7 +53,12 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 ///
 /// What arrives where is not given: the marginal is free.  A mass that is alone goes the shortest way to
 /// the region; masses do not hinder each other.  The region is made of sites, and of the edges and
-/// faces between them; between two parts of it moving costs nothing.
+/// faces between them, and on a mesh also of curves and of locations in faces; between two parts of it
+/// moving costs nothing.
+///
+/// Faces that a curve passes are divided along it, so that it costs no more to be met within a face than
+/// at a vertex; what arrives there is told of the face's vertices, in the parts that barycentric
+/// coordinates are.
 ///
 /// The potential is zero in the region; elsewhere its absolute value is nowhere above the distance to the
 /// region, and close to it wherever masses come from or pass.  Bounds are certified as those of
@@ -74,7 +81,7 @@ public:
 
   /// prepares surface and region, as `Earth_movers_solver` does.
   ///
-  /// \param region a site, a range of sites, or sources of sites as those of `border_sources()`
+  /// \param region a site, a location, a source, or a range of one of them: see `Source`
   /// \param np as for `Earth_movers_solver`, and
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{capacities}
@@ -88,9 +95,9 @@ public:
   ///     \cgalParamDefault{0} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
-  /// \throws Invalid_argument_error when the region is empty, or has a place that is not at a site of
-  ///         the surface; when there are limits, but not one for each source, one is not positive, or two
-  ///         sources share a site
+  /// \throws Invalid_argument_error when the region is empty, or has a place that is none of the surface's,
+  ///         or on a cloud not at a surfel; when there are limits, but not one for each source, one is not
+  ///         positive, or two sources share a site
   template <typename Region, typename NamedParameters = internal::Default_parameters>
   Region_transport_solver(const Surface& surface, const Region& region,
                           const NamedParameters& np = NamedParameters())
@@ -125,7 +132,7 @@ public:
     return this->m_kernel->reaches_region()[this->m_domain.index(site)];
   }
 
-  /// returns the mass that arrived at a site, zero outside the region.
+  /// returns the mass that arrived at a site, zero away from the region.
   double arrival(Site site) const { return this->m_result.arrivals[this->m_domain.index(site)]; }
 
   /// writes the mass that arrived at each site.

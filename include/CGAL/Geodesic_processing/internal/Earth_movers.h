@@ -4,11 +4,13 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_EARTH_MOVERS_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/Inscription.h>
 #include <CGAL/Geodesic_processing/internal/Mass_distribution.h>
 #include <CGAL/Geodesic_processing/internal/streamlines.h>
 #include <CGAL/Geodesic_processing/internal/transport.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,12 +30,13 @@ inline unsigned usual_refinements(const Glued_triangles& triangles)
   return triangles.number_of_sites() <= 5000 ? 1 : 0;
 }
 
-// Where masses may go.  Of an exit all sites are one, with the sides and triangles between them.  Without
-// limits all exits are one.
+// Where masses may go.  Of an exit all sites are one, with the sides and triangles between them, or a curve,
+// on a mesh.  Without limits all exits are one.
 struct Transport_region
 {
-  std::vector<std::vector<Index>> exits;
-  std::vector<double> capacity; // #exits: of masses, infinite for no limit; or empty
+  std::vector<std::vector<Index>> exits;     // sites; of a curve none
+  std::vector<std::vector<Location>> curves; // #exits, or empty: polylines, as those of Inscription
+  std::vector<double> capacity;              // #exits: of masses, infinite for no limit; or empty
   double spreading_weight = 0.; // times the integral of the square of the density of what arrives
 
   Transport_region() = default;
@@ -62,7 +65,7 @@ public:
   //              pass; empty: its own
   // region       for solve_to_region() alone
   // Throws Unsupported_surface_error when there is no triangle with an area, or too many, and
-  // Invalid_argument_error when two exits share a site or a limit makes no sense.
+  // Invalid_argument_error when two exits share a site, a limit makes no sense, or a curve is on a cloud.
   explicit Earth_movers(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements = 0,
                         std::vector<Tensor> measure = {}, Transport_region region = {});
 
@@ -101,17 +104,23 @@ private:
     std::shared_ptr<const Glued_triangles> triangles;
     std::vector<Tensor> measure;              // #triangles, or empty
     std::vector<double> area;                 // #triangles: zero where nothing may pass
-    std::vector<std::vector<Index>> exits;    // without limits one
-    std::unique_ptr<Transport_solver> solver; // of the last two alone
+    std::vector<std::vector<Index>> exits;    // without limits one; none where curves are not yet
+    std::unique_ptr<Transport_solver> solver; // of the last two alone that have exits
   };
 
+  // Of the base.
   Earth_movers_result move(Mass_distribution masses, const Earth_movers_options& options) const;
 
+  void add_level(std::shared_ptr<const Glued_triangles> triangles, std::vector<Tensor> measure,
+                 std::vector<std::vector<Index>> exits);
+  // The first level that has all exits.
+  std::size_t base() const { return m_inscription ? 1 : 0; }
   std::vector<Exit> limited_exits(const Level& level) const;
   double cost_to_sites(const Mass_distribution& masses) const;
   double cost_of_flow(const Field& flow) const;
 
-  std::vector<Level> m_levels; // the finest last
+  std::vector<Level> m_levels;              // the finest last
+  std::optional<Inscription> m_inscription; // on the first of them, where there are curves
   Transport_region m_region;
   std::vector<bool> m_reaches_region;
 };

@@ -40,6 +40,11 @@ Glued_mesh glue(std::vector<std::array<double, 3>> points, const std::vector<Ind
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector<Index>& corners);
 
+// Fills `first` and `star` of triangles that are glued.  A fan starts at its border where it has one, else at
+// its first triangle.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void build_stars(Glued_triangles& triangles, std::size_t number_of_sites);
+
 // Components of the sites, joined by sides and arcs: a label for each site, and how many there are.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::pair<std::vector<Index>, std::size_t> components(const Glued_triangles& triangles);
