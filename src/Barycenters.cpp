@@ -29,6 +29,7 @@ Barycenters::Barycenters(std::shared_ptr<const Glued_triangles> triangles, unsig
   }
   Operators operators = measured_operators(*triangles, measure);
   m_levels.back().area = operators.area;
+  m_measure = std::move(measure);
   m_solver = std::make_unique<Barycenter_solver>(std::move(operators));
 }
 
@@ -58,8 +59,18 @@ Barycenter Barycenters::solve(const std::vector<Mass_distribution>& masses,
     *square *= scale * scale;
   for(double& distance : result.distances)
     distance *= scale;
-  result.flows.clear();
   result.potentials.clear();
+  for(Field& flow : result.flows)
+  {
+    for(std::size_t f = 0; f < flow.size(); ++f)
+    {
+      if(!m_measure.empty() && !is_blocked(m_measure[f]))
+        flow[f] = product(inverse(m_measure[f]), flow[f]);
+      flow[f] = (1. / scale) * flow[f];
+    }
+    for(std::size_t level = m_levels.size() - 1; level > 0; --level)
+      flow = coarsened(flow);
+  }
   for(std::size_t level = m_levels.size() - 1; level > 0; --level)
     result.masses =
         coarsened(*m_levels[level - 1].triangles, *m_levels[level].triangles, result.masses);

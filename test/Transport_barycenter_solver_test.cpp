@@ -190,6 +190,49 @@ TEST(Transport_barycenter_solver, takes_speeds)
   EXPECT_NEAR(value(), around, 0.02 * around); // at corners a part of a side is lost
 }
 
+// The integral of a flow in the plane is the way of the masses' middle, however fast they are; that of its
+// length is the distance.
+TEST(Transport_barycenter_solver, writes_flows)
+{
+  Mesh mesh = mesh_of(square(12, 0.2));
+  const std::vector<Vertex> points = {at(2, 2), at(10, 3), at(6, 11)};
+  const auto speed = mesh.add_property_map<Face, double>("speed", 2.).first;
+  auto flow = mesh.add_property_map<Face, Kernel::Vector_3>("flow").first;
+  for(const unsigned refinements : {0u, 1u})
+  {
+    GP::Transport_barycenter_solver<Mesh> solver(
+        mesh, GP::parameters::number_of_refinements(refinements).speed_map(speed));
+    EXPECT_THROW(solver.write_flow(0, flow), GP::Invalid_argument_error);
+    const auto cost = solver.compute(points);
+    Kernel::Vector_3 middle(0., 0., 0.);
+    for(const Vertex v : vertices(mesh))
+      middle = middle + solver.mass(v) * (mesh.point(v) - CGAL::ORIGIN);
+    for(std::size_t i = 0; i < points.size(); ++i)
+    {
+      solver.write_flow(i, flow);
+      Kernel::Vector_3 way(0., 0., 0.);
+      double length = 0.;
+      for(const Face f : faces(mesh))
+      {
+        const auto h = mesh.halfedge(f);
+        const double area =
+            std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                         mesh.point(mesh.target(mesh.next(h)))));
+        way = way + area * flow[f];
+        length += area * std::sqrt(flow[f].squared_length());
+      }
+      const Kernel::Vector_3 rest = mesh.point(points[i]) - CGAL::ORIGIN - middle - way;
+      EXPECT_LT(std::sqrt(rest.squared_length()), 1e-9); // rounding
+      EXPECT_LE(0.5 * length, cost.distances[i] * (1. + 1e-9));
+      if(refinements == 0)
+      {
+        EXPECT_NEAR(0.5 * length, cost.distances[i], 1e-9);
+      }
+    }
+    EXPECT_THROW(solver.write_flow(3, flow), GP::Invalid_argument_error);
+  }
+}
+
 TEST(Transport_barycenter_solver, goes_on_and_can_be_cancelled)
 {
   const Mesh mesh = mesh_of(icosphere(3));

@@ -3,14 +3,18 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H
 
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/Barycenters.h>
+#include <CGAL/Geodesic_processing/internal/field_vectors.h>
 #include <CGAL/Geodesic_processing/internal/masses.h>
 #include <CGAL/Geodesic_processing/internal/weights.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -147,6 +151,18 @@ public:
     const auto density = [&](internal::Index i)
     { return m_result.masses[i] > 0. ? m_result.masses[i] / m_kernel->site_areas()[i] : 0.; };
     m_domain.write(density, map);
+  }
+
+  /// writes the flow from the barycenter to one of the masses, by its position: see
+  /// `Transport_solution::write_flow()`.
+  /// \throws Invalid_argument_error when there is no such mass
+  template <typename FlowMap>
+  void write_flow(std::size_t position, FlowMap map) const
+  {
+    if(position >= m_result.flows.size())
+      throw Invalid_argument_error("There is no flow to mass " + std::to_string(position) + " of " +
+                                   std::to_string(m_result.flows.size()) + ".");
+    internal::write_vectors(m_domain, m_result.flows[position], map);
   }
 
 private:

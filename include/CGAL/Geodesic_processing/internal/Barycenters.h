@@ -21,7 +21,7 @@ public:
   explicit Barycenters(std::shared_ptr<const Glued_triangles> triangles, unsigned refinements = 0,
                        std::vector<Tensor> measure = {});
 
-  // In the caller's units, with masses at sites of the triangles as they were; flows and potentials are left
+  // In the caller's units, with masses at sites and flows of the triangles as they were; potentials are left
   // out.
   // do_normalize: whether the masses are scaled so that each sums to one.  Throws Invalid_argument_error
   // as Barycenter_solver does, and when nothing can be scaled.
@@ -38,7 +38,8 @@ private:
     std::vector<double> area; // #triangles: zero where nothing may pass
   };
 
-  std::vector<Level> m_levels; // the finest last
+  std::vector<Level> m_levels;   // the finest last
+  std::vector<Tensor> m_measure; // of the finest triangles
   Vector m_site_areas;
   std::unique_ptr<Barycenter_solver> m_solver;
 };
