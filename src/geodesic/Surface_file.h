@@ -34,6 +34,9 @@ struct Surface_file
   std::size_t number_of_polygons() const { return first.size() - 1; }
 };
 
+// The properties that are a colour, in bytes as most files have them.
+constexpr std::array<const char*, 3> colour_names = {"red", "green", "blue"};
+
 // Reads a file of the kind that its ending names: .ply, .off, .obj, .stl, .xyz, .pwn or .vtp.
 // Nothing is repaired, nor checked beyond what reading needs: see check().
 // Memory stays in proportion to the size of the file, whatever its header says.
@@ -57,8 +60,8 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name);
 void check_can_write(const std::string& filename);
 
 // Writes the file completely or not at all: first beside it, then renamed.
-// PLY (binary) and VTP carry normals, properties, vectors and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates,
-// normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
+// PLY (binary) and VTP carry normals, properties, vectors and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates
+// or else colours, normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
 // Throws Output_error when it cannot be written.
 void write_surface_file(const std::string& filename, const Surface_file& surface,
                         const std::string& colour_of = "");

@@ -251,10 +251,10 @@ void write_output(const std::string& filename, const Surface& surface, const Res
     file.material = name(material);
     file.corner_uv = result.corner_uv;
   }
-  const char* const names[] = {"red", "green", "blue"};
+
   for(std::size_t c = 0; c < 3; ++c)
   {
-    std::vector<double>& values = file.properties[names[c]];
+    std::vector<double>& values = file.properties[colour_names[c]];
     values.clear();
     for(const Colour& colour : result.colours)
       values.push_back(byte(colour[c]));

@@ -119,7 +119,7 @@ std::vector<Colour> colours_on(const Surface& surface, const Density_options& op
   std::vector<Colour> result(file.points.size());
   if(options.image.empty())
   {
-    const auto channels = columns(file, {"red", "green", "blue"});
+    const auto channels = columns(file, {colour_names.begin(), colour_names.end()});
     if(channels.empty())
       fail(surface.name, "its vertices have no red, green and blue");
     for(std::size_t i = 0; i < result.size(); ++i)

@@ -5,6 +5,7 @@
 #include "append_polygon.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -26,6 +27,34 @@ std::size_t place_named(std::string_view word, std::size_t count)
                                                   : static_cast<long long>(count) + index);
 }
 
+// What stands after the coordinates of a vertex: three numbers are its colour.
+std::optional<std::array<double, 3>> colour_after(Scanner& scanner)
+{
+  std::array<double, 3> colour;
+  for(double& part : colour)
+  {
+    const std::optional<double> number = to_number(scanner.word());
+    if(!number)
+      return std::nullopt;
+    part = *number;
+  }
+  return colour;
+}
+
+// As bytes, like those of other files: most programs write parts of one.
+void put_colours(const std::vector<std::array<double, 3>>& colours, Surface_file& surface)
+{
+  double most = 0.;
+  for(const auto& colour : colours)
+    most = std::max({most, colour[0], colour[1], colour[2]});
+  for(std::size_t c = 0; c < 3; ++c)
+  {
+    std::vector<double>& values = surface.properties[colour_names[c]];
+    for(const auto& colour : colours)
+      values.push_back(most > 1. ? colour[c] : std::round(255. * colour[c]));
+  }
+}
+
 } // namespace
 
 Surface_file read_obj(std::string_view bytes, const std::string& name)
@@ -33,6 +62,7 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
   Surface_file surface;
   std::vector<std::array<double, 2>> places; // in an image
   std::vector<std::size_t> place_of;         // #corners: one of these, or a number beyond them
+  std::vector<std::array<double, 3>> colours;
   Scanner scanner(bytes, name, '#');
   // A face may name vertices that follow it, so that ranges are checked when all are known.
   while(scanner.next_line())
@@ -43,6 +73,8 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
       Point& point = surface.points.emplace_back();
       for(double& x : point)
         x = scanner.coordinate(scanner.word());
+      if(const auto colour = colour_after(scanner))
+        colours.push_back(*colour);
     }
     else if(keyword == "vt")
     {
@@ -78,6 +110,8 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
       if(surface.corners[c] < surface.uv.size())
         surface.uv[surface.corners[c]] = places[place_of[c]];
   }
+  if(!colours.empty() && colours.size() == surface.points.size())
+    put_colours(colours, surface);
   return surface;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write.h"
 
+#include <algorithm>
+
 namespace program {
 
 std::string to_obj(const Surface_file& surface)
@@ -17,11 +19,24 @@ std::string to_obj(const Surface_file& surface)
     append_numbers(text, numbers);
     text += '\n';
   };
-  for(const Point& point : surface.points)
-    line("v", point);
+  // Many programs multiply a texture by them.
+  const bool colours =
+      !uv && std::all_of(colour_names.begin(), colour_names.end(),
+                         [&](auto name) { return surface.properties.count(name) > 0; });
+  const auto place = [&](const Point& point, auto part_of)
+  {
+    text += 'v';
+    append_numbers(text, point);
+    for(std::size_t c = 0; colours && c < 3; ++c)
+      append_numbers(text, std::array<double, 1>{part_of(colour_names[c])});
+    text += '\n';
+  };
+  for(std::size_t i = 0; i < surface.points.size(); ++i)
+    place(surface.points[i],
+          [&](const char* name) { return surface.properties.at(name)[i] / 255.; });
   for(const std::vector<Point>& polyline : surface.polylines)
     for(const Point& point : polyline)
-      line("v", point);
+      place(point, [](const char*) { return 0.; });
   std::map<std::array<double, 2>, std::size_t> number_of; // of corners' places, each written once
   for(const std::array<double, 2>& place : corner_uv ? surface.corner_uv : surface.uv)
     if(!corner_uv || number_of.try_emplace(place, number_of.size() + 1).second)

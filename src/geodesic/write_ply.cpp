@@ -14,7 +14,7 @@ namespace {
 bool is_byte(const std::pair<const std::string, std::vector<double>>& property)
 {
   const auto& [name, values] = property;
-  return (name == "red" || name == "green" || name == "blue") &&
+  return std::find(colour_names.begin(), colour_names.end(), name) != colour_names.end() &&
          std::all_of(values.begin(), values.end(),
                      [](double x) { return x >= 0. && x <= 255. && x == std::floor(x); });
 }

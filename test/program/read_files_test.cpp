@@ -218,6 +218,23 @@ TEST(Read_obj, texture_coordinates_are_those_of_the_first_face)
     EXPECT_TRUE(program::read_obj(points + places + faces, "").uv.empty()) << faces;
 }
 
+TEST(Read_obj, colours_follow_the_coordinates)
+{
+  using Values = std::vector<double>;
+  const auto properties = [](const std::string& text)
+  { return program::read_obj(text + "f 1 2 3\n", "").properties; };
+  const auto parts = properties("v 0 0 0 1 0 0.2\nv 1 0 0 0 0.501961 0\nv 0 1 0 0 0 0.0039216\n");
+  EXPECT_EQ(parts.at("red"), (Values{255., 0., 0.}));
+  EXPECT_EQ(parts.at("green"), (Values{0., 128., 0.}));
+  EXPECT_EQ(parts.at("blue"), (Values{51., 0., 1.}));
+  const auto bytes = properties("v 0 0 0 255 1 0\nv 1 0 0 3 128 0\nv 0 1 0 0 0 7\n");
+  EXPECT_EQ(bytes.at("red"), (Values{255., 3., 0.}));
+  EXPECT_EQ(bytes.at("green"), (Values{1., 128., 0.}));
+  // Not where a vertex has none: one more number is a weight.
+  EXPECT_TRUE(properties("v 0 0 0 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\n").empty());
+  EXPECT_TRUE(properties("v 0 0 0 1 x 1\nv 1 0 0\nv 0 1 0\n").empty());
+}
+
 TEST(Read_obj, says_what_is_wrong)
 {
   expect_complaint(program::read_obj, "v 0 0 0\nf 1 2 3\n", "there are only 1");

@@ -114,6 +114,25 @@ TEST(Write_files, ply_has_colours_as_bytes)
   EXPECT_EQ(again.corners, surface.corners);
 }
 
+TEST(Write_files, obj_has_colours_but_under_a_texture)
+{
+  const Folder folder;
+  Surface_file surface = strip_of_triangles();
+  surface.polylines = {{{0., 0., 0.}, {1., 0., 0.}}};
+  surface.properties = {
+      {"red", {0., 17., 255., 3.}}, {"green", {0., 1., 128., 0.}}, {"blue", {2., 0., 0., 254.}}};
+  program::write_surface_file(folder / "a.obj", surface);
+  Surface_file again = program::read_surface_file(folder / "a.obj");
+  for(auto& [name, values] : again.properties)
+  {
+    EXPECT_EQ(values.size(), 6u); // those of the line too
+    values.resize(4);
+  }
+  EXPECT_EQ(again.properties, surface.properties);
+  surface.uv.resize(4);
+  EXPECT_NE(program::to_obj(surface).find("v 1 1 1\n"), std::string::npos);
+}
+
 TEST(Write_files, obj_has_a_place_in_the_texture_for_each_corner)
 {
   Surface_file surface = strip_of_triangles();
