@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/front.h>
 
+#include <CGAL/Geodesic_processing/internal/arcs.h>
 #include <CGAL/Geodesic_processing/internal/glue.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
@@ -166,7 +167,7 @@ Front::Front(std::shared_ptr<const Glued_triangles> triangles, Front_kind kind)
       m_sources(m_triangles->number_of_sites(), none), m_queue(m_triangles->number_of_sites())
 {
   if(kind == Front_kind::planar || (kind == Front_kind::euclidean && !m_triangles->is_cloud()))
-    m_spokes = std::make_shared<const Spokes>(spokes(*m_triangles, kind == Front_kind::planar));
+    m_spokes = shared_spokes(*m_triangles, kind == Front_kind::planar);
   if(kind == Front_kind::euclidean)
     m_directions.resize(m_sites.size());
   if(kind == Front_kind::euclidean && m_triangles->is_cloud())
@@ -192,7 +193,7 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
   // A Euclidean front with speeds is a planar one.
   if(m_slowness && m_kind == Front_kind::euclidean && !m_has_splits)
   {
-    m_spokes = std::make_shared<const Spokes>(spokes(t, true));
+    m_spokes = shared_spokes(t, true);
     m_has_splits = true;
   }
   start(sources);
@@ -223,10 +224,7 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
       break;
     }
     m_queue.pop();
-    // What comes next is mostly known already, and what comes then is one of four: what lies around
-    // the one, and where that is for the others, is on its way while this one spreads.
-    if(m_spokes)
-      m_queue.for_each_second([&](Index second) { prefetch(&m_spokes->first[second]); });
+    // What comes next is mostly known already: what lies around it is on its way while this one spreads.
     if(!m_queue.empty())
       prefetch_around(m_queue.front().site);
     Site& site = m_sites[entry.site];
@@ -409,8 +407,7 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
     if(!is_better)
       return false;
   }
-  if(!(site.state & reached_flag))
-    m_reached.push_back(index);
+  const bool is_reached = site.state & reached_flag;
   site.distance = arrival.distance;
   if(!m_directions.empty())
     m_directions[index] = arrival.direction;
@@ -419,7 +416,15 @@ bool Front::offer(Index index, const Arrival& arrival, Index source)
   m_sources[index] = source;
   // A site that knows no direction yet waits as long as the front may take along the side, so that
   // what comes through a triangle, as it should, comes first.
-  m_queue.push(index, arrival.distance + arrival.wait);
+  if(is_reached)
+    m_queue.push(index, arrival.distance + arrival.wait);
+  else
+  {
+    m_reached.push_back(index);
+    m_queue.insert(index, arrival.distance + arrival.wait);
+    if(m_spokes)
+      prefetch(&m_spokes->first[index]);
+  }
   return true;
 }
 
@@ -521,7 +526,6 @@ void Front::offer_along_all(Index site, Index flags)
 
 void Front::spread_along_arcs(Index index)
 {
-  const Glued_triangles& t = *m_triangles;
   const double distance = m_sites[index].distance;
   const Index source = m_sources[index];
   const auto reach = [&](Index target, double gain)
@@ -529,22 +533,10 @@ void Front::spread_along_arcs(Index index)
     if(distance + gain < m_sites[target].distance)
       offer(target, {distance + gain, {1., 0.}, index, 0, 0.}, source);
   };
-  // A speed belongs to triangles: of arcs that are no sides of one, those from a surfel to its copies
-  // need none.
-  if(t.is_cloud())
-    for(Index i = t.graph.first[index]; i < t.graph.first[index + 1]; ++i)
-      if(!m_slowness || t.graph.length[i] == 0.)
-        reach(t.graph.target[i], t.graph.length[i]);
-  if(m_kind == Front_kind::arcs && (!t.is_cloud() || m_slowness))
-    for(Index i = t.first[index]; i < t.first[index + 1]; ++i)
-    {
-      const Index corner = t.star[i], previous = previous_side(corner);
-      const double slowness = m_slowness ? (*m_slowness)[corner / 3] : 1.;
-      if(!(slowness < infinity))
-        continue;
-      reach(t.corner[next_side(corner)], slowness * t.length[corner]);
-      reach(t.corner[previous], slowness * t.length[previous]);
-    }
+  if(m_kind == Front_kind::arcs)
+    for_each_arc(*m_triangles, m_slowness.get(), index, reach);
+  else
+    for_each_arc_of_graph(*m_triangles, m_slowness.get(), index, reach);
 }
 
 // Kimmel and Sethian 1998: the front crosses a triangle as a straight line, from two sites that are
@@ -617,16 +609,12 @@ double Front::cross_planar(Index x, Index z, double base, const Planar& apex, do
   if(!is_same_front(x, z))
     return infinity;
   const double start = m_sites[x].distance, width = slowness * base;
-  // The rise along the base is the cosine between it and the front's way.
   const double rise = (m_sites[z].distance - start) / width;
   if(!(std::abs(rise) < 1.) || !(width < infinity))
     return infinity;
-  const double across = std::sqrt((1. - rise) * (1. + rise));
-  const double crossing = apex[0] * across - apex[1] * rise; // times `across`
-  if(crossing < 0. || crossing > base * across)
-    return infinity;
-  is_nearer_to_z = 2. * crossing >= base * across;
-  return start + slowness * (rise * apex[0] + across * apex[1]);
+  const Straight_front front(base, rise, apex);
+  is_nearer_to_z = front.is_nearer_to_end;
+  return start + slowness * front.gain;
 }
 
 void Front::spread_euclidean(Index index)
@@ -648,7 +636,8 @@ void Front::spread_euclidean(Index index)
 bool Front::spread_all_around(Index index)
 {
   const Spokes& s = *m_spokes;
-  const Site from = m_sites[index];
+  const Site& from = m_sites[index];
+  const Index flat = from.state & flat_flag;
   const Planar direction = m_directions[index];
   const double least_curvature = 1. / (from.distance - offset_at(index));
   // Triangles are known by the spokes that they follow; those of the fan are begin .. end - 1.
@@ -665,7 +654,7 @@ bool Front::spread_all_around(Index index)
   };
   const auto opening = [&](Index triangle) -> const Planar& { return s.spokes[triangle].opening; };
   // A lit side whose end no triangle reaches gets the side's own length, but no direction.
-  const Index lit = blind_flag | (from.state & flat_flag);
+  const Index lit = blind_flag | flat;
   offer_along(index, place(entry.spoke), lit);
   offer_along(index, place(entry.spoke + 1), lit);
 

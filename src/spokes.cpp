@@ -161,4 +161,14 @@ Spokes spokes(const Glued_triangles& t, bool with_splits)
   return result;
 }
 
+std::shared_ptr<const Spokes> shared_spokes(const Glued_triangles& t, bool with_splits)
+{
+  const std::lock_guard<std::mutex> lock(t.spokes.mutex);
+  std::weak_ptr<const Spokes>& made = t.spokes.made[with_splits ? 1 : 0];
+  std::shared_ptr<const Spokes> result = made.lock();
+  if(!result)
+    made = result = std::make_shared<const Spokes>(spokes(t, with_splits));
+  return result;
+}
+
 } // namespace CGAL::Geodesic_processing::internal

@@ -145,4 +145,25 @@ TEST(Spokes, are_not_split_where_no_corner_is_obtuse_or_nothing_lies_behind)
   EXPECT_TRUE(spokes(*Glued_surface(obtuse).triangles(), true).splits.empty());
 }
 
+TEST(Spokes, are_shared_as_long_as_somebody_has_them)
+{
+  const Glued_surface surface(square(4, 0.2));
+  const auto plain = shared_spokes(surface.t(), false), split = shared_spokes(surface.t(), true);
+  EXPECT_EQ(shared_spokes(surface.t(), false), plain);
+  EXPECT_EQ(shared_spokes(surface.t(), true), split);
+  EXPECT_NE(plain, split);
+  // Lengths of copies may be changed.
+  Glued_triangles copy = surface.t();
+  for(double& length : copy.length)
+    length *= 2.;
+  EXPECT_EQ(shared_spokes(copy, false)->spokes[0].length, 2. * plain->spokes[0].length);
+  Glued_triangles assigned = *Glued_surface(square(2)).triangles();
+  const auto before = shared_spokes(assigned, false);
+  assigned = copy;
+  EXPECT_NE(before->spokes.size(), plain->spokes.size());
+  EXPECT_EQ(shared_spokes(assigned, false)->spokes.size(), plain->spokes.size());
+  std::weak_ptr<const Spokes> left = shared_spokes(copy, false);
+  EXPECT_TRUE(left.expired());
+}
+
 } // namespace

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -28,6 +30,24 @@ struct Site_graph
   std::vector<Index> first;   // #sites + 1
   std::vector<Index> target;  // #arcs
   std::vector<double> length; // #arcs, finite, not negative
+};
+
+struct Spokes;
+
+// What fronts over the same triangles share as long as one of them lives: see spokes.h.  Copies of
+// triangles, whose lengths may be changed, share nothing.
+struct Shared_spokes
+{
+  Shared_spokes() = default;
+  Shared_spokes(const Shared_spokes&) {}
+  Shared_spokes& operator=(const Shared_spokes&)
+  {
+    made = {};
+    return *this;
+  }
+
+  std::mutex mutex;
+  std::array<std::weak_ptr<const Spokes>, 2> made; // without splits, and with them
 };
 
 // Triangles, how they are glued, and how long their sides are: all that intrinsic algorithms need.
@@ -51,6 +71,8 @@ struct Glued_triangles
   // What a caller's length is divided by to become one of ours: a power of two.
   double scale = 1.;
   std::array<double, 3> origin = {0., 0., 0.}; // caller's coordinates = origin + scale * point
+
+  mutable Shared_spokes spokes;
 
   std::size_t number_of_sites() const { return first.empty() ? 0 : first.size() - 1; }
   std::size_t number_of_triangles() const { return corner.size() / 3; }

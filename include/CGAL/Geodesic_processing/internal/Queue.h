@@ -26,34 +26,23 @@ public:
   bool empty() const { return m_heap.empty(); }
   bool contains(Index site) const { return m_place[site] != none; }
   const Entry& front() const { return m_heap.front(); }
-  // Calls f(site) for those of which one comes after the front, if none is put in before.
-  template <typename Function>
-  void for_each_second(Function f) const
-  {
-    for(std::size_t i = 1; i < std::min<std::size_t>(5, m_heap.size()); ++i)
-      f(m_heap[i].site);
-  }
-
   // Puts a site in, or gives it another key.
   void push(Index site, double key)
   {
-    std::size_t place = m_place[site];
+    const std::size_t place = m_place[site];
     if(place == none)
-    {
-      place = m_heap.size();
-      m_heap.push_back({key, site});
-    }
+      insert(site, key);
     else if(key > m_heap[place].key)
-      return sink(place, {key, site});
-    while(place > 0)
-    {
-      const std::size_t parent = (place - 1) / 4;
-      if(m_heap[parent].key <= key)
-        break;
-      put(place, m_heap[parent]);
-      place = parent;
-    }
-    put(place, {key, site});
+      sink(place, site, key);
+    else
+      rise(place, site, key);
+  }
+
+  // Puts a site in that is not there, without a look at its place, for which it may have to wait.
+  void insert(Index site, double key)
+  {
+    m_heap.emplace_back();
+    rise(m_heap.size() - 1, site, key);
   }
 
   Entry pop()
@@ -62,7 +51,7 @@ public:
     m_heap.pop_back();
     m_place[top.site] = none;
     if(!m_heap.empty())
-      sink(0, last);
+      sink(0, last.site, last.key);
     return top;
   }
 
@@ -75,8 +64,22 @@ public:
   }
 
 private:
-  // Puts an entry at a place or below it.
-  void sink(std::size_t place, const Entry& entry)
+  // Puts a site at a place or above it.
+  void rise(std::size_t place, Index site, double key)
+  {
+    while(place > 0)
+    {
+      const std::size_t parent = (place - 1) / 4;
+      if(m_heap[parent].key <= key)
+        break;
+      put(place, m_heap[parent].site, m_heap[parent].key);
+      place = parent;
+    }
+    put(place, site, key);
+  }
+
+  // Puts a site at a place or below it.
+  void sink(std::size_t place, Index site, double key)
   {
     const std::size_t size = m_heap.size();
     for(;;)
@@ -88,18 +91,20 @@ private:
       for(std::size_t i = child + 1; i < end; ++i)
         if(m_heap[i].key < m_heap[least].key)
           least = i;
-      if(m_heap[least].key >= entry.key)
+      if(m_heap[least].key >= key)
         break;
-      put(place, m_heap[least]);
+      put(place, m_heap[least].site, m_heap[least].key);
       place = least;
     }
-    put(place, entry);
+    put(place, site, key);
   }
 
-  void put(std::size_t place, const Entry& entry)
+  // Part by part: read as a whole right after its parts were written, an entry takes a tenth of a front's time.
+  void put(std::size_t place, Index site, double key)
   {
-    m_heap[place] = entry;
-    m_place[entry.site] = static_cast<Index>(place);
+    m_heap[place].key = key;
+    m_heap[place].site = site;
+    m_place[site] = static_cast<Index>(place);
   }
 
   std::vector<Entry> m_heap;

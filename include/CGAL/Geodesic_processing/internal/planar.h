@@ -69,6 +69,25 @@ inline Planar foot(const Planar& x, const Planar& p, const Planar& q, bool& insi
   return p + std::clamp(share, 0., 1.) * segment;
 }
 
+// A straight front that passes a base, which runs from the origin along the first axis, and rises along it
+// by this part of its length, in (-1, 1): how much later than to the origin it comes to a place behind.
+struct Straight_front
+{
+  double gain = infinity; // where it does not come through the base
+  bool is_nearer_to_end = false;
+
+  Straight_front(double base, double rise, const Planar& place)
+  {
+    // The rise is the cosine between the base and the front's way.
+    const double across = std::sqrt((1. - rise) * (1. + rise));
+    const double crossing = place[0] * across - place[1] * rise; // times `across`
+    if(crossing < 0. || crossing > base * across)
+      return;
+    gain = rise * place[0] + across * place[1];
+    is_nearer_to_end = 2. * crossing >= base * across;
+  }
+};
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PLANAR_H

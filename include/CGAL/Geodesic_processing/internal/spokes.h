@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/planar.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -58,6 +59,10 @@ struct Spokes
 // O(#triangles).  The corners of meshes are split, where that is asked for; at most 20 triangles are
 // unfolded for each.
 CGAL_GEODESIC_PROCESSING_EXPORT Spokes spokes(const Glued_triangles& triangles, bool with_splits);
+
+// The same, made anew only when nobody else has them: for triangles that change no more.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::shared_ptr<const Spokes> shared_spokes(const Glued_triangles& triangles, bool with_splits);
 
 // Where the triangle of a corner stands around the site of that corner.
 struct Spoke_place
