@@ -108,7 +108,7 @@ void farthest_samples(const Domain& domain, std::size_t number, Sample_place pla
 /// \throws Invalid_argument_error when a location, a speed or the covering radius is not usable
 ///
 /// A sample costs in proportion to the vertices that it is nearest to when it comes.  Samples 1 to k of
-/// n vertices take O(n log k) steps of a front together, about as many as nine fronts over the whole
+/// n vertices take O(n log k) steps of a front together, about as many as seven fronts over the whole
 /// surface for k = 1,000.
 template <typename Method = Euclidean_front, typename Surface, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>

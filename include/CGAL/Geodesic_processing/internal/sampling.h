@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -79,7 +78,6 @@ private:
 
   std::shared_ptr<const Glued_triangles> m_triangles;
   Front m_front;
-  std::optional<Front> m_arcs; // once an end of a part has been asked for
   Front_limits m_limits;
   Sample_place m_place;
 
@@ -93,6 +91,10 @@ private:
   // A heap of the sites whose distance was at least the threshold, when it was last filled.
   std::vector<Entry> m_heap;
   double m_threshold = infinity;
+
+  // While an end of a part is looked for; #sites once one has been
+  std::vector<double> m_ways; // along arcs
+  std::vector<bool> m_waits;  // to be gone on from
 };
 
 // When a sampling is enough.
