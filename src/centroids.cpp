@@ -53,6 +53,40 @@ struct Mass
   }
 };
 
+// What of a triangle is nearer to p than to q: the corner that one of its corners has for itself, or the rest.
+Mass nearer_part(const std::array<Spatial, 3>& corners, const Mass& whole, const Spatial& p,
+                 const Spatial& q)
+{
+  const Spatial way = q - p, middle = 0.5 * (p + q);
+  std::array<double, 3> at;
+  int near = 0;
+  for(int k = 0; k < 3; ++k)
+  {
+    at[k] = dot(corners[k] - middle, way);
+    near += at[k] <= 0. ? 1 : 0;
+  }
+  if(near == 0)
+    return {};
+  if(near == 3)
+    return whole;
+  int alone = 0;
+  while((at[alone] <= 0.) != (near == 1))
+    ++alone;
+  const int next = (alone + 1) % 3, previous = (alone + 2) % 3;
+  const double to_next = at[alone] / (at[alone] - at[next]),
+               to_previous = at[alone] / (at[alone] - at[previous]);
+  const Spatial& tip = corners[alone];
+  Mass corner;
+  corner.mass = to_next * to_previous * whole.mass;
+  corner.moment = corner.mass * (tip + (to_next / 3.) * (corners[next] - tip) +
+                                 (to_previous / 3.) * (corners[previous] - tip));
+  if(near == 1)
+    return corner;
+  Mass rest = whole;
+  rest.add(corner, -1.);
+  return rest;
+}
+
 bool is_obstacle(const std::vector<double>* slowness, Index triangle)
 {
   return slowness && !((*slowness)[triangle] < infinity);
@@ -136,8 +170,20 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Inde
     Mass rest;
     if(here.size > 0)
       rest.add(a, b, c, square * square);
+    if(here.size == 1)
+    {
+      mass[here.labels[0]].add(rest, 1.);
+      continue;
+    }
     const double whole = rest.mass;
-    for(int k = 0; k + 1 < here.size; ++k)
+    if(here.size == 2)
+    {
+      const Mass first =
+          nearer_part({a, b, c}, rest, centre[here.labels[0]], centre[here.labels[1]]);
+      mass[here.labels[0]].add(first, 1.);
+      rest.add(first, -1.);
+    }
+    for(int k = 0; here.size == 3 && k < 2; ++k)
     {
       Polygon part{{a, b, c}, 3};
       for(const Index other : here)

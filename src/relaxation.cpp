@@ -5,8 +5,6 @@
 #include <CGAL/Geodesic_processing/internal/centroids.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 
-#include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -19,30 +17,33 @@ namespace {
 constexpr double way_to_centroid = 1.8;
 constexpr double momentum = 0.7;
 
-// Samples that start one front together, neighbours: what they reach stays in a cache, where a front of
-// all of them is everywhere at the same time.
-constexpr std::size_t samples_of_a_front = 64;
+// Of the angle between the normals of a site and of a sample that may take it: what lies on the other side
+// of a thin part is near in space.
+constexpr double least_cosine = -0.5;
+
+Spatial doubled_normal(const Glued_triangles& t, Index triangle)
+{
+  const Index* const corner = &t.corner[3 * std::size_t(triangle)];
+  const Spatial& p = t.point[corner[0]];
+  return cross(t.point[corner[1]] - p, t.point[corner[2]] - p);
+}
 
 } // namespace
 
-Relaxation::Relaxation(std::shared_ptr<const Glued_triangles> triangles, Front& front,
+Relaxation::Relaxation(std::shared_ptr<const Glued_triangles> triangles,
                        std::shared_ptr<const std::vector<double>> slowness,
-                       std::vector<Location> samples, std::vector<bool> is_fixed)
-    : m_triangles(std::move(triangles)), m_front(front), m_samples(std::move(samples)),
-      m_is_fixed(std::move(is_fixed)), m_moves(m_samples.size(), Spatial{0., 0., 0.}),
-      m_distances(m_triangles->number_of_sites(), infinity),
-      m_labels(m_triangles->number_of_sites(), none)
+                       std::vector<Location> samples, std::vector<Index> labels,
+                       std::vector<bool> is_fixed)
+    : m_triangles(std::move(triangles)), m_slowness(std::move(slowness)),
+      m_samples(std::move(samples)), m_labels(std::move(labels)), m_is_fixed(std::move(is_fixed)),
+      m_moves(m_samples.size(), Spatial{0., 0., 0.}),
+      m_normals(m_triangles->number_of_sites(), Spatial{0., 0., 0.})
 {
-  m_limits.slowness = std::move(slowness);
-  std::vector<Source> sources;
-  for(const Location& sample : m_samples)
-    sources.push_back({{sample}, 0., 0});
-  m_front.run(sources, m_limits);
-  for(const Index site : m_front.reached())
-  {
-    m_distances[site] = m_front.distance(site);
-    m_labels[site] = m_front.source(site);
-  }
+  const Glued_triangles& t = *m_triangles;
+  for(Index corner = 0; corner < t.corner.size(); ++corner)
+    m_normals[t.corner[corner]] = m_normals[t.corner[corner]] + doubled_normal(t, corner / 3);
+  for(Spatial& normal : m_normals)
+    normal = unit(normal);
 }
 
 void Relaxation::step(bool is_last)
@@ -50,8 +51,8 @@ void Relaxation::step(bool is_last)
   const Glued_triangles& t = *m_triangles;
   for(Spatial& move : m_moves)
     move = (is_last ? 0. : momentum) * move;
-  const std::vector<Location> moved = centroids(t, m_labels, m_samples, m_limits.slowness.get(),
-                                                is_last ? 1. : way_to_centroid, m_moves);
+  const std::vector<Location> moved =
+      centroids(t, m_labels, m_samples, m_slowness.get(), is_last ? 1. : way_to_centroid, m_moves);
   for(std::size_t i = 0; i < m_samples.size(); ++i)
     if(!m_is_fixed[i])
     {
@@ -62,42 +63,65 @@ void Relaxation::step(bool is_last)
     update_cells();
 }
 
-// A sample that moves takes the sites of its cell no farther away than by its move: from there fronts
-// go on only where they are nearer.
 void Relaxation::update_cells()
 {
   const Glued_triangles& t = *m_triangles;
-  // A chord is shorter than the way along the surface, but not by half.
-  std::vector<double> late(m_samples.size(), 0.);
-  for(std::size_t i = 0; i < late.size(); ++i)
-    if(const double move = norm(m_moves[i]); move > 0.)
-      late[i] =
-          2. * move * (m_limits.slowness ? (*m_limits.slowness)[triangle_at(t, m_samples[i])] : 1.);
+  struct Centre
+  {
+    Spatial point, normal;
+  };
+  std::vector<Centre> centres;
+  for(const Location& sample : m_samples)
+  {
+    const Index triangle = triangle_at(t, sample);
+    centres.push_back({scaled_coordinates(t, sample),
+                       triangle == none ? Spatial{0., 0., 0.} : unit(doubled_normal(t, triangle))});
+  }
+  const auto square = [&](Index site, Index label)
+  {
+    const Spatial way = t.point[site] - centres[label].point;
+    return dot(way, way);
+  };
+  std::vector<double> squares(m_labels.size(), infinity);
   for(Index site = 0; site < m_labels.size(); ++site)
     if(m_labels[site] != none)
-      m_distances[site] += late[m_labels[site]];
+      squares[site] = square(site, m_labels[site]);
 
-  // Triangles that are neighbours have near numbers.
-  std::vector<std::pair<Index, Index>> order;
-  for(Index i = 0; i < m_samples.size(); ++i)
-    order.emplace_back(triangle_at(t, m_samples[i]), i);
-  std::sort(order.begin(), order.end());
-  m_limits.known = &m_distances;
-  std::vector<Source> sources;
-  for(std::size_t begin = 0; begin < order.size(); begin += samples_of_a_front)
+  const auto offer = [&](Index site, Index label)
   {
-    const std::size_t end = std::min(order.size(), begin + samples_of_a_front);
-    sources.clear();
-    for(std::size_t i = begin; i < end; ++i)
-      sources.push_back({{m_samples[order[i].second]}, 0., 0});
-    m_front.run(sources, m_limits);
-    for(const Index site : m_front.reached())
-      if(const double distance = m_front.distance(site); distance < m_distances[site])
-      {
-        m_distances[site] = distance;
-        m_labels[site] = order[begin + m_front.source(site)].second;
-      }
-  }
+    if(label == none || label == m_labels[site])
+      return;
+    const double found = square(site, label);
+    if(found < squares[site] && dot(m_normals[site], centres[label].normal) > least_cosine)
+    {
+      squares[site] = found;
+      m_labels[site] = label;
+    }
+  };
+  // Else a cell that has lost all of its sites would never get one back.
+  for(Index i = 0; i < m_samples.size(); ++i)
+    if(const Index triangle = triangle_at(t, m_samples[i]); triangle != none)
+      for(Index k = 0; k < 3; ++k)
+        offer(t.corner[3 * triangle + k], i);
+  const auto meet = [&](Index triangle)
+  {
+    const Index* const corner = &t.corner[3 * std::size_t(triangle)];
+    const Index a = m_labels[corner[0]], b = m_labels[corner[1]], c = m_labels[corner[2]];
+    if((a == b && b == c) || (m_slowness && !((*m_slowness)[triangle] < infinity)))
+      return;
+    offer(corner[0], b);
+    offer(corner[0], c);
+    offer(corner[1], a);
+    offer(corner[1], c);
+    offer(corner[2], a);
+    offer(corner[2], b);
+  };
+  // There and back, as what one triangle tells goes on in the next.
+  const Index n = Index(t.number_of_triangles());
+  for(Index f = 0; f < n; ++f)
+    meet(f);
+  for(Index f = n; f-- > 0;)
+    meet(f);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <random>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -32,6 +33,9 @@ constexpr double longest_part = 0.65;
 constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
 // Each has six half-edges.
 constexpr std::size_t most_vertices = (std::size_t(1) << 31) / 6;
+// Of so many samples one is strewn where they are moved anyway: these take one front together, where the first
+// ones that are farthest from all others take most of the time of sampling.
+constexpr std::size_t strewn_part = 20;
 // Farther than any curve is long, in the domain's scale: it has less than 2^31 sides.
 constexpr double longest_curve = 0x1p32;
 // How often sides are halved where all sites are samples: once or twice is enough for two triangles of
@@ -260,7 +264,37 @@ private:
     m_number_of_fixed = first.size();
     if(!first.empty())
       m_sampling->add(first);
-    return add_farthest(m_goal.number - std::min(m_goal.number, first.size()), 0., 0.4);
+    if(m_goal.relaxation_steps > 0 && first.size() < m_goal.number)
+      m_sampling->add(strewn((m_goal.number - first.size()) / strewn_part));
+    const std::size_t number = m_sampling->samples().size();
+    return add_farthest(m_goal.number - std::min(m_goal.number, number), 0., 0.4);
+  }
+
+  // Places after equal parts of the area, in the order of triangles, which have near numbers where they are
+  // neighbours; none nearer to other samples than all will be.
+  std::vector<Location> strewn(std::size_t number) const
+  {
+    const auto mass = [&](Index f)
+    {
+      const double* const l = &t().length[3 * std::size_t(f)];
+      return slowness(f) * slowness(f) * twice_area(l[0], l[1], l[2]);
+    };
+    double total = 0.;
+    for(Index f = 0; f < t().number_of_triangles(); ++f)
+      total += mass(f);
+    const double part = total / double(number);
+    std::vector<Location> result;
+    double sum = part * double(std::mt19937(m_goal.seed)()) / 0x1p32;
+    for(Index f = 0; f < t().number_of_triangles() && number > 0; ++f)
+    {
+      sum += mass(f);
+      if(!(sum >= part))
+        continue;
+      sum = std::fmod(sum, part);
+      if(m_sampling->distances()[t().corner[3 * f]] > m_spacing / unit_size())
+        result.push_back({f, none, {1. / 3., 1. / 3., 1. / 3.}});
+    }
+    return result;
   }
 
   // At most: both sides of an edge count.
@@ -325,7 +359,7 @@ private:
     std::vector<bool> is_fixed;
     for(std::size_t i = 0; i < samples.size(); ++i)
       is_fixed.push_back(i < m_number_of_fixed || is_on_curve(samples[i]));
-    Relaxation relaxation(m_surface.triangles, *m_front, m_slowness, samples, is_fixed);
+    Relaxation relaxation(m_surface.triangles, m_slowness, samples, m_sampling->labels(), is_fixed);
     for(std::size_t step = 0; step < steps; ++step)
     {
       if(!tell(0.4 + 0.4 * double(step) / double(steps)))

@@ -26,7 +26,16 @@ Relaxed relaxed(const Glued_surface& surface, std::vector<Location> samples, int
 {
   is_fixed.resize(samples.size());
   Front front(surface.triangles(), Front_kind::euclidean);
-  Relaxation relaxation(surface.triangles(), front, slowness, samples, is_fixed);
+  std::vector<Source> sources;
+  for(const Location& sample : samples)
+    sources.push_back({{sample}, 0., 0});
+  Front_limits limits;
+  limits.slowness = slowness;
+  front.run(sources, limits);
+  std::vector<Index> labels;
+  for(Index site = 0; site < surface.size(); ++site)
+    labels.push_back(front.source(site));
+  Relaxation relaxation(surface.triangles(), slowness, samples, labels, is_fixed);
   for(int step = 0; step < steps; ++step)
     relaxation.step(step + 1 == steps);
   Relaxed result{relaxation.samples(), {}};

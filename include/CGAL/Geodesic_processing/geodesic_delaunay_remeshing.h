@@ -139,11 +139,13 @@ std::vector<double> spacing_of_sides([[maybe_unused]] const Surface& surface, co
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_relaxation_steps}
 ///     \cgalParamDescription{how often samples move to the centres of their cells, which makes triangles
-///       more even; each takes as long as some three fronts over the whole surface. First samples and
-///       those on borders and kept edges stay.}
+///       more even; each takes no longer than a front over the whole surface. First samples and
+///       those on borders and kept edges stay. Where samples move, some of the first ones are strewn
+///       instead of spread.}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{of the vertex from which the first sample is farthest}
+///     \cgalParamDescription{of the vertex from which the first sample is farthest, and of the places where
+///       samples are strewn}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
 ///     \cgalParamDescription{how far vertices of the input may be from the faces of the output: vertices
