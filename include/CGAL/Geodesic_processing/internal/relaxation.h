@@ -16,7 +16,7 @@ namespace CGAL::Geodesic_processing::internal {
 // end at centroids, or better.  O(n) each.
 //
 // Cells follow their samples at their rims: a site goes over to the cell next to it whose sample is
-// nearer in space, if that lies on the same side of the surface.  That is a tenth of the time of fronts, and
+// nearer in space, if that lies on the same side of the surface.  That takes a sixth of the time of fronts, and
 // what fronts of the samples find in the end differs as little as chords of cells from ways.
 class CGAL_GEODESIC_PROCESSING_EXPORT Relaxation
 {
