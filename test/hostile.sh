@@ -64,6 +64,7 @@ check_all()
   check "$file" emd --from 0 --to 1 || failed=1
   check "$file" barycenter --points 0,1 --tolerance 0.1 --refine 0 || failed=1
   check "$file" feature-distance --feature 0 || failed=1
+  check "$file" feature-distance --feature-path 0,2 --feature-at 0.1,0.2,0.3 || failed=1
   check "$file" plan --from 0 --to 1,2 --capacity 0.6,0.7 || failed=1
   check "$file" fuzzy --from 0 --to 1 || failed=1
   check "$file" streamlines --from 0 --to 1 || failed=1

@@ -1,7 +1,5 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Picture.h"
-#include "Scanner.h"
 #include "commands.h"
 #include "errors.h"
 #include "transports.h"
@@ -13,6 +11,7 @@ namespace {
 struct Feature_options : Transport_options
 {
   bool border = false;
+  Region_options region;
 };
 
 // The library's part: distances of all vertices.
@@ -25,13 +24,14 @@ Transport_result distances(const Surface_type& surface, const std::vector<std::s
   std::vector<GP::Source<Surface_type>> feature;
   for(const std::size_t vertex : vertices)
     feature.emplace_back(site<Surface_type>(vertex));
+  Transport_result result;
+  add_sources(domain, options.region, job.surface(), feature, result);
   if constexpr(is_mesh<Surface_type>)
     if(options.border)
       GP::border_sources(surface, std::back_inserter(feature));
   if(feature.empty())
     fail(job.input(), "it has no border");
   job.stage("query");
-  Transport_result result;
   result.potential.resize(job.surface().file.points.size());
   const auto find = [&](const auto& np)
   { result.cost = GP::feature_distance(domain, feature, Value_map<Site>{&result.potential}, np); };
@@ -45,10 +45,13 @@ Transport_result distances(const Surface_type& surface, const std::vector<std::s
 
 void run_feature_distance(Job& job, const Feature_options& options)
 {
-  if(options.to.empty() && !options.border)
-    throw Usage_error("feature-distance: give --feature or --border.");
+  if(options.to.empty() && options.region.empty() && !options.border)
+    throw Usage_error(
+        "feature-distance: give --feature, --feature-at, --feature-path or --border.");
   check(options);
+  check(options.region);
   const Surface& surface = job.read();
+  check(options.region, surface);
   const std::vector<std::size_t> vertices = options.to.empty()
                                                 ? std::vector<std::size_t>()
                                                 : region_vertices(options.to, "--feature", surface);
@@ -70,8 +73,11 @@ void run_feature_distance(Job& job, const Feature_options& options)
     if(are_vertices(options.to))
       for(const std::size_t vertex : vertices)
         marked.push_back(surface.file.points[vertex]);
-    draw(job.picture(),
-         {&surface.file, result.potential, "distance", {}, {}, marked, result.triangles});
+    Picture picture{&surface.file, result.potential, "distance"};
+    picture.markers = marked;
+    picture.triangles = result.triangles;
+    add_curves(result, picture);
+    draw(job.picture(), picture);
   }
   if(!job.output().empty())
     write_result(job, "distance", result.potential, farthest);
@@ -88,6 +94,7 @@ void add_feature_distance(CLI::App& program)
   const auto options = std::make_shared<Feature_options>();
   command.add("--feature", options->to, "X",
               "vertices V[,V...], or a property that is positive at those of the feature");
+  add_region_options(command, options->region, "--feature");
   command.add_flag("--border", options->border, "all borders of a mesh");
   command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
       .shows_default();

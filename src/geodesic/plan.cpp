@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
 #include "errors.h"
-#include "Scanner.h"
 #include "transports.h"
 
 namespace program {
@@ -13,22 +12,29 @@ struct Plan_options : Transport_options
 {
   std::string capacity;
   double spread = 0.;
+  Region_options region;
 };
 
-// One for each vertex of the region; empty without a limit.
+// One for each vertex of the region, and for what is beside them; empty without a limit.
 std::vector<double> capacities(const std::string& text, const std::vector<std::size_t>& region,
-                               const Surface& surface)
+                               std::size_t number_beside, const Surface& surface)
 {
   std::vector<double> result;
   if(text.empty())
     return result;
   if(const auto numbers = to_numbers(text))
   {
-    if(numbers->size() != region.size())
+    if(numbers->size() != region.size() + number_beside)
       throw Usage_error("--capacity " + shown(text) + ": there are " +
-                        std::to_string(region.size()) + " vertices in the region.");
+                        std::to_string(region.size()) + " vertices" +
+                        (number_beside > 0 ? ", and " + std::to_string(number_beside) +
+                                                 " places and paths, in the region."
+                                           : " in the region."));
     return *numbers;
   }
+  if(number_beside > 0)
+    throw Usage_error("--capacity " + shown(text) +
+                      ": give numbers, as --to-at and --to-path have no property.");
   const std::vector<double> values = property(surface, text);
   for(const std::size_t vertex : region)
     result.push_back(values[vertex]);
@@ -43,9 +49,11 @@ Transport_result find_plan(const Surface_type& surface, const Masses& from,
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Site = typename std::decay_t<decltype(domain)>::Site;
-  std::vector<Site> region;
+  std::vector<GP::Source<Surface_type>> region;
   for(const std::size_t vertex : to)
-    region.push_back(site<Surface_type>(vertex));
+    region.emplace_back(site<Surface_type>(vertex));
+  Transport_result result;
+  add_sources(domain, options.region, job.surface(), region, result);
   std::optional<GP::Region_transport_solver<Surface_type>> solver;
   with_preparation<Site>(domain, options, job,
                          [&](const auto& np) {
@@ -53,7 +61,6 @@ Transport_result find_plan(const Surface_type& surface, const Masses& from,
                                           np.capacities(capacity).spreading_weight(options.spread));
                          });
   job.stage("query");
-  Transport_result result;
   with_masses<Site>(from,
                     [&](const auto& before)
                     {
@@ -74,13 +81,18 @@ Transport_result find_plan(const Surface_type& surface, const Masses& from,
 
 void run_plan(Job& job, const Plan_options& options)
 {
-  if(options.from.empty() || options.to.empty())
-    throw Usage_error("plan: give --from and --to.");
+  if(options.from.empty() || (options.to.empty() && options.region.empty()))
+    throw Usage_error("plan: give --from, and --to, --to-at or --to-path.");
   check(options);
+  check(options.region);
   const Surface& surface = job.read({"ply", "vtp"});
+  check(options.region, surface);
   const Masses from = read_masses(options.from, "--from", options, surface);
-  const std::vector<std::size_t> to = region_vertices(options.to, "--to", surface);
-  const std::vector<double> capacity = capacities(options.capacity, to, surface);
+  const std::vector<std::size_t> to = options.to.empty()
+                                          ? std::vector<std::size_t>()
+                                          : region_vertices(options.to, "--to", surface);
+  const std::vector<double> capacity = capacities(
+      options.capacity, to, options.region.at.size() + options.region.paths.size(), surface);
   check(options, surface);
 
   job.stage("prepare");
@@ -89,7 +101,7 @@ void run_plan(Job& job, const Plan_options& options)
              { result = find_plan(mesh_or_cloud, from, to, capacity, options, job); });
   report(job, options, result.cost, "cost");
   std::vector<std::size_t> marked = from.vertices;
-  if(are_vertices(options.to))
+  if(!options.to.empty() && are_vertices(options.to))
   {
     marked.insert(marked.end(), to.begin(), to.end());
     std::vector<double> arrivals;
@@ -116,8 +128,11 @@ void add_plan(CLI::App& program)
   command.add("--from", options->from, "X", "masses, as those of emd");
   command.add("--to", options->to, "X",
               "vertices V[,V...], or a property that is positive at those of the region");
-  command.add("--capacity", options->capacity, "X",
-              "how much may arrive at each vertex: X[,X...] in the order of --to, or a property");
+  add_region_options(command, options->region, "--to");
+  command.add(
+      "--capacity", options->capacity, "X",
+      "how much may arrive at each vertex, then place, then path: X[,X...] in their order, or a "
+      "property");
   command.add("--spread", options->spread, "W",
               "pay W times the integral of the squared density of what arrives as well");
   add_options(command, *options);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transports.h"
 
-#include "Picture.h"
-#include "Scanner.h"
 #include "read_bytes.h"
 
 #include <cmath>
@@ -82,10 +80,20 @@ void draw_transport(const Job& job, const Transport_result& result,
   picture.chains = arrows(job.surface().file, result.fields.at("flow"));
   for(const std::size_t vertex : marked)
     picture.markers.push_back(job.surface().file.points[vertex]);
+  add_curves(result, picture);
   draw(job.picture(), picture);
 }
 
 } // namespace
+
+void add_curves(const Transport_result& result, Picture& picture)
+{
+  for(const std::vector<Point>& curve : result.curves)
+    if(curve.size() == 1)
+      picture.markers.push_back(curve.front());
+    else
+      picture.polylines.push_back(curve);
+}
 
 bool are_vertices(const std::string& text)
 {
@@ -133,6 +141,34 @@ std::vector<std::size_t> region_vertices(const std::string& text, const std::str
   if(result.empty())
     fail(surface.name, "its property " + shown(text) + " is positive nowhere");
   return result;
+}
+
+void add_region_options(Command& command, Region_options& options, const std::string& prefix)
+{
+  options.at_option = prefix + "-at";
+  options.path_option = prefix + "-path";
+  command.add(options.at_option, options.at, "x,y,z",
+              "the place of a mesh nearest to a point; may be given several times");
+  command.add(options.path_option, options.paths, "V,V[,V...]",
+              "all along the shortest path through these vertices; likewise");
+}
+
+void check(const Region_options& options)
+{
+  for(const std::string& point : options.at)
+    parse_point(point, options.at_option);
+  for(const std::string& path : options.paths)
+    if(parse_integers(path, options.path_option).size() < 2)
+      throw Usage_error(options.path_option + ": give two vertices or more.");
+}
+
+void check(const Region_options& options, const Surface& surface)
+{
+  if(!options.empty() && !surface.is_mesh())
+    fail(surface.name, options.at_option + " and " + options.path_option + " need a mesh");
+  for(const std::string& path : options.paths)
+    for(const std::size_t vertex : parse_integers(path, options.path_option))
+      check_vertex(surface, vertex);
 }
 
 void add_query_options(Command& command, Transport_options& options)

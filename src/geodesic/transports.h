@@ -3,6 +3,8 @@
 #ifndef GEODESIC_PROGRAM_TRANSPORTS_H
 #define GEODESIC_PROGRAM_TRANSPORTS_H
 
+#include "Picture.h"
+#include "Scanner.h"
 #include "densities.h"
 
 #include <algorithm>
@@ -47,9 +49,13 @@ struct Transport_result
   GP::Earth_movers_cost cost;
   std::vector<double> potential;                    // #vertices, or empty
   std::vector<double> arrivals;                     // #vertices, or empty
+  std::vector<std::vector<Point>> curves;           // of a region, or places
   std::map<std::string, std::vector<Point>> fields; // of a mesh #faces, of a cloud #vertices
   std::vector<std::uint32_t> triangles;             // of a cloud
 };
+
+// Puts the curves and places of a region into a picture.
+void add_curves(const Transport_result& result, Picture& picture);
 
 // Whether a text is a list of vertices.
 bool are_vertices(const std::string& text);
@@ -61,6 +67,59 @@ Masses read_masses(const std::string& text, const std::string& option,
 // A list of vertices, or those at which a property is positive.  Throws Input_error.
 std::vector<std::size_t> region_vertices(const std::string& text, const std::string& option,
                                          const Surface& surface);
+
+// What a region is made of beside vertices: places nearest to points, and shortest paths.
+struct Region_options
+{
+  std::vector<std::string> at;    // "x,y,z" each
+  std::vector<std::string> paths; // vertices each
+  std::string at_option, path_option;
+
+  bool empty() const { return at.empty() && paths.empty(); }
+};
+
+void add_region_options(Command& command, Region_options& options, const std::string& prefix);
+// Throws Usage_error, and Input_error for vertices that are not there or a cloud.
+void check(const Region_options& options);
+void check(const Region_options& options, const Surface& surface);
+
+// Appends a source for each, and to the result their points in space.  Throws Input_error where no path
+// leads.
+template <typename Domain>
+void add_sources(const Domain& domain, const Region_options& options, const Surface& surface,
+                 std::vector<GP::Source<typename Domain::Surface>>& region,
+                 Transport_result& result)
+{
+  using Surface_type = typename Domain::Surface;
+  if constexpr(is_mesh<Surface_type>)
+  {
+    for(const std::string& point : options.at)
+    {
+      const auto place = locate(domain, point, options.at_option);
+      region.emplace_back(place);
+      result.curves.push_back({coordinates(domain.point(domain.inner(place)))});
+    }
+    for(const std::string& text : options.paths)
+    {
+      GP::Geodesic_path_finder<Surface_type> find(domain);
+      const std::vector<std::size_t> vertices = parse_integers(text, options.path_option);
+      typename GP::Source<Surface_type>::Polyline curve;
+      result.curves.emplace_back();
+      for(std::size_t i = 1; i < vertices.size(); ++i)
+      {
+        const auto path =
+            find(site<Surface_type>(vertices[i - 1]), site<Surface_type>(vertices[i]));
+        if(path.empty())
+          fail(surface.name, "no path joins vertices " + std::to_string(vertices[i - 1]) + " and " +
+                                 std::to_string(vertices[i]));
+        curve.insert(curve.end(), path.locations.begin(), path.locations.end());
+        for(const auto& point : path.points)
+          result.curves.back().push_back(coordinates(point));
+      }
+      region.emplace_back(std::move(curve));
+    }
+  }
+}
 
 // A vector for each face or surfel, written like a map of the library.
 template <typename Key>

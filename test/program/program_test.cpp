@@ -523,6 +523,19 @@ TEST_F(Program, plan_moves_masses_to_a_region)
   EXPECT_NEAR(halves["value"].get<double>(), to_both, 0.02); // a part of a side where masses part
   const nlohmann::json even = json("plan square.ply --from 45 --to 8,80 --spread 100");
   EXPECT_NEAR(even["arrivals"][0].get<double>(), 0.5, 0.01);
+  // To a line from the corner (0, 0) to (1, 0.5), and to a place in a face.
+  EXPECT_NEAR(json("plan square.ply --from 72 --to-path 0,44")["value"].get<double>(),
+              2. / std::sqrt(5.), 2e-3);
+  EXPECT_NEAR(
+      json("plan square.ply --from 8 --to-at 0.52,0.33,0 --to 0 --capacity 0.5,0.5")["value"]
+          .get<double>(),
+      0.5 * (1. + std::hypot(0.48, 0.33)), 0.02); // as above
+  expect_failure("plan square.ply --from 0 --to-path 80", 1, "two vertices");
+  expect_failure("plan square.ply --from 0 --to-path 80,81", 2, "81");
+  expect_failure("plan square.ply --from 0 --to-at 1,2", 1, "--to-at");
+  expect_failure("plan cloud.xyz --from 0 --to-at 0,0,0", 2, "need a mesh");
+  expect_failure("plan square.ply --from 45 --to 8 --to-path 0,80 --capacity 0.7", 1, "paths");
+  expect_failure("plan p.ply --from 45 --to-path 0,80 --capacity arrivals", 1, "--to-path");
   expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.7", 1, "2 vertices");
   expect_failure("plan square.ply --from 45 --to 8,80 --capacity 0.3,0.6", 2, "room");
   expect_failure("plan square.ply --from 45 --to 8,80 --capacity none", 2, "none");
@@ -663,10 +676,19 @@ TEST_F(Program, feature_distance_is_from_all_of_a_feature)
   EXPECT_NEAR(json("feature-distance d.ply --feature distance")["max"].get<double>(),
               std::sqrt(2.) / 8., 0.02);
   EXPECT_EQ(run("feature-distance cloud.xyz --feature 0,1 --quiet").code, 0);
+  // In faces, a part of a side, 0.125, below at the most.
+  EXPECT_NEAR(json("feature-distance square.ply --feature-at 0.52,0.33,0")["max"].get<double>(),
+              std::hypot(0.52, 0.67), 0.05);
+  EXPECT_NEAR(json("feature-distance square.ply --feature-path 0,44")["max"].get<double>(),
+              2. / std::sqrt(5.), 0.01);
+  EXPECT_NEAR(json("feature-distance square.ply --feature 72 --feature-path 0,44,8 --border")["max"]
+                  .get<double>(),
+              0.375, 0.05);
 
   expect_failure("feature-distance square.ply", 1, "--feature");
   expect_failure("feature-distance square.ply --feature 99", 2, "99");
   expect_failure("feature-distance cloud.xyz --border", 2, "border");
+  expect_failure("feature-distance cloud.xyz --feature-path 0,1", 2, "need a mesh");
 }
 
 TEST_F(Program, logmap_writes_normal_coordinates)
