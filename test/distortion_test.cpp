@@ -104,4 +104,30 @@ TEST(distortion, is_summed_over_what_is_known)
   EXPECT_LT(GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips).number_of_faces, 32u);
 }
 
+TEST(distortion, of_flattenings_does_not_know_scales)
+{
+  Mesh mesh = mesh_of(square(6, 0.2));
+  const auto uv = mesh.add_property_map<Vertex, UV>("v:uv").first;
+  for(const double scale : {1., 0.01})
+  {
+    // By 2 along one axis: the areas agree where it is by the root of two, and its inverse.
+    for(const Vertex v : mesh.vertices())
+      uv[v] = {2. * scale * mesh.point(v).x(), scale * mesh.point(v).y()};
+    const auto found = GP::flattening_distortion(mesh, uv);
+    EXPECT_EQ(found.number_of_faces, 72u);
+    EXPECT_EQ(found.number_of_flips, 0u);
+    EXPECT_NEAR(found.conformal, std::sqrt(0.5), 1e-12); // 2 + 1/2 - 2; roundings
+    EXPECT_NEAR(found.authalic, 0., 1e-12);
+    EXPECT_NEAR(found.symmetric_dirichlet, 5., 1e-12);
+    EXPECT_NEAR(found.l2_stretch, std::sqrt(1.25), 1e-12);
+    EXPECT_NEAR(found.linf_stretch, std::sqrt(2.), 1e-12);
+  }
+  for(const Vertex v : mesh.vertices())
+    uv[v] = {-mesh.point(v).x(), mesh.point(v).y()};
+  EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 72u);
+  for(const Vertex v : mesh.vertices())
+    uv[v] = {1., 0.};
+  EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 72u);
+}
+
 } // namespace

@@ -32,6 +32,8 @@
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
+#include <CGAL/Geodesic_processing/geodesic_lle.h>
+#include <CGAL/Geodesic_processing/geodesic_mds.h>
 #include <CGAL/Geodesic_processing/geodesic_path.h>
 #include <CGAL/Geodesic_processing/geodesic_voronoi_diagram.h>
 #include <CGAL/Geodesic_processing/hodge_decomposition.h>
@@ -39,6 +41,7 @@
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/mean_value_coordinates.h>
+#include <CGAL/Geodesic_processing/minimize_distortion.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/principal_curvatures.h>
 #include <CGAL/Geodesic_processing/shorten_polyline.h>

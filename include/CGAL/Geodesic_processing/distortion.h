@@ -61,6 +61,11 @@ struct Face_distortion
   double linf_stretch() const { return most; }
   /// \f$ \max(\sigma_1, 1/\sigma_2) \f$ (Sorkine and others 2002).
   double symmetric_stretch() const { return (std::max)(most, 1. / least); }
+  /// \f$ \sigma_1^2 + \sigma_2^2 + 1/\sigma_1^2 + 1/\sigma_2^2 \f$ (Smith and Schaefer 2015).
+  double symmetric_dirichlet() const
+  {
+    return most * most + least * least + 1. / (most * most) + 1. / (least * least);
+  }
   /// the distance of the metric from that of the plane:
   /// \f$ 2 \sqrt{\log^2 \sigma_1 + \log^2 \sigma_2} \f$.
   double riemannian() const { return 2. * std::hypot(std::log(most), std::log(least)); }
@@ -166,6 +171,83 @@ Mesh_distortion<Mesh> mesh_distortion(const Mesh& mesh, UVMap uv_map, Measure me
     }
     result.number_of_folded_faces += distortion.is_folded;
   }
+  return result;
+}
+
+/// \ingroup PkgGeodesicProcessingLogMap
+/// how a map to the plane distorts a mesh, in the numbers by which flattenings are compared, where both have
+/// the same area.  Means are by the area of the faces.
+struct Flattening_distortion
+{
+  /// of angles: the root of the mean of \f$ \sigma_1/\sigma_2 + \sigma_2/\sigma_1 - 2 \f$, 0 of a conformal map.
+  double conformal = 0.;
+  /// of areas: the root of the mean of \f$ \sigma_1 \sigma_2 + 1/(\sigma_1 \sigma_2) - 2 \f$, 0 where areas
+  /// are kept.
+  double authalic = 0.;
+  double symmetric_dirichlet =
+      0.;                   ///< the mean of `Face_distortion::symmetric_dirichlet()`, 4 at least
+  double l2_stretch = 0.;   ///< the root of the mean of `Face_distortion::dirichlet()`
+  double linf_stretch = 0.; ///< the largest `Face_distortion::linf_stretch()`
+  /// of faces whose image is turned round or has no area, though they have one.
+  std::size_t number_of_flips = 0;
+  std::size_t number_of_faces = 0;
+};
+
+/// \ingroup PkgGeodesicProcessingLogMap
+///
+/// measures how a map to the plane distorts a mesh, whatever its scale.
+///
+/// Faces that have no area themselves do not count; the others whose image has none make means infinite.
+///
+/// \param uv_map as for `mesh_distortion()`
+/// \param np `vertex_point_map`
+///
+/// O(n).
+template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
+Flattening_distortion flattening_distortion(const Mesh& mesh, UVMap uv_map,
+                                            const NamedParameters& np = NamedParameters())
+{
+  const auto for_each = [&](auto f)
+  {
+    for(const auto face : faces(mesh))
+    {
+      const Face_distortion distortion = face_distortion(face, mesh, uv_map, np);
+      if(distortion.area > 0. && !std::isnan(distortion.most))
+        f(distortion);
+    }
+  };
+  double area = 0., image = 0.;
+  for_each(
+      [&](const Face_distortion& face)
+      {
+        area += face.area;
+        image += face.area / (face.most * face.least);
+      });
+  const double scale = std::sqrt(image / area);
+
+  Flattening_distortion result;
+  for_each(
+      [&](Face_distortion face)
+      {
+        ++result.number_of_faces;
+        result.number_of_flips += face.is_folded || std::isinf(face.most);
+        face.most *= scale;
+        face.least *= scale;
+        const double share = face.area / area;
+        // As squares: what is left of 1 + 1 - 2 would be rounding.
+        const double product = std::sqrt(face.most * face.least);
+        const bool is_flat = std::isinf(face.most);
+        const double angle = is_flat ? face.most : (face.most - face.least) / product,
+                     size = is_flat ? face.most : product - 1. / product;
+        result.conformal += share * angle * angle;
+        result.authalic += share * size * size;
+        result.symmetric_dirichlet += share * face.symmetric_dirichlet();
+        result.l2_stretch += share * face.dirichlet();
+        result.linf_stretch = (std::max)(result.linf_stretch, face.linf_stretch());
+      });
+  result.conformal = std::sqrt(result.conformal);
+  result.authalic = std::sqrt(result.authalic);
+  result.l2_stretch = std::sqrt(result.l2_stretch);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/Log_engine.h>
 #include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/planar_value.h>
 #include <CGAL/Geodesic_processing/internal/turned_plane.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
@@ -72,16 +73,6 @@ struct Log_engine<Discrete_exponential> : Discrete_exponential_engine
 {
   using Discrete_exponential_engine::Discrete_exponential_engine;
 };
-
-// A place in the plane as the value of a map: a `Point_2`, or an array.
-template <typename Value>
-Value planar_value(double u, double v)
-{
-  if constexpr(std::is_constructible_v<Value, double, double>)
-    return Value(u, v);
-  else
-    return Value{u, v};
-}
 
 } // namespace internal
 

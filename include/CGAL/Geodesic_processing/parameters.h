@@ -228,6 +228,14 @@ enum width_t
 {
   width
 };
+enum base_points_t
+{
+  base_points
+};
+enum number_of_base_points_t
+{
+  number_of_base_points
+};
 
 } // namespace internal_np
 
@@ -311,6 +319,8 @@ struct Chain : NamedParameters
   LINK(Geodesic_processing::internal_np, energy_output_t, energy_output)                           \
   LINK(Geodesic_processing::internal_np, do_straighten_t, do_straighten)                           \
   LINK(Geodesic_processing::internal_np, width_t, width)                                           \
+  LINK(Geodesic_processing::internal_np, base_points_t, base_points)                               \
+  LINK(Geodesic_processing::internal_np, number_of_base_points_t, number_of_base_points)           \
   LINK(CGAL::internal_np, edge_is_constrained_t, edge_is_constrained_map)                          \
   LINK(CGAL::internal_np, callback_t, callback)                                                    \
   LINK(CGAL::internal_np, random_seed_t, random_seed)                                              \

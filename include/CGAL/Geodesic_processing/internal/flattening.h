@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/base_points.h>
+#include <CGAL/Geodesic_processing/internal/lle.h>
+#include <CGAL/Geodesic_processing/internal/mds.h>
+#include <CGAL/Geodesic_processing/internal/planar_value.h>
+#include <CGAL/Geodesic_processing/internal/sampling.h>
+#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/tags.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// What the flattenings by base points share: all but the map.
+
+namespace CGAL::Geodesic_processing::internal {
+
+// The matrices of all pairs of base points are dense.
+inline constexpr std::size_t most_base_points = 1000;
+
+// Spreads the base points that named parameters ask for, over a surface of one piece.
+template <typename Domain, typename NamedParameters>
+void spread(const Domain& domain, const NamedParameters& np, Sampling& sampling)
+{
+  const auto check_is_one_piece = [&]
+  {
+    if(!(sampling.covering_radius() < infinity))
+      throw Unsupported_surface_error("The surface is not one piece.");
+  };
+  if constexpr(has_parameter<NamedParameters, internal_np::base_points_t>)
+  {
+    std::vector<bool> is_taken(domain.number_of_sites(), false);
+    for(const auto& place : parameter(np, internal_np::base_points, none))
+    {
+      const Location site = domain.inner_site(place);
+      if(is_taken[site.site])
+        throw Invalid_argument_error("A base point comes twice.");
+      is_taken[site.site] = true;
+      sampling.add(site);
+      check_is_one_piece();
+    }
+  }
+  else
+  {
+    Sampling_goal goal;
+    goal.number = parameter(np, internal_np::number_of_base_points, std::size_t(200));
+    goal.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
+    if(goal.number <= most_base_points)
+      sample_farthest(sampling, goal, [&](double) { check_is_one_piece(); });
+    else
+      goal.number = 0;
+  }
+  const std::size_t number = sampling.samples().size();
+  if(number < 3 || number > most_base_points)
+    throw Invalid_argument_error("The number of base points is not between 3 and " +
+                                 std::to_string(most_base_points) + ".");
+}
+
+// The sum of the areas of the images of triangles, those turned round negative.
+inline double area_of_image(const Glued_triangles& t, const std::vector<Planar>& image)
+{
+  double result = 0.;
+  for(std::size_t c = 0; c < t.corner.size(); c += 3)
+  {
+    const Planar &p = image[t.corner[c]], &q = image[t.corner[c + 1]], &r = image[t.corner[c + 2]];
+    result += (t.weight.empty() ? 1. : double(t.weight[c / 3])) * cross(q - p, r - p);
+  }
+  return result;
+}
+
+// Spreads base points, maps all sites by them, and writes where they go.
+//
+// map(triangles, sampling, front, callback): nothing when the callback cancelled it
+template <typename Method, typename Domain, typename UVMap, typename NamedParameters, typename Map>
+auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, const Map& map)
+{
+  static_assert(std::is_base_of_v<Front, Engine<Method>>,
+                "Base points are joined by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+  using Value = typename boost::property_traits<UVMap>::value_type;
+  const Glued_triangles& triangles = *domain.triangles();
+  const Engine<Method> front(domain.triangles());
+  Sampling sampling(domain.triangles(), front, Sample_place::site);
+  spread(domain, np, sampling);
+
+  std::vector<typename Domain::Site> base_points;
+  std::vector<Planar> image =
+      map(triangles, sampling, front,
+          parameter(np, CGAL::internal_np::callback, std::function<bool(double)>()));
+  if(image.empty())
+    return base_points;
+  for(const Location& sample : sampling.samples())
+    base_points.push_back(domain.site(sample.site));
+  std::vector<bool> is_known(image.size(), false);
+  for(const Index site : sampling.sites())
+    is_known[site] = true;
+  const double mirror = area_of_image(triangles, image) < 0. ? -1. : 1.;
+  domain.write(
+      [&](Index i)
+      {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        return is_known[i] ? planar_value<Value>(triangles.scale * image[i][0],
+                                                 mirror * triangles.scale * image[i][1])
+                           : planar_value<Value>(unknown, unknown);
+      },
+      uv_map);
+  return base_points;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/geodesic_lle.h>
+
+#include <CGAL/Geodesic_processing/distortion.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include "Mesh_of.h"
+#include "openmesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using UV = std::array<double, 2>;
+
+double between(const UV& p, const UV& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
+
+TEST(geodesic_lle, of_a_disk_is_a_similarity)
+{
+  Mesh mesh = mesh_of(cone(64, 30, 2. * CGAL_PI)); // of radius 30
+  auto uv = vertex_map<UV>(mesh);
+  const auto base =
+      GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(100)));
+  EXPECT_EQ(base.size(), 100u);
+  double worst = 0.;
+  for(const Vertex v : mesh.vertices())
+    for(const Vertex w : {Vertex(0), Vertex(700), Vertex(1900)})
+      worst = std::max(worst, std::abs(between(uv[v], uv[w]) - std::sqrt(CGAL::squared_distance(
+                                                                   mesh.point(v), mesh.point(w)))));
+  EXPECT_LT(worst, 1e-3 * 60.); // what was asked for
+  const auto distortion = GP::flattening_distortion(mesh, uv);
+  EXPECT_EQ(distortion.number_of_flips, 0u);
+}
+
+TEST(geodesic_lle, of_a_square_is_a_similarity_at_all_scales)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Mesh mesh = mesh_of(scaled(square(30, 0.25), scale));
+    auto uv = vertex_map<UV>(mesh);
+    GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(100)));
+    double worst = 0.;
+    for(const Vertex v : mesh.vertices())
+      worst = std::max(worst, std::abs(between(uv[v], uv[Vertex(37)]) -
+                                       std::sqrt(CGAL::squared_distance(mesh.point(v),
+                                                                        mesh.point(Vertex(37))))));
+    EXPECT_LT(worst, 1e-4 * scale); // where fronts end they are not exact
+    EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
+  }
+}
+
+TEST(geodesic_lle, takes_base_points_and_numbers)
+{
+  Mesh mesh = mesh_of(square(12, 0.2));
+  auto uv = vertex_map<UV>(mesh);
+  const std::vector<Vertex> given = {Vertex(0), Vertex(12), Vertex(80), Vertex(150), Vertex(168)};
+  EXPECT_EQ(GP::geodesic_lle(
+                mesh, uv, GP::parameters::base_points(given).number_of_neighbors(std::size_t(4))),
+            given);
+  EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
+  // All vertices at most, each once.
+  const auto all =
+      GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(1000)));
+  EXPECT_EQ(std::set<Vertex>(all.begin(), all.end()).size(), all.size());
+  EXPECT_EQ(all.size(), mesh.number_of_vertices());
+}
+
+TEST(geodesic_lle, refuses_what_it_cannot_take)
+{
+  Mesh mesh = mesh_of(square(5, 0.2));
+  auto uv = vertex_map<UV>(mesh);
+  using GP::parameters::base_points;
+  EXPECT_THROW(GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(2))),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(1001))),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_lle(mesh, uv, GP::parameters::number_of_neighbors(std::size_t(2))),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_lle(mesh, uv, base_points(std::vector<Vertex>{Vertex(1), Vertex(1)})),
+               GP::Invalid_argument_error);
+  EXPECT_THROW(GP::geodesic_lle(mesh, uv, base_points(std::vector<Vertex>())),
+               GP::Invalid_argument_error);
+  Mesh empty;
+  auto none = vertex_map<UV>(empty);
+  EXPECT_THROW(GP::geodesic_lle(empty, none), GP::Invalid_argument_error);
+  Triangulation above = square(5);
+  for(Point& p : above.points)
+    p[2] = 1.;
+  Mesh two = mesh_of(apart(square(5), above));
+  auto uv_of_two = vertex_map<UV>(two);
+  EXPECT_THROW(GP::geodesic_lle(two, uv_of_two), GP::Unsupported_surface_error);
+}
+
+TEST(geodesic_lle, leaves_out_vertices_without_faces)
+{
+  Mesh mesh = mesh_of(square(8, 0.2));
+  const Vertex lone = mesh.add_vertex(Kernel::Point_3(5., 5., 5.));
+  auto uv = vertex_map<UV>(mesh);
+  GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(20)));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_EQ(std::isnan(uv[v][0]), v == lone);
+}
+
+TEST(geodesic_lle, is_cancelled_by_its_callback)
+{
+  Mesh mesh = mesh_of(square(8, 0.2));
+  auto uv = mesh.add_property_map<Vertex, UV>("v:uv", UV{7., 7.}).first;
+  EXPECT_TRUE(GP::geodesic_lle(mesh, uv,
+                               GP::parameters::callback(
+                                   std::function<bool(double)>([](double) { return false; })))
+                  .empty());
+  EXPECT_EQ(uv[Vertex(3)], (UV{7., 7.}));
+}
+
+// A Polyhedron_3 and OpenMesh's meshes have no named maps: dynamic ones.
+template <typename M>
+void expect_same(const Triangulation& surface, const Mesh& mesh, const std::vector<UV>& expected)
+{
+  Numbered<M> other;
+  fill(other, surface);
+  auto uv = get(CGAL::dynamic_vertex_property_t<UV>(), other.mesh);
+  GP::geodesic_lle(other.mesh, uv, GP::parameters::number_of_base_points(std::size_t(30)));
+  for(const Vertex v : mesh.vertices())
+    // A square may be turned: its two eigenvectors have one eigenvalue.
+    EXPECT_NEAR(between(get(uv, other.vertices[v]), get(uv, other.vertices[0])),
+                between(expected[v], expected[0]), 1e-4); // where fronts end they are not exact
+}
+
+TEST(geodesic_lle, is_the_same_on_all_kinds_of_meshes)
+{
+  const Triangulation surface = square(9, 0.2);
+  Mesh mesh = mesh_of(surface);
+  auto uv = mesh.add_property_map<Vertex, Kernel::Point_2>("v:uv").first;
+  GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(30)));
+  std::vector<UV> expected;
+  for(const Vertex v : mesh.vertices())
+    expected.push_back({uv[v].x(), uv[v].y()});
+  expect_same<CGAL::Polyhedron_3<Kernel>>(surface, mesh, expected);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  expect_same<OpenMesh::TriMesh_ArrayKernelT<>>(surface, mesh, expected);
+#endif
+}
+
+TEST(geodesic_lle, flattens_clouds)
+{
+  const Surfels flat = flat_surfels(2000);
+  CGAL::Point_set_3<Kernel::Point_3> cloud;
+  cloud.add_normal_map();
+  for(const auto& [point, normal] : flat)
+    cloud.insert(point, normal);
+  auto uv = cloud.add_property_map<UV>("uv").first;
+  GP::geodesic_lle(cloud, uv, GP::parameters::number_of_base_points(std::size_t(60)));
+  const auto first = *cloud.begin();
+  double worst = 0.;
+  for(const auto& i : cloud)
+    worst = std::max(
+        worst, std::abs(between(uv[i], uv[first]) -
+                        std::sqrt(CGAL::squared_distance(cloud.point(i), cloud.point(first)))));
+  // Distances on clouds are that near: a thousandth of the square's diagonal.
+  EXPECT_LT(worst, 2e-3);
+}
+
+// Shared models that bend little, or not: by the Gauss-Bonnet sum over inner vertices.
+TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
+{
+  for(const std::string name : {"hemisphere_2k.ply", "disk_5k.ply", "alligator_3k.ply"})
+  {
+    const std::string file = model("patches/" + name);
+    Mesh mesh;
+    if(file.empty() || !CGAL::IO::read_polygon_mesh(file, mesh))
+      GTEST_SKIP() << "no shared models";
+    auto uv = vertex_map<UV>(mesh);
+    GP::geodesic_lle(mesh, uv);
+    EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;
+    for(const auto h : mesh.halfedges())
+      EXPECT_LT(between(uv[mesh.source(h)], uv[mesh.target(h)]),
+                2. * std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)),
+                                                      mesh.point(mesh.target(h)))))
+          << name;
+  }
+}
+
+} // namespace

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/geodesic_mds.h>
+
+#include <CGAL/Geodesic_processing/distortion.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using UV = std::array<double, 2>;
+
+TEST(geodesic_mds, of_a_square_is_a_similarity)
+{
+  Mesh mesh = mesh_of(square(20, 0.25));
+  auto uv = vertex_map<UV>(mesh);
+  const auto base =
+      GP::geodesic_mds(mesh, uv, GP::parameters::number_of_base_points(std::size_t(30)));
+  EXPECT_EQ(base.size(), 30u);
+  for(const Vertex v : mesh.vertices())
+    EXPECT_NEAR(std::hypot(uv[v][0] - uv[Vertex(9)][0], uv[v][1] - uv[Vertex(9)][1]),
+                std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(9)))), 1e-9);
+  const auto distortion = GP::flattening_distortion(mesh, uv);
+  EXPECT_EQ(distortion.number_of_flips, 0u);
+  EXPECT_NEAR(distortion.symmetric_dirichlet, 4., 1e-9);
+}
+
+TEST(geodesic_mds, refuses_what_geodesic_lle_does)
+{
+  Mesh mesh = mesh_of(apart(square(3), icosphere(0)));
+  auto uv = vertex_map<UV>(mesh);
+  EXPECT_THROW(GP::geodesic_mds(mesh, uv), GP::Unsupported_surface_error);
+  Mesh one = mesh_of(one_triangle());
+  auto uv_of_one = vertex_map<UV>(one);
+  EXPECT_THROW(
+      GP::geodesic_mds(one, uv_of_one, GP::parameters::number_of_base_points(std::size_t(1))),
+      GP::Invalid_argument_error);
+  EXPECT_EQ(GP::geodesic_mds(one, uv_of_one).size(), 3u);
+}
+
+} // namespace

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/minimize_distortion.h>
+
+#include <CGAL/Geodesic_processing/distortion.h>
+#include <CGAL/Geodesic_processing/geodesic_lle.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include "Mesh_of.h"
+#include "openmesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using UV = std::array<double, 2>;
+
+Triangulation dome()
+{
+  return grid(
+      12, 12,
+      [](double s, double t) -> Point
+      {
+        const double x = 2. * s - 1., y = 2. * t - 1.;
+        return {x, y, std::exp(-3. * (x * x + y * y))};
+      },
+      0.2);
+}
+
+TEST(minimize_distortion, leaves_no_flip_whatever_the_map_was)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    Mesh mesh = mesh_of(scaled(dome(), scale));
+    auto good = vertex_map<UV>(mesh), bad = vertex_map<UV>(mesh);
+    for(const Vertex v : mesh.vertices())
+    {
+      good[v] = {mesh.point(v).x(), mesh.point(v).y()};
+      bad[v] = {std::abs(mesh.point(v).x()), mesh.point(v).y()};
+    }
+    const auto from_good = GP::minimize_distortion(mesh, good);
+    const auto from_bad = GP::minimize_distortion(mesh, bad);
+    EXPECT_EQ(from_good.number_of_flips_before, 0u);
+    EXPECT_GT(from_bad.number_of_flips_before, 0u);
+    for(const auto* found : {&from_good, &from_bad})
+    {
+      EXPECT_EQ(found->number_of_flips, 0u);
+      EXPECT_TRUE(found->is_complete);
+    }
+    // One minimum, to which each came within its last step's millionth.
+    EXPECT_NEAR(from_good.symmetric_dirichlet, from_bad.symmetric_dirichlet, 2e-5);
+    const auto distortion = GP::flattening_distortion(mesh, good);
+    EXPECT_EQ(distortion.number_of_flips, 0u);
+    // Both have the best scale to within what areas differ by.
+    EXPECT_NEAR(distortion.symmetric_dirichlet, from_good.symmetric_dirichlet, 0.01);
+  }
+}
+
+template <typename M>
+double minimum_of()
+{
+  Numbered<M> mesh;
+  fill(mesh, dome());
+  auto uv = get(CGAL::dynamic_vertex_property_t<UV>(), mesh.mesh);
+  GP::geodesic_lle(mesh.mesh, uv, GP::parameters::number_of_base_points(std::size_t(50)));
+  const auto found = GP::minimize_distortion(mesh.mesh, uv);
+  EXPECT_EQ(found.number_of_flips, 0u);
+  return found.symmetric_dirichlet;
+}
+
+TEST(minimize_distortion, is_the_same_on_all_kinds_of_meshes)
+{
+  const double expected = minimum_of<Mesh>();
+  // Each comes as near to the minimum as its last step's millionth.
+  EXPECT_NEAR(minimum_of<CGAL::Polyhedron_3<Kernel>>(), expected, 1e-5);
+#ifdef GEODESIC_PROCESSING_HAS_OPENMESH
+  EXPECT_NEAR(minimum_of<OpenMesh::TriMesh_ArrayKernelT<>>(), expected, 1e-5);
+#endif
+}
+
+TEST(minimize_distortion, refuses_what_it_cannot_take)
+{
+  Mesh sphere = mesh_of(icosphere(1));
+  EXPECT_THROW(GP::minimize_distortion(sphere, vertex_map<UV>(sphere)),
+               GP::Unsupported_surface_error);
+  Mesh plane = mesh_of(square(3));
+  auto uv = vertex_map<UV>(plane);
+  uv[Vertex(2)][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(GP::minimize_distortion(plane, uv), GP::Invalid_argument_error);
+}
+
+TEST(minimize_distortion, flattens_shared_patches)
+{
+  // The mean symmetric Dirichlet energies of CGAL's ARAP_parameterizer_3 with its defaults, called by
+  // test/benchmark/flattening.cpp, where it has no flips.
+  const std::pair<std::string, double> patches[] = {{"hemisphere_2k.ply", 4.14203},
+                                                    {"patch_01_735.off", 4.2544},
+                                                    {"nefertiti_299.off", 4.03724},
+                                                    {"three_peaks_2k.off", 6.25898},
+                                                    {"mushroom_2k.off", 5.86005}};
+  for(const auto& [name, arap] : patches)
+  {
+    const std::string file = model("patches/" + name);
+    Mesh mesh;
+    if(file.empty() || !CGAL::IO::read_polygon_mesh(file, mesh))
+      GTEST_SKIP() << "no shared models";
+    auto uv = vertex_map<UV>(mesh);
+    GP::geodesic_lle(mesh, uv);
+    GP::minimize_distortion(mesh, uv);
+    const auto distortion = GP::flattening_distortion(mesh, uv);
+    EXPECT_EQ(distortion.number_of_flips, 0u) << name;
+    EXPECT_LE(distortion.symmetric_dirichlet, 1.05 * arap) << name; // what was asked for
+  }
+}
+
+} // namespace
