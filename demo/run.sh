@@ -188,6 +188,11 @@ picture logmap-heat "And from distances by the flow of heat." \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --distances heat
 picture logmap-edges "By the discrete exponential map, which adds up edges and goes astray." \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --method discrete-exponential
+for number in 5 10 20 100; do
+  picture flatten-$number "A mask flattened by $number base points, and squares of the plane on it." \
+    flatten "$mask" --base-points $number
+done
+picture flatten-flat "The plane itself, no face turned round." flatten "$mask" --injective --flat
 picture decal "Two pictures on an animal: lines through their middles keep lengths and directions." \
   decal "$bunny" --base-at 0.25,-0.1,0.3 --base-at 0.1,0.05,0.4 --up 0,1,0
 picture decal-rough "On a rough shell." \

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, segment, sample, remesh, path,
-# surfels, logmap, decal, matrix, emd, plan, feature-distance, fuzzy, streamlines, barycenter and volume.
+# surfels, logmap, flatten, decal, matrix, emd, plan, feature-distance, fuzzy, streamlines, barycenter and volume.
 # Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
 set -u
 
@@ -57,6 +57,8 @@ check_all()
   check "$file" path --from 0 --to 1 || failed=1
   check "$file" surfels || failed=1
   check "$file" logmap --base 0 || failed=1
+  check "$file" flatten --base-points 20 || failed=1
+  check "$file" flatten --base-points 20 --injective || failed=1
   check "$file" decal --base 0 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1
@@ -76,7 +78,7 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 23 times each: no crash, no hang, no NaN"
+  echo "$# files, 25 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -51,6 +51,7 @@ int run(int argc, char** argv)
   add_path(program);
   add_logmap(program);
   add_decal(program);
+  add_flatten(program);
   add_matrix(program);
   add_sample(program);
   add_voronoi(program);

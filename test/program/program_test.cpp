@@ -329,6 +329,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
               {"length", "front_distance", "points", "start_length"});
   expect_keys("logmap square.ply --base 40", {"values", "cut", "folded_faces"});
   expect_keys("decal square.ply --base 40", {"covered"});
+  expect_keys("flatten square.ply", {"base_points", "flips", "conformal", "authalic",
+                                     "symmetric_dirichlet", "l2_stretch", "linf_stretch"});
+  expect_keys("flatten cloud.xyz", {"base_points"});
   expect_keys("surfels cloud.xyz", {"outliers", "components", "arcs", "radius", "noise"});
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
   expect_keys("segment square.ply --number 3", {"charts", "energy", "energies", "unreached"});
@@ -689,6 +692,32 @@ TEST_F(Program, feature_distance_is_from_all_of_a_feature)
   expect_failure("feature-distance square.ply --feature 99", 2, "99");
   expect_failure("feature-distance cloud.xyz --border", 2, "border");
   expect_failure("feature-distance cloud.xyz --feature-path 0,1", 2, "need a mesh");
+}
+
+TEST_F(Program, flatten_lays_a_square_flat)
+{
+  for(const std::string method : {"glle", "mds", "lscm", "arap", "glle --injective"})
+  {
+    const nlohmann::json flat =
+        json("flatten square.ply --values f.txt -o f.obj --base-points 30 --method " + method);
+    EXPECT_EQ(flat["flips"], 0) << method;
+    EXPECT_NEAR(flat["symmetric_dirichlet"].get<double>(), 4., 1e-6) << method;
+    const std::vector<double> uv = numbers("f.txt");
+    ASSERT_EQ(uv.size(), 162u);
+    if(method == "lscm")
+      continue; // of any size
+    // From corner to corner.
+    EXPECT_NEAR(std::hypot(uv[160] - uv[0], uv[161] - uv[1]), std::sqrt(2.), 1e-4) << method;
+  }
+  EXPECT_EQ(json("flatten square.ply --base-points 30 --flat -o flat.ply")["flips"], 0);
+  EXPECT_NEAR(json("info flat.ply")["area"].get<double>(), 1., 1e-4);
+  EXPECT_EQ(json("flatten cloud.xyz --base-points 40 -o m.ply")["base_points"], 40);
+  expect_failure("flatten square.ply --method flat", 1, "glle");
+  expect_failure("flatten square.ply --base-points 2", 2, "between 3 and 1000");
+  expect_failure("flatten cloud.xyz --injective", 2, "needs a mesh");
+  expect_failure("flatten cloud.xyz --method lscm", 2, "needs a mesh");
+  expect_failure("flatten closed.off --injective", 2, "no border");
+  expect_failure("flatten apart.off", 2, "not one piece");
 }
 
 TEST_F(Program, logmap_writes_normal_coordinates)

@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Picture.h"
+#include "commands.h"
+#include "errors.h"
+#include "parameterizations.h"
+#include "queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace program {
+
+namespace {
+
+using UV = std::array<double, 2>;
+
+struct Flatten_options
+{
+  std::string method = "glle";
+  std::size_t base_points = 200, neighbors = 10;
+  bool injective = false, flat = false;
+};
+
+// Places of vertices, read and written like a map of the library.
+template <typename Key>
+struct UV_map
+{
+  using key_type = Key;
+  using value_type = UV;
+  using reference = const UV&;
+  using category = boost::read_write_property_map_tag;
+
+  std::vector<UV>* values;
+  friend const UV& get(const UV_map& map, const Key& key)
+  {
+    return (*map.values)[static_cast<std::size_t>(key)];
+  }
+  friend void put(const UV_map& map, const Key& key, const UV& value)
+  {
+    (*map.values)[static_cast<std::size_t>(key)] = value;
+  }
+};
+
+// The library's part: the map, and on a mesh what it does to faces.
+template <typename Surface_type>
+void flatten_surface(const Surface_type& surface, const Flatten_options& options, Job& job,
+                     std::vector<UV>& uv)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const UV_map<typename decltype(domain)::Site> map = {&uv};
+  job.stage("query");
+  if(options.method == "glle" || options.method == "mds")
+  {
+    const auto np = GP::parameters::number_of_base_points(options.base_points)
+                        .random_seed(job.seed())
+                        .callback(job.progress("flattening"));
+    const auto base =
+        options.method == "mds"
+            ? GP::geodesic_mds(domain, map, np)
+            : GP::geodesic_lle(domain, map, np.number_of_neighbors(options.neighbors));
+    job.result()["base_points"] = base.size();
+  }
+  else
+    uv = parameterization(job.surface(), options.method);
+  if constexpr(is_mesh<Surface_type>)
+  {
+    if(options.injective)
+    {
+      const GP::Distortion_minimum found = GP::minimize_distortion(
+          domain, map, GP::parameters::callback(job.progress("less distortion")));
+      job.result()["flips_before"] = found.number_of_flips_before;
+      job.result()["steps"] = found.number_of_steps;
+      job.say("flips before    " + std::to_string(found.number_of_flips_before));
+    }
+    const GP::Flattening_distortion found = GP::flattening_distortion(surface, map);
+    job.result()["flips"] = found.number_of_flips;
+    job.say("flips           " + std::to_string(found.number_of_flips));
+    const auto report = [&](const char* name, double value)
+    {
+      job.result()[name] = json_number(value);
+      std::string line = name;
+      line.resize(std::max<std::size_t>(line.size() + 1, 16), ' ');
+      job.say(line + readable(value));
+    };
+    report("conformal", found.conformal);
+    report("authalic", found.authalic);
+    report("symmetric_dirichlet", found.symmetric_dirichlet);
+    report("l2_stretch", found.l2_stretch);
+    report("linf_stretch", found.linf_stretch);
+  }
+}
+
+void check(const Flatten_options& options)
+{
+  if(options.method != "glle" && options.method != "mds" && options.method != "lscm" &&
+     options.method != "authalic" && options.method != "arap")
+    throw Usage_error("--method " + options.method +
+                      ": the methods are glle, mds, lscm, authalic and arap.");
+}
+
+// Where the smallest square around the image is the unit square.
+std::vector<UV> in_unit_square(const std::vector<UV>& uv)
+{
+  UV low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  double size = 0.;
+  for(const auto& p : uv)
+    if(std::isfinite(p[0]))
+      for(int k = 0; k < 2; ++k)
+        low[k] = std::min(low[k], p[k]);
+  for(const auto& p : uv)
+    if(std::isfinite(p[0]))
+      size = std::max({size, p[0] - low[0], p[1] - low[1]});
+  std::vector<UV> result;
+  for(const auto& p : uv)
+    result.push_back(std::isfinite(p[0]) && size > 0.
+                         ? UV{(p[0] - low[0]) / size, (p[1] - low[1]) / size}
+                         : UV{0., 0.});
+  return result;
+}
+
+// Twenty squares along each side of the unit square, or which of them a place is in.
+int square_of(const UV& p)
+{
+  return (int(std::floor(20. * p[0])) + int(std::floor(20. * p[1]))) & 1;
+}
+
+Image checkers()
+{
+  constexpr std::size_t size = 1000;
+  Image result{size, size, {}};
+  for(std::size_t i = 0; i < size * size; ++i)
+    result.pixels.push_back(
+        square_of({(double(i % size) + 0.5) / size, (double(i / size) + 0.5) / size}) != 0
+            ? Colour{0.13, 0.33, 0.55}
+            : Colour{0.95, 0.94, 0.9});
+  return result;
+}
+
+// The input, or what lies in the plane, with squares on it.
+void draw_map(const Job& job, const Surface_file& surface, const std::vector<UV>& unit)
+{
+  Surface_file file = surface;
+  const Image image = checkers();
+  Picture picture{&file};
+  if(file.corners.empty())
+    for(const UV& p : unit)
+      picture.labels.push_back(square_of(p));
+  else
+  {
+    for(const std::uint32_t corner : file.corners)
+      file.corner_uv.push_back(unit[corner]);
+    picture.texture = &image;
+  }
+  draw(job.picture(), picture);
+}
+
+void run_flatten(Job& job, const Flatten_options& options)
+{
+  check(options);
+  const Surface& surface = job.read();
+  const bool is_ours = options.method == "glle" || options.method == "mds";
+  if(!surface.is_mesh() && (options.injective || !is_ours))
+    throw Input_error(
+        surface.name + ": " +
+        (options.injective ? "--injective needs" : "--method " + options.method + " needs") +
+        " a mesh.");
+  job.stage("prepare");
+  std::vector<UV> uv(surface.file.points.size());
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud) { flatten_surface(mesh_or_cloud, options, job, uv); });
+
+  job.stage("write");
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(const auto& [u, v] : uv)
+          text += number_text(u) + ' ' + number_text(v) + '\n';
+        return text;
+      });
+  const std::vector<UV> unit = in_unit_square(uv);
+  Surface_file file = surface.file;
+  if(options.flat)
+    for(std::size_t i = 0; i < uv.size(); ++i)
+    {
+      file.points[i] = std::isfinite(uv[i][0]) ? Point{uv[i][0], uv[i][1], 0.} : Point{0., 0., 0.};
+      if(!file.normals.empty())
+        file.normals[i] = {0., 0., 1.};
+    }
+  if(!job.picture().empty())
+    draw_map(job, file, unit);
+  if(!job.output().empty())
+  {
+    file.uv = unit;
+    for(const auto& [u, v] : uv)
+    {
+      file.properties["u"].push_back(u);
+      file.properties["v"].push_back(v);
+    }
+    write_surface_file(job.output(), file);
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_flatten(CLI::App& program)
+{
+  Command command(program, "flatten", "a patch laid into the plane");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Flatten_options>();
+  command
+      .add("--method", options->method, "NAME",
+           "glle, by geodesic distances between neighbours; mds, by those of all pairs; or of a "
+           "mesh "
+           "CGAL's lscm, authalic and arap")
+      .shows_default();
+  command.add("--base-points", options->base_points, "N", "how many points carry glle and mds")
+      .shows_default();
+  command.add("--neighbors", options->neighbors, "K", "how many of them are around each, for glle")
+      .shows_default();
+  command.add_flag("--injective", options->injective,
+                   "no face turned round: then as little distortion as can be");
+  command.add_flag("--flat", options->flat, "write and draw the plane, not the input");
+  command.set_run([job, options] { run_flatten(*job, *options); });
+}
+
+} // namespace program
