@@ -244,6 +244,8 @@ picture volume-path-cow "and from a foot to a mouth." \
 picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
 picture feature "How far is everything from four places, by one transport?" \
   feature-distance "$animal" --feature 0,100,2000,9000
+picture feature-path "From a path through faces, and from a place in one." \
+  feature-distance "$small" --feature-path 691,2278 --feature-at 0.1,0.2,0.1
 picture ridge "From a ridge of the back, with speeds that are high where it bends like there." \
   feature-distance "$beast" --feature 3000 --speed curvature-like-3000 --strength 1
 picture ridge-plain "The same with one speed." feature-distance "$beast" --feature 3000

@@ -7,6 +7,8 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
+
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
@@ -14,8 +16,8 @@ namespace CGAL::Geodesic_processing {
 /// finds distances to a feature, a point, a curve, a border or any set of vertices, as the potential of
 /// a mass that is everywhere and moves to it.
 ///
-/// No distance is above the geodesic one, and the slope is nowhere above one; below they are by a part
-/// of an edge.  One solution has all of them.  The masses at the feature are free: where they are fixed,
+/// No distance is above the geodesic one, and between two places it changes by no more than theirs; below
+/// they are by a part of an edge.  One solution has all of them.  The masses at the feature are free: where they are fixed,
 /// as in \cgalCite{cgal:srgb-emd-14}, section 6.2, what is found are distances to points alone.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
@@ -45,7 +47,8 @@ Earth_movers_cost feature_distance(const Surface& surface, const Feature& featur
   const auto distance = [&](internal::Index i)
   {
     const auto site = domain.site(i);
-    return solver.is_reachable(site) ? -solver.potential(site) : internal::infinity;
+    // Beside a place in a face the potential may be above zero by a little.
+    return solver.is_reachable(site) ? std::max(0., -solver.potential(site)) : internal::infinity;
   };
   domain.write(distance, distance_map);
   return cost;
