@@ -741,7 +741,7 @@ void draw(const std::string& filename, const Picture& picture)
       add_textured_skin(renderer, points, surface, *picture.texture);
     else if(is_mesh)
       add_skin(renderer, {points, {}, triangles, colours}, picture.is_glass ? 0.25 : 1.);
-    if(!range.empty())
+    if(!range.empty() && picture.with_lines)
       lines = add_isolines(renderer, points, triangles, picture.values, range);
   }
   if(picture.with_sides)

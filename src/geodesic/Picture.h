@@ -22,6 +22,7 @@ struct Picture
   std::vector<Point> markers = {};             // sources, seeds, ends of paths
   std::vector<std::uint32_t> triangles = {};   // of a cloud: corners of those that carry its lines
   bool with_sides = false;                     // of a mesh's triangles
+  bool with_lines = true;                      // of equal value; of a narrow ridge they hide it
   bool is_glass = false;                       // a mesh through which lines are seen
   std::vector<std::vector<Point>> chains = {}; // thinner than polylines
   std::vector<Colour> colours = {};            // #points

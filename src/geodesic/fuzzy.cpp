@@ -89,6 +89,7 @@ void run_fuzzy(Job& job, const Fuzzy_options& options)
     Picture picture{&surface.file, result.potential, "likelihood"};
     picture.markers = {surface.file.points[from], surface.file.points[to]};
     picture.triangles = result.triangles;
+    picture.with_lines = options.by_distances;
     for(std::size_t i = 0; i < result.potential.size(); ++i)
       if(result.potential[i] > 0.3)
         picture.places.push_back(surface.file.points[i]);
