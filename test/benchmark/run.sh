@@ -29,7 +29,7 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] ||
-  programs=(accuracy speed exact sampling remeshing surfels logmap decal transport transport_bounds
+  programs=(accuracy speed exact sampling remeshing surfels logmap decal flattening transport transport_bounds
             transport_family transport_claims regions flows barycenters volumes)
 
 build=${BUILD:-build/benchmark}
