@@ -12,8 +12,8 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingFlattening
 ///
-/// flattens a patch by geodesic locally linear embedding \cgalCite{cgal:pc-grfgm-05}: as little as can be is
-/// done to distances between neighbours, at the price of angles and of areas alike.
+/// flattens a patch by geodesic locally linear embedding: as little as can be is done to distances between
+/// neighbours, at the price of angles and of areas alike. \cgalCite{cgal:pc-grfgm-05}
 ///
 /// A few <em>base points</em> are spread over the patch.  Each is a mean of its neighbours along the surface, with
 /// weights that come from distances alone; the plane is where they have the same weights, and about the same
@@ -30,7 +30,8 @@ namespace CGAL::Geodesic_processing {
 /// \param np what `make_domain()` takes, and
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{number_of_base_points} \cgalParamDescription{from 3 to 1,000, as many as there are sites where these are fewer}
+///   \cgalParamNBegin{number_of_base_points}
+///     \cgalParamDescription{from 3 to 1,000, as many as there are sites where these are fewer}
 ///     \cgalParamDefault{200} \cgalParamNEnd
 ///   \cgalParamNBegin{base_points}
 ///     \cgalParamDescription{a range of sites, each once: instead of farthest ones}
