@@ -47,26 +47,6 @@ struct Result
   std::vector<std::array<double, 2>> corner_uv;
 };
 
-// Colours of vertices, as a map of the library.
-template <typename Key>
-struct Colour_map
-{
-  using key_type = Key;
-  using value_type = Colour;
-  using reference = const Colour&;
-  using category = boost::read_write_property_map_tag;
-
-  std::vector<Colour>* colours;
-  friend const Colour& get(const Colour_map& map, const Key& key)
-  {
-    return (*map.colours)[static_cast<std::size_t>(key)];
-  }
-  friend void put(const Colour_map& map, const Key& key, const Colour& colour)
-  {
-    (*map.colours)[static_cast<std::size_t>(key)] = colour;
-  }
-};
-
 // So many steps from texel to texel along the sides of faces that they are twice as many as the pixels of an
 // image, which interpolation then does not blur, but no more than 2^24 altogether.
 std::size_t segments(const std::vector<GP::Decal_layer<Mesh>>& layers,
@@ -127,7 +107,7 @@ Result paint(const GP::internal::Domain_of<Surface_type>& domain, const std::vec
                       image});
     const auto& decal = layers.back().decal;
     using Site = typename GP::Decal_placer<Surface_type, Method>::Domain::Site;
-    GP::composite_decal(decal, image, Colour_map<Site>{&result.colours});
+    GP::composite_decal(decal, image, Value_map<Site, Colour>{&result.colours});
     result.middles.push_back(coordinates(decal.frame.origin));
     result.normals.push_back(coordinates(decal.frame.normal()));
     for(const auto& covered : decal.sites)

@@ -24,33 +24,13 @@ struct Flatten_options
   bool injective = false, flat = false;
 };
 
-// Places of vertices, read and written like a map of the library.
-template <typename Key>
-struct UV_map
-{
-  using key_type = Key;
-  using value_type = UV;
-  using reference = const UV&;
-  using category = boost::read_write_property_map_tag;
-
-  std::vector<UV>* values;
-  friend const UV& get(const UV_map& map, const Key& key)
-  {
-    return (*map.values)[static_cast<std::size_t>(key)];
-  }
-  friend void put(const UV_map& map, const Key& key, const UV& value)
-  {
-    (*map.values)[static_cast<std::size_t>(key)] = value;
-  }
-};
-
 // The library's part: the map, and on a mesh what it does to faces.
 template <typename Surface_type>
 void flatten_surface(const Surface_type& surface, const Flatten_options& options, Job& job,
                      std::vector<UV>& uv)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  const UV_map<typename decltype(domain)::Site> map = {&uv};
+  const Value_map<typename decltype(domain)::Site, UV> map = {&uv};
   job.stage("query");
   if(options.method == "glle" || options.method == "mds")
   {

@@ -66,6 +66,23 @@ std::vector<std::uint32_t> picture_triangles(const GP::internal::Glued_surfels& 
   return corners;
 }
 
+void report_unreached(Job& job, const std::vector<long long>& labels)
+{
+  const auto unreached = std::count(labels.begin(), labels.end(), -1);
+  job.result()["unreached"] = unreached;
+  if(unreached > 0)
+    job.say("unreached       " + std::to_string(unreached) + " of " +
+            std::to_string(labels.size()));
+}
+
+std::string labels_text(const std::vector<long long>& labels)
+{
+  std::string text;
+  for(const long long label : labels)
+    text += std::to_string(label) + '\n';
+  return text;
+}
+
 std::string points_text(const std::vector<Point>& points)
 {
   std::string text;

@@ -130,17 +130,21 @@ struct Property_map
   }
 };
 
-// Values of vertices, written like a map of the library.
-template <typename Key>
+// Values of vertices, faces or surfels, read and written like a map of the library.
+template <typename Key, typename Value = double>
 struct Value_map
 {
   using key_type = Key;
-  using value_type = double;
-  using reference = double;
-  using category = boost::writable_property_map_tag;
+  using value_type = Value;
+  using reference = const Value&;
+  using category = boost::read_write_property_map_tag;
 
-  std::vector<double>* values;
-  friend void put(const Value_map& map, const Key& key, double value)
+  std::vector<Value>* values;
+  friend const Value& get(const Value_map& map, const Key& key)
+  {
+    return (*map.values)[static_cast<std::size_t>(key)];
+  }
+  friend void put(const Value_map& map, const Key& key, const Value& value)
   {
     (*map.values)[static_cast<std::size_t>(key)] = value;
   }
@@ -155,6 +159,12 @@ void with_speeds(const std::vector<double>& speeds, const NamedParameters& np, F
   else
     f(np.speed_map(Property_map<Site>{&speeds}));
 }
+
+// Tells how many have the label -1.
+void report_unreached(Job& job, const std::vector<long long>& labels);
+
+// A line for each label.
+std::string labels_text(const std::vector<long long>& labels);
 
 // Labels as the library writes them, at vertices, faces or surfels by their numbers.
 template <typename Key>

@@ -6,7 +6,6 @@
 #include "densities.h"
 #include "errors.h"
 
-#include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -106,27 +105,16 @@ void run_segment(Job& job, const Segment_options& options)
   Result result;
   on_surface(surface,
              [&](const auto& mesh_or_cloud) { result = find_cells(mesh_or_cloud, options, job); });
-  const auto outside = std::count(result.labels.begin(), result.labels.end(), -1);
   job.result()["charts"] = result.centers.size();
   job.result()["energy"] = json_number(result.energies.back());
   job.result()["energies"] = result.energies;
-  job.result()["unreached"] = outside;
-  job.say("charts     " + std::to_string(result.centers.size()));
-  job.say("energy     " + readable(result.energies.back()) + ", " +
+  job.say("charts          " + std::to_string(result.centers.size()));
+  job.say("energy          " + readable(result.energies.back()) + ", " +
           readable(result.energies.front()) + " at the start");
-  if(outside > 0)
-    job.say("unreached  " + std::to_string(outside) + " of " +
-            std::to_string(result.labels.size()));
+  report_unreached(job, result.labels);
 
   job.stage("write");
-  job.write_values(
-      [&]
-      {
-        std::string text;
-        for(const long long label : result.labels)
-          text += std::to_string(label) + '\n';
-        return text;
-      });
+  job.write_values([&] { return labels_text(result.labels); });
   Surface_file file = surface.file;
   if(surface.is_mesh())
     file = cut_apart(file, result.labels);

@@ -6,8 +6,6 @@
 #include "commands.h"
 #include "densities.h"
 
-#include <algorithm>
-
 namespace program {
 
 namespace {
@@ -82,23 +80,12 @@ void run_voronoi(Job& job, const Voronoi_options& options)
   Result result;
   on_surface(surface,
              [&](const auto& mesh_or_cloud) { result = find_cells(mesh_or_cloud, options, job); });
-  const auto unreached = std::count(result.labels.begin(), result.labels.end(), -1);
   job.result()["seeds"] = result.seeds;
-  job.result()["unreached"] = unreached;
   job.say("seeds           " + std::to_string(result.seeds.size()));
-  if(unreached > 0)
-    job.say("unreached       " + std::to_string(unreached) + " of " +
-            std::to_string(result.labels.size()));
+  report_unreached(job, result.labels);
 
   job.stage("write");
-  job.write_values(
-      [&]
-      {
-        std::string text;
-        for(const long long label : result.labels)
-          text += std::to_string(label) + '\n';
-        return text;
-      });
+  job.write_values([&] { return labels_text(result.labels); });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, {}, "", result.labels, result.lines, {}, result.triangles};
