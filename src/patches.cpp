@@ -255,37 +255,44 @@ std::vector<Index> split_into_discs(const Glued_triangles& t, std::vector<Index>
                                     Index number_of_patches)
 {
   const std::size_t given = number_of_patches;
+  const auto relabel = [&](const std::vector<Found>& part)
+  {
+    for(const Found& found : part)
+      if(found.seed == 0)
+        patch[found.triangle] = number_of_patches;
+    ++number_of_patches;
+  };
+  // Pieces first.
+  std::vector<Index> seen(patch.size(), none);
+  std::vector<bool> has_piece(given, false);
+  for(Index f = 0; f < patch.size(); ++f)
+    if(patch[f] != none && seen[f] == none)
+    {
+      const std::vector<Found> piece = spread(t, patch, {f}, seen, 0);
+      if(has_piece[patch[f]])
+        relabel(piece);
+      else
+        has_piece[patch[f]] = true;
+    }
   for(;;)
   {
-    std::vector<Index> some(number_of_patches, none), size(number_of_patches, 0);
+    std::vector<Index> some(number_of_patches, none);
     for(Index f = 0; f < patch.size(); ++f)
       if(patch[f] != none)
-      {
         some[patch[f]] = f;
-        ++size[patch[f]];
-      }
     const std::vector<bool> is_disc = are_discs(t, patch, number_of_patches);
     if(std::find(is_disc.begin(), is_disc.end(), false) == is_disc.end())
       return {some.begin() + std::ptrdiff_t(given), some.end()};
-    std::vector<Index> seen(patch.size(), none);
+    seen.assign(patch.size(), none);
     Index mark = 0;
     for(Index i = 0; i < is_disc.size(); ++i)
-    {
-      if(is_disc[i])
-        continue;
-      // The first of several pieces, or what is nearer to one end than to the other.
-      std::vector<Found> part = spread(t, patch, {some[i]}, seen, mark++);
-      if(part.size() == size[i])
+      if(!is_disc[i])
       {
-        const Index end = part.back().triangle;
+        // What is nearer to one end than to the other.
+        const Index end = spread(t, patch, {some[i]}, seen, mark++).back().triangle;
         const Index other = spread(t, patch, {end}, seen, mark++).back().triangle;
-        part = spread(t, patch, {end, other}, seen, mark++);
+        relabel(spread(t, patch, {end, other}, seen, mark++));
       }
-      for(const Found& found : part)
-        if(found.seed == 0)
-          patch[found.triangle] = number_of_patches;
-      ++number_of_patches;
-    }
   }
 }
 

@@ -34,8 +34,9 @@ constexpr double least_move = 1e-3;
 // What is lower by less may be so by rounding.
 constexpr double rounding = 1e-12;
 
-// How often cells are added before patches are cut in two.
+// How often cells are added, and up to how many for each site, before patches are cut in two.
 constexpr unsigned most_rounds = 20;
+constexpr double most_cells = 0.1;
 
 class Lloyd
 {
@@ -287,9 +288,9 @@ private:
     for(unsigned round = 0; round < most_rounds; ++round)
     {
       const std::vector<Location> added = farthest_of_no_discs();
-      if(added.empty())
-        break;
       const std::size_t before = m_state.centers.size();
+      if(added.empty() || before + added.size() > most_cells * double(m_mass.size()))
+        break;
       m_state.centers.insert(m_state.centers.end(), added.begin(), added.end());
       update_cells(before);
       m_state.energies.push_back(energy());

@@ -48,7 +48,7 @@ check_all()
   check "$file" info || failed=1
   check "$file" distance --source 0 || failed=1
   check "$file" voronoi --number 3 || failed=1
-  check "$file" segment --number 5 --discs || failed=1
+  check "$file" segment --number 5 --iterations 2 || failed=1
   check "$file" sample --number 20 || failed=1
   check "$file" sample --number 20 --speed curvature-attractive || failed=1
   check "$file" remesh --number 20 || failed=1
