@@ -95,7 +95,7 @@ void label_components(unsigned threads, Surfel_cloud& cloud)
   {
     a = root(a);
     b = root(b);
-    label[std::max(a, b)] = std::min(a, b);
+    return label[std::max(a, b)] = std::min(a, b);
   };
   std::vector<std::vector<std::pair<Index, Index>>> between((n + surfel_block - 1) / surfel_block);
   for_each_block(n, surfel_block, threads,
@@ -103,12 +103,12 @@ void label_components(unsigned threads, Surfel_cloud& cloud)
                  {
                    for(Index site = static_cast<Index>(begin); site < end; ++site)
                    {
-                     label[site] = site;
+                     Index own = label[site] = site;
                      for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
                        if(const Index other = graph.target[arc]; other < begin)
                          between[block].emplace_back(other, site);
-                       else if(other < site)
-                         join(other, site);
+                       else if(other < site && label[other] != own) // most are the same already
+                         own = join(other, own);
                    }
                  });
   for(const auto& part : between)
