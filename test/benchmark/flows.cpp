@@ -30,22 +30,6 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-struct Sum
-{
-  double mean = 0., largest = 0.;
-  std::size_t number = 0;
-
-  void add(double x)
-  {
-    mean += (x - mean) / double(++number);
-    largest = std::max(largest, x);
-  }
-  std::string percent() const
-  {
-    return benchmarks::number(100. * mean, 2) + " / " + benchmarks::number(100. * largest, 2);
-  }
-};
-
 // A density that falls off from a place, in the distances given.
 Mass_distribution blob(const std::vector<double>& distance, const Glued_surface& surface,
                        double width)
@@ -106,7 +90,7 @@ void measure_lines(const std::string& name, const std::shared_ptr<const Glued_tr
                                                   potential(found, t, line.locations.front())) /
                                                      t.scale));
       });
-  Sum as_traced, pulled;
+  Spread as_traced, pulled;
   double cost = 0.;
   std::size_t lost = 0, long_ones = 0;
   for(std::size_t i = 0; i < lines; ++i)
@@ -121,7 +105,7 @@ void measure_lines(const std::string& name, const std::shared_ptr<const Glued_tr
     long_ones += t.scale * polyline_length(t, taut[i]) > 1.01 * least;
   }
   table.add({name, std::to_string(t.number_of_sites()), name_of(before.density.size() == 0),
-             std::to_string(lost), as_traced.percent(), pulled.percent(),
+             std::to_string(lost), as_traced.percent(2), pulled.percent(2),
              std::to_string(long_ones) + " of " + std::to_string(lines),
              number(100. * (cost / found.value - 1.), 2), number(time, 2), number(pulling, 2)});
 }

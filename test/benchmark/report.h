@@ -106,6 +106,23 @@ inline std::string digits(double value)
   return text;
 }
 
+// The mean of what is added, and the largest of it.
+struct Spread
+{
+  double mean = 0., largest = 0.;
+  std::size_t count = 0;
+
+  void add(double x)
+  {
+    mean += (x - mean) / double(++count);
+    largest = std::max(largest, x);
+  }
+  std::string percent(int decimals) const
+  {
+    return number(100. * mean, decimals) + " / " + number(100. * largest, decimals);
+  }
+};
+
 // A table whose columns are as wide as they must be: the first to the left, others to the right.
 class Table
 {

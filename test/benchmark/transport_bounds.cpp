@@ -31,23 +31,6 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-struct Sum
-{
-  double mean = 0., largest = 0.;
-  std::size_t number = 0;
-
-  void add(double x)
-  {
-    mean += (x - mean) / double(++number);
-    largest = std::max(largest, x);
-  }
-  std::string percent(int places) const
-  {
-    return benchmarks::number(100. * mean, places) + " / " +
-           benchmarks::number(100. * largest, places);
-  }
-};
-
 std::set<std::string> models_of_middle_size()
 {
   std::set<std::string> result;
@@ -96,8 +79,8 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
   const Glued_surfels surfels = glue_surfels(cloud.points, cloud.normals);
   const Earth_movers kernel(std::make_shared<const Glued_triangles>(surfels.triangles),
                             refinements.value_or(usual_refinements(surfels.triangles)));
-  Sum error, estimate;
-  while(error.number < pairs)
+  Spread error, estimate;
+  while(error.count < pairs)
   {
     const std::size_t from = random() % cloud.size(), to = random() % cloud.size();
     const double exact = great_circle(clean.points[from], clean.points[to]);
@@ -143,10 +126,10 @@ int main(int argc, char* argv[])
     options.do_bound_from_above = true;
     Window_propagation windows(surface.triangles());
     std::mt19937 random;
-    Sum loss, error, excess;
+    Spread loss, error, excess;
     std::size_t above = 0, below = 0;
     unsigned iterations = 0;
-    while(loss.number < pairs)
+    while(loss.count < pairs)
     {
       const Index from = random() % surface.size(), to = random() % surface.size();
       if(from == to || component[surface.site(from)] != component[surface.site(to)])
