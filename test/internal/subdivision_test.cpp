@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/glue.h>
 
-#include "triangulations.h"
+#include "subdivided.h"
 
 #include <gtest/gtest.h>
 
@@ -20,19 +20,6 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-std::vector<Triangle> triangles_of(const Triangulation& surface)
-{
-  std::vector<Triangle> result;
-  for(std::size_t c = 0; c < surface.corners.size(); c += 3)
-    result.push_back({surface.corners[c], surface.corners[c + 1], surface.corners[c + 2]});
-  return result;
-}
-
-Subdivision subdivided(const Triangulation& surface, unsigned times)
-{
-  return subdivide(triangles_of(surface), Index(surface.points.size()), times);
-}
-
 // Closed, with borders, of two pieces, with a handle, with an isolated vertex.
 std::vector<Triangulation> surfaces()
 {
@@ -46,7 +33,7 @@ std::vector<Triangulation> surfaces()
   return {one_triangle(), tetrahedron(), icosphere(0), square(3), annulus(5, 2, 1., 2.), two};
 }
 
-std::vector<Index> flat(const std::vector<Triangle>& triangles)
+std::vector<Index> corners_of(const std::vector<Triangle>& triangles)
 {
   std::vector<Index> result;
   for(const Triangle& t : triangles)
@@ -91,7 +78,7 @@ TEST(Subdivision, twins_are_those_of_the_soup)
   {
     const Subdivision s = subdivided(surface, 3);
     for(const Subdivision::Level& level : s.levels)
-      EXPECT_EQ(level.twin, twins_of_soup(level.number_of_vertices, flat(level.triangles)));
+      EXPECT_EQ(level.twin, twins_of_soup(level.number_of_vertices, corners_of(level.triangles)));
   }
 }
 
@@ -103,7 +90,7 @@ TEST(Subdivision, levels_are_prefixes_and_midpoints_lie_between_their_parents)
     for(std::size_t j = 0; j < s.levels.size(); ++j)
     {
       const Subdivision::Level& level = s.levels[j];
-      for(const Index v : flat(level.triangles))
+      for(const Index v : corners_of(level.triangles))
         EXPECT_LT(v, level.number_of_vertices);
       if(j + 1 == s.levels.size())
         break;
@@ -143,7 +130,7 @@ TEST(Subdivision, places_are_where_halving_leads)
     }
     const std::vector<Base_place> places = base_places(s);
     std::vector<bool> is_used(s.number_of_vertices(), false);
-    for(const Index v : flat(s.finest().triangles))
+    for(const Index v : corners_of(s.finest().triangles))
       is_used[v] = true;
     for(Index v = 0; v < s.number_of_vertices(); ++v)
     {
