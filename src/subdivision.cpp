@@ -118,6 +118,31 @@ void check_size(std::size_t triangles, unsigned times)
 
 } // namespace
 
+bool is_mesh(const Level& level)
+{
+  std::vector<Index> fans(level.number_of_vertices, 0), rings(level.number_of_vertices, 0);
+  std::vector<bool> is_seen(level.twin.size(), false);
+  for(Index side = 0; side < level.twin.size(); ++side)
+  {
+    const Index v = corner(level, side);
+    fans[v] += level.twin[side] == none; // each fan ends with such a side
+    if(is_seen[side])
+      continue;
+    // All around a vertex, unless there is a border.
+    Index at = side;
+    while(at != none && !is_seen[at])
+    {
+      is_seen[at] = true;
+      at = level.twin[previous_side(at)];
+    }
+    rings[v] += at == side;
+  }
+  for(Index v = 0; v < level.number_of_vertices; ++v)
+    if(rings[v] > 0 && rings[v] + fans[v] > 1)
+      return false;
+  return true;
+}
+
 Subdivision subdivide(const std::vector<Triangle>& triangles, Index number_of_vertices,
                       unsigned times)
 {

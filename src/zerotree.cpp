@@ -613,4 +613,13 @@ Decoding decode(const std::uint8_t* bytes, std::size_t size, std::size_t most_ve
   return result;
 }
 
+std::vector<double> synthesis(const Decoding& decoding)
+{
+  const Wavelet_signal& signal = decoding.signal;
+  std::vector<double> result = signal.values;
+  Lifting(decoding.subdivision, signal.prediction, signal.is_updating)
+      .synthesize(result, signal.channels, signal.is_in_frames);
+  return result;
+}
+
 } // namespace CGAL::Geodesic_processing::internal

@@ -12,6 +12,7 @@
 #include <CGAL/Geodesic_processing/Region_transport_solver.h>
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Streamline_tracer.h>
+#include <CGAL/Geodesic_processing/Subdivision_wavelet.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/Surfel_domain.h>
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Geodesic_processing/Transport_metric.h>
 #include <CGAL/Geodesic_processing/Volumetric_metric.h>
 #include <CGAL/Geodesic_processing/decal.h>
+#include <CGAL/Geodesic_processing/decode_wavelets.h>
 #include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/earth_movers_distance.h>
 #include <CGAL/Geodesic_processing/estimate_surfels.h>

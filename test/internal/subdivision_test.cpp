@@ -169,6 +169,26 @@ TEST(Subdivision, refuses_what_is_no_surface)
   EXPECT_EQ(subdivide({{0, 1, 2}, {0, 2, 1}}, 3, 2).finest().triangles.size(), 32u); // a pillow
 }
 
+TEST(Subdivision, is_a_mesh_unless_it_pinches_inside)
+{
+  for(const Triangulation& surface : surfaces())
+    EXPECT_TRUE(is_mesh(subdivided(surface, 1).finest()));
+  EXPECT_TRUE(is_mesh(subdivide({{0, 1, 2}, {0, 3, 4}}, 5, 0).finest())); // two fans at 0
+  // Two tetrahedra, and a tetrahedron and a triangle, with vertex 0 in common.
+  const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  std::vector<Triangle> two = tetrahedron;
+  for(Triangle t : tetrahedron)
+  {
+    for(Index& v : t)
+      v += v > 0 ? 3 : 0;
+    two.push_back(t);
+  }
+  EXPECT_FALSE(is_mesh(subdivide(two, 7, 0).finest()));
+  std::vector<Triangle> kite = tetrahedron;
+  kite.push_back({0, 4, 5});
+  EXPECT_FALSE(is_mesh(subdivide(kite, 6, 1).finest()));
+}
+
 TEST(Subdivision_into_quads, counts_are_eulers_and_sides_meet_in_pairs)
 {
   for(const Triangulation& surface : surfaces())

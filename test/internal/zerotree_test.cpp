@@ -42,14 +42,6 @@ Model model(const Triangulation& surface, unsigned times,
   return result;
 }
 
-std::vector<double> synthesis(const Decoding& of)
-{
-  std::vector<double> result = of.signal.values;
-  Lifting(of.subdivision, of.signal.prediction, of.signal.is_updating)
-      .synthesize(result, of.signal.channels, of.signal.is_in_frames);
-  return result;
-}
-
 double root_mean_square(const std::vector<double>& a, const std::vector<double>& b)
 {
   double sum = 0.;

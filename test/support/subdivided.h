@@ -63,6 +63,18 @@ inline std::vector<double> flat(const std::vector<Point>& points)
   return result;
 }
 
+// The finest level as a triangulation.
+inline Triangulation finest(const Triangulation& surface, unsigned times,
+                            const std::function<Point(const Point&)>& carry = as_it_is)
+{
+  const internal::Subdivision s = subdivided(surface, times);
+  Triangulation result;
+  result.points = places(s, surface.points, carry);
+  for(const internal::Triangle& t : s.finest().triangles)
+    result.corners.insert(result.corners.end(), t.begin(), t.end());
+  return result;
+}
+
 } // namespace CGAL::Geodesic_processing::test
 
 #endif // CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_SUBDIVIDED_H

@@ -67,7 +67,14 @@ namespace CGAL::Geodesic_processing {
   NAME(do_straighten)                                                                              \
   NAME(width)                                                                                      \
   NAME(base_points)                                                                                \
-  NAME(number_of_base_points)
+  NAME(number_of_base_points)                                                                      \
+  NAME(number_of_levels)                                                                           \
+  NAME(wavelet_prediction)                                                                         \
+  NAME(do_update)                                                                                  \
+  NAME(do_use_frames)                                                                              \
+  NAME(number_of_bit_planes)                                                                       \
+  NAME(maximum_number_of_bytes)                                                                    \
+  NAME(maximum_number_of_vertices)
 
 namespace internal_np {
 

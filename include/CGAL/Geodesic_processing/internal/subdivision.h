@@ -64,6 +64,10 @@ inline bool is_first_of_edge(const Subdivision::Level& level, Index side)
   return level.twin[side] == none || side < level.twin[side];
 }
 
+// Whether a half-edge structure can hold it: a vertex with triangles all around has no others.
+CGAL_GEODESIC_PROCESSING_EXPORT
+bool is_mesh(const Subdivision::Level& level);
+
 // Cuts triangles `times` times.  O(size of the result), 60 bytes for each of its triangles.
 //
 // Throws Invalid_argument_error when a triangle names a vertex twice, or one that there is not, when two

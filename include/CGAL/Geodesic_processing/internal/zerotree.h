@@ -57,6 +57,10 @@ struct Decoding
 CGAL_GEODESIC_PROCESSING_EXPORT
 Decoding decode(const std::uint8_t* bytes, std::size_t size, std::size_t most_vertices);
 
+// The values that a stream stands for.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<double> synthesis(const Decoding& decoding);
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ZEROTREE_H
