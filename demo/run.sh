@@ -311,6 +311,11 @@ program nearest_of_many "$bear" $build/lands.ply
 program many_paths "$animal"
 program neighbourhoods "$animal"
 program remeshing "$animal" $build/remeshed.off
+program how_few_bits "$animal" $build/levels.off
+for bits in 0.7 1 2 6; do
+  picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits
+done
+picture wavelet-tenth "A tenth of the details, the largest." wavelet $build/levels.off --keep 10
 echo '</main></body></html>' >>$page
 
 echo

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, segment, sample, remesh, path,
-# surfels, logmap, flatten, decal, matrix, emd, plan, feature-distance, fuzzy, streamlines, barycenter and volume.
+# surfels, logmap, flatten, wavelet, decal, matrix, emd, plan, feature-distance, fuzzy, streamlines, barycenter and volume.
 # Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
 set -u
 
@@ -59,6 +59,7 @@ check_all()
   check "$file" logmap --base 0 || failed=1
   check "$file" flatten --base-points 20 || failed=1
   check "$file" flatten --base-points 20 --injective || failed=1
+  check "$file" wavelet --keep 10 --bits 4 || failed=1
   check "$file" decal --base 0 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
   check "$file" path --from 0 --to 1 --method exact || failed=1

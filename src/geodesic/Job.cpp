@@ -18,7 +18,8 @@ namespace program {
 
 Job::Job(Command& command)
 {
-  command.add("INPUT", m_input, "TEXT", "a mesh or a cloud: .ply .off .obj .stl .xyz .pwn .vtp")
+  command
+      .add("INPUT", m_input, "TEXT", "a mesh or a cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw")
       .required();
   command.add("-o,--output", m_output, "FILE", "the result: .ply .off .obj .vtp");
   command.add("--values", m_values, "FILE", "the result as text, one line each in input order");

@@ -50,11 +50,11 @@ Surface_file read_surface_file(const std::string& filename)
   using Reader = Surface_file (*)(std::string_view, const std::string&);
   static const std::map<std::string, Reader> readers = {
       {"ply", read_ply}, {"off", read_off}, {"obj", read_obj}, {"stl", read_stl},
-      {"xyz", read_xyz}, {"pwn", read_pwn}, {"vtp", read_vtp}};
+      {"xyz", read_xyz}, {"pwn", read_pwn}, {"vtp", read_vtp}, {"gpw", read_gpw}};
   const std::string bytes = read_bytes(filename);
   const auto reader = readers.find(ending(filename));
   if(reader == readers.end())
-    fail(filename, "its name does not end with .ply, .off, .obj, .stl, .xyz, .pwn or .vtp");
+    fail(filename, "its name does not end with .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw");
   if(bytes.empty())
     fail(filename, "it is empty");
   return reader->second(bytes, filename);

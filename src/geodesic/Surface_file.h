@@ -37,9 +37,10 @@ struct Surface_file
 // The properties that are a colour, in bytes as most files have them.
 constexpr std::array<const char*, 3> colour_names = {"red", "green", "blue"};
 
-// Reads a file of the kind that its ending names: .ply, .off, .obj, .stl, .xyz, .pwn or .vtp.
+// Reads a file of the kind that its ending names: .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw.
 // Nothing is repaired, nor checked beyond what reading needs: see check().
-// Memory stays in proportion to the size of the file, whatever its header says.
+// Memory stays in proportion to the size of the file, whatever its header says; of .gpw, a progressive stream of
+// wavelets, below a bound.
 // Throws Input_error with a sentence that names the file and the reason.
 Surface_file read_surface_file(const std::string& filename);
 
@@ -55,6 +56,7 @@ Surface_file read_stl(std::string_view bytes, const std::string& name);
 Surface_file read_xyz(std::string_view bytes, const std::string& name);
 Surface_file read_pwn(std::string_view bytes, const std::string& name);
 Surface_file read_vtp(std::string_view bytes, const std::string& name);
+Surface_file read_gpw(std::string_view bytes, const std::string& name);
 
 // Throws Usage_error when no writer belongs to the ending of a file name.
 void check_can_write(const std::string& filename);

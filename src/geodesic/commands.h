@@ -22,6 +22,7 @@ void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);
 void add_segment(CLI::App& program);
 void add_remesh(CLI::App& program);
+void add_wavelet(CLI::App& program);
 void add_surfels(CLI::App& program);
 void add_emd(CLI::App& program);
 void add_plan(CLI::App& program);

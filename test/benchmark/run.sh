@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds and runs the benchmarks; prints tables, and leaves two plots.
+# Installs what is missing, builds and runs the benchmarks; prints tables, and leaves three plots.
 # Takes about forty minutes; best with nothing else running.
 #   --quick      small meshes only, a minute
 #   --patient    CGAL's exact distances also where they take minutes
@@ -30,7 +30,7 @@ for argument in "$@"; do
 done
 [ ${#programs[@]} -gt 0 ] ||
   programs=(accuracy speed exact sampling remeshing surfels logmap decal flattening transport transport_bounds
-            transport_family transport_claims regions flows barycenters volumes)
+            transport_family transport_claims regions flows barycenters volumes wavelets)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \
@@ -51,6 +51,7 @@ for program in "${programs[@]}"; do
   arguments=("${options[@]}")
   case $program in
     accuracy) arguments+=("$build/convergence.svg") ;;
+    wavelets) arguments+=("$build/rate_distortion.svg") ;;
     exact) arguments+=("${patient[@]}" "$build/trade_off.svg") ;;
   esac
   printf '\n'

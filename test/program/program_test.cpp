@@ -4,7 +4,7 @@
 // Runs the program itself: GEODESIC_PROCESSING_PROGRAM is its file.
 #include <nlohmann/json.hpp>
 
-#include "triangulations.h"
+#include "subdivided.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <string>
@@ -718,6 +719,58 @@ TEST_F(Program, flatten_lays_a_square_flat)
   expect_failure("flatten cloud.xyz --method lscm", 2, "needs a mesh");
   expect_failure("flatten closed.off --injective", 2, "no border");
   expect_failure("flatten apart.off", 2, "not one piece");
+}
+
+TEST_F(Program, wavelet_keeps_what_matters)
+{
+  using namespace CGAL::Geodesic_processing::test;
+  const Triangulation surface = finest(icosphere(0), 4, onto_bumps);
+  std::ostringstream text;
+  text.precision(17);
+  text << "OFF\n" << surface.points.size() << ' ' << surface.corners.size() / 3 << " 0\n";
+  for(const auto& p : surface.points)
+    text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for(std::size_t c = 0; c < surface.corners.size(); c += 3)
+    text << "3 " << surface.corners[c] << ' ' << surface.corners[c + 1] << ' '
+         << surface.corners[c + 2] << '\n';
+  write("levels.off", text.str());
+
+  const nlohmann::json all = json("wavelet levels.off -o all.ply");
+  EXPECT_EQ(all["levels"], 4);
+  EXPECT_EQ(all["base_vertices"], 12);
+  EXPECT_EQ(all["kept"], 2550);
+  EXPECT_LT(all["rms"].get<double>(), 1e-12); // all details: the same mesh
+  double last = all["rms"];
+  for(const std::string percent : {"50", "10", "1", "0"})
+  {
+    const nlohmann::json some =
+        json("wavelet levels.off --keep " + percent + " -o some.ply --values d.txt");
+    EXPECT_EQ(some["kept"], std::size_t(std::lround(25.5 * std::stod(percent))));
+    EXPECT_GT(some["rms"].get<double>(), last);
+    EXPECT_EQ(numbers("d.txt").size(), 2562u);
+    last = some["rms"];
+  }
+  last = std::numeric_limits<double>::infinity();
+  for(const std::string bits : {"2", "4", "8", "16"})
+  {
+    const nlohmann::json some = json("wavelet levels.off --bits " + bits + " -o some.gpw");
+    EXPECT_LE(some["bits_per_vertex"].get<double>(), std::stod(bits));
+    EXPECT_LT(some["rms"].get<double>(), last);
+    EXPECT_EQ(json("info some.gpw")["vertices"], 2562);
+    EXPECT_EQ(json("wavelet some.gpw")["levels"], 4); // again
+    last = some["rms"];
+  }
+  EXPECT_LT(last, 1e-3);
+  EXPECT_EQ(json("wavelet levels.off --levels 1 --predictor linear")["base_vertices"], 642);
+  expect_failure("wavelet levels.off --keep 101", 1, "percentage");
+  expect_failure("wavelet levels.off --bits 0", 1, "positive");
+  expect_failure("wavelet levels.off --bits 0.01", 2, "header");
+  expect_failure("wavelet levels.off --predictor magic", 1, "butterfly");
+  expect_failure("wavelet levels.off -o a.stl", 1, ".gpw");
+  expect_failure("wavelet square.ply", 2, "no coarser level");
+  expect_failure("wavelet cloud.xyz", 2, "no faces");
+  write("bad.gpw", "GPW1 and more");
+  expect_failure("info bad.gpw", 2, "damaged");
 }
 
 TEST_F(Program, logmap_writes_normal_coordinates)

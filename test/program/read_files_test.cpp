@@ -358,7 +358,7 @@ TEST(Read_files, cut_and_changed_files_never_break_a_promise)
   const std::map<std::string, Reader> readers = {
       {"ply", program::read_ply}, {"off", program::read_off}, {"obj", program::read_obj},
       {"stl", program::read_stl}, {"xyz", program::read_xyz}, {"pwn", program::read_pwn},
-      {"vtp", program::read_vtp}};
+      {"vtp", program::read_vtp}, {"gpw", program::read_gpw}};
   const std::filesystem::path corpus = GEODESIC_PROCESSING_SOURCE "/test/fuzz/corpus";
   std::size_t files = 0, good = 0, bad = 0;
   for(const auto& entry : std::filesystem::recursive_directory_iterator(corpus))

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How many bits does a vertex take, where a coarse mesh is cut into four, again and again?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Tree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh, levels;
+  if(argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+  {
+    std::cerr << "usage: how_few_bits MESH RESULT.ply\n";
+    return EXIT_FAILURE;
+  }
+
+  // Loop's scheme makes triangles even; each level is laid on the mesh.
+  Tree tree(faces(mesh).first, faces(mesh).second, mesh);
+  GP::geodesic_delaunay_remeshing(mesh, 250, levels,
+                                  GP::parameters::number_of_relaxation_steps(std::size_t(10)));
+  for(int level = 0; level < 4; ++level)
+  {
+    CGAL::Subdivision_method_3::Loop_subdivision(levels);
+    for(const auto v : levels.vertices())
+      levels.point(v) = tree.closest_point(levels.point(v));
+  }
+
+  const GP::Subdivision_wavelet<Mesh> wavelet(levels);
+  const auto bytes =
+      wavelet.encode(wavelet.analyze(levels.points(), GP::parameters::do_use_frames(true)));
+  for(const double bits : {1., 2., 4., 8.})
+  {
+    Mesh decoded;
+    const auto size = std::ptrdiff_t(bits / 8. * double(levels.number_of_vertices()));
+    GP::decode_wavelets(std::vector<std::uint8_t>(bytes.begin(), bytes.begin() + size), decoded);
+    double sum = 0.;
+    for(const auto v : decoded.vertices())
+      sum += tree.squared_distance(decoded.point(v));
+    std::cout << bits << " bits leave them "
+              << std::sqrt(sum / double(decoded.number_of_vertices())) << " from the surface.\n";
+  }
+  return CGAL::IO::write_polygon_mesh(argv[2], levels) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
