@@ -74,8 +74,17 @@ Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
   if(options.bits)
   {
     Mesh decoded;
-    const auto stream =
-        GP::decode_wavelets(result.stream, decoded, GP::parameters::maximum_number_of_vertices(n));
+    GP::Wavelet_stream stream;
+    try
+    {
+      stream = GP::decode_wavelets(result.stream, decoded,
+                                   GP::parameters::maximum_number_of_vertices(n));
+    }
+    catch(const GP::Invalid_argument_error&)
+    {
+      throw Input_error(job.input() + ": --bits " + readable(*options.bits) +
+                        " are too few for its coarse mesh.");
+    }
     job.result()["bit_planes"] = stream.number_of_bit_planes;
     for(std::size_t i = 0; i < n; ++i)
       mesh.point(wavelet.vertex(i)) = decoded.point(Mesh::Vertex_index(Mesh::size_type(i)));

@@ -158,12 +158,10 @@ void report(const std::string& name, const Mesh& mesh, std::vector<Panel>& panel
           bytes =
               wavelet.encode(wavelet.analyze(mesh.points(), GP::parameters::do_use_frames(true)));
         });
-    Series vertices = {std::string(name_of(p)) + ", vertices",
-                       std::size_t(1 + panel.series.size()),
-                       0.,
-                       {}},
-           surface = {
-               std::string(name_of(p)) + ", surface", std::size_t(2 + panel.series.size()), 0., {}};
+    const std::size_t style = 1 + panel.series.size();
+    const std::string name = name_of(p);
+    Series vertices = {name + ", vertices", style, std::nan(""), {}},
+           surface = {name + ", surface", style + 1, std::nan(""), {}};
     for(const double bits : {0.75, 1., 2., 3., 4., 6., 8., 12.})
     {
       const std::size_t size = std::min(bytes.size(), std::size_t(bits * n / 8.));
