@@ -6,12 +6,17 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/zerotree.h>
 
+#include <algorithm>
+
 namespace program {
 
 namespace {
 
-// Of a stream, a few bytes of which can ask for any number of them.
-constexpr std::size_t most_vertices = std::size_t(1) << 21;
+// A few bytes can ask for any number of vertices; in earnest coarse meshes are cut five or six times.
+std::size_t most_vertices(std::size_t bytes)
+{
+  return std::min<std::size_t>(65536 + 1024 * bytes, std::size_t(1) << 21);
+}
 
 } // namespace
 
@@ -22,7 +27,7 @@ Surface_file read_gpw(std::string_view bytes, const std::string& name)
   try
   {
     found = kernels::decode(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
-                            most_vertices);
+                            most_vertices(bytes.size()));
   }
   catch(const CGAL::Geodesic_processing::Invalid_argument_error& error)
   {
