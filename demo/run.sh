@@ -311,7 +311,7 @@ program nearest_of_many "$bear" $build/lands.ply
 program many_paths "$animal"
 program neighbourhoods "$animal"
 program remeshing "$animal" $build/remeshed.off
-program how_few_bits "$animal" $build/levels.off
+program how_few_bits "$bunny" $build/levels.off
 for bits in 0.7 1 2 6; do
   picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits
 done
