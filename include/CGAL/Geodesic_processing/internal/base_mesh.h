@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MESH_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MESH_H
+
+#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/remeshing.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// A coarse triangulation of a mesh whose edges are drawn on it: each triangle of the base is exactly a
+// set of triangles of the fine mesh, which is the mesh divided along these edges.
+struct Base_mesh
+{
+  std::vector<Location> samples;               // the base vertices, clean
+  std::vector<std::array<Index, 3>> triangles; // of base vertices, counterclockwise
+  std::vector<Index> twin;                     // 3 #triangles: the opposite side, or none
+  std::vector<Index> edge;                     // 3 #triangles: which edge each side is
+  std::vector<Index> side;                     // #edges: the first of its sides
+  std::vector<std::vector<Index>> path; // #edges: the fine mesh's sites along it, as `side` runs
+  std::vector<Index> site;              // #base vertices: where they are in the fine mesh
+
+  Glued_triangles fine;            // the mesh's sites, and then new ones; with points
+  std::vector<Index> whole;        // #triangles of `fine`: the triangle of the mesh it is a part of
+  std::vector<Index> region;       // #triangles of `fine`: the triangle of the base
+  std::vector<Index> edge_of_side; // #sides of `fine`: the edge that it is a part of, or none
+  std::vector<std::array<double, 3>> barycentric; // 3 #triangles of `fine`: of corners, in `whole`
+};
+
+// Draws the edges of a triangulation on a mesh, one after the other: each is the shortest in its strip of
+// triangles, and locally shortest as far as those before are not in its way, which it keeps off by a
+// two-hundredth of a side.  So it does with sites: edges meet at samples and nowhere else, in the order
+// of the base.  No side but those on edges joins two sites of one edge.
+//
+// Edges that form a spanning tree come first: then on a sphere there is a way for each of the others.
+// Where all edges have been drawn, in their order around samples, the regions are discs, as the base has
+// the mesh's Euler characteristic; that is checked all the same.
+//
+// coarse     with points
+// samples    of the base, clean, at different places; those on curves lie on their sides
+// triangles  of samples, counterclockwise: a surface with the topology of the mesh
+// is_curve   #sides of the mesh, twins alike: the border, and what else base edges are to follow
+//
+// Nothing where an edge finds no way between those before it: more samples help.
+// Near-linear in the size of the mesh and the paths.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
+                                   const std::vector<Location>& samples,
+                                   const std::vector<std::array<Index, 3>>& triangles,
+                                   const std::vector<bool>& is_curve);
+
+// The same for the samples and triangles of a remeshing; with more of them as long as some edge finds no
+// way.  Without triangles where the callback cancelled it.
+//
+// Throws Unsupported_surface_error where there is no such base with several times as many samples, and
+// what remeshing() throws.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles, Remeshing_goal goal);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MESH_H
