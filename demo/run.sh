@@ -178,6 +178,11 @@ picture function-remesh "and triangles." \
 picture remesh-even "A beast in 1,500 vertices, evenly," remesh "$beast" --number 1500 --lloyd 5
 picture remesh-bent "and with more of them where it bends." \
   remesh "$beast" --number 1500 --lloyd 5 --speed curvature-attractive
+picture base "The edges of a base of 100 vertices, as geodesics." base "$animal" --number 100
+picture base-part "Edges of a base that follow sharp ones." base "$part" --number 150 --keep-sharp 40
+picture semiregular "Each base face cut into 64." semiregular "$animal" --number 100 --levels 3
+picture semiregular-quads "And into 48 quadrilaterals, with sharp edges." \
+  semiregular "$part" --number 150 --levels 2 --keep-sharp 40 --quads
 picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
 picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
 picture logmap "Normal coordinates around a place: rings of equal distances, and straight lines." \

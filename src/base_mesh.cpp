@@ -44,6 +44,8 @@ struct Detours
 // One after the other, until there is a way for each edge: cells are coarse where sites are few.
 constexpr std::array<Detours, 3> all_detours = {Detours{2., 16., false}, Detours{1., 1., true},
                                                 Detours{2., 4., true}};
+// Sides that are looked at to straighten a path: a tenth of a second.
+constexpr std::size_t most_work = 1000000;
 // Each with a quarter of samples more than the one before.
 constexpr int most_trials = 8;
 // Far below what distances tell apart.
@@ -375,11 +377,12 @@ public:
         m_sides(std::move(sides))
   {
     simplify();
-    // Each turn shortens the path; on real meshes there are less than three for each side.
-    std::size_t most = 20 * m_sides.size() + 100;
-    do
-      straighten();
-    while(!m_sides.empty() && most-- > 0 && turn_around_a_site());
+    straighten();
+    // Through webs of needles some strips have thousands of sides, and as many turns to take: any of
+    // them is a valid one.
+    std::size_t most = 20 + most_work / (m_sides.size() + 1);
+    while(!m_sides.empty() && most-- > 0 && turn_around_a_site())
+      ;
   }
 
   const std::vector<Index>& sides() const { return m_sides; }
@@ -522,7 +525,16 @@ private:
       m_corners.push_back({m_end, n, true});
   }
 
-  // Leads the strip around the other side of a site, if the path is shorter there (Xin and Wang 2007).
+  double length() const
+  {
+    double result = 0.;
+    for(std::size_t k = 0; k + 1 < m_corners.size(); ++k)
+      result += norm(m_corners[k + 1].place - m_corners[k].place);
+    return result;
+  }
+
+  // Leads the strip around the other side of a site, if the path is shorter there (Xin and Wang 2007);
+  // margins may make it longer.
   bool turn_around_a_site()
   {
     for(std::size_t k = 1; k + 1 < m_corners.size(); ++k)
@@ -530,15 +542,28 @@ private:
       const Corner& corner = m_corners[k];
       const Index side = m_sides[corner.side];
       const Index site = corner.is_left ? m_mesh.target(side) : m_mesh.source(side);
-      if(m_is_barred[site] || site == m_from || site == m_to)
+      if(m_is_barred[site] || site == m_from || site == m_to ||
+         std::find(m_tried.begin(), m_tried.end(), site) != m_tried.end())
         continue;
       const Planar u = m_corners[k - 1].place - corner.place,
                    v = m_corners[k + 1].place - corner.place;
       double behind = std::abs(std::atan2(cross(u, v), dot(u, v))) - 2. * pi;
       for(const Index around : m_mesh.corners_around(site))
         behind += m_mesh.angle_at(around);
-      if(behind < pi - worth_a_turn && turn(corner.side, corner.is_left, site))
-        return true;
+      if(!(behind < pi - worth_a_turn))
+        continue;
+      const std::vector<Index> sides = m_sides;
+      const double before = length();
+      if(turn(corner.side, corner.is_left, site))
+      {
+        straighten();
+        if(!m_sides.empty() && length() < before)
+          return true;
+      }
+      m_tried.push_back(site);
+      m_sides = sides;
+      straighten();
+      return true;
     }
     return false;
   }
@@ -576,6 +601,7 @@ private:
   const std::vector<bool>& m_is_barred;
   Index m_from, m_to;
   std::vector<Index> m_sides;
+  std::vector<Index> m_tried; // sites behind which the path is longer
   std::vector<Planar> m_left, m_right;
   Planar m_end = {};
   std::vector<Corner> m_corners;
@@ -589,11 +615,13 @@ public:
           const Detours& detours)
       : m_mesh(coarse, is_curve), m_detours(detours)
   {
-    m_result.samples = samples;
     m_result.triangles = triangles;
     number_edges(samples.size());
     for(const Location& sample : samples)
+    {
       m_result.site.push_back(m_mesh.insert(sample));
+      m_result.samples.push_back(m_mesh.locations()[m_result.site.back()]);
+    }
     m_base_vertex.assign(m_mesh.locations().size(), none);
     for(Index i = 0; i < m_result.site.size(); ++i)
       m_base_vertex[m_result.site[i]] = i;
@@ -1032,7 +1060,11 @@ Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles, Rem
   {
     const Remeshing found = remeshing(triangles, goal);
     if(!found.is_finished)
-      return {};
+    {
+      Base_mesh nothing;
+      nothing.is_finished = false;
+      return nothing;
+    }
     if(auto result = base_mesh(*triangles, found.samples, found.triangles, is_curve))
       return std::move(*result);
     goal.number = found.samples.size() + found.samples.size() / 4 + 1;

@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, segment, sample, remesh, path,
-# surfels, logmap, flatten, wavelet, decal, matrix, emd, plan, feature-distance, fuzzy, streamlines, barycenter and volume.
+# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, segment, sample, remesh, base,
+# semiregular, path, surfels, logmap, flatten, wavelet, decal, matrix, emd, plan, feature-distance, fuzzy,
+# streamlines, barycenter and volume.
 # Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
 set -u
 
@@ -54,6 +55,8 @@ check_all()
   check "$file" remesh --number 20 || failed=1
   check "$file" remesh --number 20 --keep-sharp 40 || failed=1
   check "$file" remesh --number 20 --fill-holes || failed=1
+  check "$file" base --number 20 || failed=1
+  check "$file" semiregular --number 20 --levels 1 || failed=1
   check "$file" path --from 0 --to 1 || failed=1
   check "$file" surfels || failed=1
   check "$file" logmap --base 0 || failed=1

@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_H
 #define CGAL_GEODESIC_PROCESSING_H
 
+#include <CGAL/Geodesic_processing/Base_parameterization.h>
 #include <CGAL/Geodesic_processing/Biharmonic_metric.h>
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
@@ -28,8 +29,9 @@
 #include <CGAL/Geodesic_processing/exponential_map.h>
 #include <CGAL/Geodesic_processing/farthest_point_sampling.h>
 #include <CGAL/Geodesic_processing/feature_distance.h>
-#include <CGAL/Geodesic_processing/geodesic_barycenter.h>
 #include <CGAL/Geodesic_processing/fuzzy_geodesic.h>
+#include <CGAL/Geodesic_processing/geodesic_barycenter.h>
+#include <CGAL/Geodesic_processing/geodesic_base_mesh.h>
 #include <CGAL/Geodesic_processing/geodesic_centroidal_tessellation.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 #include <CGAL/Geodesic_processing/geodesic_distance_matrix.h>
@@ -44,8 +46,10 @@
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/mean_value_coordinates.h>
 #include <CGAL/Geodesic_processing/minimize_distortion.h>
+#include <CGAL/Geodesic_processing/parameterize_over_base.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/principal_curvatures.h>
+#include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 #include <CGAL/Geodesic_processing/shorten_polyline.h>
 #include <CGAL/Geodesic_processing/speeds.h>
 #include <CGAL/Geodesic_processing/straightest_geodesic.h>

@@ -22,6 +22,8 @@ void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);
 void add_segment(CLI::App& program);
 void add_remesh(CLI::App& program);
+void add_base(CLI::App& program);
+void add_semiregular(CLI::App& program);
 void add_wavelet(CLI::App& program);
 void add_surfels(CLI::App& program);
 void add_emd(CLI::App& program);

@@ -57,6 +57,8 @@ int run(int argc, char** argv)
   add_voronoi(program);
   add_segment(program);
   add_remesh(program);
+  add_base(program);
+  add_semiregular(program);
   add_wavelet(program);
   add_surfels(program);
   add_emd(program);

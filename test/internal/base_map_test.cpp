@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/subdivision.h>
 
 #include "Glued_surface.h"
 
@@ -120,20 +121,38 @@ TEST(Base_map, divides_edges_by_length)
   }
 }
 
-// In the plane areas are those of Euclid: the map is the affine one, where edges are straight.
-TEST(Base_map, of_a_plane_by_areas_is_affine)
+// In the plane areas are those of Euclid, and the border is straight.
+TEST(Base_map, of_a_planar_triangle_by_areas_is_affine)
 {
-  const Glued_surface surface(square(12, 0.2, 5));
-  const auto base = base_of(surface, 12);
+  const Subdivision subdivision = subdivide({{0, 1, 2}}, 3, 4);
+  const std::array<Point, 3> corner = {Point{0., 0., 0.}, Point{2., 0.3, 1.},
+                                       Point{0.5, 1.7, -0.2}};
+  Triangulation surface;
+  for(const Base_place& place : base_places(subdivision))
+  {
+    surface.points.push_back({0., 0., 0.});
+    for(std::size_t k = 0; k < 3; ++k)
+      surface.points.back() = surface.points.back() + (place.coordinates[k] / 16.) * corner[k];
+  }
+  for(const Triangle& f : subdivision.finest().triangles)
+    surface.corners.insert(surface.corners.end(), f.begin(), f.end());
+  const Glued_surface glued(surface);
+  std::vector<Location> samples;
+  for(Index i = 0; i < 3; ++i)
+    samples.push_back(at_site(glued.t(), glued.site(i)));
+  auto found = base_mesh(glued.t(), samples, {{0, 1, 2}}, border_and_sharp_sides(glued.t()));
+  ASSERT_TRUE(found);
+  const auto base = std::make_shared<const Base_mesh>(std::move(*found));
   const Base_map raw(base, Base_coordinates::heron, false);
+  EXPECT_EQ(raw.folds(), 0u);
   for(std::size_t c = 0; c < raw.coordinates().size(); ++c)
   {
-    const auto& f = base->triangles[base->region[c / 3]];
     Point p = {0., 0., 0.};
     for(std::size_t k = 0; k < 3; ++k)
-      p = p + raw.coordinates()[c][k] * base->fine.point[base->site[f[k]]];
-    // Edges make way for sites by two-hundredths of a side, in all directions; sides are up to two long.
-    EXPECT_LT(norm(p - base->fine.point[base->fine.corner[c]]), 0.02);
+      p = p + raw.coordinates()[c][k] * base->fine.point[base->site[k]];
+    // Rounding of distances, which areas enlarge by no more than the base over the distance from an
+    // edge, 64 where a side at the border is halved.
+    EXPECT_LT(norm(p - base->fine.point[base->fine.corner[c]]), 64 * 1e-13);
   }
 }
 

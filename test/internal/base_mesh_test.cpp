@@ -223,7 +223,7 @@ TEST(Base_mesh, is_empty_when_cancelled)
   Remeshing_goal goal;
   goal.number = 20;
   goal.callback = [](double) { return false; };
-  EXPECT_TRUE(base_mesh(surface.triangles(), goal).triangles.empty());
+  EXPECT_FALSE(base_mesh(surface.triangles(), goal).is_finished);
 }
 
 } // namespace

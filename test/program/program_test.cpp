@@ -254,6 +254,13 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
     expect_failure(std::string("remesh square.ply --number 9 --curve-spacing ") + spacing, 1,
                    "--curve-spacing");
   expect_failure("remesh square.ply --number 9 --speed slow", 2, "slow");
+  expect_failure("base square.ply", 1, "--number");
+  expect_failure("base square.ply --number 9 --coordinates polar", 1, "polar");
+  expect_failure("base cloud.xyz --number 9", 2, "cloud.xyz");
+  expect_failure("semiregular cloud.xyz --number 9", 2, "cloud.xyz");
+  expect_failure("semiregular square.ply --number 9 --levels 9", 1, "--levels");
+  expect_failure("semiregular square.ply --number 9 --maximum-deviation -1", 1,
+                 "--maximum-deviation");
   expect_failure("matrix square.ply --limit inf", 1, "--limit");
   expect_failure("matrix square.ply --number 0", 1, "at least one row");
   expect_failure("matrix square.ply --number 2 --sources 1", 1, "--sources");
@@ -338,6 +345,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("segment square.ply --number 3", {"charts", "energy", "energies", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
   expect_keys("remesh square.ply --number 20", {"vertices_out", "faces_out", "added"});
+  expect_keys("base square.ply --number 20", {"vertices_out", "faces_out", "folds", "repaired"});
+  expect_keys("semiregular square.ply --number 20 --levels 1",
+              {"vertices_out", "faces_out", "folds", "levels", "base_faces"});
   expect_keys("remesh square.ply --number 20 --fill-holes",
               {"vertices_out", "faces_out", "added", "holes_filled", "holes_left"});
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});

@@ -5,10 +5,8 @@
 
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/Reconstructed_domain.h>
-#include <CGAL/Geodesic_processing/internal/curves.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
 #include <CGAL/Geodesic_processing/internal/remeshing.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/remeshing_goal.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -38,67 +36,6 @@ struct Remeshing_result
   std::size_t added = 0;   ///< vertices beyond the number asked for
   bool is_finished = true; ///< false when the callback cancelled it; then the output is untouched
 };
-
-namespace internal {
-
-// What a map of the mesh's edges says of each side of the domain.
-template <typename Surface, typename Domain, typename EdgeMap, typename Use>
-void for_each_side(const Surface& surface, const Domain& domain, const EdgeMap& map, const Use& use)
-{
-  static_assert(std::is_same_v<Surface, typename Domain::Surface> && !Is_cloud<Surface>::value,
-                "A map of edges takes the mesh itself, not its domain, and no cloud.");
-  for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
-  {
-    auto h = halfedge(domain.face(f), surface);
-    for(Index side = 3 * f; side < 3 * f + 3; ++side, h = next(h, surface))
-      use(side, get(map, edge(h, surface)));
-  }
-}
-
-// #sides: the curves that a remeshing is to keep: borders, sharp edges and those that a map names.
-template <typename Surface, typename Domain, typename NamedParameters>
-std::vector<bool> curves_to_keep([[maybe_unused]] const Surface& surface, const Domain& domain,
-                                 const NamedParameters& np)
-{
-  const double angle = parameter(np, internal_np::sharp_angle, 180.);
-  if(!(angle >= 0.))
-    throw Invalid_argument_error("The sharp angle is negative or not a number.");
-  std::vector<bool> result = border_and_sharp_sides(*domain.triangles(), angle);
-  if constexpr(has_parameter<NamedParameters, CGAL::internal_np::edge_is_constrained_t>)
-    for_each_side(surface, domain, parameter(np, CGAL::internal_np::edge_is_constrained, 0),
-                  [&](Index side, bool is_kept) { result[side] = result[side] || is_kept; });
-  return result;
-}
-
-// #sides: how far apart samples are to be on each where it is kept, in the domain's scale; zero
-// where that is left open, and empty where it is for all.
-template <typename Surface, typename Domain, typename NamedParameters>
-std::vector<double> spacing_of_sides([[maybe_unused]] const Surface& surface, const Domain& domain,
-                                     const NamedParameters& np)
-{
-  const double scale = domain.triangles()->scale;
-  const auto checked = [](double spacing)
-  {
-    if(!(spacing >= 0. && spacing < infinity))
-      throw Invalid_argument_error("A spacing along curves is negative or not finite.");
-    return spacing;
-  };
-  constexpr bool has_map = has_parameter<NamedParameters, internal_np::edge_spacing_map_t>;
-  const double everywhere = checked(parameter(np, internal_np::curve_spacing, 0.)) / scale;
-  std::vector<double> result;
-  if(has_map || everywhere > 0.)
-    result.assign(domain.triangles()->corner.size(), everywhere);
-  if constexpr(has_map)
-    for_each_side(surface, domain, parameter(np, internal_np::edge_spacing_map, 0),
-                  [&](Index side, double spacing)
-                  {
-                    if(checked(spacing) > 0.)
-                      result[side] = spacing / scale;
-                  });
-  return result;
-}
-
-} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
@@ -200,37 +137,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
 {
   const auto given = make_domain(surface, np);
   const auto& domain = internal::manifold(given);
-  const internal::Glued_triangles& t = *domain.triangles();
-
-  internal::Remeshing_goal goal;
-  goal.number = number;
-  const double deviation =
-      internal::parameter(np, internal_np::maximum_deviation, internal::infinity);
-  if(!(deviation > 0.))
-    throw Invalid_argument_error("The maximum deviation is not positive.");
-  goal.maximum_deviation = deviation / t.scale;
-  goal.is_fitted = internal::parameter(np, internal_np::do_fit, false);
-  goal.is_curve = internal::curves_to_keep(surface, domain, np);
-  goal.curve_spacing = internal::spacing_of_sides(surface, domain, np);
-  goal.relaxation_steps =
-      internal::parameter(np, internal_np::number_of_relaxation_steps, std::size_t(0));
-  goal.seed = static_cast<unsigned>(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
-  const internal::Front_limits limits = internal::limits(domain, np);
-  goal.callback = limits.callback;
-  goal.slowness = limits.slowness;
-  if(goal.slowness && std::any_of(goal.slowness->begin(), goal.slowness->end(),
-                                  [](double s) { return !(s < internal::infinity); }))
-    throw Invalid_argument_error(
-        "A speed is zero: a surface cannot be remeshed where no front goes.");
-  if constexpr(internal::has_parameter<NamedParameters, internal_np::first_samples_t>)
-    for(const internal::Location& sample :
-        internal::locations(domain, internal::parameter(np, internal_np::first_samples, 0)))
-    {
-      goal.first_samples.push_back(internal::cleaned(t, sample));
-      if(goal.first_samples.back().triangle == internal::none)
-        throw Invalid_argument_error("A first sample is an isolated vertex.");
-    }
-
+  const internal::Remeshing_goal goal = internal::remeshing_goal(surface, domain, number, np);
   const internal::Remeshing found = internal::remeshing(domain.triangles(), goal);
   Remeshing_result result;
   result.is_finished = found.is_finished;

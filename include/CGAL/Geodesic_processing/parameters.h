@@ -68,6 +68,9 @@ namespace CGAL::Geodesic_processing {
   NAME(width)                                                                                      \
   NAME(base_points)                                                                                \
   NAME(number_of_base_points)                                                                      \
+  NAME(base_coordinates)                                                                           \
+  NAME(subdivision_scheme)                                                                         \
+  NAME(level_map)                                                                                  \
   NAME(number_of_levels)                                                                           \
   NAME(wavelet_prediction)                                                                         \
   NAME(do_update)                                                                                  \

@@ -17,7 +17,9 @@ namespace CGAL::Geodesic_processing::internal {
 // set of triangles of the fine mesh, which is the mesh divided along these edges.
 struct Base_mesh
 {
-  std::vector<Location> samples;               // the base vertices, clean
+  bool is_finished = true; // else there is nothing: a callback cancelled it
+  // The base vertices, clean: samples, of which those next to a side or a site have gone there.
+  std::vector<Location> samples;
   std::vector<std::array<Index, 3>> triangles; // of base vertices, counterclockwise
   std::vector<Index> twin;                     // 3 #triangles: the opposite side, or none
   std::vector<Index> edge;                     // 3 #triangles: which edge each side is
@@ -55,7 +57,7 @@ std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
                                    const std::vector<bool>& is_curve);
 
 // The same for the samples and triangles of a remeshing; with more of them as long as some edge finds no
-// way.  Without triangles where the callback cancelled it.
+// way.
 //
 // Throws Unsupported_surface_error where there is no such base with several times as many samples, and
 // what remeshing() throws.

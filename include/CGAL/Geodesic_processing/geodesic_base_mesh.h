@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_BASE_MESH_H
+#define CGAL_GEODESIC_PROCESSING_GEODESIC_BASE_MESH_H
+
+#include <CGAL/Geodesic_processing/Base_parameterization.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingRemeshing
+///
+/// makes a base mesh, the geodesic Delaunay triangulation of few samples, and divides a copy of the mesh
+/// along its edges: each base face is exactly a set of faces of that copy, a disc between its three edges.
+/// \cgalCite{cgal:pc-grfp-03}
+///
+/// Edges are locally shortest, but keep off vertices and one another by about a two-hundredth of an edge of
+/// the mesh, so that they meet in base vertices only.  Genus, borders and components are the mesh's.
+///
+/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+/// \param number of base vertices; 0 asks for as few as it takes
+/// \param base any model of `MutableFaceGraph`, to which base vertices and faces are added
+/// \param divided likewise: the mesh, divided
+/// \param base_face_map receives for each face of `divided` the face of `base` that it is a part of
+/// \param np as for `Base_parameterization`
+/// \returns what became of it; where the callback cancelled it nothing is added
+/// \throws as `Base_parameterization`
+template <typename TriangleMesh, typename BaseMesh, typename DividedMesh, typename BaseFaceMap,
+          typename NamedParameters = internal::Default_parameters>
+Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number, BaseMesh& base,
+                                    DividedMesh& divided, BaseFaceMap base_face_map,
+                                    const NamedParameters& np = NamedParameters())
+{
+  const auto domain = make_domain(mesh, np);
+  const internal::Base_mesh found =
+      internal::base_mesh(domain.triangles(), internal::base_goal(mesh, domain, number, np));
+  Remeshing_result result;
+  result.is_finished = found.is_finished;
+  if(!result.is_finished)
+    return result;
+  result.added = found.samples.size() - (std::min)(number, found.samples.size());
+
+  const internal::Glued_triangles& fine = found.fine;
+  const auto place = [&](internal::Index site) {
+    return internal::coordinates(fine, {internal::none, site, {}});
+  };
+  std::vector<std::array<double, 3>> base_points;
+  for(const internal::Index site : found.site)
+    base_points.push_back(place(site));
+  const auto base_faces = internal::add_faces(base_points, found.triangles, base);
+
+  // Without sites that have no triangle.
+  std::vector<internal::Index> number_of_site(fine.number_of_sites(), internal::none);
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<internal::Index, 3>> triangles(fine.number_of_triangles());
+  for(internal::Index corner = 0; corner < fine.corner.size(); ++corner)
+  {
+    internal::Index& known = number_of_site[fine.corner[corner]];
+    if(known == internal::none)
+    {
+      known = internal::Index(points.size());
+      points.push_back(place(fine.corner[corner]));
+    }
+    triangles[corner / 3][corner % 3] = known;
+  }
+  const auto faces = internal::add_faces(points, triangles, divided);
+  for(std::size_t f = 0; f < faces.size(); ++f)
+    put(base_face_map, faces[f], base_faces[found.region[f]]);
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_GEODESIC_BASE_MESH_H

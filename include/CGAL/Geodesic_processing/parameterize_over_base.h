@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_PARAMETERIZE_OVER_BASE_H
+#define CGAL_GEODESIC_PROCESSING_PARAMETERIZE_OVER_BASE_H
+
+#include <CGAL/Geodesic_processing/Base_parameterization.h>
+
+#include <cstddef>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingRemeshing
+///
+/// maps the vertices of a mesh to a base of few triangles, as `Base_parameterization`, which is returned and
+/// answers for all other places.
+///
+/// \param mesh all of whose faces are triangles
+/// \param number of base vertices
+/// \param base_location_map receives for each vertex its `Base_location`; vertices without faces have none
+/// \param np as for `Base_parameterization`
+/// \throws as `Base_parameterization`
+template <typename TriangleMesh, typename BaseLocationMap,
+          typename NamedParameters = internal::Default_parameters>
+Base_parameterization<TriangleMesh>
+parameterize_over_base(const TriangleMesh& mesh, std::size_t number,
+                       BaseLocationMap base_location_map,
+                       const NamedParameters& np = NamedParameters())
+{
+  Base_parameterization<TriangleMesh> result(mesh, number, np);
+  for(const auto v : vertices(mesh))
+    if(halfedge(v, mesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
+      put(base_location_map, v, result(v));
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_PARAMETERIZE_OVER_BASE_H

@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Output_file.h"
+#include "Picture.h"
+#include "Scanner.h"
+#include "commands.h"
+#include "errors.h"
+
+#include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
+
+#include <functional>
+#include <string>
+
+namespace program {
+
+namespace {
+
+struct Base_options
+{
+  std::size_t number = 0;
+  std::size_t lloyd = 0;
+  double sharp_angle = 180.;
+  std::string coordinates = "heron";
+
+  // Of semi-regular meshes
+  unsigned levels = 3;
+  bool has_quads = false;
+  double deviation = 0.; // of none is asked for
+};
+
+const Surface& read_mesh(Job& job, const char* needs)
+{
+  const Surface& surface = job.read();
+  if(!surface.is_mesh())
+    fail(surface.name, std::string("a cloud has no faces, which ") + needs + " needs");
+  return surface;
+}
+
+GP::Base_coordinates coordinates_of(const std::string& word)
+{
+  if(word == "heron")
+    return GP::Base_coordinates::heron;
+  if(word == "mean-value")
+    return GP::Base_coordinates::mean_value;
+  if(word == "uniform")
+    return GP::Base_coordinates::uniform;
+  throw Usage_error("--coordinates " + shown(word) + ": give heron, mean-value or uniform.");
+}
+
+auto asked(const Base_options& options, Job& job)
+{
+  return GP::parameters::random_seed(job.seed())
+      .number_of_relaxation_steps(options.lloyd)
+      .sharp_angle(options.sharp_angle)
+      .base_coordinates(coordinates_of(options.coordinates))
+      .callback(job.progress("vertices"));
+}
+
+// What both commands report.
+void report(Job& job, std::size_t vertices, std::size_t faces, std::size_t folds)
+{
+  job.result()["vertices_out"] = vertices;
+  job.result()["faces_out"] = faces;
+  job.result()["folds"] = folds;
+  job.say("vertices        " + std::to_string(vertices));
+  job.say("faces           " + std::to_string(faces));
+  job.say("folds           " + std::to_string(folds));
+}
+
+void run_base(Job& job, const Base_options& options)
+{
+  const Surface& surface = read_mesh(job, "base");
+  job.stage("prepare");
+  const Mesh mesh = make_mesh(surface);
+  job.stage("query");
+  const GP::Base_parameterization<Mesh> base(mesh, options.number, asked(options, job));
+  const auto point_of = [](const auto& location, const auto& domain)
+  { return coordinates(domain.point(domain.inner(location))); };
+
+  Surface_file file;
+  for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
+    file.points.push_back(point_of(base.base_vertex(i), base.domain()));
+  for(std::size_t f = 0; f < base.number_of_base_faces(); ++f)
+  {
+    for(const std::size_t corner : base.base_face(f))
+      file.corners.push_back(std::uint32_t(corner));
+    file.first.push_back(file.corners.size());
+  }
+  report(job, file.points.size(), file.number_of_polygons(), base.folds());
+  job.result()["repaired"] = base.repaired_faces();
+  job.say("repaired        " + std::to_string(base.repaired_faces()));
+
+  std::string text;
+  std::vector<long long> labels;
+  for(const auto v : mesh.vertices())
+  {
+    if(mesh.is_isolated(v))
+    {
+      text += "-1 nan nan nan\n";
+      labels.push_back(-1);
+      continue;
+    }
+    const GP::Base_location place = base(v);
+    labels.push_back(static_cast<long long>(place.face));
+    text += std::to_string(place.face);
+    for(const double share : place.barycentric)
+      text += ' ' + number_text(share);
+    text += '\n';
+  }
+  job.stage("write");
+  job.write_values([&] { return text; });
+  if(!job.picture().empty())
+  {
+    Picture picture{&surface.file};
+    picture.labels = labels;
+    const auto& found = base.map().base();
+    for(const auto& path : found.path)
+    {
+      picture.chains.emplace_back();
+      for(const auto site : path)
+      {
+        Point p;
+        for(std::size_t k = 0; k < 3; ++k)
+          p[k] = found.fine.origin[k] + found.fine.scale * found.fine.point[site][k];
+        picture.chains.back().push_back(p);
+      }
+    }
+    picture.markers = file.points;
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+    write_surface_file(job.output(), file);
+  job.finish();
+}
+
+void run_semiregular(Job& job, const Base_options& options)
+{
+  if(!(options.deviation >= 0.))
+    throw Usage_error("--maximum-deviation: it is positive.");
+  if(options.has_quads && options.deviation > 0.)
+    throw Usage_error("--maximum-deviation is of triangles, not of --quads.");
+  const Surface& surface = read_mesh(job, "semiregular");
+  job.stage("prepare");
+  const Mesh mesh = make_mesh(surface);
+  job.stage("query");
+  Mesh output;
+  const auto level = output.add_property_map<Mesh::Vertex_index, std::size_t>("v:level").first;
+  const auto np = asked(options, job)
+                      .level_map(level)
+                      .subdivision_scheme(options.has_quads ? GP::Subdivision_scheme::quads
+                                                            : GP::Subdivision_scheme::triangles);
+  const GP::Semi_regular_result result =
+      options.deviation > 0.
+          ? GP::semi_regular_remeshing(mesh, options.number, options.levels, output,
+                                       np.maximum_deviation(options.deviation))
+          : GP::semi_regular_remeshing(mesh, options.number, options.levels, output, np);
+  Surface_file file;
+  std::string text;
+  for(const auto v : output.vertices())
+  {
+    file.points.push_back(coordinates(output.point(v)));
+    text += std::to_string(level[v]) + '\n';
+  }
+  for(const auto f : output.faces())
+  {
+    for(const auto v : vertices_around_face(output.halfedge(f), output))
+      file.corners.push_back(v);
+    file.first.push_back(file.corners.size());
+  }
+  report(job, file.points.size(), file.number_of_polygons(), result.folds);
+  job.result()["levels"] = result.levels;
+  job.result()["base_faces"] = result.base_faces;
+  job.say("levels          " + std::to_string(result.levels));
+
+  job.stage("write");
+  job.write_values([&] { return text; });
+  if(!job.picture().empty())
+  {
+    Picture picture{&file};
+    picture.with_sides = true;
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+    write_surface_file(job.output(), file);
+  job.finish();
+}
+
+void add_base_options(Command& command, Base_options& options)
+{
+  command.add("--number", options.number, "N", "of base vertices; more come where it takes them")
+      .required();
+  command.add("--lloyd", options.lloyd, "K",
+              "how often base vertices move to the middle of their cells");
+  command
+      .add("--keep-sharp", options.sharp_angle, "ANGLE",
+           "base edges follow edges at which the surface bends by so many degrees or more")
+      .between(0., 180.);
+  command.add("--coordinates", options.coordinates, "KIND",
+              "heron (areas of geodesic distances), mean-value or uniform, in base faces");
+}
+
+} // namespace
+
+void add_base(CLI::App& program)
+{
+  Command command(program, "base", "a base of few triangles, and where each vertex is on it");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Base_options>();
+  add_base_options(command, *options);
+  command.set_run([job, options] { run_base(*job, *options); });
+}
+
+void add_semiregular(CLI::App& program)
+{
+  Command command(program, "semiregular",
+                  "a mesh of faces cut by one pattern again and again, over a base");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Base_options>();
+  add_base_options(command, *options);
+  command.add("--levels", options->levels, "J", "how often faces are cut in four (3)")
+      .between(0, 8);
+  command.add_flag("--quads", options->has_quads, "each base face is three quadrilaterals first");
+  command.add("--maximum-deviation", options->deviation, "D",
+              "fewer levels, if no vertex of the input is farther from its place");
+  command.set_run([job, options] { run_semiregular(*job, *options); });
+}
+
+} // namespace program

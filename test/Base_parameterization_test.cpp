@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/Base_parameterization.h>
+
+#include <CGAL/Polyhedron_3.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+template <typename AnyMesh>
+void expect_goes_there_and_back(const AnyMesh& mesh)
+{
+  const GP::Base_parameterization<AnyMesh> base(mesh, 30);
+  EXPECT_GE(base.number_of_base_vertices(), 30u);
+  EXPECT_EQ(base.folds(), 0u);
+  for(const auto v : vertices(mesh))
+  {
+    const auto p = base.point(base(v)), q = get(CGAL::vertex_point, mesh, v);
+    // Images are no flatter than a hundred millionth of a side.
+    EXPECT_LT(CGAL::squared_distance(p, q), 1e-14);
+  }
+  for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
+  {
+    const GP::Base_location place = base(base.base_vertex(i));
+    double share = 0.;
+    for(std::size_t k = 0; k < 3; ++k)
+      if(base.base_face(place.face)[k] == i)
+        share = place.barycentric[k];
+    // But for the rounding of coordinates in a triangle that is cut into parts.
+    EXPECT_NEAR(share, 1., 1e-9);
+  }
+}
+
+TEST(Base_parameterization, goes_there_and_back_on_any_mesh)
+{
+  expect_goes_there_and_back(mesh_of(icosphere(3)));
+  expect_goes_there_and_back(mesh_of(annulus(24, 8, 1., 3.)));
+  Numbered<CGAL::Polyhedron_3<Kernel>> polyhedron;
+  fill(polyhedron, torus(24, 16));
+  expect_goes_there_and_back(polyhedron.mesh);
+}
+
+TEST(Base_parameterization, has_other_coordinates_on_request)
+{
+  const Mesh mesh = mesh_of(icosphere(2));
+  const auto with = [&](GP::Base_coordinates kind)
+  { return GP::Base_parameterization<Mesh>(mesh, 20, GP::parameters::base_coordinates(kind)); };
+  const auto heron = with(GP::Base_coordinates::heron),
+             uniform = with(GP::Base_coordinates::uniform);
+  EXPECT_EQ(uniform.repaired_faces(), 0u);
+  bool differ = false;
+  for(const Vertex v : mesh.vertices())
+    differ = differ || heron(v).barycentric != uniform(v).barycentric;
+  EXPECT_TRUE(differ);
+}
+
+TEST(Base_parameterization, refuses_what_is_no_place)
+{
+  const Mesh mesh = mesh_of(icosphere(2));
+  const GP::Base_parameterization<Mesh> base(mesh, 20);
+  EXPECT_THROW(base.point({base.number_of_base_faces(), {1., 0., 0.}}), GP::Invalid_argument_error);
+  EXPECT_THROW(base.point({0, {1., 1., 0.}}), GP::Invalid_argument_error);
+  EXPECT_THROW(base.point({0, {2., -1., 0.}}), GP::Invalid_argument_error);
+  EXPECT_THROW(GP::Base_parameterization<Mesh>(Mesh(), 20), GP::Invalid_argument_error);
+  const std::function<bool(double)> cancel = [](double) { return false; };
+  EXPECT_THROW(GP::Base_parameterization<Mesh>(mesh, 20, GP::parameters::callback(cancel)),
+               GP::Invalid_argument_error);
+  Mesh with_isolated = mesh;
+  const Vertex isolated = with_isolated.add_vertex(Kernel::Point_3(0., 0., 0.));
+  const GP::Base_parameterization<Mesh> other(with_isolated, 20);
+  EXPECT_THROW(other(isolated), GP::Invalid_argument_error);
+}
+
+} // namespace

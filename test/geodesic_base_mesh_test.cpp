@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/geodesic_base_mesh.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+using namespace GP::test;
+
+TEST(geodesic_base_mesh, divides_the_mesh_into_discs)
+{
+  for(const Triangulation& surface : {icosphere(3), torus(24, 16), annulus(24, 8, 1., 3.)})
+  {
+    const Mesh mesh = mesh_of(surface);
+    Mesh base, divided;
+    const auto base_face = divided.add_property_map<Face, Face>("f:base").first;
+    const auto result = GP::geodesic_base_mesh(mesh, 30, base, divided, base_face);
+    EXPECT_TRUE(result.is_finished);
+    EXPECT_EQ(num_vertices(base), 30 + result.added);
+    EXPECT_TRUE(base.is_valid());
+    EXPECT_TRUE(divided.is_valid());
+    const auto characteristic = [](const Mesh& m)
+    { return int(num_vertices(m)) - int(num_edges(m)) + int(num_faces(m)); };
+    EXPECT_EQ(characteristic(base), characteristic(mesh));
+    EXPECT_EQ(characteristic(divided), characteristic(mesh));
+    const double area = PMP::area(mesh);
+    EXPECT_NEAR(PMP::area(divided), area, 1e-12 * area);
+    // As many pieces between edges as base faces.
+    std::map<Face, int> faces;
+    for(const Face f : divided.faces())
+      ++faces[base_face[f]];
+    EXPECT_EQ(faces.size(), num_faces(base));
+    const auto is_between = divided.add_property_map<Mesh::Edge_index, bool>("e:between").first;
+    for(const auto e : divided.edges())
+      is_between[e] = !divided.is_border(e) && base_face[divided.face(divided.halfedge(e, 0))] !=
+                                                   base_face[divided.face(divided.halfedge(e, 1))];
+    const auto piece = divided.add_property_map<Face, std::size_t>("f:piece").first;
+    EXPECT_EQ(PMP::connected_components(divided, piece,
+                                        CGAL::parameters::edge_is_constrained_map(is_between)),
+              num_faces(base));
+  }
+}
+
+TEST(geodesic_base_mesh, adds_nothing_when_cancelled)
+{
+  const std::function<bool(double)> cancel = [](double) { return false; };
+  Mesh base, divided;
+  const auto base_face = divided.add_property_map<Face, Face>("f:base").first;
+  EXPECT_FALSE(GP::geodesic_base_mesh(mesh_of(icosphere(2)), 20, base, divided, base_face,
+                                      GP::parameters::callback(cancel))
+                   .is_finished);
+  EXPECT_EQ(num_vertices(base) + num_vertices(divided), 0u);
+}
+
+} // namespace

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/parameterize_over_base.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+
+TEST(parameterize_over_base, gives_each_vertex_its_place)
+{
+  Mesh mesh = mesh_of(shaken(icosphere(2), 0.02));
+  const Vertex isolated = mesh.add_vertex(Kernel::Point_3(5., 5., 5.));
+  const auto places = mesh.add_property_map<Vertex, GP::Base_location>("v:place").first;
+  places[isolated].face = 12345;
+  const auto base = GP::parameterize_over_base(mesh, 20, places);
+  for(const Vertex v : mesh.vertices())
+  {
+    if(v == isolated)
+      continue;
+    EXPECT_EQ(places[v].face, base(v).face);
+    EXPECT_EQ(places[v].barycentric, base(v).barycentric);
+    const auto& b = places[v].barycentric;
+    EXPECT_GE(std::min({b[0], b[1], b[2]}), 0.);
+    EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-14);
+  }
+  EXPECT_EQ(places[isolated].face, 12345u);
+}
+
+} // namespace
