@@ -46,10 +46,13 @@ constexpr std::array<Detours, 3> all_detours = {Detours{2., 16., false}, Detours
                                                 Detours{2., 4., true}};
 // Sides that are looked at to straighten a path: a tenth of a second.
 constexpr std::size_t most_work = 1000000;
-// Each with a quarter of samples more than the one before.
-constexpr int most_trials = 8;
+// Each with a half of samples more than the one before.
+constexpr int most_trials = 4;
 // Far below what distances tell apart.
 constexpr double shortest_side = 0x1p-36;
+// Places looked at, for each side of the mesh and each edge to be drawn, before it is given up: in webs of
+// needles each edge drawn makes the next one longer.
+constexpr std::size_t most_for_a_side = 50, most_for_an_edge = 1500;
 // The label of sides on curves until their edges are known.
 constexpr Index curve = none - 1;
 
@@ -629,6 +632,8 @@ public:
     for(const Index site : m_result.site)
       m_is_barred[site] = !detours.are_samples_passed;
     find_cells(coarse, samples);
+    m_visits_left =
+        most_for_a_side * coarse.corner.size() + most_for_an_edge * m_result.side.size();
   }
 
   std::optional<Base_mesh> run()
@@ -876,6 +881,9 @@ private:
     {
       const auto [key, number] = queue.top();
       queue.pop();
+      if(m_visits_left-- == 0)
+        throw Unsupported_surface_error(
+            "The edges of a base mesh cross too many triangles: these are too thin.");
       const Node node = m_nodes[number];
       const Spatial place = point(number);
       if(key > node.distance + norm(goal - place))
@@ -1037,6 +1045,7 @@ private:
   std::array<Index, 4> m_near = {}; // corners of the two triangles at the edge that is sought
   std::vector<Node> m_nodes;
   Index m_run = 0;
+  std::size_t m_visits_left = 0;
 };
 
 } // namespace
@@ -1067,7 +1076,7 @@ Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles, Rem
     }
     if(auto result = base_mesh(*triangles, found.samples, found.triangles, is_curve))
       return std::move(*result);
-    goal.number = found.samples.size() + found.samples.size() / 4 + 1;
+    goal.number = found.samples.size() + found.samples.size() / 2 + 1;
   }
   throw Unsupported_surface_error(
       "The edges of no base mesh can be drawn on the surface: it is too thin or too coarse.");

@@ -29,8 +29,8 @@ for argument in "$@"; do
   esac
 done
 [ ${#programs[@]} -gt 0 ] ||
-  programs=(accuracy speed exact sampling remeshing surfels logmap decal flattening transport transport_bounds
-            transport_family transport_claims regions flows barycenters volumes wavelets)
+  programs=(accuracy speed exact sampling remeshing surfels logmap decal flattening base wavelets transport
+            transport_bounds transport_family transport_claims regions flows barycenters volumes)
 
 build=${BUILD:-build/benchmark}
 install_packages g++ cmake ninja-build ccache libcgal-dev libboost-dev libeigen3-dev \

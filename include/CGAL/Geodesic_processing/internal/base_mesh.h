@@ -49,6 +49,8 @@ struct Base_mesh
 // is_curve   #sides of the mesh, twins alike: the border, and what else base edges are to follow
 //
 // Nothing where an edge finds no way between those before it: more samples help.
+// Throws Unsupported_surface_error where triangles are so thin that each edge makes the next ones cross
+// many more of them.
 // Near-linear in the size of the mesh and the paths.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
