@@ -28,31 +28,6 @@ Index next_on_border(const Glued_triangles& t, Index side)
   return side;
 }
 
-// The borders as sides one after another, the longest border first.
-std::vector<std::vector<Index>> borders(const Glued_triangles& t)
-{
-  std::vector<std::vector<Index>> result;
-  std::vector<bool> is_seen(t.corner.size(), false);
-  std::vector<double> length;
-  for(Index start = 0; start < t.corner.size(); ++start)
-  {
-    if(t.twin[start] != none || is_seen[start])
-      continue;
-    result.emplace_back();
-    length.push_back(0.);
-    for(Index side = start; !is_seen[side]; side = next_on_border(t, side))
-    {
-      is_seen[side] = true;
-      result.back().push_back(side);
-      length.back() += t.length[side];
-    }
-  }
-  if(!result.empty())
-    std::swap(result.front(),
-              result[std::size_t(std::max_element(length.begin(), length.end()) - length.begin())]);
-  return result;
-}
-
 // A triangle in its own plane.
 struct Rest
 {
@@ -283,6 +258,30 @@ std::size_t number_of_flips(const Glued_triangles& t, const std::vector<Planar>&
   return result;
 }
 
+std::vector<std::vector<Index>> borders(const Glued_triangles& t)
+{
+  std::vector<std::vector<Index>> result;
+  std::vector<bool> is_seen(t.corner.size(), false);
+  std::vector<double> length;
+  for(Index start = 0; start < t.corner.size(); ++start)
+  {
+    if(t.twin[start] != none || is_seen[start])
+      continue;
+    result.emplace_back();
+    length.push_back(0.);
+    for(Index side = start; !is_seen[side]; side = next_on_border(t, side))
+    {
+      is_seen[side] = true;
+      result.back().push_back(side);
+      length.back() += t.length[side];
+    }
+  }
+  if(!result.empty())
+    std::swap(result.front(),
+              result[std::size_t(std::max_element(length.begin(), length.end()) - length.begin())]);
+  return result;
+}
+
 void check_is_disk(const Glued_triangles& t)
 {
   std::size_t sites = 0, sides = 0;
@@ -388,11 +387,9 @@ std::vector<Planar> tutte_map(const Glued_triangles& t)
 
 Flattest minimize_symmetric_dirichlet(const Glued_triangles& t, std::vector<Planar>& image,
                                       std::size_t most_steps,
-                                      const std::function<bool(double)>& callback)
+                                      const std::function<bool(double)>& callback,
+                                      double least_progress)
 {
-  // Energy per area falls by less than this part in a step: the end.
-  constexpr double least_progress = 1e-6;
-
   Symmetric_dirichlet problem(t);
   Flattest result;
   result.energy = problem.energy(image);

@@ -28,10 +28,27 @@ Index behind(const Glued_triangles& t, const std::vector<Index>& patch, Index si
   return t.twin[side] == none ? none : patch[t.twin[side] / 3];
 }
 
+// What is to be looked at again: after a pass that is the surroundings of what it changed.
+struct Untidy
+{
+  std::vector<bool> sites;   // #sites
+  std::vector<bool> patches; // those that lost or got triangles
+
+  Untidy(const Glued_triangles& t, const std::vector<Index>& patch)
+      : sites(t.number_of_sites(), true)
+  {
+    Index size = 0;
+    for(const Index label : patch)
+      if(label != none)
+        size = std::max(size, label + 1);
+    patches.assign(size, true);
+  }
+};
+
 // Gives some triangles of a patch to the one with which they have the most in common.  False where there
 // is no other.
 bool give_away(const Glued_triangles& t, std::vector<Index>& patch,
-               const std::vector<Index>& triangles)
+               const std::vector<Index>& triangles, Untidy& untidy)
 {
   std::map<Index, double> common;
   for(const Index f : triangles)
@@ -44,7 +61,13 @@ bool give_away(const Glued_triangles& t, std::vector<Index>& patch,
       std::max_element(common.begin(), common.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   for(const Index f : triangles)
+  {
+    untidy.patches[patch[f]] = true;
     patch[f] = best->first;
+    for(Index corner = 3 * f; corner < 3 * f + 3; ++corner)
+      untidy.sites[t.corner[corner]] = true;
+  }
+  untidy.patches[best->first] = true;
   return true;
 }
 
@@ -78,13 +101,15 @@ std::vector<Found> spread(const Glued_triangles& t, const std::vector<Index>& pa
 }
 
 // Gives away all pieces of patches but their largest ones.  True if there were some.
-bool join_islands(const Glued_triangles& t, std::vector<Index>& patch)
+bool join_islands(const Glued_triangles& t, std::vector<Index>& patch, Untidy& untidy)
 {
+  const std::vector<bool> is_looked_at =
+      std::exchange(untidy.patches, std::vector<bool>(untidy.patches.size(), false));
   std::vector<Index> seen(patch.size(), none);
   std::vector<std::vector<Index>> pieces;
   std::map<Index, std::pair<double, std::size_t>> largest; // of each patch: area, piece
   for(Index f = 0; f < patch.size(); ++f)
-    if(patch[f] != none && seen[f] == none)
+    if(patch[f] != none && is_looked_at[patch[f]] && seen[f] == none)
     {
       pieces.emplace_back();
       double sum = 0.;
@@ -101,7 +126,7 @@ bool join_islands(const Glued_triangles& t, std::vector<Index>& patch)
   bool is_changed = false;
   for(std::size_t i = 0; i < pieces.size(); ++i)
     if(largest.at(patch[pieces[i].front()]).second != i)
-      is_changed = give_away(t, patch, pieces[i]) || is_changed;
+      is_changed = give_away(t, patch, pieces[i], untidy) || is_changed;
   return is_changed;
 }
 
@@ -140,12 +165,29 @@ struct Sectors
   }
 };
 
+// The patch of all triangles around a site that are joined by sides, without a border; or none.
+Index patch_all_around(const Glued_triangles& t, const std::vector<Index>& patch, Index site)
+{
+  const Index begin = t.first[site], end = t.first[site + 1];
+  const Index result = begin == end ? none : patch[t.star[begin] / 3];
+  for(Index i = begin; i < end && result != none; ++i)
+  {
+    const Index next = t.star[i + 1 < end ? i + 1 : begin];
+    if(patch[next / 3] != result || t.twin[previous_side(t.star[i])] != next)
+      return none;
+  }
+  return result;
+}
+
 // Leaves each patch one sector of each site, that with the most triangles.  True if there were more.
-bool untie(const Glued_triangles& t, std::vector<Index>& patch)
+bool untie(const Glued_triangles& t, std::vector<Index>& patch, Untidy& untidy)
 {
   bool is_changed = false;
   for(Index site = 0; site < t.number_of_sites(); ++site)
   {
+    if(!untidy.sites[site])
+      continue;
+    untidy.sites[site] = false;
     Index first = none;
     bool has_several = false;
     for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
@@ -170,7 +212,7 @@ bool untie(const Glued_triangles& t, std::vector<Index>& patch)
         std::vector<Index> triangles;
         for(const Index corner : sectors.corners[i])
           triangles.push_back(corner / 3);
-        is_changed = give_away(t, patch, triangles) || is_changed;
+        is_changed = give_away(t, patch, triangles, untidy) || is_changed;
         break; // as what the others are may have changed
       }
   }
@@ -200,9 +242,10 @@ std::vector<Index> patches(const Glued_triangles& t, const std::vector<double>& 
 
 void tidy(const Glued_triangles& t, std::vector<Index>& patch)
 {
+  Untidy untidy(t, patch);
   for(int pass = 0; pass < most_passes; ++pass)
   {
-    const bool had_islands = join_islands(t, patch), was_tied = untie(t, patch);
+    const bool had_islands = join_islands(t, patch, untidy), was_tied = untie(t, patch, untidy);
     if(!had_islands && !was_tied)
       return;
   }
@@ -227,6 +270,11 @@ std::vector<bool> are_discs(const Glued_triangles& t, const std::vector<Index>& 
   std::vector<Index> around; // of a site: a patch for each sector
   for(Index site = 0; site < t.number_of_sites(); ++site)
   {
+    if(const Index only = patch_all_around(t, patch, site); only != none)
+    {
+      ++euler[only];
+      continue;
+    }
     around.clear();
     for(const auto& sector : Sectors(t, patch, site).corners)
       around.push_back(patch[sector.front() / 3]);
@@ -249,6 +297,14 @@ std::vector<bool> are_discs(const Glued_triangles& t, const std::vector<Index>& 
   for(Index i = 0; i < number_of_patches; ++i)
     result[i] = size[i] < 2 || (result[i] && euler[i] == 1);
   return result;
+}
+
+std::vector<Index> halves(const Glued_triangles& t, Index first, Index second)
+{
+  std::vector<Index> patch(t.number_of_triangles(), 0), seen(patch.size(), none);
+  for(const Found& found : spread(t, patch, {first, second}, seen, 0))
+    seen[found.triangle] = found.seed;
+  return seen;
 }
 
 std::vector<Index> split_into_discs(const Glued_triangles& t, std::vector<Index>& patch,

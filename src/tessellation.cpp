@@ -312,7 +312,7 @@ private:
       return std::count(is_disc.begin(), is_disc.end(), true);
     };
     const auto before = number_of_discs();
-    for(unsigned step = 0; step < m_options.most_steps; ++step)
+    for(unsigned step = 0; step < std::min(m_options.most_steps, m_options.most_disc_steps); ++step)
     {
       State last = m_state;
       m_is_finished = relax(1);

@@ -20,6 +20,7 @@
 #include <CGAL/Geodesic_processing/Transport_barycenter_solver.h>
 #include <CGAL/Geodesic_processing/Transport_metric.h>
 #include <CGAL/Geodesic_processing/Volumetric_metric.h>
+#include <CGAL/Geodesic_processing/bake_atlas.h>
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/decode_wavelets.h>
 #include <CGAL/Geodesic_processing/distortion.h>
@@ -56,6 +57,7 @@
 #include <CGAL/Geodesic_processing/surfel_geodesic_path.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 #include <CGAL/Geodesic_processing/tags.h>
+#include <CGAL/Geodesic_processing/texture_atlas.h>
 #include <CGAL/Geodesic_processing/transport_barycenter.h>
 #include <CGAL/Geodesic_processing/transport_streamlines.h>
 #include <CGAL/Geodesic_processing/transport_to_region.h>

@@ -123,7 +123,7 @@ Image read_image(const std::string& filename)
   return image;
 }
 
-void write_image(const std::string& filename, const Image& image)
+std::string to_png(const std::string& filename, const Image& image)
 {
   std::vector<png_byte> values;
   values.reserve(3 * image.pixels.size());
@@ -145,7 +145,12 @@ void write_image(const std::string& filename, const Image& image)
      png_image_write_to_memory(&png, bytes.data(), &size, 0, values.data(), 0, nullptr) == 0)
     throw Output_error(filename + ": it cannot be written as an image.");
   bytes.resize(size);
-  write_file(filename, bytes);
+  return bytes;
+}
+
+void write_image(const std::string& filename, const Image& image)
+{
+  write_file(filename, to_png(filename, image));
 }
 
 #else
@@ -157,6 +162,12 @@ void check_images(const std::string& filename)
 }
 
 Image read_image(const std::string& filename)
+{
+  check_images(filename);
+  return {};
+}
+
+std::string to_png(const std::string& filename, const Image&)
 {
   check_images(filename);
   return {};

@@ -31,6 +31,9 @@ void check_images(const std::string& filename);
 // Reads a PNG file.  Throws Input_error, and Usage_error where this is not built in.
 Image read_image(const std::string& filename);
 
+// The bytes of a PNG file without opacity; `filename` stands for it in sentences.  Throws as write_image().
+std::string to_png(const std::string& filename, const Image& image);
+
 // Writes a PNG file without opacity.  Throws Output_error, and Usage_error where this is not built in.
 void write_image(const std::string& filename, const Image& image);
 

@@ -25,7 +25,7 @@ struct Surface_file
   std::vector<std::array<double, 2>> uv; // empty or #points
   std::vector<std::array<double, 2>>
       corner_uv;        // written to OBJ, never read: instead of uv; #corners
-  std::string material; // written to OBJ, never read: a file of one, "decal"
+  std::string material; // written to OBJ, never read: a file of one, "texture"
   std::vector<std::array<std::uint32_t, 2>> edges;       // lines between points, of PLY alone
   std::vector<std::vector<Point>> polylines;             // written, never read
   std::map<std::string, std::vector<double>> properties; // each #points

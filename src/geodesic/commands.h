@@ -17,6 +17,7 @@ void add_path(CLI::App& program);
 void add_logmap(CLI::App& program);
 void add_decal(CLI::App& program);
 void add_flatten(CLI::App& program);
+void add_atlas(CLI::App& program);
 void add_matrix(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_voronoi(CLI::App& program);

@@ -1,16 +1,15 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Image.h"
-#include "Output_file.h"
 #include "Picture.h"
 #include "Scanner.h"
 #include "commands.h"
 #include "drawings.h"
 #include "queries.h"
+#include "textured.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 namespace program {
@@ -219,19 +218,10 @@ void write_output(const std::string& filename, const Surface& surface, const Res
   Surface_file file = surface.file;
   if(ending(filename) == "obj")
   {
-    // Beside it; NAME.png may be the name of the picture.
-    const auto beside = [&](const char* end)
-    { return std::filesystem::path(filename).replace_extension().string() + end; };
-    const auto name = [](const std::string& path)
-    { return std::filesystem::path(path).filename().string(); };
-    const std::string texture = beside("_texture.png"), material = beside(".mtl");
-    write_image(texture, result.texture);
-    write_file(material, "newmtl decal\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " +
-                             name(texture) + "\n");
-    file.material = name(material);
     file.corner_uv = result.corner_uv;
+    write_textured(filename, file, result.texture);
+    return;
   }
-
   for(std::size_t c = 0; c < 3; ++c)
   {
     std::vector<double>& values = file.properties[colour_names[c]];

@@ -91,4 +91,21 @@ int polar_cell(double x, double y, int rings)
   return (static_cast<int>(radius * rings) + static_cast<int>(std::floor(24. * turn))) & 1;
 }
 
+int square_of(const std::array<double, 2>& place)
+{
+  return (int(std::floor(20. * place[0])) + int(std::floor(20. * place[1]))) & 1;
+}
+
+Image checkers()
+{
+  constexpr std::size_t size = 1000;
+  Image result{size, size, {}};
+  for(std::size_t i = 0; i < size * size; ++i)
+    result.pixels.push_back(
+        square_of({(double(i % size) + 0.5) / size, (double(i / size) + 0.5) / size}) != 0
+            ? Colour{0.13, 0.33, 0.55}
+            : Colour{0.95, 0.94, 0.9});
+  return result;
+}
+
 } // namespace program

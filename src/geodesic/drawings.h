@@ -16,6 +16,11 @@ Image compass_rose();
 // twenty-four rays.
 Image polar_grid();
 
+// Dark and light squares, twenty along each side; and of a place in the unit square, whether its square is dark,
+// 1, or light, 0.
+Image checkers();
+int square_of(const std::array<double, 2>& place);
+
 // Of a place from (-1, -1) to (1, 1), whether its cell between so many rings and twenty-four rays is dark, 1,
 // or light, 0; -1 outside of the rings.
 int polar_cell(double x, double y, int rings);

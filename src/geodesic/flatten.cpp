@@ -3,6 +3,7 @@
 #include "Output_file.h"
 #include "Picture.h"
 #include "commands.h"
+#include "drawings.h"
 #include "errors.h"
 #include "parameterizations.h"
 #include "queries.h"
@@ -98,24 +99,6 @@ std::vector<UV> in_unit_square(const std::vector<UV>& uv)
     result.push_back(std::isfinite(p[0]) && size > 0.
                          ? UV{(p[0] - low[0]) / size, (p[1] - low[1]) / size}
                          : UV{0., 0.});
-  return result;
-}
-
-// Twenty squares along each side of the unit square, or which of them a place is in.
-int square_of(const UV& p)
-{
-  return (int(std::floor(20. * p[0])) + int(std::floor(20. * p[1]))) & 1;
-}
-
-Image checkers()
-{
-  constexpr std::size_t size = 1000;
-  Image result{size, size, {}};
-  for(std::size_t i = 0; i < size * size; ++i)
-    result.pixels.push_back(
-        square_of({(double(i % size) + 0.5) / size, (double(i / size) + 0.5) / size}) != 0
-            ? Colour{0.13, 0.33, 0.55}
-            : Colour{0.95, 0.94, 0.9});
   return result;
 }
 

@@ -52,6 +52,7 @@ int run(int argc, char** argv)
   add_logmap(program);
   add_decal(program);
   add_flatten(program);
+  add_atlas(program);
   add_matrix(program);
   add_sample(program);
   add_voronoi(program);

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
+#include <unordered_map>
 
 namespace program {
 
@@ -12,7 +15,7 @@ std::string to_obj(const Surface_file& surface)
              uv = corner_uv || !surface.uv.empty();
   std::string text;
   if(!surface.material.empty())
-    text = "mtllib " + surface.material + "\nusemtl decal\n";
+    text = "mtllib " + surface.material + "\nusemtl texture\n";
   const auto line = [&text](const char* keyword, const auto& numbers)
   {
     text += keyword;
@@ -37,7 +40,9 @@ std::string to_obj(const Surface_file& surface)
   for(const std::vector<Point>& polyline : surface.polylines)
     for(const Point& point : polyline)
       place(point, [](const char*) { return 0.; });
-  std::map<std::array<double, 2>, std::size_t> number_of; // of corners' places, each written once
+  // Of corners' places, each written once.
+  std::unordered_map<std::array<double, 2>, std::size_t, boost::hash<std::array<double, 2>>>
+      number_of;
   for(const std::array<double, 2>& place : corner_uv ? surface.corner_uv : surface.uv)
     if(!corner_uv || number_of.try_emplace(place, number_of.size() + 1).second)
       line("vt", place);

@@ -140,7 +140,7 @@ TEST(Write_files, obj_has_a_place_in_the_texture_for_each_corner)
   surface.corner_uv = {{0., 0.}, {1., 0.}, {0., 1.}, {0., 0.}, {0.5, 0.5}, {1., 0.}};
   surface.material = "a.mtl";
   const std::string text = program::to_obj(surface);
-  EXPECT_EQ(text.substr(0, text.find("v ")), "mtllib a.mtl\nusemtl decal\n");
+  EXPECT_EQ(text.substr(0, text.find("v ")), "mtllib a.mtl\nusemtl texture\n");
   EXPECT_NE(text.find("vt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\nf 1/1 2/2 3/3\nf 3/1 2/4 4/2\n"),
             std::string::npos);
 }

@@ -68,6 +68,10 @@ namespace CGAL::Geodesic_processing {
   NAME(width)                                                                                      \
   NAME(base_points)                                                                                \
   NAME(number_of_base_points)                                                                      \
+  NAME(texture_size)                                                                               \
+  NAME(gutter_width)                                                                               \
+  NAME(chart_map)                                                                                  \
+  NAME(background)                                                                                 \
   NAME(base_coordinates)                                                                           \
   NAME(subdivision_scheme)                                                                         \
   NAME(level_map)                                                                                  \

@@ -18,6 +18,10 @@ namespace CGAL::Geodesic_processing::internal {
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_of_flips(const Glued_triangles& triangles, const std::vector<Planar>& image);
 
+// The borders as sides one after another, the longest border first.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<std::vector<Index>> borders(const Glued_triangles& triangles);
+
 // Throws Unsupported_surface_error unless the triangles are glued to a disk, maybe with holes: one component,
 // a border, no handle.  Sites without triangles do not count.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -39,11 +43,12 @@ struct Flattest
 // Minimizes the symmetric Dirichlet energy of a map without flips: the mean, by the area of the triangles, of
 // the sum of the squares of the singular values and of their inverses (Smith and Schaefer 2015).  Newton's
 // method; each triangle's Hessian is made definite in closed form (Smith, de Goes and Kim 2019), and no step
-// goes as far as the first triangle's flip.
+// goes as far as the first triangle's flip.  It ends where a step lowers the energy by less than a part of it.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Flattest minimize_symmetric_dirichlet(const Glued_triangles& triangles, std::vector<Planar>& image,
                                       std::size_t most_steps,
-                                      const std::function<bool(double)>& callback = {});
+                                      const std::function<bool(double)>& callback = {},
+                                      double least_progress = 1e-6);
 
 } // namespace CGAL::Geodesic_processing::internal
 

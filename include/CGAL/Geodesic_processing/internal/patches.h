@@ -27,6 +27,10 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<bool> are_discs(const Glued_triangles& triangles, const std::vector<Index>& patch,
                             Index number_of_patches);
 
+// Two labels for the triangles of one piece: 0 where fewer sides are in between to the first triangle, else 1.  O(n).
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Index> halves(const Glued_triangles& triangles, Index first, Index second);
+
 // Halves those that are none, until all are: parts get the next labels.  Returns a triangle of each of
 // these.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT

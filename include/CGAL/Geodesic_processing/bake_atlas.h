@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_BAKE_ATLAS_H
+#define CGAL_GEODESIC_PROCESSING_BAKE_ATLAS_H
+
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/decal.h>
+#include <CGAL/Geodesic_processing/distortion.h>
+#include <CGAL/Geodesic_processing/internal/texels.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingAtlas
+///
+/// paints the texture of a mesh that has texture coordinates: the middle of each texel gets the colour of the
+/// place that it shows.
+///
+/// Texels next to a chart, as far as half of the gutter, get the colour of the chart's nearest place. So no
+/// background is seen where a texel is interpolated with those around it.
+///
+/// \param mesh a triangle mesh
+/// \param corner_uv_map of halfedges: as `texture_atlas()` writes it
+/// \param size texels along a side of the texture, up to 2<SUP>14</SUP>
+/// \param color called with a `Polygon_mesh_processing::Face_location`, returns a `Decal_color`
+/// \param np
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{gutter_width} \cgalParamDescription{texels} \cgalParamDefault{4} \cgalParamNEnd
+///   \cgalParamNBegin{background} \cgalParamDescription{the `Decal_color` of all other texels}
+///     \cgalParamDefault{white and transparent} \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \returns size * size texels, rows from the lowest one up
+/// \throws Invalid_argument_error when the size is zero or too large
+///
+/// O(number of texels and of faces)
+template <typename TriangleMesh, typename UVMap, typename Color,
+          typename NamedParameters = internal::Default_parameters>
+std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_map, std::size_t size,
+                                    const Color& color,
+                                    const NamedParameters& np = NamedParameters())
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> all_faces;
+  std::vector<internal::Planar> coordinates;
+  for(const auto face : faces(mesh))
+  {
+    all_faces.push_back(face);
+    // A half-edge points to the corner after the one where it begins.
+    const auto h = halfedge(face, mesh);
+    for(const auto to : {prev(h, mesh), h, next(h, mesh)})
+      coordinates.push_back(internal::image_of(to, mesh, corner_uv_map));
+  }
+  // Bilinear lookup goes as far as a diagonal neighbour, whatever the gutter.
+  const double gutter = double(internal::parameter(np, internal_np::gutter_width, std::size_t(4)));
+  const internal::Texels texels =
+      internal::find_texels(coordinates, size, (std::max)(gutter / 2., 1.5));
+  std::vector<Decal_color> result(
+      size * size, internal::parameter(np, internal_np::background, Decal_color{1., 1., 1., 0.}));
+  for(std::size_t i = 0; i < result.size(); ++i)
+    if(const internal::Index f = texels.triangle[i]; f != internal::none)
+    {
+      const internal::Planar* const image = &coordinates[3 * std::size_t(f)];
+      const internal::Planar middle = {(double(i % size) + 0.5) / double(size),
+                                       (double(i / size) + 0.5) / double(size)};
+      result[i] = color(typename internal::Surface_traits<TriangleMesh>::Location(
+          all_faces[f], internal::nearest_barycentric({image[0], image[1], image[2]}, middle)));
+    }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_BAKE_ATLAS_H
