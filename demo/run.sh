@@ -198,6 +198,11 @@ for number in 5 10 20 100; do
     flatten "$mask" --base-points $number
 done
 picture flatten-flat "The plane itself, no face turned round." flatten "$mask" --injective --flat
+picture atlas "A model and the texture of its charts, in a colour each." atlas "$bunny" --number 30
+picture atlas-flat "The texture's plane: charts without flips or overlaps, with room between them." \
+  atlas "$bunny" --number 30 --flat
+picture atlas-image "A picture that is seen on the model from one side, painted into its texture." \
+  atlas "$bunny" --number 30 --image "$rings"
 picture decal "Two pictures on an animal: lines through their middles keep lengths and directions." \
   decal "$bunny" --base-at 0.25,-0.1,0.3 --base-at 0.1,0.05,0.4 --up 0,1,0
 picture decal-rough "On a rough shell." \

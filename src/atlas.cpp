@@ -57,7 +57,6 @@ Atlas make_atlas(std::shared_ptr<const Glued_triangles> triangles, const Front& 
   Atlas result;
   Tessellation_options tessellation = options.tessellation;
   tessellation.makes_discs = true;
-  tessellation.most_disc_steps = 1; // charts need not be as equal as cells
   tessellation.callback = part_of(0., 0.4);
   Tessellation cells = tessellate(triangles, front, std::move(slowness), tessellation);
   result.is_complete = cells.is_finished;

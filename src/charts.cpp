@@ -30,6 +30,9 @@ constexpr std::size_t base_points = 24, neighbors = 8;
 // Fewer sites need no base points: Tutte's map is as good a start.
 constexpr std::size_t few_sites = 100;
 
+// A chart is cut as well where its mean energy is that of lengths all twice or half as long.
+constexpr double most_energy = 8.5;
+
 void sort_unique(std::vector<Index>& values)
 {
   std::sort(values.begin(), values.end());
@@ -138,35 +141,45 @@ std::vector<Chart> parts(const Chart& chart, Index first, Index second)
 std::vector<Chart> lay_out(Chart& chart, const Chart_options& options)
 {
   const Glued_triangles& shape = chart.shape;
-  const bool is_part = !chart.image.empty();
   if(shape.number_of_triangles() == 1)
   {
     chart.image = image_of_triangle(shape);
     return {};
   }
-  if(!is_part || number_of_flips(chart) > 0)
+  // A part begins as it lay in the whole.
+  const bool is_part = !chart.image.empty() && number_of_flips(chart) == 0;
+  if(!is_part)
     chart.image = start(shape);
   std::vector<Planar> before = chart.image;
+  double energy = infinity;
   if(number_of_flips(shape, chart.image) == 0)
-    minimize_symmetric_dirichlet(shape, chart.image, options.most_steps, {},
-                                 options.least_progress);
-  if(is_injective(chart))
-    return {};
-  std::swap(chart.image, before);
-  if(is_injective(chart))
-    return {};
-  std::swap(chart.image, before);
+    energy = minimize_symmetric_dirichlet(shape, chart.image, options.most_steps, {},
+                                          options.least_progress)
+                 .energy;
+  const bool is_to_be_cut = energy > most_energy && shape.number_of_sites() > few_sites;
+  if(!is_to_be_cut)
+  {
+    if(is_injective(chart))
+      return {};
+    std::swap(chart.image, before);
+    if(is_part && is_injective(chart))
+      return {};
+    std::swap(chart.image, before);
+  }
 
-  // Rounding turned a triangle: in the middle.  Else where the border meets itself.
-  Index first = 0, second = Index(shape.number_of_triangles()) - 1;
-  std::vector<Index> sides;
-  const Outline border = outline(chart, &sides);
-  if(const auto meeting = meeting_sides(border); meeting && number_of_flips(chart) == 0)
-    if(sides[meeting->first] / 3 != sides[meeting->second] / 3)
+  // Where the border meets itself; else across, as what is stretched too much is long, or was turned by rounding.
+  auto [first, second] = ends(shape);
+  if(!is_to_be_cut && number_of_flips(chart) == 0)
+  {
+    std::vector<Index> sides;
+    const Outline border = outline(chart, &sides);
+    if(const auto meeting = meeting_sides(border);
+       meeting && sides[meeting->first] / 3 != sides[meeting->second] / 3)
     {
       first = sides[meeting->first] / 3;
       second = sides[meeting->second] / 3;
     }
+  }
   return parts(chart, first, second);
 }
 

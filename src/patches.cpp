@@ -307,6 +307,14 @@ std::vector<Index> halves(const Glued_triangles& t, Index first, Index second)
   return seen;
 }
 
+std::array<Index, 2> ends(const Glued_triangles& t)
+{
+  const std::vector<Index> patch(t.number_of_triangles(), 0);
+  std::vector<Index> seen(patch.size(), none);
+  const Index first = spread(t, patch, {0}, seen, 0).back().triangle;
+  return {first, spread(t, patch, {first}, seen, 1).back().triangle};
+}
+
 std::vector<Index> split_into_discs(const Glued_triangles& t, std::vector<Index>& patch,
                                     Index number_of_patches)
 {

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, segment, sample, remesh, base,
-# semiregular, path, surfels, logmap, flatten, wavelet, decal, matrix, emd, plan, feature-distance, fuzzy,
-# streamlines, barycenter and volume.
+# semiregular, path, surfels, logmap, flatten, atlas, wavelet, decal, matrix, emd, plan, feature-distance,
+# fuzzy, streamlines, barycenter and volume.
 # Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
 set -u
 
@@ -62,6 +62,7 @@ check_all()
   check "$file" logmap --base 0 || failed=1
   check "$file" flatten --base-points 20 || failed=1
   check "$file" flatten --base-points 20 --injective || failed=1
+  check "$file" atlas --number 5 --iterations 2 --texels 512 --gutter 3 || failed=1
   check "$file" wavelet --keep 10 --bits 4 || failed=1
   check "$file" decal --base 0 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
@@ -82,7 +83,7 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 27 times each: no crash, no hang, no NaN"
+  echo "$# files, 28 times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -56,7 +56,7 @@ finish()
 
 packages=(g++ cmake ninja-build ccache git
   libcgal-dev libboost-dev libeigen3-dev libsuitesparse-dev libopenblas-dev
-  libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev liblemon-dev libpng-dev libvtk9-dev xvfb xauth
+  libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev libassimp-dev liblemon-dev libpng-dev libvtk9-dev xvfb xauth
   doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 
+#include <array>
 #include <vector>
 
 // A mesh in patches: a label for each triangle, or none for those that are in no patch.
@@ -30,6 +31,10 @@ std::vector<bool> are_discs(const Glued_triangles& triangles, const std::vector<
 // Two labels for the triangles of one piece: 0 where fewer sides are in between to the first triangle, else 1.  O(n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> halves(const Glued_triangles& triangles, Index first, Index second);
+
+// Two triangles of one piece with about as many sides in between as can be.  O(n).
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::array<Index, 2> ends(const Glued_triangles& triangles);
 
 // Halves those that are none, until all are: parts get the next labels.  Returns a triangle of each of
 // these.  O(n log n).

@@ -16,9 +16,8 @@ struct Tessellation_options
 {
   std::size_t number = 1; // of cells
   unsigned most_steps = 20;
-  double least_gain = 1e-3;      // of a step, relative: with less the energy stalls
-  bool makes_discs = false;      // of the patches of a mesh, by more cells than asked for
-  unsigned most_disc_steps = 20; // once there are more
+  double least_gain = 1e-3; // of a step, relative: with less the energy stalls
+  bool makes_discs = false; // of the patches of a mesh, by more cells than asked for
   unsigned seed = 0;
   unsigned threads = 1;
   std::function<bool(double)> callback; // told the fraction done; false cancels

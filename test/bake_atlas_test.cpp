@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/bake_atlas.h>
+
+#include <CGAL/Geodesic_processing/texture_atlas.h>
+
+#include "Mesh_of.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+namespace GP = CGAL::Geodesic_processing;
+using namespace GP::test;
+using UV = std::array<double, 2>;
+
+struct Baked
+{
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Halfedge_index, UV> uv;
+  GP::Texture_atlas atlas;
+  std::size_t size = 256;
+  std::vector<GP::Decal_color> texels;
+
+  template <typename Color>
+  Baked(const Triangulation& surface, std::size_t gutter, const Color& color)
+      : mesh(mesh_of(surface)), uv(mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first)
+  {
+    atlas = GP::texture_atlas(mesh, 8, uv, GP::parameters::texture_size(size).gutter_width(gutter));
+    texels = GP::bake_atlas(
+        mesh, uv, size, [&](const auto& place) { return color(mesh, place); },
+        GP::parameters::gutter_width(gutter).background(GP::Decal_color{0., 0., 1., 1.}));
+  }
+
+  // Between the middles of four texels.
+  GP::Decal_color lookup(const UV& place) const
+  {
+    const double x = place[0] * double(size) - 0.5, y = place[1] * double(size) - 0.5;
+    const double i = std::floor(x), j = std::floor(y);
+    GP::Decal_color result = {0., 0., 0., 0.};
+    for(const int right : {0, 1})
+      for(const int up : {0, 1})
+      {
+        const double share = (right ? x - i : i + 1. - x) * (up ? y - j : j + 1. - y);
+        for(std::size_t c = 0; c < 4; ++c)
+          result[c] += share * texels[std::size_t(j + up) * size + std::size_t(i + right)][c];
+      }
+    return result;
+  }
+
+  UV place_of(const std::pair<Face, std::array<double, 3>>& location) const
+  {
+    const auto h = mesh.halfedge(location.first);
+    const auto& b = location.second;
+    const UV &p = uv[mesh.prev(h)], &q = uv[h], &r = uv[mesh.next(h)];
+    return {b[0] * p[0] + b[1] * q[0] + b[2] * r[0], b[0] * p[1] + b[1] * q[1] + b[2] * r[1]};
+  }
+};
+
+double height(const Mesh& mesh, const std::pair<Face, std::array<double, 3>>& place)
+{
+  auto h = mesh.halfedge(place.first);
+  double result = 0.;
+  for(const double share : place.second)
+  {
+    result += share * mesh.point(mesh.source(h)).z();
+    h = mesh.next(h);
+  }
+  return result;
+}
+
+TEST(bake_atlas, the_background_is_seen_nowhere)
+{
+  for(const std::size_t gutter : {3u, 8u})
+  {
+    const Baked baked(torus(20, 10), gutter,
+                      [](const Mesh&, const auto&) {
+                        return GP::Decal_color{1., 0., 0., 1.};
+                      });
+    std::mt19937 random(1);
+    for(int i = 0; i < 5000; ++i)
+    {
+      auto place = random_location_of(baked.mesh, random);
+      if(i % 2 == 0) // at seams, among others: on an edge
+        place.second = {place.second[0], 1. - place.second[0], 0.};
+      const GP::Decal_color seen = baked.lookup(baked.place_of(place));
+      EXPECT_NEAR(seen[0], 1., 1e-12);
+      EXPECT_NEAR(seen[2], 0., 1e-12);
+    }
+    // But it is there.
+    EXPECT_GT(std::count(baked.texels.begin(), baked.texels.end(), GP::Decal_color{0., 0., 1., 1.}),
+              100);
+  }
+}
+
+TEST(bake_atlas, colours_are_where_they_are_on_the_surface)
+{
+  const Baked baked(icosphere(3), 4,
+                    [](const Mesh& mesh, const auto& place) {
+                      return GP::Decal_color{height(mesh, place), 0., 0., 1.};
+                    });
+  ASSERT_TRUE(baked.atlas.is_injective());
+  std::mt19937 random(2);
+  double most = 0.;
+  for(int i = 0; i < 5000; ++i)
+  {
+    const auto place = random_location_of(baked.mesh, random);
+    most = std::max(most,
+                    std::abs(baked.lookup(baked.place_of(place))[0] - height(baked.mesh, place)));
+  }
+  // The four texels show places within two of their diagonals, and charts shrink no length to less than half.
+  EXPECT_LT(most, 2. * 2. * std::sqrt(2.) / baked.atlas.texels_per_length);
+}
+
+TEST(bake_atlas, bad_sizes)
+{
+  Mesh mesh = mesh_of(one_triangle());
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first;
+  const auto white = [](const auto&) { return GP::Decal_color{1., 1., 1., 1.}; };
+  EXPECT_THROW(GP::bake_atlas(mesh, uv, 0, white), GP::Invalid_argument_error);
+  EXPECT_THROW(GP::bake_atlas(mesh, uv, 20000, white), GP::Invalid_argument_error);
+}
+
+} // namespace
