@@ -39,7 +39,7 @@ constexpr unsigned most_rounds = 20;
 constexpr double most_cells = 0.1;
 
 // Where handles ask for so many times as many cells as the caller did, these are moved once: each is where a
-// handle is, and to move thousands of them many times took three quarters of a minute on a brain.
+// handle is, and of a surface with thousands of handles every step costs seconds.
 constexpr double many_more = 4.;
 
 class Lloyd

@@ -47,7 +47,7 @@ struct Texture_atlas
 ///         time, with the same result
 /// \param mesh a triangle mesh of any topology, with any number of components and borders
 /// \param number of charts to begin with; there are more where cells are no discs, where charts would overlap
-///        themselves, and of components that no chart is left for
+///        themselves or stretch lengths by two in the mean, and of components that no chart is left for
 /// \param corner_uv_map receives for each halfedge of a face the texture coordinates of the corner that it points
 ///        to, `Point_2` or arrays of two numbers in the unit square
 /// \param np what `make_domain()` takes, and
@@ -88,6 +88,8 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
   using Value = typename boost::property_traits<UVMap>::value_type;
   static_assert(!internal::Is_cloud<TriangleMesh>::value,
                 "Texture coordinates are of corners of faces; a surfel cloud has none.");
+  if(number == 0)
+    throw Invalid_argument_error("An atlas has one chart at least.");
   const auto domain = make_domain(mesh, np);
   const internal::Front_limits asked = internal::limits(domain, np);
   internal::Atlas_options options;
