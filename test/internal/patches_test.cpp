@@ -147,4 +147,34 @@ TEST(Patches, any_labels_are_tidied_and_split_into_discs)
   }
 }
 
+TEST(patches, halves_of_a_strip_meet_in_its_middle)
+{
+  const Glued_surface surface(grid(16, 1, [](double s, double t) -> Point { return {s, t, 0.}; }));
+  const Glued_triangles& t = surface.t();
+  const auto [first, second] = ends(t);
+  const auto middle = [&](Index f)
+  {
+    double x = 0.;
+    for(Index corner = 3 * f; corner < 3 * f + 3; ++corner)
+      x += t.point[t.corner[corner]][0] / 3.;
+    return x;
+  };
+  double low = middle(0), high = low;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    low = std::min(low, middle(f));
+    high = std::max(high, middle(f));
+  }
+  EXPECT_NEAR(std::abs(middle(first) - middle(second)), high - low, 1e-12);
+  const std::vector<Index> half = halves(t, first, second);
+  EXPECT_EQ(half[first], 0u);
+  EXPECT_EQ(half[second], 1u);
+  for(Index f = 0; f < half.size(); ++f)
+    if(std::abs(middle(f) - (low + high) / 2.) > 0.1 * (high - low))
+    {
+      EXPECT_EQ(half[f] == 0,
+                std::abs(middle(f) - middle(first)) < std::abs(middle(f) - middle(second)));
+    }
+}
+
 } // namespace

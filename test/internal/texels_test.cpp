@@ -26,7 +26,9 @@ TEST(texels, show_the_triangle_around_their_middle)
       if(is_inside)
       {
         EXPECT_EQ(texels.square[texel], 0.);
-        const Index expected = i > j ? 0 : i < j ? 1 : texels.triangle[texel]; // both at the diagonal
+        const Index expected = i > j   ? 0
+                               : i < j ? 1
+                                       : texels.triangle[texel]; // both at the diagonal
         EXPECT_EQ(texels.triangle[texel], expected);
       }
       else if(i >= 1 && i < 7 && j >= 1 && j < 7)
