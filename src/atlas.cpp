@@ -65,6 +65,8 @@ Atlas make_atlas(std::shared_ptr<const Glued_triangles> triangles, const Front& 
   result.chart = std::move(cells.labels);
   const Index patches = fill_up(t, result.chart, Index(cells.centers.size()));
 
+  check_room(patches, options.texels, options.gutter);
+
   Chart_options flattening = options.charts;
   flattening.threads = tessellation.threads;
   flattening.callback = part_of(0.4, 0.8);

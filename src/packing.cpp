@@ -28,6 +28,9 @@ constexpr std::size_t least_texels = 16, most_texels = 16384;
 // The search for a scale ends when it is known up to this factor.
 constexpr double precision = 1.01;
 
+// Areas that differ by less are equal.
+constexpr double rounding = 1e-9;
+
 // A chart smaller by this factor than the last one that tried all rows tries all rows.
 constexpr double smaller = 0.9;
 
@@ -86,7 +89,7 @@ Planar upright(const Outline& outline)
 {
   const Outline around = hull(outline);
   Planar best = {1., 0.};
-  double least = infinity;
+  double least = infinity, longer = infinity;
   for(std::size_t i = 0; i < around.size(); ++i)
   {
     const Planar side = around[(i + 1) % around.size()] - around[i];
@@ -94,9 +97,12 @@ Planar upright(const Outline& outline)
       continue;
     const Planar direction = (1. / norm(side)) * Planar{side[0], -side[1]},
                  size = box_of(around, direction).size();
-    if(size[0] * size[1] < least)
+    // Of equal ones the shortest.
+    const double area = size[0] * size[1], side_length = std::max(size[0], size[1]);
+    if(area < (1. - rounding) * least || (area < (1. + rounding) * least && side_length < longer))
     {
-      least = size[0] * size[1];
+      least = area;
+      longer = side_length;
       best = direction;
     }
   }
@@ -353,16 +359,31 @@ private:
   std::vector<double> m_size; // the longer side of the rectangle
 };
 
+[[noreturn]] void throw_no_room(std::size_t number, std::size_t texels)
+{
+  throw Invalid_argument_error("There is no room for " + std::to_string(number) + " charts in " +
+                               std::to_string(texels) + " x " + std::to_string(texels) +
+                               " texels.");
+}
+
 } // namespace
 
-Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter,
-             unsigned threads)
+void check_room(std::size_t number_of_outlines, std::size_t texels, std::size_t gutter)
 {
   if(texels < least_texels || texels > most_texels)
     throw Invalid_argument_error("A texture has between " + std::to_string(least_texels) + " and " +
                                  std::to_string(most_texels) + " texels along a side.");
   if(gutter > texels)
     throw Invalid_argument_error("The gutter is wider than the texture.");
+  // Half of the gutter around a point already is a square.
+  if(double(number_of_outlines) * double(gutter * gutter) > double(texels * texels))
+    throw_no_room(number_of_outlines, texels);
+}
+
+Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter,
+             unsigned threads)
+{
+  check_room(outlines.size(), texels, gutter);
   const Packer packer(outlines, texels, gutter);
   double area = 0.;
   for(const Outline& outline : outlines)
@@ -380,9 +401,7 @@ Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size
       break;
     }
   if(best.scale == 0.)
-    throw Invalid_argument_error("There is no room for " + std::to_string(outlines.size()) +
-                                 " charts in " + std::to_string(texels) + " x " +
-                                 std::to_string(texels) + " texels.");
+    throw_no_room(outlines.size(), texels);
   // Two scales at a time, whatever the number of threads.
   while(high > precision * low)
   {

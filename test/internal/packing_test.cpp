@@ -145,6 +145,8 @@ TEST(packing, says_when_there_is_no_room)
   EXPECT_THROW(pack(blobs(1, 1.), 8, 2, 1), Invalid_argument_error);
   EXPECT_THROW(pack(blobs(1, 1.), 20000, 2, 1), Invalid_argument_error);
   EXPECT_THROW(pack(blobs(1, 1.), 64, 65, 1), Invalid_argument_error);
+  EXPECT_THROW(check_room(257, 32, 2), Invalid_argument_error);
+  check_room(256, 32, 2);
   EXPECT_TRUE(pack({}, 64, 2, 1).offsets.empty());
 }
 

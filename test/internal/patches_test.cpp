@@ -147,7 +147,7 @@ TEST(Patches, any_labels_are_tidied_and_split_into_discs)
   }
 }
 
-TEST(patches, halves_of_a_strip_meet_in_its_middle)
+TEST(Patches, halves_of_a_strip_meet_in_its_middle)
 {
   const Glued_surface surface(grid(16, 1, [](double s, double t) -> Point { return {s, t, 0.}; }));
   const Glued_triangles& t = surface.t();

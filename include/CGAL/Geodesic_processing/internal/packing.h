@@ -23,6 +23,11 @@ struct Packing
   }
 };
 
+// Throws Invalid_argument_error where a texture has no room for so many outlines however small they are, or
+// a number is out of range.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void check_room(std::size_t number_of_outlines, std::size_t texels, std::size_t gutter);
+
 // Packs simple outlines into a square of so many texels, as large as it finds room for.  Between any two of them,
 // along one of both axes, are `gutter` texels at least, and half as many to the sides of the square.
 //
