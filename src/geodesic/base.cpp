@@ -87,7 +87,7 @@ void run_base(Job& job, const Base_options& options)
     file.first.push_back(file.corners.size());
   }
   report(job, file.points.size(), file.number_of_polygons(), base.folds());
-  job.result()["repaired"] = base.repaired_faces();
+  job.result()["repaired_faces"] = base.repaired_faces();
   job.say("repaired        " + std::to_string(base.repaired_faces()));
 
   std::string text;

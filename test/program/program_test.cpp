@@ -345,7 +345,8 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("segment square.ply --number 3", {"charts", "energy", "energies", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
   expect_keys("remesh square.ply --number 20", {"vertices_out", "faces_out", "added"});
-  expect_keys("base square.ply --number 20", {"vertices_out", "faces_out", "folds", "repaired"});
+  expect_keys("base square.ply --number 20",
+              {"vertices_out", "faces_out", "folds", "repaired_faces"});
   expect_keys("semiregular square.ply --number 20 --levels 1",
               {"vertices_out", "faces_out", "folds", "levels", "base_faces"});
   expect_keys("remesh square.ply --number 20 --fill-holes",
