@@ -176,8 +176,24 @@ void run_semiregular(Job& job, const Base_options& options)
   job.write_values([&] { return text; });
   if(!job.picture().empty())
   {
-    Picture picture{&file};
-    picture.with_sides = true;
+    // Pictures have triangles: the sides of quadrilaterals are drawn by themselves.
+    Surface_file triangles;
+    triangles.points = file.points;
+    Picture picture{&triangles};
+    picture.with_sides = !options.has_quads;
+    for(std::size_t f = 0; f < file.number_of_polygons(); ++f)
+    {
+      const std::uint32_t* const corner = &file.corners[file.first[f]];
+      const std::size_t size = file.first[f + 1] - file.first[f];
+      for(std::size_t k = 2; k < size; ++k)
+      {
+        triangles.corners.insert(triangles.corners.end(), {corner[0], corner[k - 1], corner[k]});
+        triangles.first.push_back(triangles.corners.size());
+      }
+      for(std::size_t k = 0; options.has_quads && k < size; ++k)
+        if(corner[k] < corner[(k + 1) % size])
+          picture.chains.push_back({file.points[corner[k]], file.points[corner[(k + 1) % size]]});
+    }
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
