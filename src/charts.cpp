@@ -23,8 +23,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Base points of a chart, and how many are around each: the fewest that leave less for Newton's method than
-// they cost.
+// Base points of a chart, and how many are around each: few, as Newton's method goes on from there.
 constexpr std::size_t base_points = 24, neighbors = 8;
 
 // Fewer sites need no base points: Tutte's map is as good a start.

@@ -62,7 +62,7 @@ check_all()
   check "$file" logmap --base 0 || failed=1
   check "$file" flatten --base-points 20 || failed=1
   check "$file" flatten --base-points 20 --injective || failed=1
-  check "$file" atlas --number 5 --iterations 2 --texels 512 --gutter 3 || failed=1
+  check "$file" atlas --number 2 --iterations 1 --texels 512 --gutter 3 || failed=1
   check "$file" wavelet --keep 10 --bits 4 || failed=1
   check "$file" decal --base 0 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
@@ -83,7 +83,7 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, 28 times each: no crash, no hang, no NaN"
+  echo "$# files, $(declare -f check_all | grep -c "check \"") times each: no crash, no hang, no NaN"
 else
   exit 1
 fi

@@ -258,6 +258,12 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("base square.ply --number 9 --coordinates polar", 1, "polar");
   expect_failure("base cloud.xyz --number 9", 2, "cloud.xyz");
   expect_failure("semiregular cloud.xyz --number 9", 2, "cloud.xyz");
+  expect_failure("atlas square.ply", 1, "--number");
+  expect_failure("atlas square.ply --number 2 --texels 8", 1, "--texels");
+  expect_failure("atlas square.ply --number 2 --gutter 300", 1, "--gutter");
+  expect_failure("atlas square.ply --number 2 --image nowhere.png", 2, "nowhere.png");
+  expect_failure("atlas square.ply --number 60 --texels 16", 2, "no room");
+  expect_failure("atlas cloud.xyz --number 2", 2, "cloud.xyz");
   expect_failure("semiregular square.ply --number 9 --levels 9", 1, "--levels");
   expect_failure("semiregular square.ply --number 9 --maximum-deviation -1", 1,
                  "--maximum-deviation");
@@ -349,6 +355,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
               {"vertices_out", "faces_out", "folds", "repaired_faces"});
   expect_keys("semiregular square.ply --number 20 --levels 1",
               {"vertices_out", "faces_out", "folds", "levels", "base_faces"});
+  expect_keys("atlas square.ply --number 4",
+              {"charts", "flips", "overlaps", "coverage", "texels_per_length", "conformal",
+               "authalic", "symmetric_dirichlet"});
   expect_keys("remesh square.ply --number 20 --fill-holes",
               {"vertices_out", "faces_out", "added", "holes_filled", "holes_left"});
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
@@ -730,6 +739,32 @@ TEST_F(Program, flatten_lays_a_square_flat)
   expect_failure("flatten cloud.xyz --method lscm", 2, "needs a mesh");
   expect_failure("flatten closed.off --injective", 2, "no border");
   expect_failure("flatten apart.off", 2, "not one piece");
+}
+
+TEST_F(Program, atlas_gives_each_face_a_place_of_its_own)
+{
+  for(const std::string name : {"closed.off", "square.ply"})
+  {
+    SCOPED_TRACE(name);
+    const nlohmann::json found = json("atlas " + name + " --number 3 --values uv.txt -o atlas.glb");
+    EXPECT_GE(found["charts"], 3);
+    EXPECT_EQ(found["flips"], 0);
+    EXPECT_EQ(found["overlaps"], 0);
+    EXPECT_TRUE(fs::exists(m_folder / "atlas.glb"));
+    const std::vector<double> uv = numbers("uv.txt");
+    ASSERT_EQ(uv.size(), 6 * found["faces"].get<std::size_t>());
+    double area = 0.;
+    for(std::size_t f = 0; f < uv.size(); f += 6)
+    {
+      const double* const p = &uv[f];
+      const double twice = (p[2] - p[0]) * (p[5] - p[1]) - (p[3] - p[1]) * (p[4] - p[0]);
+      EXPECT_GT(twice, 0.);
+      area += twice / 2.;
+    }
+    EXPECT_GE(*std::min_element(uv.begin(), uv.end()), 0.);
+    EXPECT_LE(*std::max_element(uv.begin(), uv.end()), 1.);
+    EXPECT_NEAR(area, found["coverage"], 1e-9); // rounding of sums
+  }
 }
 
 TEST_F(Program, wavelet_keeps_what_matters)

@@ -75,8 +75,8 @@ struct Texture_atlas
 /// \throws Invalid_argument_error when a number is zero or out of range, a speed is not usable, or there is no
 ///         room for so many charts in so few texels
 ///
-/// Newton's method takes about half of the time: some ten factorizations of two unknowns for each vertex of a
-/// chart.
+/// The tessellation and Newton's method take about half of the time each. The latter factorizes a sparse matrix of
+/// two unknowns for each vertex of a chart, 20 times at most.
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
           typename TriangleMesh, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
