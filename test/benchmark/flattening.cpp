@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How do flattenings distort, and what do they cost?  Beside CGAL's conformal, authalic and
-// as-rigid-as-possible maps.
+// as-rigid-as-possible maps.  And texture atlases.
 #include <CGAL/Geodesic_processing.h>
 
 #include "models.h"
@@ -14,6 +14,10 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -140,8 +144,8 @@ void distortion(bool is_quick)
 void time(bool is_quick)
 {
   std::printf("Seconds, from the mesh to the map\n\n");
-  Table table({"patch", "vertices", "glle", "injective", "CGAL lscm", "CGAL arap"});
-  std::vector<std::pair<std::string, Mesh>> meshes;
+  Table table({"patch", "vertices", "glle", "mds", "injective", "CGAL lscm", "CGAL arap"});
+  std::vector<std::pair<std::string, Mesh>> meshes = {{"square", jittered_square(32)}};
   if(auto mesh = model("camelhead_11k"))
     meshes.emplace_back("camelhead_11k", *mesh);
   if(!is_quick)
@@ -157,6 +161,7 @@ void time(bool is_quick)
   {
     const UV_map uv = new_map(mesh);
     const std::size_t n = num_vertices(mesh);
+    const double mds = seconds([&] { GP::geodesic_mds(mesh, uv); });
     const double glle = seconds([&] { GP::geodesic_lle(mesh, uv); });
     const double injective =
         n > 200000 ? std::nan("") : seconds([&] { GP::minimize_distortion(mesh, uv); });
@@ -164,11 +169,80 @@ void time(bool is_quick)
     const double arap =
         n > 50000 ? std::nan("")
                   : seconds([&] { parameterize(mesh, uv, SMP::ARAP_parameterizer_3<Mesh>()); });
-    table.add({name, std::to_string(n), number(glle, 2), number(injective, 2), number(lscm, 2),
-               number(arap, 2)});
+    table.add({name, std::to_string(n), number(glle, 2), number(mds, 2), number(injective, 2),
+               number(lscm, 2), number(arap, 2)});
   }
   table.print();
   std::printf("Wanted of glle at 10,000, 100,000 and 600,000 vertices: 0.3, 1.5 and 11 s.\n");
+}
+
+// How many middles of texels lie inside of two faces or more.
+std::size_t texels_taken_twice(const Mesh& mesh, const std::vector<UV>& uv, std::size_t size)
+{
+  std::vector<unsigned char> times(size * size, 0);
+  std::size_t result = 0;
+  for(const auto face : mesh.faces())
+  {
+    const auto h = mesh.halfedge(face);
+    std::array<UV, 3> p = {uv[h], uv[mesh.next(h)], uv[mesh.prev(h)]};
+    for(UV& corner : p)
+      corner = UV(corner.x() * double(size), corner.y() * double(size));
+    const auto [left, right] = std::minmax({p[0].x(), p[1].x(), p[2].x()});
+    const auto [low, high] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
+    for(auto y = std::size_t(low); y < size && double(y) < high; ++y)
+      for(auto x = std::size_t(left); x < size && double(x) < right; ++x)
+      {
+        const UV middle(double(x) + 0.5, double(y) + 0.5);
+        if(CGAL::left_turn(p[0], p[1], middle) && CGAL::left_turn(p[1], p[2], middle) &&
+           CGAL::left_turn(p[2], p[0], middle))
+          result += ++times[y * size + x] == 2;
+      }
+  }
+  return result;
+}
+
+void atlas(bool is_quick)
+{
+  std::printf("Texture atlases of 2,048 texels, on two threads\n\n");
+  Table table({"model", "vertices", "asked for", "charts", "flips", "overlaps",
+               "texels taken twice", "coverage", "watch [s]", "processor [s]"});
+  const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t number)
+  {
+    std::vector<UV> uv(mesh.number_of_halfedges());
+    const auto map =
+        boost::make_iterator_property_map(uv.begin(), get(boost::halfedge_index, mesh));
+    GP::Texture_atlas found;
+    double processor = 0.;
+    const double watch = seconds_on_a_watch(
+        [&]
+        {
+          processor = seconds(
+              [&]
+              {
+                found = GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
+                    mesh, number, map, GP::parameters::texture_size(2048).threads(2));
+              });
+        });
+    table.add({name, std::to_string(num_vertices(mesh)), std::to_string(number),
+               std::to_string(found.number_of_charts), std::to_string(found.number_of_flips),
+               std::to_string(found.number_of_overlaps),
+               std::to_string(texels_taken_twice(mesh, uv, 4096)),
+               benchmarks::number(found.coverage, 3), benchmarks::number(watch, 1),
+               benchmarks::number(processor, 1)});
+  };
+  if(auto mesh = model("bunny_37k"))
+  {
+    add("bunny_37k", *mesh, 50);
+    if(!is_quick)
+      add("  cut twice", refined(refined(*mesh)), 100);
+  }
+  if(auto mesh = model("armadillo_26k"))
+    add("armadillo_26k", *mesh, 50);
+  if(!is_quick)
+    if(auto mesh = model("mni152_grey_matter_533k"))
+      add("mni152_grey_matter_533k", *mesh, 200);
+  table.print();
+  std::printf("Wanted: 30 s for half a million vertices, no flips and no overlaps.\n\n");
 }
 
 } // namespace
@@ -176,6 +250,7 @@ void time(bool is_quick)
 int main(int argc, char** argv)
 {
   const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  distortion(is_quick);
   time(is_quick);
+  atlas(is_quick);
+  distortion(is_quick);
 }
