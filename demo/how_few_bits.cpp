@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How many bits does a vertex take, where a coarse mesh is cut into four, again and again?
+// How many bits does a vertex take, where a base mesh is cut into four, again and again?
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -10,7 +10,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/subdivision_method_3.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -31,20 +30,12 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Loop's scheme makes triangles even; each level is laid on the mesh.
-  Tree tree(faces(mesh).first, faces(mesh).second, mesh);
-  GP::geodesic_delaunay_remeshing(mesh, 250, levels,
-                                  GP::parameters::number_of_relaxation_steps(std::size_t(10)));
-  for(int level = 0; level < 4; ++level)
-  {
-    CGAL::Subdivision_method_3::Loop_subdivision(levels);
-    for(const auto v : levels.vertices())
-      levels.point(v) = tree.closest_point(levels.point(v));
-  }
+  GP::semi_regular_remeshing(mesh, 250, 4, levels);
 
   const GP::Subdivision_wavelet<Mesh> wavelet(levels);
   const auto bytes =
       wavelet.encode(wavelet.analyze(levels.points(), GP::parameters::do_use_frames(true)));
+  const Tree tree(faces(mesh).first, faces(mesh).second, mesh);
   for(const double bits : {1., 2., 4., 8.})
   {
     Mesh decoded;
