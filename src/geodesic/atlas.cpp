@@ -35,13 +35,12 @@ struct Result
 class Painter
 {
 public:
-  Painter(const Surface_file& file, const Result& result, const Atlas_options& options)
-      : m_file(file), m_result(result)
+  // image  or none of no width
+  Painter(const Surface_file& file, const Result& result, const Image& image)
+      : m_file(file), m_result(result), m_image(image)
   {
-    if(!options.image.empty())
-      m_image = read_image(options.image);
-    else if(std::all_of(colour_names.begin(), colour_names.end(),
-                        [&](auto name) { return file.properties.count(name) > 0; }))
+    if(std::all_of(colour_names.begin(), colour_names.end(),
+                   [&](auto name) { return file.properties.count(name) > 0; }))
       for(const char* const name : colour_names)
         m_colours.push_back(&file.properties.at(name));
     m_low.fill(std::numeric_limits<double>::infinity());
@@ -110,13 +109,13 @@ private:
 
   const Surface_file& m_file;
   const Result& m_result;
-  Image m_image;
+  const Image& m_image;
   std::vector<const std::vector<double>*> m_colours;
   Point m_low, m_high;
 };
 
 // The library's part.
-Result make_atlas(const Mesh& mesh, const Atlas_options& options, Job& job)
+Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& image, Job& job)
 {
   job.stage("query");
   const Surface_file& file = job.surface().file;
@@ -168,7 +167,7 @@ Result make_atlas(const Mesh& mesh, const Atlas_options& options, Job& job)
           result.corner_uv[corner] = uv[h];
     }
 
-  const Painter paint(file, result, options);
+  const Painter paint(file, result, image);
   const auto texels = GP::bake_atlas(
       mesh, corner_uv, options.texels,
       [&](const auto& place)
@@ -227,8 +226,9 @@ void run_atlas(Job& job, const Atlas_options& options)
   const Surface& surface = job.read({"obj", "gltf", "glb"});
   if(!surface.is_mesh())
     throw Input_error(surface.name + ": a cloud has no faces to carry a texture.");
+  const Image image = options.image.empty() ? Image() : read_image(options.image);
   job.stage("prepare");
-  const Result result = make_atlas(make_mesh(surface), options, job);
+  const Result result = make_atlas(make_mesh(surface), options, image, job);
 
   job.stage("write");
   job.write_values(
