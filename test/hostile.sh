@@ -62,7 +62,7 @@ check_all()
   check "$file" logmap --base 0 || failed=1
   check "$file" flatten --base-points 20 || failed=1
   check "$file" flatten --base-points 20 --injective || failed=1
-  check "$file" atlas --number 2 --iterations 1 --texels 512 --gutter 3 || failed=1
+  check "$file" atlas --number 200 --iterations 1 --texels 512 --gutter 3 || failed=1
   check "$file" wavelet --keep 10 --bits 4 || failed=1
   check "$file" decal --base 0 || failed=1
   check "$file" distance --source 0 --method exact || failed=1
