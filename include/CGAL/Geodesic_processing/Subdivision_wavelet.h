@@ -26,7 +26,7 @@ namespace CGAL::Geodesic_processing {
 enum class Wavelet_prediction
 {
   linear,   ///< as the mean of its two ends
-  butterfly ///< by the modified butterfly scheme \cgalCite{cgal:zss-ismat-96}: of smooth values details are smaller
+  butterfly ///< by the modified butterfly scheme \cgalCite{cgal:zss-ismat-96}. Of smooth values details are smaller
 };
 
 /// \ingroup PkgGeodesicProcessingWavelets
@@ -42,8 +42,8 @@ struct Wavelet_details
 
 /// \ingroup PkgGeodesicProcessingWavelets
 ///
-/// wavelets on a mesh with subdivision connectivity, by lifting \cgalCite{cgal:s-lscsg-98} \cgalCite{cgal:ss-swers-95}:
-/// any values of its vertices become those of a coarse mesh and details, most of which are small, and
+/// wavelets on a mesh with subdivision connectivity, by lifting. \cgalCite{cgal:s-lscsg-98} \cgalCite{cgal:ss-swers-95}
+/// Any values of its vertices become those of a coarse mesh and details, most of which are small, and
 /// come back from these.
 ///
 /// The mesh is one whose triangles were cut into four, again and again, whatever the order of its vertices and
