@@ -48,14 +48,6 @@ double largest(const std::vector<double>& values)
   return result;
 }
 
-double root_mean_square(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double sum = 0.;
-  for(std::size_t i = 0; i < a.size(); ++i)
-    sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(3. * sum / double(a.size()));
-}
-
 TEST(Lifting, synthesis_is_the_inverse_of_analysis)
 {
   for(const Model& m : models())

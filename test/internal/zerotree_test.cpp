@@ -42,14 +42,6 @@ Model model(const Triangulation& surface, unsigned times,
   return result;
 }
 
-double root_mean_square(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double sum = 0.;
-  for(std::size_t i = 0; i < a.size(); ++i)
-    sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(3. * sum / double(a.size()));
-}
-
 Decoding decoded(const std::vector<std::uint8_t>& bytes)
 {
   return decode(bytes.data(), bytes.size(), no_limit);

@@ -7,6 +7,7 @@
 
 #include "triangulations.h"
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -73,6 +74,15 @@ inline Triangulation finest(const Triangulation& surface, unsigned times,
   for(const internal::Triangle& t : s.finest().triangles)
     result.corners.insert(result.corners.end(), t.begin(), t.end());
   return result;
+}
+
+// How far places are from each other, three numbers each.
+inline double root_mean_square(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(3. * sum / double(a.size()));
 }
 
 } // namespace CGAL::Geodesic_processing::test
