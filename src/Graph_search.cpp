@@ -72,8 +72,14 @@ Index Graph_search::spread(Side& side)
   Site& site = side.sites[index];
   site.run = m_run + 1;
   ++m_visited;
+  const std::vector<Spatial>& point = *m_point;
   for(Index arc = m_graph->first[index]; arc < m_graph->first[index + 1]; ++arc)
-    reach(side, m_graph->target[arc], site.distance + m_graph->length[arc], index);
+  {
+    const Index other = m_graph->target[arc];
+    const double length =
+        m_graph->length.empty() ? norm(point[other] - point[index]) : m_graph->length[arc];
+    reach(side, other, site.distance + length, index);
+  }
   return index;
 }
 

@@ -53,26 +53,18 @@ Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
   for(const auto& part : missing)
     for(const auto& arc : part)
       back[end_of_back[arc.first]++] = arc.second;
-  const std::size_t arcs = graph.first.back();
-  for_each_block(2, 1, threads,
-                 [&](std::size_t part, std::size_t, std::size_t)
-                 { part == 0 ? graph.target.resize(arcs) : graph.length.resize(arcs); });
+  graph.target.resize(graph.first.back());
   for_each_block(n, surfel_block, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    Index i = static_cast<Index>(begin), arc = graph.first[i];
-                   const auto put = [&](Index j, double length)
-                   {
-                     graph.target[arc] = j;
-                     graph.length[arc++] = length;
-                   };
                    for(; i < end; ++i)
                    {
                      for(const Index* j = near.begin(i); j != near.end(i); ++j)
-                       if(const double length = norm(point[*j] - point[i]); meet(i, *j, length))
-                         put(*j, length);
+                       if(meet(i, *j, norm(point[*j] - point[i])))
+                         graph.target[arc++] = *j;
                      for(Index k = first_back[i]; k < first_back[i + 1]; ++k)
-                       put(back[k], norm(point[back[k]] - point[i]));
+                       graph.target[arc++] = back[k];
                    }
                  });
   return graph;

@@ -167,18 +167,17 @@ double Surfel_surface::walk(Index from, Index to) const
   while(from != to)
   {
     Index next = none;
-    double least = norm(m_cloud.point[to] - m_cloud.point[from]), step = 0.;
+    double least = norm(m_cloud.point[to] - m_cloud.point[from]);
     for(Index arc = graph.first[from]; arc < graph.first[from + 1]; ++arc)
       if(const double d = norm(m_cloud.point[to] - m_cloud.point[graph.target[arc]]);
          d < least || graph.target[arc] == to)
       {
         least = d;
         next = graph.target[arc];
-        step = graph.length[arc];
       }
     if(next == none)
       return infinity;
-    length += step;
+    length += norm(m_cloud.point[next] - m_cloud.point[from]);
     from = next;
   }
   return length;

@@ -52,11 +52,12 @@ Surfel_vicinity::Surfel_vicinity(const Surfel_cloud& cloud, unsigned threads)
                      double sure = 0.;
                      for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
                      {
-                       const double length = graph.length[arc];
+                       const Index other = graph.target[arc];
+                       const double length = norm(cloud.point[other] - cloud.point[site]);
                        // Surfels beyond have not been counted.
                        if(!(length <= cloud.seen[site]))
                          continue;
-                       largest.add(cloud.spacing[graph.target[arc]]);
+                       largest.add(cloud.spacing[other]);
                        // From a point at a distance d of the site, no surfel up to here is farther than
                        // d + length, within which no surfel is farther than 2 d + length from the
                        // site: they are all among those seen, of which there are fewer than 60.

@@ -20,7 +20,7 @@ struct Forest
 
 // Lengths settle in waves from the leaders, each in about the order of the sites: unlike the pops of
 // a queue, they stay in the cache.
-Forest grow(const Site_graph& graph, std::vector<Index> wave)
+Forest grow(const Site_graph& graph, const std::vector<Spatial>& point, std::vector<Index> wave)
 {
   const std::size_t n = graph.first.size() - 1;
   Forest forest = {std::vector<Index>(n, none), std::vector<double>(n, infinity)};
@@ -35,7 +35,7 @@ Forest grow(const Site_graph& graph, std::vector<Index> wave)
       for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
       {
         const Index other = graph.target[arc];
-        const double distance = forest.distance[site] + graph.length[arc];
+        const double distance = forest.distance[site] + norm(point[other] - point[site]);
         if(!(distance < forest.distance[other]))
           continue;
         forest.distance[other] = distance;
@@ -64,7 +64,8 @@ void label_regions(const Forest& forest, std::vector<Index>& region)
   }
 }
 
-Site_graph join_regions(const Site_graph& graph, const Forest& forest, const Site_regions& regions)
+Site_graph join_regions(const Site_graph& graph, const std::vector<Spatial>& point,
+                        const Forest& forest, const Site_regions& regions)
 {
   // The sites of each region.
   std::vector<Index> first(regions.size() + 1, 0), member(regions.region.size());
@@ -88,7 +89,8 @@ Site_graph join_regions(const Site_graph& graph, const Forest& forest, const Sit
           continue;
         if(least[target] == infinity)
           result.target.push_back(target);
-        const double length = forest.distance[site] + graph.length[arc] + forest.distance[other];
+        const double length =
+            forest.distance[site] + norm(point[other] - point[site]) + forest.distance[other];
         if(length < least[target])
           least[target] = length;
       }
@@ -115,9 +117,9 @@ Site_regions make_regions(const Site_graph& graph, const std::vector<Spatial>& p
       regions.point.push_back(point[site]);
       leaders.push_back(site);
     }
-  const Forest forest = grow(graph, std::move(leaders));
+  const Forest forest = grow(graph, point, std::move(leaders));
   label_regions(forest, regions.region);
-  regions.graph = join_regions(graph, forest, regions);
+  regions.graph = join_regions(graph, point, forest, regions);
   return regions;
 }
 

@@ -232,12 +232,15 @@ inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
 inline bool are_joined(const internal::Surfel_cloud& cloud, internal::Index from,
                        internal::Index to, double most)
 {
-  const internal::Site_graph& graph = cloud.graph;
-  std::map<internal::Index, double> distance = {{from, 0.}};
-  std::vector<internal::Index> queue = {from};
+  using namespace internal;
+  const Site_graph& graph = cloud.graph;
+  std::map<Index, double> distance = {{from, 0.}};
+  std::vector<Index> queue = {from};
   for(std::size_t i = 0; i < queue.size() && distance.count(to) == 0; ++i)
-    for(internal::Index arc = graph.first[queue[i]]; arc < graph.first[queue[i] + 1]; ++arc)
-      if(const double d = distance[queue[i]] + graph.length[arc]; d <= most)
+    for(Index arc = graph.first[queue[i]]; arc < graph.first[queue[i] + 1]; ++arc)
+      if(const double d =
+             distance[queue[i]] + norm(cloud.point[graph.target[arc]] - cloud.point[queue[i]]);
+         d <= most)
         if(const auto [place, is_new] = distance.try_emplace(graph.target[arc], d);
            is_new || d < place->second)
         {

@@ -29,7 +29,7 @@ struct Site_graph
 {
   std::vector<Index> first;   // #sites + 1
   std::vector<Index> target;  // #arcs
-  std::vector<double> length; // #arcs, finite, not negative
+  std::vector<double> length; // #arcs, finite, not negative; or empty: that between the sites
 };
 
 struct Spokes;

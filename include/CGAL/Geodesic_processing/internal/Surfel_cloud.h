@@ -35,7 +35,7 @@ struct Surfel_cloud : Sorted_surfels
   std::vector<double> radius;   // #sites
   std::vector<double> spacing;  // #sites: the distance to the sixth nearest site
   std::vector<double> seen;     // #sites: that up to which all sites have been looked at
-  Site_graph graph;             // symmetric
+  Site_graph graph;             // symmetric; without lengths
   std::vector<Index> component; // #sites: 0 .. number_of_components - 1
   Index number_of_components = 0;
 

@@ -25,7 +25,7 @@ struct Site_regions
 // Each component of the graph has a leader for every 32 of its sites, in their order, and one for
 // the rest.  O(n) where arcs join near sites, and the order is a locality order.
 //
-// component  #sites: labels below #sites
+// graph      its arcs are as long as their sites are apart; component  #sites: labels below #sites
 CGAL_GEODESIC_PROCESSING_EXPORT
 Site_regions make_regions(const Site_graph& graph, const std::vector<Spatial>& point,
                           const std::vector<Index>& component);
