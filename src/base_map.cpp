@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/base_map.h>
 
+#include <CGAL/Geodesic_processing/internal/Divided_mesh.h>
 #include <CGAL/Geodesic_processing/internal/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/glue.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
@@ -42,18 +43,6 @@ void group(const std::vector<Index>& group_of, std::size_t number, std::vector<I
   std::vector<Index> next(first.begin(), first.end() - 1);
   for(Index i = 0; i < group_of.size(); ++i)
     list[next[group_of[i]]++] = i;
-}
-
-// The coordinates of p in a triangle of barycentric coordinates.
-Barycentric coordinates_in(const std::array<Barycentric, 3>& corner, const Barycentric& p)
-{
-  const auto twice = [](const Barycentric& a, const Barycentric& b, const Barycentric& c)
-  { return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]); };
-  const double whole = twice(corner[0], corner[1], corner[2]);
-  if(!(whole > 0.))
-    return {-infinity, -infinity, -infinity};
-  return {twice(p, corner[1], corner[2]) / whole, twice(corner[0], p, corner[2]) / whole,
-          twice(corner[0], corner[1], p) / whole};
 }
 
 // Not negative, with the sum one.
@@ -431,7 +420,8 @@ Base_location Base_map::operator()(const Location& location) const
   {
     const Index f = m_part[i];
     const Barycentric* const corner = &base.barycentric[3 * std::size_t(f)];
-    const Barycentric b = coordinates_in({corner[0], corner[1], corner[2]}, location.barycentric);
+    const Barycentric b =
+        coordinates_in_part({corner[0], corner[1], corner[2]}, location.barycentric);
     const double least = std::min({b[0], b[1], b[2]});
     if(!(least > most))
       continue;
@@ -452,7 +442,7 @@ Location Base_map::inverse(const Base_location& location) const
   {
     const Index f = m_of_region[i];
     const Barycentric* const image = &m_coordinates[3 * std::size_t(f)];
-    const Barycentric b = coordinates_in({image[0], image[1], image[2]}, location.barycentric);
+    const Barycentric b = coordinates_in_part({image[0], image[1], image[2]}, location.barycentric);
     const double least = std::min({b[0], b[1], b[2]});
     if(!(least > most))
       continue;
