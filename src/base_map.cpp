@@ -28,6 +28,8 @@ constexpr double least_weight = 1e-7;
 // An image this much flatter than its triangle is as good as folded: rounding moves places by 1e-16 in it,
 // and a hundred millionth of a side is what they may be wrong by.
 constexpr double least_height = 1e-8;
+// Of an edge: sites that are nearer to each other are put as far apart.
+constexpr double least_step = 1e-12;
 constexpr double largest_tangent = 1e4; // of half an angle: of needles
 
 // The index lists of `number` groups: those of i are list[first[i]] .. list[first[i + 1]].
@@ -97,8 +99,11 @@ private:
       std::vector<double> length = {0.};
       for(std::size_t i = 0; i + 1 < path.size(); ++i)
         length.push_back(length.back() + norm(m_fine.point[path[i + 1]] - m_fine.point[path[i]]));
+      m_length.push_back(length.back());
+      // No two sites have one place.
+      for(std::size_t i = 0; i < path.size(); ++i)
+        length[i] += least_step * double(i) * m_length.back();
       const double whole = length.back();
-      m_length.push_back(whole);
       for(std::size_t i = 0; i < path.size(); ++i)
         m_share[path[i]] = whole > 0. ? length[i] / whole : double(i) / double(path.size() - 1);
     }

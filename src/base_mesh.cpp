@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/front.h>
 #include <CGAL/Geodesic_processing/internal/glue.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/refinement.h>
 #include <CGAL/Geodesic_processing/internal/taut_strip.h>
 
 #include <algorithm>
@@ -35,8 +36,8 @@ struct Detours
 // One after the other, until there is a way for each edge: cells are coarse where sites are few.
 constexpr std::array<Detours, 3> all_detours = {Detours{2., 16., false}, Detours{1., 1., true},
                                                 Detours{2., 4., true}};
-// Each with a half of samples more than the one before.
-constexpr int most_trials = 4;
+// No edge leaves the cells of its ends.
+constexpr Detours no_detours = {infinity, infinity, false};
 // Far below what distances tell apart.
 constexpr double shortest_side = 0x1p-36;
 // Places looked at, for each side of the mesh and each edge to be drawn, before it is given up: in webs of
@@ -50,7 +51,7 @@ class Builder
 public:
   Builder(const Glued_triangles& coarse, const std::vector<Location>& samples,
           const std::vector<std::array<Index, 3>>& triangles, const std::vector<bool>& is_curve,
-          const Detours& detours)
+          const Detours& detours, const std::vector<Index>& cells)
       : m_mesh(coarse, is_curve), m_detours(detours)
   {
     m_result.triangles = triangles;
@@ -63,14 +64,18 @@ public:
     m_base_vertex.assign(m_mesh.locations().size(), none);
     for(Index i = 0; i < m_result.site.size(); ++i)
       m_base_vertex[m_result.site[i]] = i;
-    m_is_barred.assign(m_mesh.locations().size(), false);
+    m_is_barred.assign(m_mesh.locations().size(), keeps_to_cells());
     for(const Index site : m_result.site)
       m_is_barred[site] = !detours.are_samples_passed;
-    find_cells(coarse, samples);
+    m_cell = m_base_vertex;
+    for(Index site = 0; site < coarse.number_of_sites(); ++site)
+      if(m_cell[site] == none)
+        m_cell[site] = cells[site];
     m_visits_left =
         most_for_a_side * coarse.corner.size() + most_for_an_edge * m_result.side.size();
   }
 
+  // Nothing where an edge finds no way.
   std::optional<Base_mesh> run()
   {
     if(!follow_curves() || !connect_all())
@@ -105,21 +110,6 @@ private:
       m_edge_between[std::minmax(corners[side], corners[next_side(side)])] = edge;
     }
     m_result.path.resize(m_result.side.size());
-  }
-
-  // The cell of each site: that of the nearest sample.
-  void find_cells(const Glued_triangles& coarse, const std::vector<Location>& samples)
-  {
-    std::vector<Source> sources;
-    for(Index i = 0; i < samples.size(); ++i)
-      sources.push_back({{samples[i]}, 0., i});
-    Front front(std::shared_ptr<const Glued_triangles>(&coarse, [](const Glued_triangles*) {}),
-                Front_kind::euclidean);
-    front.run(sources);
-    m_cell = m_base_vertex;
-    for(Index site = 0; site < coarse.number_of_sites(); ++site)
-      if(m_cell[site] == none)
-        m_cell[site] = front.source(site);
   }
 
   Index base_corner(Index side) const { return m_result.triangles[side / 3][side % 3]; }
@@ -266,12 +256,28 @@ private:
     return !strip.sides.empty() && draw(edge, from, to, strip);
   }
 
+  bool keeps_to_cells() const { return m_detours.far == infinity; }
+  bool is_at_ends(Index cell) const { return cell == m_near[0] || cell == m_near[1]; }
   double how_far(Index site) const
   {
     const Index cell = m_cell[site];
-    return cell == m_near[0] || cell == m_near[1] || cell == none ? 1.
-           : cell == m_near[2] || cell == m_near[3]               ? m_detours.near
-                                                                  : m_detours.far;
+    return is_at_ends(cell) || cell == none         ? 1.
+           : cell == m_near[2] || cell == m_near[3] ? m_detours.near
+                                                    : m_detours.far;
+  }
+  // Across a side: next to a site of a cell one is still in it.
+  double how_far_across(Index side) const
+  {
+    const double from = how_far(m_mesh.source(side)), to = how_far(m_mesh.target(side));
+    return keeps_to_cells() ? std::min(from, to) : 0.5 * (from + to);
+  }
+  // The cell of a new site on a side.
+  Index cell_on(Index side, double share) const
+  {
+    const Index from = m_cell[m_mesh.source(side)], to = m_cell[m_mesh.target(side)];
+    if(keeps_to_cells() && is_at_ends(from) != is_at_ends(to))
+      return is_at_ends(from) ? from : to;
+    return share < 0.5 ? from : to;
   }
 
   // The sides that a short path crosses: the shortest through some places on each (A*, Hart, Nilsson and
@@ -294,13 +300,14 @@ private:
     {
       if(m_mesh.labels()[side] != none || t().twin[side] == none)
         return;
+      const double far = how_far_across(side);
+      if(far == infinity)
+        return;
       for(Index i = 0; i < places; ++i)
       {
         const Index number = places * m_mesh.first(side) + i;
         const Spatial place = point(number);
-        const double length =
-            distance + 0.5 * (how_far(m_mesh.source(side)) + how_far(m_mesh.target(side))) *
-                           norm(place - from);
+        const double length = distance + far * norm(place - from);
         Node& node = m_nodes[number];
         if(node.run == m_run && !(length < node.distance))
           continue;
@@ -316,9 +323,9 @@ private:
     {
       const auto [key, number] = queue.top();
       queue.pop();
-      if(m_visits_left-- == 0)
-        throw Unsupported_surface_error(
-            "The edges of a base mesh cross too many triangles: these are too thin.");
+      if(m_visits_left == 0)
+        return {};
+      --m_visits_left;
       const Node node = m_nodes[number];
       const Spatial place = point(number);
       if(key > node.distance + norm(goal - place))
@@ -355,9 +362,8 @@ private:
       if(m_mesh.apex(side) != path.back())
         return false;
       const Index entry = t().twin[side];
-      const Index nearer = shares[i] < 0.5 ? m_mesh.source(side) : m_mesh.target(side);
+      m_cell.push_back(cell_on(side, shares[i]));
       path.push_back(m_mesh.split_side(side, shares[i]));
-      m_cell.push_back(m_cell[nearer]);
       m_mesh.set_label(next_side(side), edge);
       if(i + 1 < sides.size())
         // Of v u x are left v p x and, glued to the first part, p u x.
@@ -381,8 +387,8 @@ private:
     for(Index edge = 0; edge < m_result.path.size(); ++edge)
       for(const Index site : m_result.path[edge])
         edges[site].push_back(edge);
-    const Index n = Index(t().corner.size());
-    for(Index side = 0; side < n; ++side)
+    // Those that a cut moves come later.
+    for(Index side = 0; side < t().corner.size(); ++side)
     {
       if(m_mesh.labels()[side] != none || t().twin[side] < side)
         continue;
@@ -484,6 +490,84 @@ private:
   std::size_t m_visits_left = 0;
 };
 
+// The nearest sample of each site.
+std::vector<Index> cells_of(const Glued_triangles& coarse, const std::vector<Location>& samples)
+{
+  std::vector<Source> sources;
+  for(Index i = 0; i < samples.size(); ++i)
+    sources.push_back({{samples[i]}, 0., i});
+  Front front(std::shared_ptr<const Glued_triangles>(&coarse, [](const Glued_triangles*) {}),
+              Front_kind::euclidean);
+  front.run(sources);
+  std::vector<Index> result;
+  for(Index site = 0; site < coarse.number_of_sites(); ++site)
+    result.push_back(front.source(site));
+  return result;
+}
+
+// A base of a finer surface as that of the mesh which this is a refinement of.
+void make_coarse(const Refinement& surface, Base_mesh& base)
+{
+  if(surface.parent.empty())
+    return;
+  for(Location& sample : base.samples)
+    sample = to_coarse(surface, sample);
+  for(Index side = 0; side < base.barycentric.size(); ++side)
+    base.barycentric[side] =
+        to_coarse(surface, {base.whole[side / 3], none, base.barycentric[side]}).barycentric;
+  for(Index& whole : base.whole)
+    whole = surface.parent[whole];
+  Glued_triangles& fine = base.fine;
+  const double unit = fine.scale / surface.coarse->scale; // a power of two
+  for(Spatial& point : fine.point)
+    point = unit * point;
+  for(double& length : fine.length)
+    length = std::max(unit * length, shortest_side);
+  fine.scale = surface.coarse->scale;
+}
+
+// On the finer surface: where none of the sites around a sample is of its cell, the nearest one that is.
+std::vector<Location> samples_in_cells(const Remeshing& found)
+{
+  const Glued_triangles& t = *found.surface.triangles;
+  std::vector<Location> result = to_fine(found.surface, found.samples);
+  std::vector<bool> is_beside(result.size(), true);
+  for(Index i = 0; i < result.size(); ++i)
+    for(const Index f : triangles_at(t, result[i]))
+      for(Index k = 0; k < 3; ++k)
+        if(found.cells[t.corner[3 * f + k]] == i)
+          is_beside[i] = false;
+  std::vector<double> least(result.size(), infinity);
+  const std::vector<Location> samples = result;
+  for(Index site = 0; site < found.cells.size(); ++site)
+    if(const Index cell = found.cells[site]; cell != none && is_beside[cell])
+      if(const double distance = norm(t.point[site] - scaled_coordinates(t, samples[cell]));
+         distance < least[cell])
+      {
+        least[cell] = distance;
+        result[cell] = at_site(t, site);
+      }
+  return result;
+}
+
+// The base that has an edge where two cells meet: as each is a disc, and they meet in an arc, there is
+// room for it in both.
+std::optional<Base_mesh> base_mesh_in_cells(const Remeshing& found,
+                                            const std::vector<bool>& is_curve)
+{
+  const Refinement& surface = found.surface;
+  const std::vector<Index> coarse = coarse_sides(surface);
+  std::vector<bool> is_fine_curve;
+  for(const Index side : coarse)
+    is_fine_curve.push_back(side != none && is_curve[side]);
+  auto result = Builder(*surface.triangles, samples_in_cells(found), found.between_cells,
+                        is_fine_curve, no_detours, found.cells)
+                    .run();
+  if(result)
+    make_coarse(surface, *result);
+  return result;
+}
+
 } // namespace
 
 std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
@@ -491,31 +575,32 @@ std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
                                    const std::vector<std::array<Index, 3>>& triangles,
                                    const std::vector<bool>& is_curve)
 {
+  const std::vector<Index> cells = cells_of(coarse, samples);
   for(const Detours& detours : all_detours)
-    if(auto result = Builder(coarse, samples, triangles, is_curve, detours).run())
+    if(auto result = Builder(coarse, samples, triangles, is_curve, detours, cells).run())
       return result;
   return std::nullopt;
 }
 
-Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles, Remeshing_goal goal)
+Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles,
+                    const Remeshing_goal& goal)
 {
   const std::vector<bool> is_curve =
       goal.is_curve.empty() ? border_and_sharp_sides(*triangles) : goal.is_curve;
-  for(int trial = 0; trial < most_trials; ++trial)
+  const Remeshing found = remeshing(triangles, goal);
+  if(!found.is_finished)
   {
-    const Remeshing found = remeshing(triangles, goal);
-    if(!found.is_finished)
-    {
-      Base_mesh nothing;
-      nothing.is_finished = false;
-      return nothing;
-    }
-    if(auto result = base_mesh(*triangles, found.samples, found.triangles, is_curve))
-      return std::move(*result);
-    goal.number = found.samples.size() + found.samples.size() / 2 + 1;
+    Base_mesh nothing;
+    nothing.is_finished = false;
+    return nothing;
   }
-  throw Unsupported_surface_error(
-      "The edges of no base mesh can be drawn on the surface: it is too thin or too coarse.");
+  auto result = base_mesh(*triangles, found.samples, found.triangles, is_curve);
+  if(!result)
+    result = base_mesh_in_cells(found, is_curve);
+  if(!result)
+    throw Unsupported_surface_error(
+        "The edges of no base mesh can be drawn on the surface: it is too thin or too coarse.");
+  return std::move(*result);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

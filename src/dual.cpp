@@ -170,12 +170,19 @@ Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index numb
       if(is_border_site[site])
         border.add_site(site);
     }
+  std::vector<std::array<Index, 2>> crossings; // of the border by lines between cells
   for(Index side = 0; side < t.corner.size(); ++side)
   {
     const Index x = t.corner[side], z = t.corner[next_side(side)];
     const bool is_first = t.twin[side] == none || t.twin[side] > side;
-    if(!is_first || labels[x] != labels[z] || labels[x] == none)
+    if(!is_first || labels[x] == none || labels[z] == none)
       continue;
+    if(labels[x] != labels[z])
+    {
+      if(is_on_border(side))
+        crossings.push_back({std::min(labels[x], labels[z]), std::max(labels[x], labels[z])});
+      continue;
+    }
     inside.add_side(x, z);
     if(is_on_border(side))
       border.add_side(x, z);
@@ -204,6 +211,7 @@ Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index numb
     if(!border.is_empty(cell) && !border.is_contractible(cell))
       result.torn_borders.push_back(cell);
   }
+  result.torn_curves = repeated(crossings, number_of_cells);
   result.torn_arcs = Arcs(t, labels).torn(number_of_cells);
   return result;
 }

@@ -396,12 +396,14 @@ private:
       }
       Dual found = dual(t(), cells.labels, Index(cells.samples.size()), m_is_curve);
       const std::vector<Index> strays = cells_off_curves(cells);
-      if(found.is_closed_ball() && strays.empty())
+      m_stuck = cells_beside_samples(cells);
+      if(found.is_closed_ball() && strays.empty() && m_stuck.empty())
       {
-        Coarse_mesh mesh = joined(cells, std::move(found.triangles));
+        Coarse_mesh mesh = joined(cells, found.triangles);
         const std::vector<Location> far = far_places(cells, mesh);
         if(far.empty())
         {
+          m_result.between_cells = std::move(found.triangles);
           finish(cells, std::move(mesh));
           return true;
         }
@@ -409,7 +411,6 @@ private:
         continue;
       }
       m_is_touched.assign(cells.samples.size(), false);
-      m_stuck.clear();
       const std::vector<Location> more = places_to_add(cells, found, strays);
       if(!more.empty())
         m_sampling->add(more);
@@ -429,6 +430,26 @@ private:
     for(Index cell = 0; cell < cells.samples.size(); ++cell)
       if(comes_to_curve[cell] && !is_on_curve(m_sampling->samples()[cells.samples[cell]]))
         result.push_back(cell);
+    return result;
+  }
+
+  // Cells whose sample is on a curve, on none of whose sites there they are, and those that are there.
+  std::vector<Index> cells_beside_samples(const Cells& cells) const
+  {
+    std::vector<Index> result;
+    for(Index cell = 0; cell < cells.samples.size(); ++cell)
+    {
+      const Location& sample = m_sampling->samples()[cells.samples[cell]];
+      if(!is_on_curve(sample))
+        continue;
+      const Location clean = cleaned(t(), sample);
+      const Index site = site_of(t(), clean), side = side_of(clean);
+      const std::array<Index, 2> ends = {site != none ? site : t().corner[side],
+                                         site != none ? site : t().corner[next_side(side)]};
+      const Index a = cells.labels[ends[0]], b = cells.labels[ends[1]];
+      if(a != cell && b != cell)
+        result.insert(result.end(), {cell, a, b});
+    }
     return result;
   }
 
@@ -457,11 +478,12 @@ private:
           nearest = site;
       }
     std::vector<Index> at_arc(found.torn_arcs.size(), none),
-        at_place(found.repeated_places.size(), none);
+        at_curve(found.torn_curves.size(), none), at_place(found.repeated_places.size(), none);
     std::vector<bool> is_torn(n, false), is_repeated(n, false);
-    for(const auto& cells_of_arc : found.torn_arcs)
-      for(const Index cell : cells_of_arc)
-        is_torn[cell] = true;
+    for(const auto& arcs : {found.torn_arcs, found.torn_curves})
+      for(const auto& cells_of_arc : arcs)
+        for(const Index cell : cells_of_arc)
+          is_torn[cell] = true;
     for(const auto& cells_of_place : found.repeated_places)
       for(const Index cell : cells_of_place)
         is_repeated[cell] = true;
@@ -477,11 +499,16 @@ private:
       const Index a = cells.labels[x], b = cells.labels[z];
       if(a == b || !is_torn[a] || !is_torn[b])
         continue;
-      const auto i = is_in(found.torn_arcs, std::array<Index, 2>{std::min(a, b), std::max(a, b)});
-      if(i < at_arc.size())
+      const std::array<Index, 2> both = {std::min(a, b), std::max(a, b)};
+      if(const auto i = is_in(found.torn_arcs, both); i < at_arc.size())
       {
         raise(at_arc[i], x);
         raise(at_arc[i], z);
+      }
+      if(const auto i = is_in(found.torn_curves, both); i < at_curve.size() && m_is_curve[side])
+      {
+        raise(at_curve[i], x);
+        raise(at_curve[i], z);
       }
     }
     for(Index f = 0; f < t().number_of_triangles() && !at_place.empty(); ++f)
@@ -519,6 +546,8 @@ private:
       add({cell}, nearest_on_curve[cell]);
     for(const Index cell : found.no_discs)
       add({cell}, farthest[cell]);
+    for(std::size_t i = 0; i < at_curve.size(); ++i)
+      add({found.torn_curves[i][0], found.torn_curves[i][1]}, at_curve[i]);
     for(std::size_t i = 0; i < at_arc.size(); ++i)
       add({found.torn_arcs[i][0], found.torn_arcs[i][1]}, at_arc[i]);
     for(std::size_t i = 0; i < at_place.size(); ++i)
@@ -598,6 +627,8 @@ private:
                                     : coordinates(*m_surface.coarse, m_result.samples.back()));
     }
     m_result.triangles = std::move(mesh.triangles);
+    m_result.surface = m_surface;
+    m_result.cells = cells.labels;
   }
 
   const Remeshing_goal& m_goal;

@@ -64,7 +64,8 @@ std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
 // Throws Unsupported_surface_error where there is no such base with several times as many samples, and
 // what remeshing() throws.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles, Remeshing_goal goal);
+Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles,
+                    const Remeshing_goal& goal);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -22,11 +22,14 @@ struct Dual
   std::vector<Index> no_discs;                 // cells, those without a site as well
   std::vector<Index> torn_borders;             // cells that meet the border in more than an arc
   std::vector<std::array<Index, 2>> torn_arcs; // cells that meet in more than an arc, or alone
+  std::vector<std::array<Index, 2>>
+      torn_curves; // cells that meet in more than one place of the border
   std::vector<std::array<Index, 3>> repeated_places; // cells that meet in more than one place
 
   bool is_closed_ball() const
   {
-    return no_discs.empty() && torn_borders.empty() && torn_arcs.empty() && repeated_places.empty();
+    return no_discs.empty() && torn_borders.empty() && torn_arcs.empty() && torn_curves.empty() &&
+           repeated_places.empty();
   }
 };
 

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_H
 
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/refinement.h>
 
 #include <array>
 #include <cstddef>
@@ -38,6 +39,13 @@ struct Remeshing
   std::vector<std::array<double, 3>> points;   // of samples, in the caller's coordinates
   std::vector<std::array<Index, 3>> triangles; // of samples, counterclockwise
   bool is_finished = true;                     // else there are no triangles
+
+  // What they were before edges were flipped for larger angles: those between cells, which are told apart
+  // by the sites of a finer surface.
+  Refinement surface;
+  std::vector<Index>
+      cells; // #sites of the surface: the sample of each, none where there is no triangle
+  std::vector<std::array<Index, 3>> between_cells;
 };
 
 // The geodesic Delaunay triangulation of samples on a mesh (Peyré and Cohen 2003, section 3): a
