@@ -448,7 +448,8 @@ private:
                                          site != none ? site : t().corner[next_side(side)]};
       const Index a = cells.labels[ends[0]], b = cells.labels[ends[1]];
       if(a != cell && b != cell)
-        result.insert(result.end(), {cell, a, b});
+        for(const Index c : {cell, a, b})
+          result.push_back(c);
     }
     return result;
   }
@@ -480,8 +481,8 @@ private:
     std::vector<Index> at_arc(found.torn_arcs.size(), none),
         at_curve(found.torn_curves.size(), none), at_place(found.repeated_places.size(), none);
     std::vector<bool> is_torn(n, false), is_repeated(n, false);
-    for(const auto& arcs : {found.torn_arcs, found.torn_curves})
-      for(const auto& cells_of_arc : arcs)
+    for(const auto* arcs : {&found.torn_arcs, &found.torn_curves})
+      for(const auto& cells_of_arc : *arcs)
         for(const Index cell : cells_of_arc)
           is_torn[cell] = true;
     for(const auto& cells_of_place : found.repeated_places)

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 
 namespace {
@@ -192,6 +193,72 @@ TEST(Base_mesh, follows_borders_and_sharp_edges_exactly)
       }
   }
   EXPECT_GE(found, 2u * 12u * 6u);
+}
+
+TEST(Base_mesh, follows_any_web_of_curves)
+{
+  // Loops of two samples, ends, and places where curves almost meet: kept they are all the same.
+  for(const int percent : {2, 10, 30})
+    for(const Triangulation& points : {shaken(icosphere(2), 0.05, 1), torus(18, 12)})
+    {
+      const Glued_surface surface(points);
+      std::mt19937 random(1);
+      Remeshing_goal goal;
+      goal.number = 30;
+      goal.is_curve = border_and_sharp_sides(surface.t());
+      for(Index side = 0; side < goal.is_curve.size(); ++side)
+        if(side < surface.t().twin[side])
+          goal.is_curve[side] = goal.is_curve[surface.t().twin[side]] =
+              int(random() % 100) < percent;
+      const Base_mesh base = base_mesh(surface.triangles(), goal);
+      expect_is_base(surface, base);
+      double curves = 0., drawn = 0.;
+      for(Index side = 0; side < goal.is_curve.size(); ++side)
+        if(goal.is_curve[side])
+          curves += norm(surface.t().point[surface.t().corner[next_side(side)]] -
+                         surface.t().point[surface.t().corner[side]]);
+      for(Index side = 0; side < base.fine.corner.size(); ++side)
+        for(Index k = 0; k < 3 && base.edge_of_side[side] != none; ++k)
+          if(base.barycentric[side][k] == 0. && base.barycentric[next_side(side)][k] == 0. &&
+             goal.is_curve[3 * base.whole[side / 3] + (k + 1) % 3])
+            drawn += norm(base.fine.point[base.fine.corner[next_side(side)]] -
+                          base.fine.point[base.fine.corner[side]]);
+      EXPECT_NEAR(drawn, curves, 1e-12 * curves);
+    }
+}
+
+TEST(Base_mesh, finds_ways_around_handles)
+{
+  // On long triangles a short path is soon on the wrong side of a handle.
+  const auto stretched = [](Triangulation surface, double x, double y)
+  {
+    for(Point& p : surface.points)
+    {
+      p[0] *= x;
+      p[1] *= y;
+    }
+    return surface;
+  };
+  const auto sponge =
+      blocks(5, 5, 5, [](int x, int y, int z) { return x % 2 + y % 2 + z % 2 < 2; });
+  for(const Triangulation& surface :
+      {stretched(torus(4, 3), 1., 10.), stretched(torus(4, 8), 1., 10.),
+       stretched(torus(6, 5), 1., 10.), stretched(sponge, 10., 1.)})
+    for(const std::size_t number : {std::size_t(30), std::size_t(100)})
+    {
+      const Glued_surface glued(surface);
+      const Base_mesh base = base_of(glued, number);
+      expect_is_base(glued, base);
+      // Sides that join two sites of one edge would fold any map.
+      std::vector<std::set<Index>> edges(base.fine.point.size());
+      for(Index edge = 0; edge < base.path.size(); ++edge)
+        for(const Index site : base.path[edge])
+          edges[site].insert(edge);
+      for(Index side = 0; side < base.fine.corner.size(); ++side)
+        for(const Index edge : edges[base.fine.corner[side]])
+          if(base.edge_of_side[side] == none)
+            EXPECT_EQ(edges[base.fine.corner[next_side(side)]].count(edge), 0u);
+    }
 }
 
 TEST(Base_mesh, of_any_scale_is_the_same)

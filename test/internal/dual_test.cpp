@@ -114,6 +114,31 @@ TEST(Dual, says_what_is_wrong_with_few_samples)
   EXPECT_EQ(shape_of(four), (std::pair<std::ptrdiff_t, std::size_t>(2, 0)));
 }
 
+TEST(Dual, sees_curves_that_two_cells_cross_twice)
+{
+  const Glued_surface surface(square(8));
+  const Dual whole = dual_of(surface, {surface.at(9 * 4 + 2), surface.at(9 * 4 + 6)});
+  EXPECT_EQ(whole.torn_curves, (std::vector<std::array<Index, 2>>{{0, 1}})); // of the border
+  const Glued_triangles& t = surface.t();
+  std::vector<bool> is_curve(t.corner.size(), false);
+  const auto add = [&](Index i, Index j)
+  {
+    for(Index side = 0; side < t.corner.size(); ++side)
+      if(const std::pair ends(t.corner[side], t.corner[next_side(side)]);
+         ends == std::pair(surface.site(i), surface.site(j)) ||
+         ends == std::pair(surface.site(j), surface.site(i)))
+        is_curve[side] = true;
+  };
+  std::vector<Index> labels(t.number_of_sites());
+  for(Index j = 0; j <= 8; ++j)
+    for(Index i = 0; i <= 8; ++i)
+      labels[surface.site(9 * j + i)] = i < 4 ? 0 : 1;
+  add(9 * 3 + 3, 9 * 3 + 4);
+  EXPECT_TRUE(dual(t, labels, 2, is_curve).torn_curves.empty());
+  add(9 * 5 + 3, 9 * 5 + 4);
+  EXPECT_EQ(dual(t, labels, 2, is_curve).torn_curves, (std::vector<std::array<Index, 2>>{{0, 1}}));
+}
+
 TEST(Dual, sees_rings_and_borders)
 {
   // On a long tube cells of a few samples are rings, and the ends' cells have whole borders.
