@@ -96,13 +96,14 @@ private:
     m_share.assign(m_fine.number_of_sites(), -1.);
     for(const std::vector<Index>& path : m_base.path)
     {
+      const auto step = [&](std::size_t i)
+      { return norm(m_fine.point[path[i + 1]] - m_fine.point[path[i]]); };
+      m_length.push_back(0.);
+      for(std::size_t i = 0; i + 1 < path.size(); ++i)
+        m_length.back() += step(i);
       std::vector<double> length = {0.};
       for(std::size_t i = 0; i + 1 < path.size(); ++i)
-        length.push_back(length.back() + norm(m_fine.point[path[i + 1]] - m_fine.point[path[i]]));
-      m_length.push_back(length.back());
-      // No two sites have one place.
-      for(std::size_t i = 0; i < path.size(); ++i)
-        length[i] += least_step * double(i) * m_length.back();
+        length.push_back(length.back() + std::max(step(i), least_step * m_length.back()));
       const double whole = length.back();
       for(std::size_t i = 0; i < path.size(); ++i)
         m_share[path[i]] = whole > 0. ? length[i] / whole : double(i) / double(path.size() - 1);

@@ -30,6 +30,7 @@ struct Surface_file
   std::vector<std::vector<Point>> polylines;             // written, never read
   std::map<std::string, std::vector<double>> properties; // each #points
   std::map<std::string, std::vector<Point>> vectors;     // each #polygons; written, never read
+  std::map<std::string, std::vector<std::uint32_t>> face_numbers; // likewise
 
   std::size_t number_of_polygons() const { return first.size() - 1; }
 };
@@ -62,7 +63,7 @@ Surface_file read_gpw(std::string_view bytes, const std::string& name);
 void check_can_write(const std::string& filename);
 
 // Writes the file completely or not at all: first beside it, then renamed.
-// PLY (binary) and VTP carry normals, properties, vectors and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates
+// PLY (binary) and VTP carry normals, properties, vectors, numbers of faces and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates
 // or else colours, normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
 // Throws Output_error when it cannot be written.
 void write_surface_file(const std::string& filename, const Surface_file& surface,

@@ -5,22 +5,23 @@
 #include "Scanner.h"
 #include "commands.h"
 #include "errors.h"
+#include "remeshing_options.h"
 
 #include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace program {
 
 namespace {
 
-struct Base_options
+struct Base_options : Remeshing_options
 {
-  std::size_t number = 0;
-  std::size_t lloyd = 0;
-  double sharp_angle = 180.;
   std::string coordinates = "heron";
+  bool is_divided = false;
 
   // Of semi-regular meshes
   unsigned levels = 3;
@@ -49,11 +50,7 @@ GP::Base_coordinates coordinates_of(const std::string& word)
 
 auto asked(const Base_options& options, Job& job)
 {
-  return GP::parameters::random_seed(job.seed())
-      .number_of_relaxation_steps(options.lloyd)
-      .sharp_angle(options.sharp_angle)
-      .base_coordinates(coordinates_of(options.coordinates))
-      .callback(job.progress("vertices"));
+  return remeshing_parameters(options, job).base_coordinates(coordinates_of(options.coordinates));
 }
 
 // What both commands report.
@@ -67,6 +64,71 @@ void report(Job& job, std::size_t vertices, std::size_t faces, std::size_t folds
   job.say("folds           " + std::to_string(folds));
 }
 
+Point point_of(const GP::internal::Glued_triangles& triangles, std::uint32_t site)
+{
+  Point result;
+  for(std::size_t k = 0; k < 3; ++k)
+    result[k] = triangles.origin[k] + triangles.scale * triangles.point[site][k];
+  return result;
+}
+
+Surface_file base_file(const GP::internal::Base_mesh& base)
+{
+  Surface_file result;
+  for(const auto site : base.site)
+    result.points.push_back(point_of(base.fine, site));
+  for(const auto& triangle : base.triangles)
+  {
+    result.corners.insert(result.corners.end(), triangle.begin(), triangle.end());
+    result.first.push_back(result.corners.size());
+  }
+  return result;
+}
+
+// The input, divided by the edges of the base.
+Surface_file divided_file(const GP::internal::Base_mesh& base)
+{
+  Surface_file result;
+  for(std::uint32_t site = 0; site < base.fine.point.size(); ++site)
+    result.points.push_back(point_of(base.fine, site));
+  result.corners = base.fine.corner;
+  for(std::size_t f = 0; f < base.region.size(); ++f)
+    result.first.push_back(3 * (f + 1));
+  result.face_numbers["base_face"] = base.region;
+  return result;
+}
+
+// Base faces in their colours: each has points of its own, as colours are of points.
+void draw(const std::string& filename, const GP::internal::Base_mesh& base)
+{
+  Surface_file parts;
+  Picture picture{&parts};
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number; // of face and site
+  for(std::size_t corner = 0; corner < base.fine.corner.size(); ++corner)
+  {
+    const auto face = base.region[corner / 3], site = base.fine.corner[corner];
+    const auto [known, is_new] =
+        number.try_emplace({face, site}, static_cast<std::uint32_t>(parts.points.size()));
+    if(is_new)
+    {
+      parts.points.push_back(point_of(base.fine, site));
+      picture.labels.push_back(static_cast<long long>(face));
+    }
+    parts.corners.push_back(known->second);
+    if(corner % 3 == 2)
+      parts.first.push_back(parts.corners.size());
+  }
+  for(const auto& path : base.path)
+  {
+    picture.chains.emplace_back();
+    for(const auto site : path)
+      picture.chains.back().push_back(point_of(base.fine, site));
+  }
+  for(const auto site : base.site)
+    picture.markers.push_back(point_of(base.fine, site));
+  draw(filename, picture);
+}
+
 void run_base(Job& job, const Base_options& options)
 {
   const Surface& surface = read_mesh(job, "base");
@@ -74,34 +136,19 @@ void run_base(Job& job, const Base_options& options)
   const Mesh mesh = make_mesh(surface);
   job.stage("query");
   const GP::Base_parameterization<Mesh> base(mesh, options.number, asked(options, job));
-  const auto point_of = [](const auto& location, const auto& domain)
-  { return coordinates(domain.point(domain.inner(location))); };
-
-  Surface_file file;
-  for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
-    file.points.push_back(point_of(base.base_vertex(i), base.domain()));
-  for(std::size_t f = 0; f < base.number_of_base_faces(); ++f)
-  {
-    for(const std::size_t corner : base.base_face(f))
-      file.corners.push_back(std::uint32_t(corner));
-    file.first.push_back(file.corners.size());
-  }
-  report(job, file.points.size(), file.number_of_polygons(), base.folds());
+  report(job, base.number_of_base_vertices(), base.number_of_base_faces(), base.folds());
   job.result()["repaired_faces"] = base.repaired_faces();
   job.say("repaired        " + std::to_string(base.repaired_faces()));
 
   std::string text;
-  std::vector<long long> labels;
   for(const auto v : mesh.vertices())
   {
     if(mesh.is_isolated(v))
     {
       text += "-1 nan nan nan\n";
-      labels.push_back(-1);
       continue;
     }
     const GP::Base_location place = base(v);
-    labels.push_back(static_cast<long long>(place.face));
     text += std::to_string(place.face);
     for(const double share : place.barycentric)
       text += ' ' + number_text(share);
@@ -109,27 +156,11 @@ void run_base(Job& job, const Base_options& options)
   }
   job.stage("write");
   job.write_values([&] { return text; });
+  const GP::internal::Base_mesh& found = base.map().base();
   if(!job.picture().empty())
-  {
-    Picture picture{&surface.file};
-    picture.labels = labels;
-    const auto& found = base.map().base();
-    for(const auto& path : found.path)
-    {
-      picture.chains.emplace_back();
-      for(const auto site : path)
-      {
-        Point p;
-        for(std::size_t k = 0; k < 3; ++k)
-          p[k] = found.fine.origin[k] + found.fine.scale * found.fine.point[site][k];
-        picture.chains.back().push_back(p);
-      }
-    }
-    picture.markers = file.points;
-    draw(job.picture(), picture);
-  }
+    draw(job.picture(), found);
   if(!job.output().empty())
-    write_surface_file(job.output(), file);
+    write_surface_file(job.output(), options.is_divided ? divided_file(found) : base_file(found));
   job.finish();
 }
 
@@ -203,14 +234,7 @@ void run_semiregular(Job& job, const Base_options& options)
 
 void add_base_options(Command& command, Base_options& options)
 {
-  command.add("--number", options.number, "N", "of base vertices; more come where it takes them")
-      .required();
-  command.add("--lloyd", options.lloyd, "K",
-              "how often base vertices move to the middle of their cells");
-  command
-      .add("--keep-sharp", options.sharp_angle, "ANGLE",
-           "base edges follow edges at which the surface bends by so many degrees or more")
-      .between(0., 180.);
+  add_remeshing_options(command, options, "base vertices", "base edges follow edges");
   command.add("--coordinates", options.coordinates, "KIND",
               "heron (areas of geodesic distances), mean-value or uniform, in base faces");
 }
@@ -223,6 +247,8 @@ void add_base(CLI::App& program)
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Base_options>();
   add_base_options(command, *options);
+  command.add_flag("--divided", options->is_divided,
+                   "-o is the input, divided by base edges; faces know theirs, base_face");
   command.set_run([job, options] { run_base(*job, *options); });
 }
 

@@ -7,6 +7,7 @@
 #include "densities.h"
 #include "errors.h"
 #include "fill_holes.h"
+#include "remeshing_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,8 @@ namespace program {
 
 namespace {
 
-struct Remesh_options
+struct Remesh_options : Remeshing_options
 {
-  std::size_t number = 0;
-  std::size_t lloyd = 0;
-  double sharp_angle = 180.;
   double curve_spacing = 0.;
   double deviation = std::numeric_limits<double>::infinity();
   bool fit = false;
@@ -73,14 +71,11 @@ Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job
   Mesh mesh;
   const auto locations =
       mesh.add_property_map<Mesh::Vertex_index, typename Domain::Location>("v:location").first;
-  const auto goal = GP::parameters::random_seed(job.seed())
-                        .number_of_relaxation_steps(options.lloyd)
-                        .sharp_angle(options.sharp_angle)
+  const auto goal = remeshing_parameters(options, job)
                         .curve_spacing(options.curve_spacing)
                         .maximum_deviation(options.deviation)
                         .do_fit(options.fit)
-                        .location_map(locations)
-                        .callback(job.progress("vertices"));
+                        .location_map(locations);
   Result result;
   with_speeds<typename Domain::Site>(
       speed, goal,
@@ -152,14 +147,7 @@ void add_remesh(CLI::App& program)
                   "a mesh of the same surface with even triangles; of a clean cloud, too");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Remesh_options>();
-  command.add("--number", options->number, "N", "of vertices; more come where it takes them")
-      .required();
-  command.add("--lloyd", options->lloyd, "K",
-              "how often vertices move to the middle of their cells");
-  command
-      .add("--keep-sharp", options->sharp_angle, "ANGLE",
-           "edges at which the surface bends by so many degrees or more are kept")
-      .between(0., 180.);
+  add_remeshing_options(command, *options, "vertices", "keeps edges");
   command.add("--curve-spacing", options->curve_spacing, "D",
               "how far apart vertices on borders and kept edges are at most to be");
   command.add_flag("--fit", options->fit,

@@ -58,6 +58,8 @@ std::string to_ply(const Surface_file& surface)
     for(const auto& [name, vectors] : surface.vectors)
       for(const char* axis : {"_x", "_y", "_z"})
         bytes += "property double " + one_word(name) + axis + "\n";
+    for(const auto& [name, numbers] : surface.face_numbers)
+      bytes += "property uint " + one_word(name) + "\n";
   }
   if(edges > 0)
     bytes +=
@@ -90,6 +92,8 @@ std::string to_ply(const Surface_file& surface)
     for(const auto& [name, vectors] : surface.vectors)
       for(const double x : vectors[f])
         append_little_endian(bytes, x);
+    for(const auto& [name, numbers] : surface.face_numbers)
+      append_little_endian(bytes, numbers[f]);
   }
   for(const auto& edge : surface.edges)
     for(const std::uint32_t end : edge)

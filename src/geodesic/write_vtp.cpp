@@ -90,7 +90,7 @@ std::string to_vtp(const Surface_file& surface)
     text += array(name, "Float64", 1, values);
   }
   text += "      </PointData>\n";
-  if(!surface.vectors.empty())
+  if(!surface.vectors.empty() || !surface.face_numbers.empty())
   {
     // Cells are numbered through: points and lines come before faces.
     text += "      <CellData>\n";
@@ -99,6 +99,12 @@ std::string to_vtp(const Surface_file& surface)
       std::vector<Point> values(vert_offsets.size() + line_offsets.size(), Point{0., 0., 0.});
       values.insert(values.end(), vectors.begin(), vectors.end());
       text += array(name, "Float64", 3, flat(values));
+    }
+    for(const auto& [name, numbers] : surface.face_numbers)
+    {
+      std::vector<double> values(vert_offsets.size() + line_offsets.size(), 0.);
+      values.insert(values.end(), numbers.begin(), numbers.end());
+      text += array(name, "Float64", 1, values);
     }
     text += "      </CellData>\n";
   }
