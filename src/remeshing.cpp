@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/remeshing.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/crossings.h>
 #include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/dual.h>
 #include <CGAL/Geodesic_processing/internal/fitting.h>
@@ -38,6 +39,9 @@ constexpr std::size_t most_vertices = (std::size_t(1) << 31) / 6;
 constexpr std::size_t strewn_part = 20;
 // Farther than any curve is long, in the domain's scale: it has less than 2^31 sides.
 constexpr double longest_curve = 0x1p32;
+// How often samples are added where triangles cross: on the models whose surfaces do not cross themselves
+// five times are the most that were seen, in the folds of a brain.
+constexpr int most_rounds_at_crossings = 10;
 // How often sides are halved where all sites are samples: once or twice is enough for two triangles of
 // the same corners.
 constexpr int most_refinements = 20;
@@ -400,14 +404,16 @@ private:
       if(found.is_closed_ball() && strays.empty() && m_stuck.empty())
       {
         Coarse_mesh mesh = joined(cells, found.triangles);
-        const std::vector<Location> far = far_places(cells, mesh);
-        if(far.empty())
+        std::vector<Location> more = far_places(cells, mesh);
+        if(more.empty() && m_goal.avoids_crossings)
+          more = places_at_crossings(cells, mesh);
+        if(more.empty())
         {
           m_result.between_cells = std::move(found.triangles);
           finish(cells, std::move(mesh));
           return true;
         }
-        m_sampling->add(far);
+        m_sampling->add(more);
         continue;
       }
       m_is_touched.assign(cells.samples.size(), false);
@@ -616,16 +622,84 @@ private:
       result.push_back({none, site, {}});
     return result;
   }
+  // Where triangles cross and the surface does not, some of them are too far from it.
+  std::vector<Location> places_at_crossings(const Cells& cells, const Coarse_mesh& mesh)
+  {
+    std::vector<Spatial> points;
+    for(std::size_t i = 0; i < mesh.points.size(); ++i)
+      points.push_back(output_point(output_sample(cells, i), mesh.points[i]));
+    const auto crossings = crossing_triangles(points, mesh.triangles);
+    m_result.crossings = crossings.size();
+    if(crossings.empty() || ++m_number_of_rounds_at_crossings > most_rounds_at_crossings)
+      return {};
+    const std::vector<bool> is_cut = cells_that_cross(cells);
+    std::vector<bool> is_concerned(cells.samples.size(), false);
+    for(const auto& crossing : crossings)
+    {
+      const auto is_clean = [&](Index f)
+      {
+        const auto& corners = mesh.triangles[f];
+        return !is_cut[corners[0]] && !is_cut[corners[1]] && !is_cut[corners[2]];
+      };
+      if(is_clean(crossing[0]) || is_clean(crossing[1]))
+        for(const Index f : crossing)
+          for(const Index cell : mesh.triangles[f])
+            is_concerned[cell] = true;
+    }
+    std::vector<Index> farthest(cells.samples.size(), none);
+    const std::vector<double>& distances = m_sampling->distances();
+    for(Index site = 0; site < cells.labels.size(); ++site)
+      if(const Index cell = cells.labels[site];
+         cell != none && is_concerned[cell] && distances[site] > 0. &&
+         (farthest[cell] == none || distances[site] > distances[farthest[cell]]))
+        farthest[cell] = site;
+    std::vector<Location> result;
+    for(const Index site : farthest)
+      if(site != none)
+        result.push_back({none, site, {}});
+    return result;
+  }
+
+  // Cells in which the surface itself crosses a part of it: no samples would help.
+  std::vector<bool> cells_that_cross(const Cells& cells)
+  {
+    if(!m_crosses)
+    {
+      const Glued_triangles& coarse = *m_surface.coarse;
+      std::vector<std::array<Index, 3>> corners(coarse.number_of_triangles());
+      for(Index f = 0; f < corners.size(); ++f)
+        std::copy_n(&coarse.corner[3 * std::size_t(f)], 3, corners[f].begin());
+      m_crosses.emplace(corners.size(), false);
+      for(const auto& crossing : crossing_triangles(coarse.point, corners))
+        for(const Index f : crossing)
+          (*m_crosses)[f] = true;
+    }
+    std::vector<bool> result(cells.samples.size(), false);
+    for(Index f = 0; f < t().number_of_triangles(); ++f)
+      if((*m_crosses)[m_surface.parent.empty() ? f : m_surface.parent[f]])
+        for(Index k = 0; k < 3; ++k)
+          result[cells.labels[t().corner[3 * f + k]]] = true;
+    return result;
+  }
+
+  // On the triangles that were given.
+  Location output_sample(const Cells& cells, std::size_t cell) const
+  {
+    const Location& sample = m_sampling->samples()[cells.samples[cell]];
+    return cleaned(*m_surface.coarse, to_coarse(m_surface, sample));
+  }
+  Spatial output_point(const Location& sample, const Spatial& point) const
+  {
+    return m_goal.is_fitted ? t().origin + t().scale * point
+                            : coordinates(*m_surface.coarse, sample);
+  }
 
   void finish(const Cells& cells, Coarse_mesh mesh)
   {
     for(std::size_t i = 0; i < mesh.points.size(); ++i)
     {
-      m_result.samples.push_back(cleaned(
-          *m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[cells.samples[i]])));
-      m_result.points.push_back(m_goal.is_fitted
-                                    ? t().origin + t().scale * mesh.points[i]
-                                    : coordinates(*m_surface.coarse, m_result.samples.back()));
+      m_result.samples.push_back(output_sample(cells, i));
+      m_result.points.push_back(output_point(m_result.samples.back(), mesh.points[i]));
     }
     m_result.triangles = std::move(mesh.triangles);
     m_result.surface = m_surface;
@@ -647,7 +721,8 @@ private:
   // Of a round
   std::vector<bool> m_is_touched; // #cells
   std::vector<Index> m_stuck;     // cells that have a fault and no site left
-  int m_number_of_refinements = 0;
+  int m_number_of_refinements = 0, m_number_of_rounds_at_crossings = 0;
+  std::optional<std::vector<bool>> m_crosses; // #coarse triangles, once some of the result do
 };
 
 } // namespace

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -367,6 +369,50 @@ TEST(Geodesic_delaunay_remeshing, fits_a_border_and_a_deviation)
       const auto& p = output.point(v);
       EXPECT_TRUE(p.x() == 0. || p.x() == 1. || p.y() == 0. || p.y() == 1.) << p;
     }
+}
+
+using Exact_mesh = CGAL::Surface_mesh<CGAL::Epick::Point_3>;
+
+std::size_t number_of_self_intersections(const Exact_mesh& mesh)
+{
+  std::vector<std::pair<Exact_mesh::Face_index, Exact_mesh::Face_index>> pairs;
+  PMP::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+TEST(Geodesic_delaunay_remeshing, keeps_sheets_apart)
+{
+  for(const double scale : {1e-6, 1e6})
+  {
+    // With forty vertices each, faces are up to 0.1 below their sphere.
+    const Triangulation sheets = apart(icosphere(4), scaled(icosphere(4), 0.95));
+    const Mesh mesh = mesh_of(scaled(sheets, scale));
+    Exact_mesh left, output;
+    const auto plain = GP::geodesic_delaunay_remeshing(
+        mesh, 80, left, GP::parameters::do_avoid_self_intersections(false));
+    EXPECT_EQ(plain.added, 0u);
+    EXPECT_EQ(plain.self_intersections, 0u); // not asked
+    EXPECT_GT(number_of_self_intersections(left), 0u);
+    const auto found = GP::geodesic_delaunay_remeshing(mesh, 80, output);
+    EXPECT_GT(found.added, 0u);
+    EXPECT_LT(found.added, 300u); // of 5,124
+    EXPECT_EQ(found.self_intersections, 0u);
+    EXPECT_EQ(number_of_self_intersections(output), 0u);
+    EXPECT_EQ(topology(corners_of(output)), topology(sheets.corners));
+  }
+}
+
+TEST(Geodesic_delaunay_remeshing, leaves_what_intersects_itself)
+{
+  Triangulation moved = icosphere(4);
+  for(Point& p : moved.points)
+    p[0] += 1.;
+  const Mesh mesh = mesh_of(apart(icosphere(4), moved));
+  Exact_mesh output;
+  const auto found = GP::geodesic_delaunay_remeshing(mesh, 300, output);
+  EXPECT_GT(found.self_intersections, 0u);
+  EXPECT_EQ(found.self_intersections, number_of_self_intersections(output));
+  EXPECT_LT(found.added, 30u); // next to where the spheres cross, faces may do so that need not
 }
 
 TEST(Geodesic_delaunay_remeshing, adds_to_the_output)

@@ -24,6 +24,7 @@ struct Remesh_options : Remeshing_options
   double curve_spacing = 0.;
   double deviation = std::numeric_limits<double>::infinity();
   bool fit = false;
+  bool may_intersect = false;
   std::optional<std::size_t> hole_edges; // how many a hole may have to be filled
   Density_options densities;
 };
@@ -32,7 +33,7 @@ struct Result
 {
   Surface_file file;
   std::string text; // where each vertex is: the lines of --values
-  std::size_t added = 0;
+  GP::Remeshing_result found;
 };
 
 // All holes where no number is given.
@@ -75,12 +76,13 @@ Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job
                         .curve_spacing(options.curve_spacing)
                         .maximum_deviation(options.deviation)
                         .do_fit(options.fit)
+                        .do_avoid_self_intersections(!options.may_intersect)
                         .location_map(locations);
   Result result;
   with_speeds<typename Domain::Site>(
       speed, goal,
       [&](const auto& np)
-      { result.added = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np).added; });
+      { result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np); });
   for(const auto v : mesh.vertices())
   {
     result.file.points.push_back(coordinates(mesh.point(v)));
@@ -120,11 +122,17 @@ void run_remesh(Job& job, const Remesh_options& options)
     result = find_mesh(make_cloud(surface), options, job);
   job.result()["vertices_out"] = result.file.points.size();
   job.result()["faces_out"] = result.file.number_of_polygons();
-  job.result()["added"] = result.added;
+  job.result()["added"] = result.found.added;
+  if(!options.may_intersect)
+    job.result()["self_intersections"] = result.found.self_intersections;
   job.say("vertices        " + std::to_string(result.file.points.size()));
   job.say("faces           " + std::to_string(result.file.number_of_polygons()));
-  if(result.added > 0)
-    job.say("added           " + std::to_string(result.added));
+  if(result.found.added > 0)
+    job.say("added           " + std::to_string(result.found.added));
+  if(const std::size_t pairs = result.found.self_intersections; pairs > 0)
+    job.note(std::to_string(pairs) +
+             (pairs == 1 ? " pair of faces intersects" : " pairs of faces intersect") +
+             ", as the input does there or almost does");
 
   job.stage("write");
   job.write_values([&] { return result.text; });
@@ -155,6 +163,8 @@ void add_remesh(CLI::App& program)
   command.add("--maximum-deviation", options->deviation, "D",
               "how far vertices of the input may be from the result; more come where they are "
               "farther");
+  command.add_flag("--allow-self-intersections", options->may_intersect,
+                   "no vertices are added where faces of the result intersect");
   const std::function<void(const std::string&)> fill_holes = [options](const std::string& text)
   { options->hole_edges = parse_hole_edges(text); };
   command

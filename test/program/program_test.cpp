@@ -350,7 +350,10 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("voronoi square.ply --number 3", {"seeds", "unreached"});
   expect_keys("segment square.ply --number 3", {"charts", "energy", "energies", "unreached"});
   expect_keys("sample square.ply --number 3", {"samples", "covering_radius"});
-  expect_keys("remesh square.ply --number 20", {"vertices_out", "faces_out", "added"});
+  expect_keys("remesh square.ply --number 20",
+              {"vertices_out", "faces_out", "added", "self_intersections"});
+  expect_keys("remesh square.ply --number 20 --allow-self-intersections",
+              {"vertices_out", "faces_out", "added"});
   expect_keys("base square.ply --number 20",
               {"vertices_out", "faces_out", "folds", "repaired_faces"});
   expect_keys("semiregular square.ply --number 20 --levels 1",
@@ -358,8 +361,9 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
   expect_keys("atlas square.ply --number 4",
               {"charts", "flips", "overlaps", "coverage", "texels_per_length", "conformal",
                "authalic", "symmetric_dirichlet"});
-  expect_keys("remesh square.ply --number 20 --fill-holes",
-              {"vertices_out", "faces_out", "added", "holes_filled", "holes_left"});
+  expect_keys(
+      "remesh square.ply --number 20 --fill-holes",
+      {"vertices_out", "faces_out", "added", "self_intersections", "holes_filled", "holes_left"});
   expect_keys("matrix square.ply --number 3", {"rows", "entries", "sources"});
   expect_keys("matrix square.ply --limit 0.2", {"rows", "entries"});
   expect_keys("emd square.ply --from 0 --to 80",

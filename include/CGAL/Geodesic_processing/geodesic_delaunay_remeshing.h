@@ -33,7 +33,9 @@ enum class Too_few_samples
 /// what became of a remeshing.
 struct Remeshing_result
 {
-  std::size_t added = 0;   ///< vertices beyond the number asked for
+  std::size_t added = 0; ///< vertices beyond the number asked for
+  /// pairs of faces that intersect though they were not to, as CGAL's `self_intersections()` counts them
+  std::size_t self_intersections = 0;
   bool is_finished = true; ///< false when the callback cancelled it; then the output is untouched
 };
 
@@ -50,6 +52,10 @@ struct Remeshing_result
 /// topology of the input, component by component: genus, borders, orientation; no two faces have the
 /// same vertices. Isolated vertices are left out, and where the input pinches at a vertex it is taken
 /// apart there.
+///
+/// Where faces intersect they are too far from the input, and get more samples, too: near to each other
+/// sheets of it stay apart. What intersects itself already cannot be cured so, and is left; ten rounds are
+/// the most.
 ///
 /// Where four cells almost meet in a place, edges are those that make the least angle larger.
 ///
@@ -93,6 +99,9 @@ struct Remeshing_result
 ///       it, such that the input's vertices are near to faces in the sense of least squares. Those on
 ///       borders and kept edges stay.}
 ///     \cgalParamDefault{`false`} \cgalParamNEnd
+///   \cgalParamNBegin{do_avoid_self_intersections}
+///     \cgalParamDescription{whether vertices are added where faces intersect}
+///     \cgalParamDefault{`true`} \cgalParamNEnd
 ///   \cgalParamNBegin{sharp_angle}
 ///     \cgalParamDescription{in degrees: edges at which the surface bends by at least as much are kept,
 ///       and so are the chains that they form: each becomes a chain of edges, through samples at equal
@@ -137,12 +146,14 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
 {
   const auto given = make_domain(surface, np);
   const auto& domain = internal::manifold(given);
-  const internal::Remeshing_goal goal = internal::remeshing_goal(surface, domain, number, np);
+  internal::Remeshing_goal goal = internal::remeshing_goal(surface, domain, number, np);
+  goal.avoids_crossings = internal::parameter(np, internal_np::do_avoid_self_intersections, true);
   const internal::Remeshing found = internal::remeshing(domain.triangles(), goal);
   Remeshing_result result;
   result.is_finished = found.is_finished;
   if(!found.is_finished)
     return result;
+  result.self_intersections = found.crossings;
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
   if(result.added > 0 && internal::parameter(np, internal_np::too_few_samples,
                                              Too_few_samples::refine) != Too_few_samples::refine)

@@ -29,6 +29,7 @@ namespace CGAL::Geodesic_processing {
   NAME(number_of_relaxation_steps)                                                                 \
   NAME(maximum_deviation)                                                                          \
   NAME(do_fit)                                                                                     \
+  NAME(do_avoid_self_intersections)                                                                \
   NAME(sharp_angle)                                                                                \
   NAME(curve_spacing)                                                                              \
   NAME(edge_spacing_map)                                                                           \

@@ -28,6 +28,7 @@ struct Remeshing_goal
   std::size_t relaxation_steps = 0; // that move samples which are not on curves, or first ones
   // How far sites may be from the triangles in space: samples are added where they are farther.
   double maximum_deviation = infinity;
+  bool avoids_crossings = false;        // samples are added where triangles in space cross
   bool is_fitted = false;               // points leave the surface: triangles are nearer to sites
   unsigned seed = 0;                    // as in Sampling_goal
   std::function<bool(double)> callback; // told the fraction done; false cancels
@@ -38,6 +39,7 @@ struct Remeshing
   std::vector<Location> samples;               // clean
   std::vector<std::array<double, 3>> points;   // of samples, in the caller's coordinates
   std::vector<std::array<Index, 3>> triangles; // of samples, counterclockwise
+  std::size_t crossings = 0;                   // pairs of triangles, where these were to be avoided
   bool is_finished = true;                     // else there are no triangles
 
   // What they were before edges were flipped for larger angles: those between cells, which are told apart
