@@ -32,6 +32,9 @@ constexpr double first_questions = 2e5, questions_per_surfel = 60.;
 
 // What the front leaves open among surfels near each other has fewer edges than this.
 constexpr std::size_t most_edges_of_gap = 16;
+// And a ring of so few is closed whatever its size: across it is no farther than along three edges of small
+// triangles.  Random samples of a surface leave one in some ten thousand surfels.
+constexpr std::size_t few_edges = 6;
 // The sine of twenty degrees: by so much the normal of a triangle's surfel may point to the other side,
 // as those at creases are means, and by more than that one of them points to this one.
 constexpr double slant = 0.34;
@@ -182,12 +185,13 @@ void close_gaps(const Glued_surfels& surfels, const std::vector<Kernel::Point_3>
       found.push_back({gap[triple.first], gap[triple.second], gap[triple.third]});
       for_each_edge(found.back(), [&](const Edge& edge) { known += edges.count(edge); });
     }
-    const bool is_in_surface = std::all_of(found.begin(), found.end(),
-                                           [&](const Face& face)
-                                           {
-                                             return (gap.size() == 3 || is_small(surfels, face)) &&
-                                                    rises(surfels.triangles, face).second > 0.;
-                                           });
+    const bool is_in_surface =
+        std::all_of(found.begin(), found.end(),
+                    [&](const Face& face)
+                    {
+                      return (gap.size() <= few_edges || is_small(surfels, face)) &&
+                             rises(surfels.triangles, face).second > 0.;
+                    });
     if(known > gap.size() || !is_in_surface)
       continue;
     for(const Face& face : found)
