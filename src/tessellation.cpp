@@ -64,7 +64,7 @@ public:
 
   Tessellation run()
   {
-    m_is_finished = start() && relax(m_options.most_steps);
+    m_is_finished = start() && (has_many_handles() || relax(m_options.most_steps));
     if(m_triangles->is_cloud())
       return {m_state.centers, m_state.cells, m_state.energies, m_is_finished};
     make_patches();
@@ -85,6 +85,21 @@ private:
   double slowness_of(Index triangle) const
   {
     return m_limits.slowness ? (*m_limits.slowness)[triangle] : 1.;
+  }
+
+  // More handles than there shall be cells, that are to be discs, as Euler's formula tells, two holes counting as
+  // much as a handle: nearly each cell will be cut, and what it costs to move them before that is lost.
+  bool has_many_handles() const
+  {
+    if(!m_options.makes_discs)
+      return false;
+    const Glued_triangles& t = *m_triangles;
+    long long euler = t.number_of_triangles();
+    for(Index side = 0; side < t.twin.size(); ++side)
+      euler -= t.twin[side] == none || side < t.twin[side];
+    for(Index site = 0; site < t.number_of_sites(); ++site)
+      euler += t.first[site] < t.first[site + 1];
+    return euler < -2 * static_cast<long long>(m_options.number);
   }
 
   double energy() const
