@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/base_points.h>
 
+#include <CGAL/Geodesic_processing/internal/prefetch.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
 #include <algorithm>
@@ -198,6 +199,18 @@ Base_points nearest_base_points(const Glued_triangles& t, const Sampling& sampli
     if(const Index sample = sampling.labels()[site]; sample != none)
       bound[site] = margin * (sampling.distances()[site] + reach[sample]);
 
+  // So many sites take longer than memory does.
+  constexpr std::size_t ahead = 16, line = 64;
+  const auto prefetch_known_of = [&](Index site)
+  {
+    const std::size_t begin = nearest * site, end = begin + nearest;
+    for(std::size_t i = begin; i < end; i += line / sizeof(double))
+      prefetch(&result.distance[i]);
+    prefetch(&result.distance[end - 1]);
+    prefetch(&result.point[begin]);
+    prefetch(&result.point[end - 1]);
+    prefetch(&bound[site]);
+  };
   Front_limits limits;
   limits.known = &bound;
   for(Index sample = 0; sample < number; ++sample)
@@ -205,8 +218,12 @@ Base_points nearest_base_points(const Glued_triangles& t, const Sampling& sampli
     if(callback && !callback(double(sample) / double(number)))
       return {};
     front.run({{{sampling.samples()[sample]}, 0., 0}}, limits);
-    for(const Index site : front.reached())
+    const std::vector<Index>& reached = front.reached();
+    for(std::size_t k = 0; k < reached.size(); ++k)
     {
+      if(k + ahead < reached.size())
+        prefetch_known_of(reached[k + ahead]);
+      const Index site = reached[k];
       const double distance = front.distance(site);
       const std::size_t begin = nearest * site;
       std::size_t place = begin + nearest - 1;

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/glue.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
+#include <CGAL/Geodesic_processing/internal/prefetch.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
 #include <algorithm>
@@ -54,13 +55,6 @@ constexpr double worth_an_offer = 1e-14;
 constexpr std::size_t most_forgotten = 4;
 constexpr std::size_t few_forgotten = 20000; // which every query may, small ones too
 constexpr Index few_corrections = 8;
-
-inline void prefetch([[maybe_unused]] const void* address)
-{
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#endif
-}
 
 // The circular front that passes a site x at the origin and is seen at y, behind the side that runs
 // from x along the first axis for `length`.

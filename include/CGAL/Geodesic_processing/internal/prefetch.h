@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PREFETCH_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PREFETCH_H
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Lets a line of memory be on its way before it is asked for; what lies there may be anything.
+inline void prefetch([[maybe_unused]] const void* address)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#endif
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PREFETCH_H
