@@ -144,6 +144,7 @@ picture near "Only what is near is visited when there is a limit." \
   distance "$runner" --source 100 --limit 0.3
 picture border "How deep in the surface, seen from its borders?" distance "$holes" --source-border
 picture sample "Which places cover a surface evenly?" sample "$animal" --number 300
+picture sample-part "Samples of a part of a machine, evenly spread." sample "$part" --number 600
 picture sample-attracted "Samples of a part of a machine where creases attract them." \
   sample "$part" --number 600 --speed curvature-attractive
 picture sample-repelled "The same number where creases repel them." \
@@ -163,6 +164,11 @@ picture remesh-part "Sharp edges are kept on request." \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40
 picture remesh-spacing "With small steps along them." \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40 --curve-spacing 0.015
+picture remesh-part-even "The same part evenly, its creases left to chance," remesh "$part" --number 1000
+picture remesh-part-bent "with samples that creases attract, but which do not lie on them," \
+  remesh "$part" --number 1000 --speed curvature-attractive
+picture remesh-part-both "and with these creases kept." \
+  remesh "$part" --number 1000 --speed curvature-attractive --keep-sharp 20
 picture remesh-filled "The holes of a surface are filled first on request." \
   remesh "$holes" --number 1500 --lloyd 10 --fill-holes
 picture remesh-100 "One surface in 100 vertices," \
@@ -178,6 +184,10 @@ picture function-remesh "and triangles." \
 picture remesh-even "A beast in 1,500 vertices, evenly," remesh "$beast" --number 1500 --lloyd 5
 picture remesh-bent "and with more of them where it bends." \
   remesh "$beast" --number 1500 --lloyd 5 --speed curvature-attractive
+for strength in 0.1 0.3 1; do
+  picture remesh-strength-$strength "Where it bends triangles are smaller, by a strength of $strength." \
+    remesh "$animal" --number 1500 --speed curvature-attractive --strength $strength
+done
 picture base "The edges of a base of 100 vertices, as geodesics." base "$animal" --number 100
 picture base-part "Edges of a base that follow sharp ones." base "$part" --number 150 --keep-sharp 40
 picture semiregular "Each base face cut into 64." semiregular "$animal" --number 100 --levels 3
@@ -305,6 +315,13 @@ program farthest_vertex "$animal" $build/farthest.ply
 program covering_radius "$animal" $build/covering.ply
 program attracted_samples "$part" $build/attracted.ply
 program two_speeds $build/two_speeds.ply
+for number in 30 120 480; do
+  picture square-$number "Farthest points in a square, and their triangles: $number." \
+    remesh $build/two_speeds.ply --number $number
+done
+property=speed program chosen_places "$animal" $build/chosen_places.ply
+picture remesh-chosen "Small triangles where a user wants them." \
+  remesh $build/chosen_places.ply --number 1500 --lloyd 5 --speed speed
 program cut_locus "$bunny" $build/cut_locus.ply
 property=graticule program flat_globe $build/flat_globe.ply
 program from_spectral_to_geodesic "$small" 100 $build/from_spectral_to_geodesic.ply
