@@ -11,6 +11,24 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+struct Mass
+{
+  double mass = 0.;
+  Spatial moment = {0., 0., 0.};
+
+  void add(const Spatial& a, const Spatial& b, const Spatial& c, double density)
+  {
+    const double here = density * norm(cross(b - a, c - a));
+    mass += here;
+    moment = moment + (here / 3.) * (a + b + c);
+  }
+  void add(const Mass& other, double times)
+  {
+    mass += times * other.mass;
+    moment = moment + times * other.moment;
+  }
+};
+
 // A convex polygon in a triangle, cut from it by up to two lines.
 struct Polygon
 {
@@ -33,23 +51,13 @@ struct Polygon
     }
     *this = result;
   }
-};
 
-struct Mass
-{
-  double mass = 0.;
-  Spatial moment = {0., 0., 0.};
-
-  void add(const Spatial& a, const Spatial& b, const Spatial& c, double density)
+  Mass mass(double density) const
   {
-    const double here = density * norm(cross(b - a, c - a));
-    mass += here;
-    moment = moment + (here / 3.) * (a + b + c);
-  }
-  void add(const Mass& other, double times)
-  {
-    mass += times * other.mass;
-    moment = moment + times * other.moment;
+    Mass result;
+    for(int i = 2; i < size; ++i)
+      result.add(points[0], points[i - 1], points[i], density);
+    return result;
   }
 };
 
@@ -87,6 +95,53 @@ Mass nearer_part(const std::array<Spatial, 3>& corners, const Mass& whole, const
   return rest;
 }
 
+// What three samples have of a triangle each, where every corner is nearest to its own one and they
+// meet inside: three quadrangles about that place.  In coordinates of the triangle, with corner k as
+// the origin.  False where it is otherwise.
+bool three_parts(const std::array<Spatial, 3>& corners, double whole,
+                 const std::array<Spatial, 3>& centres, std::array<Mass, 3>& parts)
+{
+  // Squared distances to the first sample less those to the second and to the third one.
+  std::array<double, 3> second, third;
+  const Spatial to_second = centres[1] - centres[0], to_third = centres[2] - centres[0];
+  const Spatial middle_second = 0.5 * (centres[0] + centres[1]),
+                middle_third = 0.5 * (centres[0] + centres[2]);
+  for(int k = 0; k < 3; ++k)
+  {
+    second[k] = dot(corners[k] - middle_second, to_second);
+    third[k] = dot(corners[k] - middle_third, to_third);
+  }
+  if(!(second[0] < 0. && third[0] < 0. && second[1] > 0. && second[1] > third[1] && third[2] > 0. &&
+       third[2] > second[2]))
+    return false;
+  const Spatial meeting = cross(second, third);
+  const double sum = meeting[0] + meeting[1] + meeting[2];
+  const std::array<double, 3> place = {meeting[0] / sum, meeting[1] / sum, meeting[2] / sum};
+  if(!(place[0] > 0. && place[1] > 0. && place[2] > 0.))
+    return false;
+  // How far along each side two meet, and that the other one is farther there.
+  const double from_second = second[1] - third[1], from_third = third[2] - second[2];
+  const std::array<double, 3> share = {second[0] / (second[0] - second[1]),
+                                       from_second / (from_second + from_third),
+                                       third[2] / (third[2] - third[0])};
+  if(!(third[0] + share[0] * (third[1] - third[0]) < 0. &&
+       second[1] + share[1] * (second[2] - second[1]) > 0. &&
+       second[2] + share[2] * (second[0] - second[2]) < 0.))
+    return false;
+  for(int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3, previous = (k + 2) % 3;
+    const double along = share[k], back = 1. - share[previous];
+    const double first = along * place[previous], last = back * place[next];
+    const double to_next = (first * (along + place[next]) + last * place[next]) / 3.,
+                 to_previous = (first * place[previous] + last * (place[previous] + back)) / 3.;
+    parts[k].mass = whole * (first + last);
+    parts[k].moment = whole * ((first + last - to_next - to_previous) * corners[k] +
+                               to_next * corners[next] + to_previous * corners[previous]);
+  }
+  return true;
+}
+
 bool is_obstacle(const std::vector<double>* slowness, Index triangle)
 {
   return slowness && !((*slowness)[triangle] < infinity);
@@ -107,75 +162,130 @@ struct Labels
   {
     for(int k = 0; k < 3; ++k)
       if(const Index label = labels_of_sites[corner[k]];
-         label != none && std::find(begin(), end(), label) == end())
+         label != none && !(size > 0 && labels[0] == label) && !(size > 1 && labels[1] == label))
         labels[size++] = label;
   }
   const Index* begin() const { return labels.data(); }
   const Index* end() const { return labels.data() + size; }
 };
 
-// What is nearest to a point, found from triangle to triangle; nowhere where that leads to a border, to a
-// corner, to an obstacle or out of the cell.
-Location nearest_from(const Glued_triangles& t, const std::vector<Index>& labels, Index label,
-                      Index triangle, const Spatial& p, const std::vector<double>* slowness)
+// What is nearest to a point, found from triangle to triangle; nowhere where that leads to a border, to an
+// obstacle or out of the cell.
+class Walk
 {
-  Index last = none;
-  for(int steps = 0; triangle != none && steps < 10; ++steps)
+public:
+  Walk(const Glued_triangles& t, const std::vector<Index>& labels,
+       const std::vector<double>* slowness)
+      : m_triangles(t), m_labels(labels), m_slowness(slowness)
+  {}
+
+  Location operator()(Index label, Index triangle, const Spatial& p) const
   {
-    const Index* const corner = &t.corner[3 * std::size_t(triangle)];
-    const Labels here(corner, labels);
-    const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
-    if(std::find(here.begin(), here.end(), label) == here.end() || !has_area(a, b, c) ||
-       is_obstacle(slowness, triangle))
-      return {};
-    const auto nearest = nearest_in_triangle(a, b, c, p);
-    const auto zeros = std::count(nearest.begin(), nearest.end(), 0.);
-    if(zeros == 0)
-      return {triangle, none, nearest};
-    if(zeros > 1)
-      return {};
-    const auto behind = std::find(nearest.begin(), nearest.end(), 0.) - nearest.begin();
-    const Index twin = t.twin[next_side(3 * triangle + Index(behind))];
-    if(twin == none)
-      return {};
-    // On an edge where the surface bulges.
-    if(twin / 3 == last)
-      return {triangle, none, nearest};
-    last = triangle;
-    triangle = twin / 3;
+    const Glued_triangles& t = m_triangles;
+    Index last = none;
+    std::array<double, 3> nearest;
+    double least = nearest_in(triangle, label, p, nearest);
+    for(int steps = 0; least < infinity && steps < 10; ++steps)
+    {
+      const auto zeros = std::count(nearest.begin(), nearest.end(), 0.);
+      if(zeros == 0)
+        return {triangle, none, nearest};
+      if(zeros > 1)
+      {
+        // At a corner: on through what comes nearest of all around it.
+        const Location corner = {triangle, none, nearest};
+        const Index site = site_of(t, corner), before = triangle;
+        std::array<double, 3> there;
+        for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+          if(const double square = nearest_in(t.star[i] / 3, label, p, there); square < least)
+          {
+            least = square;
+            nearest = there;
+            triangle = t.star[i] / 3;
+          }
+        if(triangle == before)
+          return corner;
+        last = before;
+        continue;
+      }
+      const auto behind = std::find(nearest.begin(), nearest.end(), 0.) - nearest.begin();
+      const Index twin = t.twin[next_side(3 * triangle + Index(behind))];
+      if(twin == none)
+        return {};
+      // On an edge where the surface bulges.
+      if(twin / 3 == last)
+        return {triangle, none, nearest};
+      last = triangle;
+      triangle = twin / 3;
+      least = nearest_in(triangle, label, p, nearest);
+    }
+    return {};
   }
-  return {};
-}
+
+private:
+  // The squared distance of the nearest place; infinity where there is no area, an obstacle, or nothing of
+  // the cell.
+  double nearest_in(Index triangle, Index label, const Spatial& p,
+                    std::array<double, 3>& nearest) const
+  {
+    if(triangle == none || is_obstacle(m_slowness, triangle))
+      return infinity;
+    const Index* const corner = &m_triangles.corner[3 * std::size_t(triangle)];
+    if(m_labels[corner[0]] != label && m_labels[corner[1]] != label && m_labels[corner[2]] != label)
+      return infinity;
+    const std::vector<Spatial>& point = m_triangles.point;
+    const Spatial &a = point[corner[0]], &b = point[corner[1]], &c = point[corner[2]];
+    if(!has_area(a, b, c))
+      return infinity;
+    nearest = nearest_in_triangle(a, b, c, p);
+    const Spatial way = nearest[0] * a + nearest[1] * b + nearest[2] * c - p;
+    return dot(way, way);
+  }
+
+  const Glued_triangles& m_triangles;
+  const std::vector<Index>& m_labels;
+  const std::vector<double>* m_slowness;
+};
 
 } // namespace
 
-std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Index>& labels,
-                                const std::vector<Location>& samples,
-                                const std::vector<double>* slowness, double way,
-                                const std::vector<Spatial>& onward)
+std::vector<double> triangle_masses(const Glued_triangles& t, const std::vector<double>* slowness)
 {
-  std::vector<Spatial> centre;
-  for(const Location& sample : samples)
-    centre.push_back(scaled_coordinates(t, sample));
-  std::vector<Mass> mass(samples.size());
-  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  std::vector<double> result(t.number_of_triangles(), 0.);
+  for(Index f = 0; f < result.size(); ++f)
   {
     const Index* const corner = &t.corner[3 * std::size_t(f)];
     const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
     if(is_obstacle(slowness, f))
       continue;
     const double square = slowness ? (*slowness)[f] * (*slowness)[f] : 1.;
-    const Labels here(corner, labels);
-    // The last one has what the others leave.
-    Mass rest;
-    if(here.size > 0)
-      rest.add(a, b, c, square * square);
-    if(here.size == 1)
-    {
-      mass[here.labels[0]].add(rest, 1.);
+    result[f] = square * square * norm(cross(b - a, c - a));
+  }
+  return result;
+}
+
+std::vector<Location> centroids(const Glued_triangles& t, const std::vector<double>& masses,
+                                const std::vector<Index>& labels,
+                                const std::vector<Location>& samples,
+                                const std::vector<double>* slowness, double way,
+                                const std::vector<Spatial>& onward)
+{
+  std::vector<Spatial> centre;
+  centre.reserve(samples.size());
+  for(const Location& sample : samples)
+    centre.push_back(scaled_coordinates(t, sample));
+  std::vector<Mass> mass(samples.size());
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    if(!(masses[f] > 0.))
       continue;
-    }
-    const double whole = rest.mass;
+    const Index* const corner = &t.corner[3 * std::size_t(f)];
+    const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+    const Labels here(corner, labels);
+    if(here.size == 0)
+      continue;
+    // The last one has what the others leave.
+    Mass rest = {masses[f], (masses[f] / 3.) * (a + b + c)};
     if(here.size == 2)
     {
       const Mass first =
@@ -183,20 +293,28 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Inde
       mass[here.labels[0]].add(first, 1.);
       rest.add(first, -1.);
     }
-    for(int k = 0; here.size == 3 && k < 2; ++k)
+    else if(here.size == 3)
     {
-      Polygon part{{a, b, c}, 3};
-      for(const Index other : here)
-        if(other != here.labels[k])
-          part.cut(centre[here.labels[k]], centre[other]);
-      Mass inside;
-      for(int i = 2; i < part.size; ++i)
-        inside.add(part.points[0], part.points[i - 1], part.points[i], square * square);
-      mass[here.labels[k]].add(inside, 1.);
-      rest.add(inside, -1.);
+      std::array<Mass, 3> parts;
+      if(!three_parts({a, b, c}, masses[f],
+                      {centre[here.labels[0]], centre[here.labels[1]], centre[here.labels[2]]},
+                      parts))
+        for(int k = 0; k < 2; ++k)
+        {
+          Polygon part{{a, b, c}, 3};
+          for(const Index other : here)
+            if(other != here.labels[k])
+              part.cut(centre[here.labels[k]], centre[other]);
+          parts[k] = part.mass(masses[f] / norm(cross(b - a, c - a)));
+        }
+      for(int k = 0; k < 2; ++k)
+      {
+        mass[here.labels[k]].add(parts[k], 1.);
+        rest.add(parts[k], -1.);
+      }
     }
     // What is left by rounding has no centre.
-    if(here.size > 0 && rest.mass > 1e-12 * whole)
+    if(rest.mass > 1e-12 * masses[f])
       mass[here.labels[here.size - 1]].add(rest, 1.);
   }
   for(std::size_t i = 0; i < samples.size(); ++i)
@@ -211,10 +329,11 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<Inde
   std::vector<Location> result = samples;
   std::vector<double> least(samples.size(), 0.);
   bool is_open = false;
+  const Walk nearest_from(t, labels, slowness);
   for(Index i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)
     {
-      result[i] = nearest_from(t, labels, i, triangle_at(t, samples[i]), centre[i], slowness);
+      result[i] = nearest_from(i, triangle_at(t, samples[i]), centre[i]);
       if(result[i].triangle != none)
         continue;
       result[i] = samples[i];

@@ -62,6 +62,8 @@ Refinement glued(const Refinement& from, Pieces pieces)
   t.scale *= before.scale;
   Refinement result;
   result.coarse = from.coarse;
+  result.parent.reserve(mesh.face_of_triangle.size());
+  result.corners.reserve(mesh.face_of_triangle.size());
   for(const Index piece : mesh.face_of_triangle)
   {
     const Index parent = pieces.parent[piece];
@@ -79,26 +81,32 @@ Refinement glued(const Refinement& from, Pieces pieces)
 // Places of a triangle: its corners 0, 1, 2 and the middles 3, 4, 5 of its sides.
 using Piece = std::array<Index, 3>;
 
+struct Cut
+{
+  std::array<Piece, 4> pieces;
+  Index size;
+};
+
 // What becomes of a triangle some of whose sides are halved: convex pieces, counterclockwise.
 // is_shorter: of the two ways to cut what is left behind the corner between two halved sides, the one
 // from the end of the second one is shorter.
-std::vector<Piece> pieces_of(const std::array<bool, 3>& is_halved, bool is_shorter)
+Cut pieces_of(const std::array<bool, 3>& is_halved, bool is_shorter)
 {
   const int number = is_halved[0] + is_halved[1] + is_halved[2];
   if(number == 0)
-    return {{0, 1, 2}};
+    return {{Piece{0, 1, 2}}, 1};
   if(number == 3)
-    return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+    return {{Piece{0, 3, 5}, Piece{3, 1, 4}, Piece{5, 4, 2}, Piece{3, 4, 5}}, 4};
   // Turned such that side k, or sides k and k + 1, are the halved ones.
   Index k = 0;
   while(!is_halved[k] || (number == 2 && !is_halved[(k + 1) % 3]))
     ++k;
   const Index a = k, b = (k + 1) % 3, c = (k + 2) % 3, ab = 3 + a, bc = 3 + b;
   if(number == 1)
-    return {{a, ab, c}, {ab, b, c}};
+    return {{Piece{a, ab, c}, Piece{ab, b, c}}, 2};
   if(is_shorter)
-    return {{ab, b, bc}, {a, ab, c}, {ab, bc, c}};
-  return {{ab, b, bc}, {a, ab, bc}, {a, bc, c}};
+    return {{Piece{ab, b, bc}, Piece{a, ab, c}, Piece{ab, bc, c}}, 3};
+  return {{Piece{ab, b, bc}, Piece{a, ab, bc}, Piece{a, bc, c}}, 3};
 }
 
 Barycentric place_in(Index place) { return place < 3 ? whole[place] : on_side(place - 3, 0.5); }
@@ -152,6 +160,14 @@ Refinement halved(const Refinement& from, const std::vector<bool>& is_halved)
       }
     }
 
+  // A triangle becomes one more for each of its halved sides.
+  const std::size_t number =
+      t.number_of_triangles() + std::size_t(std::count(is_halved.begin(), is_halved.end(), true));
+  pieces.corners.reserve(3 * number);
+  pieces.twins.reserve(3 * number);
+  pieces.parent.reserve(number);
+  pieces.in_parent.reserve(number);
+
   // Where the parts of each side are: the whole or its first half, and its second half.
   std::vector<std::array<Index, 2>> part(t.corner.size(), {none, none});
   for(Index f = 0; f < t.number_of_triangles(); ++f)
@@ -172,21 +188,22 @@ Refinement halved(const Refinement& from, const std::vector<bool>& is_halved)
       is_shorter = norm(unfolded_point(corners, place_in(3 + a)) - corners[c]) <
                    norm(unfolded_point(corners, place_in(3 + b)) - corners[a]);
     }
-    const std::vector<Piece> cut = pieces_of(is_cut, is_shorter);
+    const Cut cut = pieces_of(is_cut, is_shorter);
     const Index first = Index(pieces.corners.size());
-    for(const Piece& piece : cut)
+    for(Index i = 0; i < cut.size; ++i)
     {
+      const Piece& piece = cut.pieces[i];
       for(const Index place : piece)
         pieces.corners.push_back(point_at(place));
       pieces.parent.push_back(f);
       pieces.in_parent.push_back({place_in(piece[0]), place_in(piece[1]), place_in(piece[2])});
     }
     pieces.twins.resize(pieces.corners.size(), none);
-    for(Index i = 0; i < 3 * cut.size(); ++i)
+    for(Index i = 0; i < 3 * cut.size; ++i)
     {
-      const Index from_place = cut[i / 3][i % 3], to_place = cut[i / 3][(i + 1) % 3];
+      const Index from_place = cut.pieces[i / 3][i % 3], to_place = cut.pieces[i / 3][(i + 1) % 3];
       for(Index j = 0; j < i; ++j)
-        if(cut[j / 3][j % 3] == to_place && cut[j / 3][(j + 1) % 3] == from_place)
+        if(cut.pieces[j / 3][j % 3] == to_place && cut.pieces[j / 3][(j + 1) % 3] == from_place)
         {
           pieces.twins[first + i] = first + j;
           pieces.twins[first + j] = first + i;

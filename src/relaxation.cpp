@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/centroids.h>
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -37,6 +38,7 @@ Relaxation::Relaxation(std::shared_ptr<const Glued_triangles> triangles,
     : m_triangles(std::move(triangles)), m_slowness(std::move(slowness)),
       m_samples(std::move(samples)), m_labels(std::move(labels)), m_is_fixed(std::move(is_fixed)),
       m_moves(m_samples.size(), Spatial{0., 0., 0.}),
+      m_masses(triangle_masses(*m_triangles, m_slowness.get())),
       m_normals(m_triangles->number_of_sites(), Spatial{0., 0., 0.})
 {
   const Glued_triangles& t = *m_triangles;
@@ -44,6 +46,11 @@ Relaxation::Relaxation(std::shared_ptr<const Glued_triangles> triangles,
     m_normals[t.corner[corner]] = m_normals[t.corner[corner]] + doubled_normal(t, corner / 3);
   for(Spatial& normal : m_normals)
     normal = unit(normal);
+  const auto is_open = [&](Index side)
+  { return side != none && (!m_slowness || (*m_slowness)[side / 3] < infinity); };
+  for(Index side = 0; side < t.corner.size(); ++side)
+    if(const Index twin = t.twin[side]; side < twin && (is_open(side) || is_open(twin)))
+      m_joined.push_back({t.corner[side], t.corner[next_side(side)]});
 }
 
 void Relaxation::step(bool is_last)
@@ -51,8 +58,8 @@ void Relaxation::step(bool is_last)
   const Glued_triangles& t = *m_triangles;
   for(Spatial& move : m_moves)
     move = (is_last ? 0. : momentum) * move;
-  const std::vector<Location> moved =
-      centroids(t, m_labels, m_samples, m_slowness.get(), is_last ? 1. : way_to_centroid, m_moves);
+  const std::vector<Location> moved = centroids(t, m_masses, m_labels, m_samples, m_slowness.get(),
+                                                is_last ? 1. : way_to_centroid, m_moves);
   for(std::size_t i = 0; i < m_samples.size(); ++i)
     if(!m_is_fixed[i])
     {
@@ -103,25 +110,17 @@ void Relaxation::update_cells()
     if(const Index triangle = triangle_at(t, m_samples[i]); triangle != none)
       for(Index k = 0; k < 3; ++k)
         offer(t.corner[3 * triangle + k], i);
-  const auto meet = [&](Index triangle)
+  const auto meet = [&](const std::array<Index, 2>& ends)
   {
-    const Index* const corner = &t.corner[3 * std::size_t(triangle)];
-    const Index a = m_labels[corner[0]], b = m_labels[corner[1]], c = m_labels[corner[2]];
-    if((a == b && b == c) || (m_slowness && !((*m_slowness)[triangle] < infinity)))
+    const Index a = m_labels[ends[0]], b = m_labels[ends[1]];
+    if(a == b)
       return;
-    offer(corner[0], b);
-    offer(corner[0], c);
-    offer(corner[1], a);
-    offer(corner[1], c);
-    offer(corner[2], a);
-    offer(corner[2], b);
+    offer(ends[0], b);
+    offer(ends[1], a);
   };
-  // There and back, as what one triangle tells goes on in the next.
-  const Index n = Index(t.number_of_triangles());
-  for(Index f = 0; f < n; ++f)
-    meet(f);
-  for(Index f = n; f-- > 0;)
-    meet(f);
+  // There and back, as what one side tells goes on in the next.
+  std::for_each(m_joined.begin(), m_joined.end(), meet);
+  std::for_each(m_joined.rbegin(), m_joined.rend(), meet);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

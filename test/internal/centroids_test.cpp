@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <random>
+
 namespace {
 
 using namespace CGAL::Geodesic_processing::internal;
@@ -30,9 +33,18 @@ std::vector<Index> labels_of(const Glued_surface& surface, const std::vector<Loc
   return result;
 }
 
+std::vector<Location> centroids_of(const Glued_surface& surface, const std::vector<Index>& labels,
+                                   const std::vector<Location>& samples,
+                                   const std::vector<double>* slowness = nullptr, double way = 1.,
+                                   const std::vector<Spatial>& onward = {})
+{
+  return centroids(surface.t(), triangle_masses(surface.t(), slowness), labels, samples, slowness,
+                   way, onward);
+}
+
 Point moved(const Glued_surface& surface, const std::vector<Location>& samples, std::size_t i)
 {
-  return coordinates(surface.t(), centroids(surface.t(), labels_of(surface, samples), samples)[i]);
+  return coordinates(surface.t(), centroids_of(surface, labels_of(surface, samples), samples)[i]);
 }
 
 TEST(Centroids, of_a_square_and_of_its_halves)
@@ -56,17 +68,82 @@ TEST(Centroids, of_a_square_and_of_its_halves)
   EXPECT_LT(distance(moved(regular, four, 0), {0.5, 1. / 6., 0.}), rounding);
 }
 
+// What of a convex polygon is nearer to p than to q, side by side.
+std::vector<Point> nearer(const std::vector<Point>& polygon, const Point& p, const Point& q)
+{
+  const auto excess = [&](const Point& x) { return dot(x - p, x - p) - dot(x - q, x - q); };
+  std::vector<Point> result;
+  for(std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if(excess(a) <= 0.)
+      result.push_back(a);
+    if((excess(a) < 0.) != (excess(b) < 0.))
+      result.push_back(a + (excess(a) / (excess(a) - excess(b))) * (b - a));
+  }
+  return result;
+}
+
+Point centroid(const std::vector<Point>& polygon)
+{
+  Point moment = {0., 0., 0.};
+  double area = 0.;
+  for(std::size_t i = 2; i < polygon.size(); ++i)
+  {
+    const Point &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
+    const double here = cross(b - a, c - a)[2];
+    area += here;
+    moment = moment + (here / 3.) * (a + b + c);
+  }
+  return (1. / area) * moment;
+}
+
+TEST(Centroids, divide_a_triangle_among_three)
+{
+  const Triangulation one{{{0., 0., 0.}, {1., 0.25, 0.}, {0.25, 0.75, 0.}}, {0, 1, 2}};
+  const Glued_surface surface(one);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.05, 1.);
+  for(int i = 0; i < 300; ++i)
+  {
+    std::vector<Location> samples;
+    std::vector<Point> places;
+    std::vector<Index> labels(3);
+    for(Index k = 0; k < 3; ++k)
+    {
+      // At first each near its corner, where they meet inside; then anywhere.
+      std::array<double, 3> b = {uniform(random), uniform(random), uniform(random)};
+      b[k] += i < 150 ? 2. : 0.;
+      const double sum = b[0] + b[1] + b[2];
+      samples.push_back({0, none, {b[0] / sum, b[1] / sum, b[2] / sum}});
+      places.push_back(coordinates(surface.t(), samples.back()));
+      labels[surface.t().corner[k]] = k;
+    }
+    const std::vector<Point> corners = {coordinates(surface.t(), {0, none, {1., 0., 0.}}),
+                                        coordinates(surface.t(), {0, none, {0., 1., 0.}}),
+                                        coordinates(surface.t(), {0, none, {0., 0., 1.}})};
+    const std::vector<Location> found = centroids_of(surface, labels, samples);
+    for(int k = 0; k < 3; ++k)
+    {
+      const std::vector<Point> cell =
+          nearer(nearer(corners, places[k], places[(k + 1) % 3]), places[k], places[(k + 2) % 3]);
+      // What others leave of it to the last one is a difference: small cells have larger roundings.
+      EXPECT_LT(distance(coordinates(surface.t(), found[k]), centroid(cell)), 1e-9);
+    }
+  }
+}
+
 TEST(Centroids, can_be_gone_beyond)
 {
   const Glued_surface surface(square(10));
   const std::vector<Index> labels(surface.size(), 0);
   for(const double way : {0., 0.5, 1.5})
-    EXPECT_LT(distance(coordinates(surface.t(), centroids(surface.t(), labels, {surface.at(0)},
-                                                          nullptr, way)[0]),
+    EXPECT_LT(distance(coordinates(surface.t(),
+                                   centroids_of(surface, labels, {surface.at(0)}, nullptr, way)[0]),
                        {0.5 * way, 0.5 * way, 0.}),
               rounding);
   const Location found =
-      centroids(surface.t(), labels, {surface.at(0)}, nullptr, 1., {{0.25, -0.125, 0.}})[0];
+      centroids_of(surface, labels, {surface.at(0)}, nullptr, 1., {{0.25, -0.125, 0.}})[0];
   const double unit = surface.scale();
   EXPECT_LT(distance(coordinates(surface.t(), found), {0.5 + 0.25 * unit, 0.5 - 0.125 * unit, 0.}),
             rounding);
@@ -81,7 +158,7 @@ TEST(Centroids, lie_where_it_is_dense)
       slowness[f] = 2.;
   const std::vector<Index> labels(surface.size(), 0);
   const Point p =
-      coordinates(surface.t(), centroids(surface.t(), labels, {surface.at(0)}, &slowness)[0]);
+      coordinates(surface.t(), centroids_of(surface, labels, {surface.at(0)}, &slowness)[0]);
   // 16 times as much on the left.
   EXPECT_NEAR(p[0], (16. * 0.25 + 0.75) / 17., rounding);
   EXPECT_NEAR(p[1], 0.5, rounding);
@@ -94,7 +171,7 @@ TEST(Centroids, are_put_back_on_the_surface)
   std::vector<Location> samples;
   for(Index i = 0; i < 12; ++i)
     samples.push_back(surface.at(i));
-  const std::vector<Location> found = centroids(surface.t(), labels_of(surface, samples), samples);
+  const std::vector<Location> found = centroids_of(surface, labels_of(surface, samples), samples);
   ASSERT_EQ(found.size(), 12u);
   for(Index i = 0; i < 12; ++i)
   {
@@ -115,12 +192,12 @@ TEST(Centroids, stay_where_there_is_no_area)
   labels[glued.site(4)] = 1;
   labels[glued.site(3)] = 1;
   const std::vector<Location> samples = {glued.at(0), glued.at(4)};
-  const std::vector<Location> found = centroids(glued.t(), labels, samples);
+  const std::vector<Location> found = centroids_of(glued, labels, samples);
   for(const Location& location : found)
     for(const double x : coordinates(glued.t(), location))
       EXPECT_TRUE(std::isfinite(x));
   // A cell that comes to no site, and sites of no cell.
-  EXPECT_EQ(centroids(glued.t(), std::vector<Index>(5, none), samples)[1].barycentric,
+  EXPECT_EQ(centroids_of(glued, std::vector<Index>(5, none), samples)[1].barycentric,
             cleaned(glued.t(), samples[1]).barycentric);
 }
 

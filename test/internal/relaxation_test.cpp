@@ -85,7 +85,8 @@ TEST(Relaxation, ends_at_the_centroids_of_the_cells)
     labels.push_back(front.source(site));
     largest = std::max(largest, front.distance(site) * surface.scale());
   }
-  const std::vector<Location> centres = centroids(surface.t(), labels, found.samples);
+  const std::vector<Location> centres =
+      centroids(surface.t(), triangle_masses(surface.t()), labels, found.samples);
   // Sites that change from cell to cell keep moving samples by a part of a side, which is 0.07.
   for(std::size_t i = 0; i < centres.size(); ++i)
     EXPECT_LT(distance(coordinates(surface.t(), centres[i]), found.points[i]), 0.01);

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -40,8 +41,10 @@ private:
   std::vector<Location> m_samples;
   std::vector<Index> m_labels; // #sites
   std::vector<bool> m_is_fixed;
-  std::vector<Spatial> m_moves;   // #samples: the last ones
-  std::vector<Spatial> m_normals; // #sites
+  std::vector<Spatial> m_moves;               // #samples: the last ones
+  std::vector<double> m_masses;               // #triangles
+  std::vector<Spatial> m_normals;             // #sites
+  std::vector<std::array<Index, 2>> m_joined; // sites that a side joins which a cell may grow along
 };
 
 } // namespace CGAL::Geodesic_processing::internal
