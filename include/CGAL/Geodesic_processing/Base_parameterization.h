@@ -89,8 +89,8 @@ public:
   ///     \cgalParamDescription{a `Base_coordinates`} \cgalParamDefault{`Base_coordinates::heron`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error when edges cannot be drawn even between several times as many
-  ///         samples, or triangles of the mesh cannot be remeshed
+  /// \throws Unsupported_surface_error when edges cannot be drawn, which rounding alone could cause, or
+  ///         triangles of the mesh cannot be remeshed
   /// \throws Invalid_argument_error as `geodesic_delaunay_remeshing()`, and when the callback cancels
   ///
   /// Near-linear in the mesh and the length of the edges, in its sides; exact distances visit each vertex

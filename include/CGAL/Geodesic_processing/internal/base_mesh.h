@@ -48,9 +48,9 @@ struct Base_mesh
 // triangles  of samples, counterclockwise: a surface with the topology of the mesh
 // is_curve   #sides of the mesh, twins alike: the border, and what else base edges are to follow
 //
-// Nothing where an edge finds no way between those before it: more samples help.
-// Throws Unsupported_surface_error where triangles are so thin that each edge makes the next ones cross
-// many more of them.
+// Nothing where an edge finds no way between those before it, as a short path can lead around the wrong
+// side of a handle, or where triangles are so thin that each edge makes the next ones cross many more of
+// them.
 // Near-linear in the size of the mesh and the paths.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
@@ -58,10 +58,11 @@ std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
                                    const std::vector<std::array<Index, 3>>& triangles,
                                    const std::vector<bool>& is_curve);
 
-// The same for the samples and triangles of a remeshing; with more of them as long as some edge finds no
-// way.
+// The same for the samples and triangles of a remeshing.  Where these edges find no way, it has those
+// between cells before any was flipped, and each is drawn within the cells of its ends on the finer
+// surface whose sites tell them apart: as cells are discs that meet in arcs, there is room for all.
 //
-// Throws Unsupported_surface_error where there is no such base with several times as many samples, and
+// Throws Unsupported_surface_error where even so one finds no way, which nothing is known to cause, and
 // what remeshing() throws.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles,
