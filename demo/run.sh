@@ -338,6 +338,7 @@ program nearest_of_many "$bear" $build/lands.ply
 program many_paths "$animal"
 program neighbourhoods "$animal"
 program remeshing "$animal" $build/remeshed.off
+property=share program shares_over_a_base "$animal" 100 $build/shares.ply
 program how_few_bits "$bunny" $build/levels.off
 for bits in 0.7 1 2 6; do
   picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits

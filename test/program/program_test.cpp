@@ -771,6 +771,19 @@ TEST_F(Program, atlas_gives_each_face_a_place_of_its_own)
   }
 }
 
+TEST_F(Program, base_divides_the_input)
+{
+  const nlohmann::json base = json("base square.ply --number 20 -o base.ply"),
+                       again = json("base square.ply --number 20 --divided -o divided.ply"),
+                       whole = json("info square.ply"), divided = json("info divided.ply");
+  EXPECT_EQ(again["faces_out"], base["faces_out"]);
+  EXPECT_EQ(json("info base.ply")["faces"], base["faces_out"]);
+  EXPECT_GT(divided["faces"], whole["faces"]);
+  // A sum of some hundred numbers.
+  EXPECT_NEAR(divided["area"].get<double>(), whole["area"].get<double>(), 1e-13);
+  EXPECT_EQ(divided["boundary_loops"], whole["boundary_loops"]);
+}
+
 TEST_F(Program, wavelet_keeps_what_matters)
 {
   using namespace CGAL::Geodesic_processing::test;

@@ -60,11 +60,12 @@ TEST(Write_files, ply_and_vtp_give_everything_back_to_the_last_bit)
   }
 }
 
-TEST(Write_files, vectors_of_faces_are_passed_over)
+TEST(Write_files, vectors_and_numbers_of_faces_are_passed_over)
 {
   const Folder folder;
   Surface_file surface = strip_of_triangles();
   surface.vectors["flow"] = {{1., 2., 3.}, {4., 5., 6.}};
+  surface.face_numbers["part"] = {7, 4000000000};
   for(const char* const name : {"a.ply", "a.vtp"})
   {
     program::write_surface_file(folder / name, surface);
@@ -73,10 +74,14 @@ TEST(Write_files, vectors_of_faces_are_passed_over)
     EXPECT_EQ(again.corners, surface.corners) << name;
     EXPECT_EQ(again.properties, surface.properties) << name;
   }
-  EXPECT_NE(program::to_ply(surface).find("property double flow_y\n"), std::string::npos);
+  const std::string ply = program::to_ply(surface);
+  EXPECT_NE(ply.find("property double flow_y\n"), std::string::npos);
+  EXPECT_NE(ply.find("property uint part\n"), std::string::npos);
   const std::string vtp = program::to_vtp(surface);
   EXPECT_GT(vtp.find("Name=\"flow\" NumberOfComponents=\"3\""), vtp.find("<CellData>"));
   EXPECT_NE(vtp.find("Name=\"flow\""), std::string::npos);
+  EXPECT_GT(vtp.find("Name=\"part\" NumberOfComponents=\"1\""), vtp.find("<CellData>"));
+  EXPECT_NE(vtp.find("Name=\"part\""), std::string::npos);
 }
 
 TEST(Write_files, off_and_obj_give_the_shape_back_to_the_last_bit)
