@@ -21,6 +21,10 @@ using Box =
 // Below so many boxes all pairs of them are looked at.
 constexpr std::ptrdiff_t few_boxes = 2000;
 
+// The only way out of CGAL's search.
+struct Enough
+{};
+
 class Crossings
 {
 public:
@@ -31,7 +35,7 @@ public:
       m_points.emplace_back(p[0], p[1], p[2]);
   }
 
-  std::vector<std::array<Index, 2>> find() const
+  std::vector<std::array<Index, 2>> find(std::size_t most) const
   {
     std::vector<std::array<Index, 2>> result;
     std::vector<Box> boxes;
@@ -43,15 +47,22 @@ public:
     std::vector<const Box*> addresses;
     for(const Box& box : boxes)
       addresses.push_back(&box);
-    box_self_intersection_d(
-        addresses.begin(), addresses.end(),
-        [&](const Box* box, const Box* other)
-        {
-          const auto [f, g] = std::minmax({box->info(), other->info()});
-          if(do_cross(f, g))
-            result.push_back({f, g});
-        },
-        few_boxes);
+    try
+    {
+      box_self_intersection_d(
+          addresses.begin(), addresses.end(),
+          [&](const Box* box, const Box* other)
+          {
+            if(result.size() >= most)
+              throw Enough();
+            const auto [f, g] = std::minmax({box->info(), other->info()});
+            if(do_cross(f, g))
+              result.push_back({f, g});
+          },
+          few_boxes);
+    }
+    catch(const Enough&)
+    {}
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -100,9 +111,9 @@ private:
 
 std::vector<std::array<Index, 2>>
 crossing_triangles(const std::vector<Spatial>& points,
-                   const std::vector<std::array<Index, 3>>& corners)
+                   const std::vector<std::array<Index, 3>>& corners, std::size_t most)
 {
-  return Crossings(points, corners).find();
+  return Crossings(points, corners).find(most);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

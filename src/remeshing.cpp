@@ -427,13 +427,13 @@ private:
       {
         Coarse_mesh mesh = joined(cells, found.triangles);
         std::vector<Location> more = far_places(cells, mesh);
-        if(more.empty() && m_goal.avoids_crossings)
-          more = places_at_crossings(cells, mesh);
         if(more.empty())
         {
-          m_result.between_cells = std::move(found.triangles);
-          finish(cells, std::move(mesh));
-          return true;
+          Remeshing now = finished(cells, std::move(mesh), std::move(found.triangles));
+          if(m_goal.avoids_crossings)
+            more = places_at_crossings(cells, now);
+          if(is_result(std::move(now), more.empty()))
+            return true;
         }
         m_sampling->add(more);
         continue;
@@ -645,14 +645,13 @@ private:
     return result;
   }
   // Where triangles cross and the surface does not, some of them are too far from it.
-  std::vector<Location> places_at_crossings(const Cells& cells, const Coarse_mesh& mesh)
+  std::vector<Location> places_at_crossings(const Cells& cells, Remeshing& now)
   {
-    std::vector<Spatial> points;
-    for(std::size_t i = 0; i < mesh.points.size(); ++i)
-      points.push_back(output_point(output_sample(cells, i), mesh.points[i]));
-    const auto crossings = crossing_triangles(points, mesh.triangles);
-    m_result.crossings = crossings.size();
-    if(crossings.empty() || ++m_number_of_rounds_at_crossings > most_rounds_at_crossings)
+    const std::size_t most = now.triangles.size();
+    const auto crossings = crossing_triangles(now.points, now.triangles, most);
+    now.crossings = crossings.size();
+    // So many are not for want of samples.
+    if(crossings.empty() || crossings.size() == most)
       return {};
     const std::vector<bool> is_cut = cells_that_cross(cells);
     std::vector<bool> is_concerned(cells.samples.size(), false);
@@ -660,12 +659,12 @@ private:
     {
       const auto is_clean = [&](Index f)
       {
-        const auto& corners = mesh.triangles[f];
+        const auto& corners = now.triangles[f];
         return !is_cut[corners[0]] && !is_cut[corners[1]] && !is_cut[corners[2]];
       };
       if(is_clean(crossing[0]) || is_clean(crossing[1]))
         for(const Index f : crossing)
-          for(const Index cell : mesh.triangles[f])
+          for(const Index cell : now.triangles[f])
             is_concerned[cell] = true;
     }
     std::vector<Index> farthest(cells.samples.size(), none);
@@ -682,6 +681,20 @@ private:
     return result;
   }
 
+  // Whether it is settled what comes out: this, or what there was before samples were added at crossings
+  // in vain.
+  bool is_result(Remeshing now, bool is_last)
+  {
+    const bool is_given_up = !is_last && ++m_rounds_at_crossings > most_rounds_at_crossings;
+    if(is_given_up || (is_last && m_crossing && m_crossing->crossings <= now.crossings))
+      m_result = std::move(*m_crossing);
+    else if(is_last)
+      m_result = std::move(now);
+    else if(!m_crossing)
+      m_crossing = std::move(now);
+    return is_last || is_given_up;
+  }
+
   // Cells in which the surface itself crosses a part of it: no samples would help.
   std::vector<bool> cells_that_cross(const Cells& cells)
   {
@@ -692,7 +705,7 @@ private:
       for(Index f = 0; f < corners.size(); ++f)
         std::copy_n(&coarse.corner[3 * std::size_t(f)], 3, corners[f].begin());
       m_crosses.emplace(corners.size(), false);
-      for(const auto& crossing : crossing_triangles(coarse.point, corners))
+      for(const auto& crossing : crossing_triangles(coarse.point, corners, corners.size()))
         for(const Index f : crossing)
           (*m_crosses)[f] = true;
     }
@@ -705,27 +718,23 @@ private:
   }
 
   // On the triangles that were given.
-  Location output_sample(const Cells& cells, std::size_t cell) const
+  Remeshing finished(const Cells& cells, Coarse_mesh mesh,
+                     std::vector<std::array<Index, 3>> between_cells) const
   {
-    const Location& sample = m_sampling->samples()[cells.samples[cell]];
-    return cleaned(*m_surface.coarse, to_coarse(m_surface, sample));
-  }
-  Spatial output_point(const Location& sample, const Spatial& point) const
-  {
-    return m_goal.is_fitted ? t().origin + t().scale * point
-                            : coordinates(*m_surface.coarse, sample);
-  }
-
-  void finish(const Cells& cells, Coarse_mesh mesh)
-  {
+    Remeshing result;
     for(std::size_t i = 0; i < mesh.points.size(); ++i)
     {
-      m_result.samples.push_back(output_sample(cells, i));
-      m_result.points.push_back(output_point(m_result.samples.back(), mesh.points[i]));
+      result.samples.push_back(cleaned(
+          *m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[cells.samples[i]])));
+      result.points.push_back(m_goal.is_fitted
+                                  ? t().origin + t().scale * mesh.points[i]
+                                  : coordinates(*m_surface.coarse, result.samples.back()));
     }
-    m_result.triangles = std::move(mesh.triangles);
-    m_result.surface = m_surface;
-    m_result.cells = cells.labels;
+    result.triangles = std::move(mesh.triangles);
+    result.surface = m_surface;
+    result.cells = cells.labels;
+    result.between_cells = std::move(between_cells);
+    return result;
   }
 
   const Remeshing_goal& m_goal;
@@ -744,7 +753,8 @@ private:
   // Of a round
   std::vector<bool> m_is_touched; // #cells
   std::vector<Index> m_stuck;     // cells that have a fault and no site left
-  int m_number_of_refinements = 0, m_number_of_rounds_at_crossings = 0;
+  int m_number_of_refinements = 0, m_rounds_at_crossings = 0;
+  std::optional<Remeshing> m_crossing;        // before any samples were added at crossings
   std::optional<std::vector<bool>> m_crosses; // #coarse triangles, once some of the result do
 };
 

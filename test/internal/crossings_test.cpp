@@ -15,12 +15,12 @@ using namespace CGAL::Geodesic_processing::test;
 using Point = CGAL::Geodesic_processing::test::Point;
 using Pairs = std::vector<std::array<Index, 2>>;
 
-Pairs crossings(const Triangulation& surface)
+Pairs crossings(const Triangulation& surface, std::size_t most = 1000)
 {
   std::vector<std::array<Index, 3>> corners;
   for(std::size_t i = 0; i < surface.corners.size(); i += 3)
     corners.push_back({surface.corners[i], surface.corners[i + 1], surface.corners[i + 2]});
-  return crossing_triangles(surface.points, corners);
+  return crossing_triangles(surface.points, corners, most);
 }
 
 // The triangle of (0,0,0), (1,0,0) and (0,1,0), and another one of these points and some more.
@@ -88,6 +88,7 @@ TEST(Crossings, of_a_sphere_and_a_plane)
   const Triangulation plane = {{{-9., -9., 0.}, {9., -9., 0.}, {0., 18., 0.}}, {0, 1, 2}};
   for(const double scale : {1e-6, 1., 1e6})
     EXPECT_EQ(crossings(scaled(apart(sphere, plane), scale)), expected);
+  EXPECT_EQ(crossings(apart(sphere, plane), 7).size(), 7u);
 }
 
 } // namespace

@@ -34,7 +34,8 @@ enum class Too_few_samples
 struct Remeshing_result
 {
   std::size_t added = 0; ///< vertices beyond the number asked for
-  /// pairs of faces that intersect though they were not to, as CGAL's `self_intersections()` counts them
+  /// pairs of faces that intersect though they were not to, as CGAL's `self_intersections()` counts them,
+  /// but no more than there are faces
   std::size_t self_intersections = 0;
   bool is_finished = true; ///< false when the callback cancelled it; then the output is untouched
 };
@@ -54,8 +55,8 @@ struct Remeshing_result
 /// apart there.
 ///
 /// Where faces intersect they are too far from the input, and get more samples, too: near to each other
-/// sheets of it stay apart. What intersects itself already cannot be cured so, and is left; ten rounds are
-/// the most.
+/// sheets of it stay apart. What intersects itself in the input cannot be cured so, and is left; where ten
+/// rounds are in vain, none of their samples are kept.
 ///
 /// Where four cells almost meet in a place, edges are those that make the least angle larger.
 ///

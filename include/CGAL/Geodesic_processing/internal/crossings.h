@@ -7,18 +7,19 @@
 #include <CGAL/Geodesic_processing/internal/spatial.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
 // Pairs of triangles in space that meet elsewhere than in corners and sides that they share, by exact
 // predicates: sorted, the lower of each first.  One without area makes a pair with itself alone.
-// O(n log n + k) for k pairs whose boxes meet.
+// O(n log n + k) for k pairs whose boxes meet, until `most` pairs are found, which ends the search.
 // corners: #triangles by 3, of points
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::array<Index, 2>>
 crossing_triangles(const std::vector<Spatial>& points,
-                   const std::vector<std::array<Index, 3>>& corners);
+                   const std::vector<std::array<Index, 3>>& corners, std::size_t most);
 
 } // namespace CGAL::Geodesic_processing::internal
 

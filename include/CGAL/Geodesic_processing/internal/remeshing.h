@@ -39,8 +39,8 @@ struct Remeshing
   std::vector<Location> samples;               // clean
   std::vector<std::array<double, 3>> points;   // of samples, in the caller's coordinates
   std::vector<std::array<Index, 3>> triangles; // of samples, counterclockwise
-  std::size_t crossings = 0;                   // pairs of triangles, where these were to be avoided
-  bool is_finished = true;                     // else there are no triangles
+  std::size_t crossings = 0; // pairs, where these were to be avoided; no more than triangles
+  bool is_finished = true;   // else there are no triangles
 
   // What they were before edges were flipped for larger angles: those between cells, which are told apart
   // by the sites of a finer surface.
