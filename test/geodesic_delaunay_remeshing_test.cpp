@@ -415,6 +415,16 @@ TEST(Geodesic_delaunay_remeshing, leaves_what_intersects_itself)
   EXPECT_LT(found.added, 30u); // next to where the spheres cross, faces may do so that need not
 }
 
+TEST(Geodesic_delaunay_remeshing, keeps_nothing_that_was_in_vain)
+{
+  // Far too near for ten rounds.
+  const Mesh mesh = mesh_of(apart(icosphere(4), scaled(icosphere(4), 1. - 1e-7)));
+  Exact_mesh output;
+  const auto found = GP::geodesic_delaunay_remeshing(mesh, 80, output);
+  EXPECT_EQ(found.added, 0u);
+  EXPECT_GT(found.self_intersections, 0u);
+}
+
 TEST(Geodesic_delaunay_remeshing, adds_to_the_output)
 {
   Mesh output = mesh_of(tetrahedron());
