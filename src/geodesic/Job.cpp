@@ -108,6 +108,26 @@ void Job::say(const std::string& line) const
     std::printf("%s\n", line.c_str());
 }
 
+void Job::say_value(const std::string& name, const std::string& value) const
+{
+  constexpr std::size_t column = 16;
+  std::string line = name;
+  line.resize(std::max(line.size() + 1, column), ' ');
+  say(line + value);
+}
+
+void Job::report(const std::string& name, double value)
+{
+  m_result[name] = json_number(value);
+  say_value(name, readable(value));
+}
+
+void Job::report(const std::string& name, std::size_t value)
+{
+  m_result[name] = value;
+  say_value(name, std::to_string(value));
+}
+
 void Job::note(const std::string& line) const
 {
   if(!m_quiet)

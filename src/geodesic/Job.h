@@ -38,6 +38,10 @@ public:
   // What the command has found, for --json in this order.
   nlohmann::ordered_json& result() { return m_result; }
 
+  // Finds a number: for --json under its name, and for people in a line.
+  void report(const std::string& name, double value);
+  void report(const std::string& name, std::size_t value);
+
   // Shows how far the work is, when it is long and somebody watches.  Never cancels.
   std::function<bool(double)> progress(const std::string& what);
 
@@ -60,6 +64,8 @@ public:
   unsigned seed() const { return m_seed; }
 
 private:
+  void say_value(const std::string& name, const std::string& value) const;
+
   std::string m_input, m_output, m_values, m_picture;
   bool m_json = false, m_quiet = false;
   unsigned m_threads = 0, m_seed = 0;

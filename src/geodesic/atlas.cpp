@@ -133,29 +133,14 @@ Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& i
           .threads(job.threads())
           .callback(job.progress("charts")));
   const GP::Flattening_distortion distortion = GP::flattening_distortion(mesh, corner_uv);
-  const auto report = [&](const char* name, const auto& value)
-  {
-    std::string line = name;
-    line.resize(std::max<std::size_t>(line.size() + 1, 16), ' ');
-    if constexpr(std::is_floating_point_v<std::decay_t<decltype(value)>>)
-    {
-      job.result()[name] = json_number(value);
-      job.say(line + readable(value));
-    }
-    else
-    {
-      job.result()[name] = value;
-      job.say(line + std::to_string(value));
-    }
-  };
-  report("charts", atlas.number_of_charts);
-  report("flips", atlas.number_of_flips);
-  report("overlaps", atlas.number_of_overlaps);
-  report("coverage", atlas.coverage);
-  report("texels_per_length", atlas.texels_per_length);
-  report("conformal", distortion.conformal);
-  report("authalic", distortion.authalic);
-  report("symmetric_dirichlet", distortion.symmetric_dirichlet);
+  job.report("charts", atlas.number_of_charts);
+  job.report("flips", atlas.number_of_flips);
+  job.report("overlaps", atlas.number_of_overlaps);
+  job.report("coverage", atlas.coverage);
+  job.report("texels_per_length", atlas.texels_per_length);
+  job.report("conformal", distortion.conformal);
+  job.report("authalic", distortion.authalic);
+  job.report("symmetric_dirichlet", distortion.symmetric_dirichlet);
 
   result.corner_uv.resize(file.corners.size());
   for(const auto h : mesh.halfedges())

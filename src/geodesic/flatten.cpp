@@ -57,20 +57,12 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
       job.say("flips before    " + std::to_string(found.number_of_flips_before));
     }
     const GP::Flattening_distortion found = GP::flattening_distortion(surface, map);
-    job.result()["flips"] = found.number_of_flips;
-    job.say("flips           " + std::to_string(found.number_of_flips));
-    const auto report = [&](const char* name, double value)
-    {
-      job.result()[name] = json_number(value);
-      std::string line = name;
-      line.resize(std::max<std::size_t>(line.size() + 1, 16), ' ');
-      job.say(line + readable(value));
-    };
-    report("conformal", found.conformal);
-    report("authalic", found.authalic);
-    report("symmetric_dirichlet", found.symmetric_dirichlet);
-    report("l2_stretch", found.l2_stretch);
-    report("linf_stretch", found.linf_stretch);
+    job.report("flips", found.number_of_flips);
+    job.report("conformal", found.conformal);
+    job.report("authalic", found.authalic);
+    job.report("symmetric_dirichlet", found.symmetric_dirichlet);
+    job.report("l2_stretch", found.l2_stretch);
+    job.report("linf_stretch", found.linf_stretch);
   }
 }
 

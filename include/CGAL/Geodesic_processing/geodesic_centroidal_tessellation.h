@@ -42,7 +42,8 @@ namespace CGAL::Geodesic_processing {
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{do_make_discs}
 ///     \cgalParamDescription{on a mesh: whether each patch is to be a topological disc. Cells that are none get
-///       further centres, and what is left is cut in two; so there are more than asked for}
+///       further centres, and what is left is cut in two; so there are more than asked for. Where handles are more
+///       than these, centres begin to move when cells are discs}
 ///     \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_iterations}
 ///     \cgalParamDescription{steps; they end earlier where one gains less than a thousandth of the energy}
