@@ -27,7 +27,7 @@ namespace {
 
 // Sides longer than this part of the spacing of samples are halved: then a cell has some four sites.
 constexpr double longest_part = 0.65;
-// Where samples move, a little longer ones: that costs 0.2 degrees of the mean of the least angles, and saves
+// Where samples move, a little longer ones: that costs 0.2 to 0.5 degrees of the mean of the least angles, and saves
 // more time than the four steps that give it back.
 constexpr double longest_part_of_relaxed = 0.75;
 // One in so many may be longer, by this factor at most: else all triangles would be glued anew for the sake of

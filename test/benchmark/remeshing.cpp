@@ -156,7 +156,7 @@ void compare_quality(bool quick)
                     name + ", " + std::to_string(steps) + " steps" + (do_fit ? ", fitted" : ""),
                     *input, output, time);
       };
-      for(const std::size_t steps : {0, 12, 30})
+      for(const std::size_t steps : {0, 12, 16, 30})
         add(steps, false);
       add(12, true);
       const auto [output, time] = isotropic(*input, vertices);

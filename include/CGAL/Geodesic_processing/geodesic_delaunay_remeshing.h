@@ -84,7 +84,7 @@ struct Remeshing_result
 ///   \cgalParamNBegin{number_of_relaxation_steps}
 ///     \cgalParamDescription{how often samples move to the centres of their cells, which makes triangles
 ///       more even; each takes no longer than a front over the whole surface. First samples and
-///       those on borders and kept edges stay. Where samples move, some of the first ones are strewn
+///       those on borders and kept edges stay. Where samples move, the first half of them are strewn
 ///       instead of spread.}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
