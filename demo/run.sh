@@ -112,7 +112,7 @@ picture()
 
 # program NAME ARGUMENTS...: a demo program; its question is the first line of its source.  A
 # result that it leaves, the last argument then, is shown by its distances or another $property, or
-# without one where that is `none`.
+# without one where that is `none`; or it is the gallery's picture itself.
 program()
 {
   local name=$1 file=${as:-$1} question answer picture=''
@@ -121,13 +121,12 @@ program()
   shift
   question=$(sed -n '4s|^// ||p' "demo/$name.cpp")
   printf '\n%s\n' "$question"
+  rm -f "$gallery/$file.png"
   if answer=$("$build/demo/$name" "$@" 2>&1); then
     printf '%s\n' "$answer"
-    rm -f "$gallery/$file.png"
-    if [[ ${!#} == *.ply ]] && "$build/geodesic" info "${!#}" "${shown_by[@]}" --quiet \
-         --picture "$gallery/$file.png" >>$log 2>&1; then
-      picture="<img src=\"$file.png\" alt=\"\">"
-    fi
+    [[ ${!#} != *.ply ]] || "$build/geodesic" info "${!#}" "${shown_by[@]}" --quiet \
+      --picture "$gallery/$file.png" >>$log 2>&1
+    [ ! -s "$gallery/$file.png" ] || picture="<img src=\"$file.png\" alt=\"\">"
     printf '<figure>%s<figcaption><p>%s</p><pre>%s</pre><code>%s</code></figcaption></figure>\n' \
       "$picture" "$(printf '%s' "$question" | escape)" "$(printf '%s' "$answer" | escape)" \
       "$(shown "$name" "$@")" >>$page
@@ -339,6 +338,13 @@ program many_paths "$animal"
 program neighbourhoods "$animal"
 program remeshing "$animal" $build/remeshed.off
 property=share program shares_over_a_base "$animal" 100 $build/shares.ply
+picture step-sample "A hundred places that cover a surface," sample "$animal" --number 100
+picture step-voronoi "the cells of what is nearest to each," voronoi "$animal" --number 100
+picture step-remesh "the triangles between their centres," remesh "$animal" --number 100
+picture step-semiregular "and each of these cut into four on the surface." \
+  semiregular "$animal" --number 100 --levels 1
+program side_by_side $gallery/{distance,step-sample,step-voronoi,step-remesh,base}.png \
+  $gallery/{shares_over_a_base,step-semiregular,semiregular}.png $gallery/side_by_side.png
 program how_few_bits "$bunny" $build/levels.off
 for bits in 0.7 1 2 6; do
   picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits
