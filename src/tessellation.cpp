@@ -133,16 +133,28 @@ private:
   {
     for(unsigned step = 0; step < steps; ++step)
     {
-      if(m_options.callback && !m_options.callback(double(step) / double(steps)))
+      if(!take_step(double(step) / double(steps)))
         return false;
-      move_centers();
-      update_cells(0);
-      const double before = m_state.energies.back();
-      m_state.energies.push_back(energy());
-      if(!(m_state.energies.back() < (1. - m_options.least_gain) * before))
+      if(is_stalled())
         break;
     }
     return true;
+  }
+
+  bool take_step(double fraction_done)
+  {
+    if(m_options.callback && !m_options.callback(fraction_done))
+      return false;
+    move_centers();
+    update_cells(0);
+    m_state.energies.push_back(energy());
+    return true;
+  }
+
+  bool is_stalled() const
+  {
+    const double before = m_state.energies[m_state.energies.size() - 2];
+    return !(m_state.energies.back() < (1. - m_options.least_gain) * before);
   }
 
   // Every cell on its own, as its centre and the distances of its sites belong to no other.
@@ -331,19 +343,19 @@ private:
       return std::count(is_disc.begin(), is_disc.end(), true);
     };
     const auto before = number_of_discs();
-    const unsigned most_steps =
-        m_state.centers.size() > many_more * double(asked) ? 1 : m_options.most_steps;
+    const bool are_many_more = m_state.centers.size() > many_more * double(asked);
+    const unsigned most_steps = std::min(are_many_more ? 1u : ~0u, m_options.most_steps);
     for(unsigned step = 0; step < most_steps; ++step)
     {
       State last = m_state;
-      m_is_finished = relax(1);
+      m_is_finished = take_step(1.);
+      if(!m_is_finished)
+        break;
       m_state.patches = tidied_patches();
-      const bool is_worse = number_of_discs() < before;
-      const bool is_stalled =
-          !(m_state.energies.back() < (1. - m_options.least_gain) * last.energies.back());
+      const bool is_worse = number_of_discs() < before, is_last = is_stalled();
       if(is_worse)
         m_state = std::move(last);
-      if(!m_is_finished || is_worse || is_stalled)
+      if(is_worse || is_last)
         break;
     }
   }

@@ -174,6 +174,36 @@ TEST(Tessellation, makes_discs)
   }
 }
 
+TEST(Tessellation, makes_discs_of_farthest_points_without_steps)
+{
+  const Glued_surface surface(torus(24, 12));
+  Tessellation_options options;
+  options.makes_discs = true;
+  options.most_steps = 0;
+  const Tessellation found = cells(surface.triangles(), 1, options);
+  // One for the start, and one after each round of cells that were added.
+  EXPECT_LE(found.energies.size(), found.centers.size());
+  const std::vector<bool> is_disc =
+      are_discs(surface.t(), found.labels, Index(found.centers.size()));
+  EXPECT_EQ(std::count(is_disc.begin(), is_disc.end(), false), 0);
+}
+
+TEST(Tessellation, tells_what_is_done_in_order)
+{
+  double told = 0.;
+  Tessellation_options options;
+  options.makes_discs = true;
+  options.callback = [&](double done)
+  {
+    EXPECT_GE(done, told);
+    EXPECT_LE(done, 1.);
+    told = done;
+    return true;
+  };
+  cells(Glued_surface(torus(24, 12)).triangles(), 3, options);
+  EXPECT_EQ(told, 1.);
+}
+
 TEST(Tessellation, leaves_out_what_has_no_centre)
 {
   const Glued_surface surface(apart(square(6), tetrahedron()));

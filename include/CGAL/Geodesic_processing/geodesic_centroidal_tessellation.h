@@ -46,7 +46,8 @@ namespace CGAL::Geodesic_processing {
 ///       than these, centres begin to move when cells are discs}
 ///     \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_iterations}
-///     \cgalParamDescription{steps; they end earlier where one gains less than a thousandth of the energy}
+///     \cgalParamDescription{steps, and as many once cells were added for discs; they end earlier where one gains
+///       less than a thousandth of the energy}
 ///     \cgalParamDefault{20} \cgalParamNEnd
 ///   \cgalParamNBegin{speed_map}
 ///     \cgalParamDescription{as for `geodesic_distances()`: cells are smaller where the speed is lower}
@@ -57,8 +58,8 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDescription{an output iterator that takes `Location<Surface>`: the centre of each cell}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{energy_output}
-///     \cgalParamDescription{an output iterator that takes the energy at the start and after each step, an area
-///       times a squared distance} \cgalParamNEnd
+///     \cgalParamDescription{an output iterator that takes the energy at the start, after each step and after
+///       cells were added for discs, an area times a squared distance} \cgalParamNEnd
 ///   \cgalParamNBegin{threads} \cgalParamDescription{with `CGAL::Parallel_tag`}
 ///     \cgalParamDefault{as many as the machine has} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}

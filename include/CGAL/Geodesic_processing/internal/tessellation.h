@@ -28,8 +28,9 @@ struct Tessellation
   std::vector<Location> centers; // one for each cell
   std::vector<Index>
       labels; // of each triangle, on a cloud of each site; none where no centre reaches
-  std::vector<double> energies; // at the start and after each step, in the domain's scale
-  bool is_finished = true;      // false when the callback cancelled it
+  std::vector<double>
+      energies; // at the start, after each step and after cells were added, in the domain's scale
+  bool is_finished = true; // false when the callback cancelled it
 };
 
 // The cells of farthest points, whose centres go to their intrinsic centres of mass (Peyré and Cohen 2005,
