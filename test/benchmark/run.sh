@@ -5,7 +5,7 @@
 # Installs what is missing, builds and runs the benchmarks; prints tables, and leaves three plots.
 # Takes about forty minutes; best with nothing else running.
 #   --quick      small meshes only, a minute
-#   --patient    CGAL's exact distances also where they take minutes
+#   --patient    CGAL's exact distances and as-rigid-as-possible maps also where they take minutes
 #   NAME         only this one: a source in this folder, without its ending
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
@@ -53,6 +53,7 @@ for program in "${programs[@]}"; do
     accuracy) arguments+=("$build/convergence.svg") ;;
     wavelets) arguments+=("$build/rate_distortion.svg") ;;
     exact) arguments+=("${patient[@]}" "$build/trade_off.svg") ;;
+    flattening) arguments+=("${patient[@]}") ;;
   esac
   printf '\n'
   "$build/test/benchmark/$program" "${arguments[@]}" || exit 1
