@@ -38,29 +38,6 @@ void sort_unique(std::vector<Index>& values)
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-double area_of(const Glued_triangles& t)
-{
-  double result = 0.;
-  for(std::size_t side = 0; side < t.length.size(); side += 3)
-    result += twice_area(t.length[side], t.length[side + 1], t.length[side + 2]) / 2.;
-  return result;
-}
-
-// Such that areas agree.
-void scale_to(std::vector<Planar>& image, const Glued_triangles& shape)
-{
-  double twice = 0.;
-  for(std::size_t c = 0; c < shape.corner.size(); c += 3)
-    twice += cross(image[shape.corner[c + 1]] - image[shape.corner[c]],
-                   image[shape.corner[c + 2]] - image[shape.corner[c]]);
-  const double area = area_of(shape);
-  if(!(twice > 0. && area > 0.))
-    return;
-  const double factor = std::sqrt(2. * area / twice);
-  for(Planar& p : image)
-    p = factor * p;
-}
-
 std::vector<Planar> image_of_triangle(const Glued_triangles& shape)
 {
   // Over its longest side, no flatter than what the others may be.
@@ -80,7 +57,7 @@ std::vector<Planar> image_of_triangle(const Glued_triangles& shape)
   return image;
 }
 
-// By geodesic locally linear embedding; it may have flips.
+// By geodesic locally linear embedding; it may have flips, or be empty.
 std::vector<Planar> embedding(const Glued_triangles& shape)
 {
   // Not owned: what shares it ends here.
@@ -91,7 +68,10 @@ std::vector<Planar> embedding(const Glued_triangles& shape)
   goal.number = base_points;
   sample_farthest(sampling, goal, [](double) {});
   const Base_points base = nearest_base_points(shape, sampling, front, nearest_for(neighbors));
-  std::vector<Planar> image = extended(base, embedded(base, neighbors), neighbors);
+  const std::vector<Planar> places = embedded(base, neighbors);
+  if(places.empty())
+    return {};
+  std::vector<Planar> image = extended(base, places, neighbors);
   double twice = 0.;
   for(std::size_t c = 0; c < shape.corner.size(); c += 3)
     twice += cross(image[shape.corner[c + 1]] - image[shape.corner[c]],
@@ -104,16 +84,13 @@ std::vector<Planar> embedding(const Glued_triangles& shape)
 
 std::vector<Planar> start(const Glued_triangles& shape)
 {
-  std::vector<Planar> image;
   if(shape.number_of_sites() > few_sites)
   {
-    image = embedding(shape);
-    if(number_of_flips(shape, image) == 0)
+    std::vector<Planar> image = embedding(shape);
+    if(!image.empty() && number_of_flips(shape, image) == 0)
       return image;
   }
-  image = tutte_map(shape);
-  scale_to(image, shape);
-  return image;
+  return tutte_map(shape);
 }
 
 // What is nearer to one triangle than to another, as discs; their images are those of the whole.

@@ -248,6 +248,22 @@ private:
   Sparse_matrix m_hessian;
 };
 
+// Such that areas agree, where there are any.
+void scale_to_area(std::vector<Planar>& image, const Glued_triangles& t)
+{
+  double area = 0., area_of_image = 0.; // twice
+  for(std::size_t c = 0; c < t.corner.size(); c += 3)
+  {
+    area += twice_area(t.length[c], t.length[c + 1], t.length[c + 2]);
+    area_of_image += cross(image[t.corner[c + 1]] - image[t.corner[c]],
+                           image[t.corner[c + 2]] - image[t.corner[c]]);
+  }
+  if(!(area > 0. && area_of_image > 0.))
+    return;
+  for(Planar& p : image)
+    p = std::sqrt(area / area_of_image) * p;
+}
+
 } // namespace
 
 std::size_t number_of_flips(const Glued_triangles& t, const std::vector<Planar>& image)
@@ -317,7 +333,9 @@ void check_is_disk(const Glued_triangles& t)
     throw Unsupported_surface_error(
         "The surface has no border, and must be cut before it is flat.");
   if(sites + t.number_of_triangles() + loops != sides + 2)
-    throw Unsupported_surface_error("The surface has handles, and must be cut before it is flat.");
+    throw Unsupported_surface_error(
+        "The surface has handles, or touches itself at a vertex, and must "
+        "be cut before it is flat.");
 }
 
 std::vector<Planar> tutte_map(const Glued_triangles& t)
@@ -382,6 +400,7 @@ std::vector<Planar> tutte_map(const Glued_triangles& t)
   for(Index site = 0; site < t.number_of_sites(); ++site)
     if(unknown[site] >= 0)
       image[site] = {right(unknown[site], 0), right(unknown[site], 1)};
+  scale_to_area(image, t);
   return image;
 }
 

@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,6 +66,21 @@ std::vector<Chart> charts(const Base_points& base, std::size_t neighbors)
             std::sqrt(std::max(0., eigen.eigenvalues()[c])) * eigen.eigenvectors()(j, c);
   }
   return result;
+}
+
+// Whether points are joined by whatever is a neighbour of what.
+bool is_connected(const std::vector<Chart>& charts)
+{
+  boost::disjoint_sets_with_storage<> groups(charts.size());
+  std::size_t number = charts.size();
+  for(Index i = 0; i < charts.size(); ++i)
+    for(const Index point : charts[i].point)
+      if(groups.find_set(i) != groups.find_set(point))
+      {
+        groups.link(groups.find_set(i), groups.find_set(point));
+        --number;
+      }
+  return number == 1;
 }
 
 // Where a point is in the chart of another one; that of its own is the origin.
@@ -340,7 +357,16 @@ Matrix classical_scaling(const Matrix& squares)
 
 std::vector<Planar> embedded(const Base_points& base, std::size_t neighbors)
 {
+  if(base.size() < 3)
+    return {};
   std::vector<Chart> chart = charts(base, neighbors);
+  // With few neighbours groups of points may know only themselves.
+  while(!is_connected(chart))
+  {
+    if(++neighbors >= base.nearest)
+      return {};
+    chart = charts(base, neighbors);
+  }
   orient(chart);
   const Rigid rigid(chart);
   double least = infinity;
@@ -383,12 +409,12 @@ std::vector<Planar> extended(const Base_points& base, const std::vector<Planar>&
       result[y] = images[point[0]];
       continue;
     }
-    // The last one says how far the others are seen.
+    // The last one says how far the others are seen, unless all are equally far.
     std::size_t number = 0;
     while(number < limit && point[number] != none)
       ++number;
     double radius = infinity;
-    if(number == limit && limit < base.size())
+    if(number == limit && limit < base.size() && distance[0] < distance[number - 1])
       radius = distance[--number];
     offset.resize(number);
     place.assign(number, {0., 0.});

@@ -389,7 +389,12 @@ Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size
   for(const Outline& outline : outlines)
     area += area_of(outline);
   if(!(area > 0.))
-    return packer.at_scale(1.).value_or(Packing());
+  {
+    // Charts without any size.
+    if(auto found = packer.at_scale(1.))
+      return *found;
+    throw_no_room(outlines.size(), texels);
+  }
 
   const double most = double(texels) / std::sqrt(area);
   Packing best;

@@ -4,6 +4,8 @@
 
 #include <CGAL/Geodesic_processing/texture_atlas.h>
 
+#include <CGAL/boost/graph/generators.h>
+
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -122,6 +124,16 @@ TEST(bake_atlas, bad_sizes)
   const auto white = [](const auto&) { return GP::Decal_color{1., 1., 1., 1.}; };
   EXPECT_THROW(GP::bake_atlas(mesh, uv, 0, white), GP::Invalid_argument_error);
   EXPECT_THROW(GP::bake_atlas(mesh, uv, 20000, white), GP::Invalid_argument_error);
+}
+
+TEST(bake_atlas, refuses_faces_that_are_no_triangles)
+{
+  Mesh mesh;
+  CGAL::make_quad(Kernel::Point_3(0., 0., 0.), Kernel::Point_3(1., 0., 0.),
+                  Kernel::Point_3(1., 1., 0.), Kernel::Point_3(0., 1., 0.), mesh);
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first;
+  EXPECT_THROW(GP::bake_atlas(mesh, uv, 16, [](const auto&) { return GP::Decal_color(); }),
+               GP::Unsupported_surface_error);
 }
 
 } // namespace

@@ -76,6 +76,67 @@ TEST(geodesic_lle, takes_base_points_and_numbers)
   EXPECT_EQ(all.size(), mesh.number_of_vertices());
 }
 
+TEST(geodesic_lle, takes_vertices_as_far_from_all_their_neighbors)
+{
+  Mesh mesh = mesh_of(square(2));
+  auto uv = vertex_map<UV>(mesh);
+  std::vector<Vertex> border;
+  for(const Vertex v : mesh.vertices())
+    if(mesh.is_border(v))
+      border.push_back(v);
+  ASSERT_EQ(border.size(), 8u);
+  GP::geodesic_lle(mesh, uv,
+                   GP::parameters::base_points(border).number_of_neighbors(std::size_t(3)));
+  for(const Vertex v : mesh.vertices())
+    EXPECT_TRUE(std::isfinite(uv[v][0]) && std::isfinite(uv[v][1]));
+}
+
+TEST(geodesic_lle, joins_groups_of_base_points)
+{
+  Mesh mesh = mesh_of(square(30, 0.2));
+  auto uv = vertex_map<UV>(mesh);
+  // In two corners, some vertices apart from each other.
+  std::vector<Vertex> base;
+  const auto add = [&](int row, int column)
+  {
+    for(const int i : {0, 3})
+      for(const int j : {0, 3})
+        base.push_back(Vertex(31 * (row + i) + column + j));
+  };
+  add(0, 0);
+  add(27, 27);
+  const auto flatten = [&](std::size_t neighbors)
+  { GP::geodesic_lle(mesh, uv, GP::parameters::base_points(base).number_of_neighbors(neighbors)); };
+  // The three nearest are in the same corner, and the fourth is known.
+  flatten(3);
+  double worst = 0.;
+  for(const Vertex v : base)
+    for(const Vertex w : base)
+      worst = std::max(worst, std::abs(between(uv[v], uv[w]) - std::sqrt(CGAL::squared_distance(
+                                                                   mesh.point(v), mesh.point(w)))));
+  // The steps of the rigid fit end before what few long links ask for is reached.
+  EXPECT_LT(worst, 0.02);
+  // Of more in each corner only these are known.
+  add(0, 6);
+  add(27, 21);
+  EXPECT_THROW(flatten(3), GP::Invalid_argument_error);
+  EXPECT_NO_THROW(flatten(6));
+}
+
+TEST(geodesic_lle, of_a_flat_ring_is_a_similarity)
+{
+  Mesh mesh = mesh_of(annulus(48, 12, 1., 2.));
+  auto uv = vertex_map<UV>(mesh);
+  GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(100)));
+  EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
+  for(const auto e : mesh.edges())
+  {
+    const Vertex v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    EXPECT_LT(between(uv[v], uv[w]),
+              2. * std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))); // asked for
+  }
+}
+
 TEST(geodesic_lle, refuses_what_it_cannot_take)
 {
   Mesh mesh = mesh_of(square(5, 0.2));

@@ -32,6 +32,19 @@ TEST(geodesic_mds, of_a_square_is_a_similarity)
   EXPECT_NEAR(distortion.symmetric_dirichlet, 4., 1e-9);
 }
 
+TEST(geodesic_mds, is_classical_with_all_vertices)
+{
+  Mesh mesh = mesh_of(square(4, 0.25));
+  auto uv = vertex_map<UV>(mesh);
+  const auto base =
+      GP::geodesic_mds(mesh, uv, GP::parameters::number_of_base_points(std::size_t(25)));
+  EXPECT_EQ(base.size(), mesh.number_of_vertices());
+  for(const Vertex v : mesh.vertices())
+    for(const Vertex w : mesh.vertices())
+      EXPECT_NEAR(std::hypot(uv[v][0] - uv[w][0], uv[v][1] - uv[w][1]),
+                  std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))), 1e-9);
+}
+
 TEST(geodesic_mds, refuses_what_geodesic_lle_does)
 {
   Mesh mesh = mesh_of(apart(square(3), icosphere(0)));

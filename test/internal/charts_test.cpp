@@ -161,4 +161,13 @@ TEST(charts, can_be_cancelled)
   EXPECT_TRUE(charts_of(square(4), options).empty());
 }
 
+TEST(charts, of_a_surface_that_is_one_point)
+{
+  Triangulation mesh = square(12);
+  for(Point& p : mesh.points)
+    p = {1., 2., 3.};
+  const auto charts = charts_of(mesh);
+  expect_all_once(charts, mesh.corners.size() / 3);
+}
+
 } // namespace

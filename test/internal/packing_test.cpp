@@ -143,6 +143,9 @@ TEST(packing, says_when_there_is_no_room)
 {
   EXPECT_THROW(pack(blobs(100, 1.), 32, 8, 1), Invalid_argument_error);
   EXPECT_THROW(pack(blobs(1, 1.), 8, 2, 1), Invalid_argument_error);
+  // The same of charts that are points.
+  EXPECT_THROW(pack(std::vector<Outline>(200, Outline(3, Planar{0., 0.})), 16, 1, 1),
+               Invalid_argument_error);
   EXPECT_THROW(pack(blobs(1, 1.), 20000, 2, 1), Invalid_argument_error);
   EXPECT_THROW(pack(blobs(1, 1.), 64, 65, 1), Invalid_argument_error);
   EXPECT_THROW(check_room(257, 32, 2), Invalid_argument_error);

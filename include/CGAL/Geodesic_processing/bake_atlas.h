@@ -6,8 +6,11 @@
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
+#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/texels.h>
 #include <CGAL/Geodesic_processing/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -36,6 +39,7 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDefault{white and transparent} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns size * size texels, rows from the lowest one up
+/// \throws Unsupported_surface_error when a face is no triangle
 /// \throws Invalid_argument_error when the size is zero or too large
 ///
 /// O(number of texels and of faces)
@@ -45,6 +49,8 @@ std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_ma
                                     const Color& color,
                                     const NamedParameters& np = NamedParameters())
 {
+  if(!is_triangle_mesh(mesh))
+    throw Unsupported_surface_error("A face is no triangle.");
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> all_faces;
   std::vector<internal::Planar> coordinates;
   for(const auto face : faces(mesh))

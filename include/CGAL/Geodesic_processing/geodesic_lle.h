@@ -34,10 +34,12 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDescription{from 3 to 1,000, as many as there are sites where these are fewer}
 ///     \cgalParamDefault{200} \cgalParamNEnd
 ///   \cgalParamNBegin{base_points}
-///     \cgalParamDescription{a range of sites, each once: instead of farthest ones}
+///     \cgalParamDescription{a range of sites, each once: instead of farthest ones; such as those of
+///       `farthest_site_sampling()` with `curvature_speeds()`, which are denser where the surface bends}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_neighbors}
-///     \cgalParamDescription{how many base points are around each; 3 or more}
+///     \cgalParamDescription{how many base points are around each; 3 or more. It is raised, by half at most, where
+///       groups of base points would know only themselves}
 ///     \cgalParamDefault{10} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{as for `farthest_site_sampling()`} \cgalParamDefault{0} \cgalParamNEnd
@@ -48,7 +50,8 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \returns the base points, or none when the callback cancelled it
 /// \throws Unsupported_surface_error when the surface is not one piece
-/// \throws Invalid_argument_error when there are less than three base points, or a number is out of range
+/// \throws Invalid_argument_error when there are less than three base points, or groups of them have no neighbors
+///         in each other, or a number is out of range
 ///
 /// The fronts of base points end where their neighbours' neighbours are: together they visit each site about
 /// twenty times for ten neighbours, whatever the number of base points.
@@ -68,8 +71,13 @@ auto geodesic_lle(const Surface& surface, UVMap uv_map,
       {
         const internal::Base_points base = internal::nearest_base_points(
             triangles, sampling, front, internal::nearest_for(neighbors), callback);
-        return base.size() == 0 ? std::vector<internal::Planar>()
-                                : extended(base, embedded(base, neighbors), neighbors);
+        if(base.size() == 0)
+          return std::vector<internal::Planar>();
+        const std::vector<internal::Planar> places = embedded(base, neighbors);
+        if(places.empty())
+          throw Invalid_argument_error(
+              "Base points are in groups apart: give more of their neighbors.");
+        return extended(base, places, neighbors);
       });
 }
 

@@ -14,7 +14,8 @@ namespace CGAL::Geodesic_processing {
 /// flattens a patch by multidimensional scaling: the distances of all pairs of base points are kept as well as they
 /// can be, far ones most of all. \cgalCite{cgal:zkk-tmmds-02}
 ///
-/// Every other site goes where its squared distances to all base points ask for.  Where paths go around holes or
+/// Every other site goes where its squared distances to all base points ask for \cgalCite{cgal:st-smsulp-04}; with
+/// all sites as base points this is classical scaling.  Where paths go around holes or
 /// notches, distances are not those of a plane, and the map bends; `geodesic_lle()` sees neighbours alone, and
 /// bends less.
 ///

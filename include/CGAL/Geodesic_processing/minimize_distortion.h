@@ -37,8 +37,9 @@ struct Distortion_minimum
 /// least, without flips.
 ///
 /// The energy is infinite where a face loses its area, so that none is turned round on the way: Newton's method
-/// stops short of that.  A map that has flips is replaced by Tutte's \cgalCite{cgal:t-hdg-63}, which has none,
-/// and the way starts from there.  Lengths along the mesh are kept as well as they can; the image may still
+/// stops short of that.  A map that has flips has an infinite energy, and is replaced by Tutte's
+/// \cgalCite{cgal:t-hdg-63}, which has none but for rounding on needles, and the way starts from there;
+/// `Distortion_minimum::number_of_flips` counts those.  Lengths along the mesh are kept as well as they can; the image may still
 /// overlap itself, where the border meets itself.
 ///
 /// \param mesh a triangle mesh, or its domain: a disk, maybe with holes
@@ -52,7 +53,8 @@ struct Distortion_minimum
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels by
 ///       returning false: what was found until then has no flips either} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Unsupported_surface_error when the mesh is not one piece, has no border, or has handles
+/// \throws Unsupported_surface_error when the mesh is not one piece, has no border, or has handles,
+///         or touches itself at a vertex
 /// \throws Invalid_argument_error when a value of the map is not finite
 ///
 /// Each step factorizes a matrix of two unknowns a vertex; some ten of them, up to a hundred from Tutte's map.

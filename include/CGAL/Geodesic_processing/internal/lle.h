@@ -26,7 +26,10 @@ Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 // Places of base points in the plane: the eigenvectors of the locally linear embedding under the linear map
 // that fits distances between neighbours best, then moved until neighbourhoods are as rigid as possible; or the
 // same from classical scaling along chains of neighbours, where that leaves less.  Where the surface is a piece of
-// the plane both leave nothing.
+// the plane both leave nothing.  Where groups of points have no neighbours in each other, each gets more, as far
+// as they are known.
+//
+// Empty where these are still apart, or the points less than three.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Planar> embedded(const Base_points& base, std::size_t neighbors);
 
