@@ -106,6 +106,30 @@ TEST(Geodesic_delaunay_remeshing, adds_what_it_takes_or_says_so)
                GP::Invalid_argument_error);
   EXPECT_TRUE(is_empty(none));
   EXPECT_EQ(GP::geodesic_delaunay_remeshing(torus_mesh, 200, none, strictly).added, 0u);
+  // As few as it takes are never too few.
+  EXPECT_GE(GP::geodesic_delaunay_remeshing(torus_mesh, 0, none, strictly).added, 7u);
+}
+
+TEST(Geodesic_delaunay_remeshing, says_how_many_samples_it_takes)
+{
+  const Mesh torus_mesh = mesh_of(torus(40, 16));
+  const auto near = GP::parameters::maximum_deviation(0.05);
+  Mesh output;
+  const std::size_t number =
+      50 + GP::geodesic_delaunay_remeshing(torus_mesh, 50, output, near).added;
+  EXPECT_GT(number, 50u);
+  try
+  {
+    GP::geodesic_delaunay_remeshing(torus_mesh, 50, output,
+                                    near.too_few_samples(GP::Too_few_samples::are_wrong));
+    ADD_FAILURE();
+  }
+  catch(const GP::Invalid_argument_error& error)
+  {
+    const std::string text = error.what();
+    EXPECT_NE(text.find(" takes " + std::to_string(number) + "."), std::string::npos) << text;
+    EXPECT_EQ(text.find("topology"), std::string::npos) << text;
+  }
 }
 
 TEST(Geodesic_delaunay_remeshing, tells_where_vertices_lie)

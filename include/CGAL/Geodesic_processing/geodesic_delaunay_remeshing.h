@@ -22,7 +22,7 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingRemeshing
-/// what to do when so many samples cannot make a surface like the mesh.
+/// what to do when so many samples cannot make what is asked for.
 enum class Too_few_samples
 {
   refine,   ///< add some where they are missing
@@ -133,8 +133,8 @@ struct Remeshing_result
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels
 ///       by returning false} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error when a location or a speed is not usable, or the samples are too few
-///         and that is wrong; the output is untouched
+/// \throws Invalid_argument_error when a location or a speed is not usable, or a number that is not 0 is too
+///         small and that is wrong; the output is untouched
 /// \throws Unsupported_surface_error when no surface can be laid through the surfels of a cloud, or
 ///         one of too many parts
 ///
@@ -156,11 +156,13 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
     return result;
   result.self_intersections = found.crossings;
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
-  if(result.added > 0 && internal::parameter(np, internal_np::too_few_samples,
-                                             Too_few_samples::refine) != Too_few_samples::refine)
-    throw Invalid_argument_error(std::to_string(number) +
-                                 " samples are too few for the topology of the mesh: it takes " +
-                                 std::to_string(found.samples.size()) + ".");
+  if(number > 0 && result.added > 0 &&
+     internal::parameter(np, internal_np::too_few_samples, Too_few_samples::refine) !=
+         Too_few_samples::refine)
+    throw Invalid_argument_error(
+        "With " + std::to_string(number) +
+        " samples there is no mesh like the one that is asked for: it takes " +
+        std::to_string(found.samples.size()) + ".");
 
   using Graph = boost::graph_traits<OutputMesh>;
   using Vertex = typename Graph::vertex_descriptor;
