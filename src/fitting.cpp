@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -69,8 +70,9 @@ std::vector<Index> far_sites(const Glued_triangles& fine, const std::vector<Inde
 }
 
 void fit(const Glued_triangles& fine, const std::vector<Index>& labels,
-         const std::vector<bool>& is_fixed, Coarse_mesh& coarse)
+         const std::vector<bool>& is_fixed, Coarse_mesh& coarse, double most)
 {
+  const std::vector<Spatial> before = coarse.points;
   std::vector<double> area(labels.size(), 0.);
   for(Index f = 0; f < fine.number_of_triangles(); ++f)
     for(Index side = 3 * f; side < 3 * f + 3; ++side)
@@ -94,7 +96,10 @@ void fit(const Glued_triangles& fine, const std::vector<Index>& labels,
           }
     for(std::size_t i = 0; i < coarse.points.size(); ++i)
       if(weights[i] > 0. && !is_fixed[i])
-        coarse.points[i] = coarse.points[i] + (1. / weights[i]) * moves[i];
+      {
+        const Spatial way = coarse.points[i] + (1. / weights[i]) * moves[i] - before[i];
+        coarse.points[i] = before[i] + std::min(1., most / norm(way)) * way;
+      }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/remeshing.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/Triangle_tree.h>
 #include <CGAL/Geodesic_processing/internal/crossings.h>
 #include <CGAL/Geodesic_processing/internal/curves.h>
 #include <CGAL/Geodesic_processing/internal/dual.h>
@@ -617,33 +618,86 @@ private:
   {
     Coarse_mesh result{{}, std::move(triangles)};
     std::vector<bool> is_kept;
-    for(const Index index : cells.samples)
+    const bool is_limited = m_goal.maximum_deviation < infinity;
+    const std::vector<Index> farthest = is_limited ? farthest_sites(cells) : std::vector<Index>();
+    for(Index cell = 0; cell < cells.samples.size(); ++cell)
     {
-      const Location& sample = m_sampling->samples()[index];
+      const Location& sample = m_sampling->samples()[cells.samples[cell]];
       result.points.push_back(scaled_coordinates(t(), sample));
-      is_kept.push_back(is_on_curve(sample));
+      // Where no sample can be added, the surface is what it was.
+      is_kept.push_back(is_on_curve(sample) || (is_limited && farthest[cell] == none));
     }
     flip_to_larger_angles(result.points, is_kept, result.triangles);
     if(m_goal.is_fitted)
-      fit(t(), cells.labels, is_kept, result);
+      fit(t(), cells.labels, is_kept, result, m_goal.maximum_deviation / unit_size());
     return result;
   }
 
-  // Sites that are farther from the mesh than they may be, and no samples.
-  std::vector<Location> far_places(const Cells& cells, const Coarse_mesh& mesh) const
+  // Of each cell the site farthest from its sample; none where all are samples.
+  std::vector<Index> farthest_sites(const Cells& cells) const
   {
-    std::vector<Location> result;
-    const double most = m_goal.maximum_deviation / unit_size();
-    if(!(most < infinity))
-      return result;
+    std::vector<Index> result(cells.samples.size(), none);
+    const std::vector<double>& distances = m_sampling->distances();
+    for(Index site = 0; site < cells.labels.size(); ++site)
+      if(const Index cell = cells.labels[site];
+         cell != none && distances[site] > 0. &&
+         (result[cell] == none || distances[site] > distances[result[cell]]))
+        result[cell] = site;
+    return result;
+  }
+
+  // Sites that are farther from the mesh than they may be, or else those of its triangles that are
+  // farther from the surface; no samples, which fitting moves by no more than they may be off.
+  std::vector<Location> far_places(const Cells& cells, const Coarse_mesh& mesh)
+  {
+    if(!(m_goal.maximum_deviation < infinity))
+      return {};
+    const std::vector<double>& distances = m_sampling->distances();
     std::vector<Index> labels = cells.labels;
     for(Index site = 0; site < labels.size(); ++site)
-      if(m_sampling->distances()[site] == 0.)
+      if(distances[site] == 0.)
         labels[site] = none;
-    for(const Index site : far_sites(t(), labels, mesh, most))
+    std::vector<Index> sites = far_sites(t(), labels, mesh, m_goal.maximum_deviation / unit_size());
+    if(sites.empty())
+    {
+      const std::vector<Index> farthest = farthest_sites(cells);
+      for(const auto& f : mesh.triangles)
+      {
+        Index best = none;
+        for(const Index cell : f)
+          if(const Index site = farthest[cell];
+             site != none && (best == none || distances[site] > distances[best]))
+            best = site;
+        if(best != none && is_far(mesh, f))
+          sites.push_back(best);
+      }
+      std::sort(sites.begin(), sites.end());
+      sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    }
+    std::vector<Location> result;
+    for(const Index site : sites)
       result.push_back({none, site, {}});
     return result;
   }
+
+  // Whether the middle of a triangle or of a side is farther from the surface than it may be.
+  bool is_far(const Coarse_mesh& mesh, const std::array<Index, 3>& triangle)
+  {
+    if(!m_tree)
+      m_tree.emplace(m_surface.coarse);
+    const Glued_triangles& coarse = *m_surface.coarse;
+    const auto is_far_place = [&](const Spatial& p)
+    {
+      const Spatial place = t().origin + t().scale * p;
+      return norm(place - coordinates(coarse, m_tree->nearest(place))) >
+             m_goal.maximum_deviation * coarse.scale;
+    };
+    const Spatial &a = mesh.points[triangle[0]], &b = mesh.points[triangle[1]],
+                  &c = mesh.points[triangle[2]];
+    return is_far_place((1. / 3.) * (a + b + c)) || is_far_place(0.5 * (a + b)) ||
+           is_far_place(0.5 * (b + c)) || is_far_place(0.5 * (c + a));
+  }
+
   // Where triangles cross and the surface does not, some of them are too far from it.
   std::vector<Location> places_at_crossings(const Cells& cells, Remeshing& now)
   {
@@ -667,17 +721,11 @@ private:
           for(const Index cell : now.triangles[f])
             is_concerned[cell] = true;
     }
-    std::vector<Index> farthest(cells.samples.size(), none);
-    const std::vector<double>& distances = m_sampling->distances();
-    for(Index site = 0; site < cells.labels.size(); ++site)
-      if(const Index cell = cells.labels[site];
-         cell != none && is_concerned[cell] && distances[site] > 0. &&
-         (farthest[cell] == none || distances[site] > distances[farthest[cell]]))
-        farthest[cell] = site;
+    const std::vector<Index> farthest = farthest_sites(cells);
     std::vector<Location> result;
-    for(const Index site : farthest)
-      if(site != none)
-        result.push_back({none, site, {}});
+    for(Index cell = 0; cell < farthest.size(); ++cell)
+      if(is_concerned[cell] && farthest[cell] != none)
+        result.push_back({none, farthest[cell], {}});
     return result;
   }
 
@@ -756,6 +804,7 @@ private:
   int m_number_of_refinements = 0, m_rounds_at_crossings = 0;
   std::optional<Remeshing> m_crossing;        // before any samples were added at crossings
   std::optional<std::vector<bool>> m_crosses; // #coarse triangles, once some of the result do
+  std::optional<Triangle_tree> m_tree;        // of the coarse triangles, once it is asked
 };
 
 } // namespace

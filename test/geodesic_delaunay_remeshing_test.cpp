@@ -344,6 +344,75 @@ TEST(Geodesic_delaunay_remeshing, comes_as_near_as_it_is_to)
   }
 }
 
+TEST(Geodesic_delaunay_remeshing, comes_as_near_from_both_sides)
+{
+  // A square with a round hole: between few vertices there faces cover parts of it, and all of the input.
+  Triangulation plate = annulus(80, 10, 0.5, 1.);
+  for(Point& p : plate.points)
+  {
+    const double radius = distance(p, {0., 0., 0.});
+    const double wide = radius / std::max(std::abs(p[0]), std::abs(p[1])), part = 2. * radius - 1.;
+    for(double& x : p)
+      x *= (0.5 * (1. - part) + wide * part) / radius;
+  }
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const Mesh mesh = mesh_of(scaled(plate, scale));
+    const auto deviation_there = [&](const Mesh& output)
+    { return PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), output); };
+    const auto deviation_back = [&](const Mesh& output)
+    {
+      std::vector<Kernel::Point_3> places;
+      for(const auto e : edges(output))
+        for(int k = 0; k <= 8; ++k)
+          places.push_back(CGAL::barycenter(output.point(source(e, output)), k,
+                                            output.point(target(e, output)), 8 - k));
+      return PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(places, mesh);
+    };
+    Mesh coarse, output;
+    GP::geodesic_delaunay_remeshing(mesh, 30, coarse);
+    EXPECT_LT(deviation_there(coarse), 0.005 * scale);
+    EXPECT_GT(deviation_back(coarse), 0.02 * scale);
+    GP::geodesic_delaunay_remeshing(mesh, 30, output,
+                                    GP::parameters::maximum_deviation(0.005 * scale));
+    EXPECT_LT(deviation_there(output), 0.005 * scale);
+    EXPECT_LT(deviation_back(output),
+              0.0055 * scale); // between the middles of edges it may be more
+    EXPECT_LT(num_vertices(output), 200u);
+    EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 2}}}));
+  }
+}
+
+TEST(Geodesic_delaunay_remeshing, comes_as_near_as_the_input_is)
+{
+  // Nearer than any face that is not one of the input.
+  const Mesh mesh = mesh_of(torus(20, 10));
+  Mesh output;
+  GP::geodesic_delaunay_remeshing(mesh, 20, output, GP::parameters::maximum_deviation(1e-9));
+  EXPECT_EQ(num_vertices(output), num_vertices(mesh));
+  EXPECT_NEAR(PMP::area(output), PMP::area(mesh), 1e-9);
+}
+
+TEST(Geodesic_delaunay_remeshing, fits_no_farther_than_it_may)
+{
+  // Where faces fit a sphere best their corners are three times as far above it as their middles are
+  // below it, here 0.018: those are vertices of the input.
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const Mesh mesh = mesh_of(scaled(icosphere(4), scale));
+    const double most = 0.012 * scale;
+    Mesh touching, output;
+    GP::geodesic_delaunay_remeshing(mesh, 100, touching, GP::parameters::maximum_deviation(most));
+    GP::geodesic_delaunay_remeshing(mesh, 100, output,
+                                    GP::parameters::do_fit(true).maximum_deviation(most));
+    for(const bool is_back : {false, true})
+      EXPECT_LE(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(
+                    is_back ? output.points() : mesh.points(), is_back ? mesh : output),
+                most * (1. + 1e-9));                               // roundings
+    EXPECT_LT(num_vertices(output), 0.7 * num_vertices(touching)); // seen: 0.55
+  }
+}
+
 TEST(Geodesic_delaunay_remeshing, fits_faces_to_the_input)
 {
   for(const double scale : {1e-6, 1., 1e6})

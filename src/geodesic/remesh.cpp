@@ -161,8 +161,8 @@ void add_remesh(CLI::App& program)
   command.add_flag("--fit", options->fit,
                    "vertices leave the surface, such that faces are nearer to it");
   command.add("--maximum-deviation", options->deviation, "D",
-              "how far vertices of the input may be from the result; more come where they are "
-              "farther");
+              "how far the input and the result may be from each other; more vertices come where "
+              "they are farther");
   command.add_flag("--allow-self-intersections", options->may_intersect,
                    "no vertices are added where faces of the result intersect");
   const std::function<void(const std::string&)> fill_holes = [options](const std::string& text)

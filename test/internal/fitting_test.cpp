@@ -63,6 +63,11 @@ TEST(Fitting, moves_points_to_a_surface_above_them)
     EXPECT_NEAR(scale * (over.coarse.points[i][2] - first[2]), 0.1, 1e-14); // rounding
   for(std::size_t i = 1; i < 4; ++i)
     EXPECT_GT(scale * (held.coarse.points[i][2] - first[2]), 0.1); // for what is held
+
+  Over_square near(high);
+  fit(near.fine.t(), near.labels, std::vector<bool>(4, false), near.coarse, 0.04 / scale);
+  for(std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(scale * (near.coarse.points[i][2] - first[2]), 0.04, 1e-14); // rounding
 }
 
 TEST(Fitting, finds_the_farthest_site_of_a_cell)

@@ -92,8 +92,9 @@ struct Remeshing_result
 ///       samples are strewn}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
-///     \cgalParamDescription{how far vertices of the input may be from the faces of the output: vertices
-///       are added where they are farther}
+///     \cgalParamDescription{how far vertices of the input may be from the faces of the output, and the centres
+///       of these faces, the middles of their edges and their vertices from the faces of the input:
+///       vertices are added where they are farther. Elsewhere on faces it is not measured.}
 ///     \cgalParamDefault{infinite} \cgalParamNEnd
 ///   \cgalParamNBegin{do_fit}
 ///     \cgalParamDescription{whether vertices leave the surface, by a part of what separates faces from

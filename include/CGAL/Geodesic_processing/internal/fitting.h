@@ -26,11 +26,11 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> far_sites(const Glued_triangles& fine, const std::vector<Index>& labels,
                              const Coarse_mesh& coarse, double most);
 
-// Moves points that are not fixed such that sites are near to the triangles, in the sense of least
-// squares: a site counts by the area around it.
+// Moves points that are not fixed, by at most so much, such that sites are near to the triangles, in
+// the sense of least squares: a site counts by the area around it.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void fit(const Glued_triangles& fine, const std::vector<Index>& labels,
-         const std::vector<bool>& is_fixed, Coarse_mesh& coarse);
+         const std::vector<bool>& is_fixed, Coarse_mesh& coarse, double most = infinity);
 
 } // namespace CGAL::Geodesic_processing::internal
 

@@ -26,7 +26,8 @@ struct Remeshing_goal
   // far as all samples
   std::vector<double> curve_spacing;
   std::size_t relaxation_steps = 0; // that move samples which are not on curves, or first ones
-  // How far sites may be from the triangles in space: samples are added where they are farther.
+  // How far sites may be from the triangles in space, and the middles of these and of their sides from
+  // the surface: samples are added where they are farther.
   double maximum_deviation = infinity;
   bool avoids_crossings = false;        // samples are added where triangles in space cross
   bool is_fitted = false;               // points leave the surface: triangles are nearer to sites
