@@ -139,8 +139,8 @@ program()
 echo "Drawing"
 picture distance "How far is every place from one vertex?" distance "$animal" --source 0
 picture heat "The same by the flow of heat." distance "$animal" --source 0 --method heat
-picture near "Only what is near is visited when there is a limit." \
-  distance "$runner" --source 100 --limit 0.3
+picture near "Only what is near to any of three places is visited when there is a limit." \
+  distance "$runner" --source 100,5000,12000 --limit 0.15
 picture border "How deep in the surface, seen from its borders?" distance "$holes" --source-border
 picture sample "Which places cover a surface evenly?" sample "$animal" --number 300
 picture sample-part "Samples of a part of a machine, evenly spread." sample "$part" --number 600
@@ -148,8 +148,9 @@ picture sample-attracted "Samples of a part of a machine where creases attract t
   sample "$part" --number 600 --speed curvature-attractive
 picture sample-repelled "The same number where creases repel them." \
   sample "$part" --number 600 --speed curvature-repulsive
-picture sample-bent "Samples where curvature attracts them on a smooth surface." \
-  sample "$beast" --number 600 --speed curvature-attractive
+picture sample-even "Samples of a smooth surface, evenly spread," sample "$bunny" --number 600
+picture sample-bent "and where curvature attracts them." \
+  sample "$bunny" --number 600 --speed curvature-attractive
 picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
   voronoi "$bear" --number 60
 picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40
@@ -159,6 +160,7 @@ picture segment-part "Charts that are smaller where creases slow fronts down." \
   segment "$part" --number 60 --discs --speed curvature-attractive
 picture remesh "The same surface in 1,000 vertices, with even triangles." \
   remesh "$animal" --number 1000 --lloyd 10
+picture part "A part of a machine, as it is." info "$part"
 picture remesh-part "Sharp edges are kept on request." \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40
 picture remesh-spacing "With small steps along them." \
@@ -168,14 +170,19 @@ picture remesh-part-bent "with samples that creases attract, but which do not li
   remesh "$part" --number 1000 --speed curvature-attractive
 picture remesh-part-both "and with these creases kept." \
   remesh "$part" --number 1000 --speed curvature-attractive --keep-sharp 20
+picture remesh-part-repelled "With samples that creases repel triangles are small where it is flat." \
+  remesh "$part" --number 1000 --speed curvature-repulsive
+picture holes "A surface with holes, as it is." info "$holes"
 picture remesh-filled "The holes of a surface are filled first on request." \
   remesh "$holes" --number 1500 --lloyd 10 --fill-holes
 picture remesh-100 "One surface in 100 vertices," \
   remesh "$animal" --number 100 --lloyd 10
 picture remesh-400 "in 400," remesh "$animal" --number 400 --lloyd 10
 picture remesh-1600 "and in 1,600." remesh "$animal" --number 1600 --lloyd 10
-picture remesh-image "A terrain with small triangles where a picture varies, here at the edges of rings." \
-  remesh "$terrain" --number 3000 --density-image "$rings" --strength 8
+for strength in 0 5 20; do
+  picture remesh-image-$strength "A terrain with small triangles where a picture of rings varies, by a strength of $strength." \
+    remesh "$terrain" --number 3000 --density-image "$rings" --strength $strength
+done
 picture function-samples "On an animal a picture is seen along its shortest side: samples where it varies," \
   sample "$animal" --number 1500 --density-image "$rings" --strength 8
 picture function-remesh "and triangles." \
@@ -313,13 +320,17 @@ echo '</main><h2>The demo programs</h2><main>' >>$page
 program farthest_vertex "$animal" $build/farthest.ply
 program covering_radius "$animal" $build/covering.ply
 program attracted_samples "$part" $build/attracted.ply
-program two_speeds $build/two_speeds.ply
-for number in 30 120 480; do
-  picture square-$number "Farthest points in a square, and their triangles: $number." \
-    remesh $build/two_speeds.ply --number $number
+program two_speeds 170 $build/two_speeds.ply
+for number in 30 170 680; do
+  picture two-speeds-$number "The triangles of $number such samples." \
+    remesh $build/two_speeds.ply --number $number --speed speed
 done
-property=speed program chosen_places "$animal" $build/chosen_places.ply
-picture remesh-chosen "Small triangles where a user wants them." \
+picture three-fronts "Where do three fronts meet, of which two start in the slow half?" \
+  voronoi $build/two_speeds.ply --seeds 8000,10101,30000 --speed speed
+property=speed program chosen_places "$bunny" $build/chosen_places.ply
+picture sample-chosen "Samples where a user wants them," \
+  sample $build/chosen_places.ply --number 1000 --speed speed
+picture remesh-chosen "and small triangles." \
   remesh $build/chosen_places.ply --number 1500 --lloyd 5 --speed speed
 program cut_locus "$bunny" $build/cut_locus.ply
 property=graticule program flat_globe $build/flat_globe.ply

@@ -10,6 +10,7 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
@@ -25,29 +26,30 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 int main(int argc, char* argv[])
 {
-  if(argc != 2)
+  const int number = argc == 3 ? std::atoi(argv[1]) : 0;
+  if(number <= 0)
   {
-    std::cerr << "usage: two_speeds RESULT.ply\n";
+    std::cerr << "usage: two_speeds NUMBER RESULT.ply\n";
     return EXIT_FAILURE;
   }
   Mesh mesh;
   CGAL::make_grid(
       200, 200, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
-  auto speed = mesh.add_property_map<Mesh::Face_index, double>("f:speed").first;
-  for(auto face : mesh.faces())
-    speed[face] = mesh.point(mesh.source(mesh.halfedge(face))).x() < 100. ? 0.25 : 1.;
+  auto speed = mesh.add_property_map<Vertex, double>("v:speed").first;
+  for(auto v : mesh.vertices())
+    speed[v] = mesh.point(v).x() < 100. ? 0.25 : 1.;
 
   std::vector<GP::Location<Mesh>> samples;
-  GP::farthest_point_sampling(mesh, 170, std::back_inserter(samples),
+  GP::farthest_point_sampling(mesh, number, std::back_inserter(samples),
                               GP::parameters::speed_map(speed));
   const auto slow = std::count_if(samples.begin(), samples.end(),
                                   [&](const auto& sample)
                                   { return PMP::construct_point(sample, mesh).x() < 100.; });
-  std::cout << "Of 170 samples " << slow
+  std::cout << "Of " << number << " samples " << slow
             << " lie in the slow half: four times as close to each other"
-            << " are 16 times as many, 160.\n";
+            << " are 16 times as many, " << std::lround(16. / 17. * number) << ".\n";
 
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   GP::geodesic_distances(mesh, samples, distance, GP::parameters::speed_map(speed));
-  return CGAL::IO::write_polygon_mesh(argv[1], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
