@@ -17,6 +17,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 
 #include <cstring>
 #include <iterator>
@@ -233,8 +234,10 @@ void check_topology(bool quick)
       GP::Remeshing_result result;
       time += seconds(
           [&] { result = GP::geodesic_delaunay_remeshing(*mesh, number_of_vertices, output); });
+      std::vector<Face> degenerate;
+      PMP::degenerate_faces(output, std::back_inserter(degenerate));
       is_kept = is_kept && CGAL::is_valid_polygon_mesh(output) && shape_of(output) == shape &&
-                !has_repeated_faces(output);
+                !has_repeated_faces(output) && degenerate.empty();
       found.push_back(std::to_string(result.added));
       found.push_back(std::to_string(self_intersections(output)));
     }
