@@ -175,12 +175,13 @@ private:
   {
     gather(region);
     const bool is_heron = m_kind == Base_coordinates::heron;
+    const bool repairs = m_repairs && m_kind != Base_coordinates::uniform;
     if(is_heron)
       heron(region);
     else
       combine(m_kind);
-    bool is_good = write(m_repairs) == 0;
-    if(!is_good && m_repairs)
+    bool is_good = write(repairs) == 0;
+    if(!is_good && repairs)
     {
       ++m_result.m_repaired;
       if(is_heron)
@@ -341,8 +342,9 @@ private:
       for(const auto& [j, weight] : row[i])
         sum += weight;
       double total = 0.;
+      // What is not a number, where all angles are zero, gets the least weight in this order.
       for(auto& [j, weight] : row[i])
-        total += weight = std::max(weight / sum, least_weight);
+        total += weight = std::max(least_weight, weight / sum);
       entries.emplace_back(i, i, 1.);
       for(const auto& [j, weight] : row[i])
         if(j < m_inside)

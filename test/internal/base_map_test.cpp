@@ -28,6 +28,17 @@ std::shared_ptr<const Base_mesh> base_of(const Glued_surface& surface, std::size
   return std::make_shared<const Base_mesh>(base_mesh(surface.triangles(), goal));
 }
 
+// A disc is one base face between three points of its border; nothing where that cannot be drawn.
+std::shared_ptr<const Base_mesh> one_face(const Glued_surface& disc,
+                                          const std::array<Index, 3>& points)
+{
+  std::vector<Location> samples;
+  for(const Index i : points)
+    samples.push_back(at_site(disc.t(), disc.site(i)));
+  auto found = base_mesh(disc.t(), samples, {{0, 1, 2}}, border_and_sharp_sides(disc.t()));
+  return found ? std::make_shared<const Base_mesh>(std::move(*found)) : nullptr;
+}
+
 constexpr std::array<Base_coordinates, 3> kinds = {
     Base_coordinates::heron, Base_coordinates::mean_value, Base_coordinates::uniform};
 
@@ -137,12 +148,8 @@ TEST(Base_map, of_a_planar_triangle_by_areas_is_affine)
   for(const Triangle& f : subdivision.finest().triangles)
     surface.corners.insert(surface.corners.end(), f.begin(), f.end());
   const Glued_surface glued(surface);
-  std::vector<Location> samples;
-  for(Index i = 0; i < 3; ++i)
-    samples.push_back(at_site(glued.t(), glued.site(i)));
-  auto found = base_mesh(glued.t(), samples, {{0, 1, 2}}, border_and_sharp_sides(glued.t()));
-  ASSERT_TRUE(found);
-  const auto base = std::make_shared<const Base_mesh>(std::move(*found));
+  const auto base = one_face(glued, {0, 1, 2});
+  ASSERT_TRUE(base);
   const Base_map raw(base, Base_coordinates::heron, false);
   EXPECT_EQ(raw.folds(), 0u);
   for(std::size_t c = 0; c < raw.coordinates().size(); ++c)
@@ -188,6 +195,50 @@ TEST(Base_map, goes_there_and_back)
       }
     }
   }
+}
+
+TEST(Base_map, has_coordinates_where_all_angles_are_zero)
+{
+  Triangulation surface = {{{0., 0., 0.}}, {}};
+  for(Index k = 0; k < 8; ++k)
+  {
+    surface.points.push_back({double(k + 1), 0., 0.});
+    for(const Index corner : {Index(0), k + 1, (k + 1) % 8 + 1})
+      surface.corners.push_back(corner);
+  }
+  const Glued_surface glued(surface);
+  const auto base = one_face(glued, {1, 4, 6});
+  ASSERT_TRUE(base);
+  for(const Base_coordinates kind : kinds)
+  {
+    const Base_map map(base, kind);
+    EXPECT_EQ(map.folds(), 0u);
+    for(const auto& b : map.coordinates())
+      EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-12);
+  }
+}
+
+// A tube of forty rings, closed at its end, whose image is the smaller the farther it is from the border.
+TEST(Base_map, repairs_no_uniform_coordinates)
+{
+  Triangulation surface;
+  constexpr Index rings = 40;
+  for(Index i = 0; i < rings; ++i)
+    for(const Point& p : {Point{1., 0., 0.}, Point{-0.5, 0.9, 0.}, Point{-0.5, -0.9, 0.}})
+      surface.points.push_back({p[0], p[1], double(i)});
+  for(Index i = 0; i + 1 < rings; ++i)
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index a = 3 * i + k, b = 3 * i + (k + 1) % 3;
+      surface.corners.insert(surface.corners.end(), {a, b, b + 3, a, b + 3, a + 3});
+    }
+  for(Index k = 3; k > 0; --k)
+    surface.corners.push_back(3 * rings - k);
+  const Glued_surface glued(surface);
+  const auto base = one_face(glued, {0, 1, 2});
+  ASSERT_TRUE(base);
+  EXPECT_EQ(Base_map(base, Base_coordinates::mean_value).repaired(), 1u);
+  EXPECT_EQ(Base_map(base, Base_coordinates::uniform).repaired(), 0u);
 }
 
 } // namespace
