@@ -10,12 +10,12 @@
 #include <CGAL/Geodesic_processing/internal/refinement.h>
 #include <CGAL/Geodesic_processing/internal/taut_strip.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -168,35 +168,33 @@ private:
 
   bool connect_all()
   {
-    std::vector<Index> order, part(m_result.site.size());
-    std::iota(part.begin(), part.end(), Index(0));
-    const std::function<Index(Index)> root = [&](Index i)
-    { return part[i] == i ? i : part[i] = root(part[i]); };
-    const auto ends = [&](Index edge)
+    std::vector<Index> sorted, order, others;
+    std::vector<double> length;
+    boost::disjoint_sets_with_storage<> parts(m_result.site.size());
+    const auto joins_parts = [&](Index edge)
     {
       const Index side = m_result.side[edge];
-      return std::pair(base_corner(side), base_corner(next_side(side)));
+      const auto p = parts.find_set(base_corner(side)),
+                 q = parts.find_set(base_corner(next_side(side)));
+      if(p != q)
+        parts.link(p, q);
+      return p != q;
     };
-    std::vector<double> length;
     for(Index edge = 0; edge < m_result.side.size(); ++edge)
     {
-      const auto [a, b] = ends(edge);
-      length.push_back(m_mesh.between(m_result.site[a], m_result.site[b]));
+      const Index side = m_result.side[edge];
+      length.push_back(m_mesh.between(m_result.site[base_corner(side)],
+                                      m_result.site[base_corner(next_side(side))]));
       if(m_result.path[edge].empty())
-        order.push_back(edge);
+        sorted.push_back(edge);
       else
-        part[root(a)] = root(b);
+        joins_parts(edge);
     }
-    std::stable_sort(order.begin(), order.end(),
+    std::stable_sort(sorted.begin(), sorted.end(),
                      [&](Index a, Index b) { return length[a] < length[b]; });
-    std::stable_partition(order.begin(), order.end(),
-                          [&](Index edge)
-                          {
-                            const auto [a, b] = ends(edge);
-                            const Index p = root(a), q = root(b);
-                            part[p] = q;
-                            return p != q;
-                          });
+    for(const Index edge : sorted)
+      (joins_parts(edge) ? order : others).push_back(edge);
+    order.insert(order.end(), others.begin(), others.end());
     return std::all_of(order.begin(), order.end(), [&](Index edge) { return connect(edge); });
   }
 
