@@ -22,8 +22,13 @@ std::array<double, 3> coordinates_in_part(const std::array<std::array<double, 3>
                                           const std::array<double, 3>& p)
 {
   using Barycentric = std::array<double, 3>;
+  // Exactly zero along all three sides of the triangle: along two the differences are.
   const auto twice = [](const Barycentric& a, const Barycentric& b, const Barycentric& c)
-  { return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]); };
+  {
+    return a[0] == 0. && b[0] == 0. && c[0] == 0.
+               ? 0.
+               : (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+  };
   const double whole = twice(corner[0], corner[1], corner[2]);
   if(!(whole > 0.))
     return {-infinity, -infinity, -infinity};

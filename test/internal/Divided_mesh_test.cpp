@@ -149,4 +149,25 @@ TEST(Divided_mesh, samples_stay_on_their_side_of_a_curve)
   expect_divides(mesh, surface.t());
 }
 
+TEST(Divided_mesh, samples_on_a_curve_stay_there)
+{
+  const Glued_surface surface(one_triangle());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0.1, 0.9);
+  for(Index k = 0; k < 3; ++k)
+  {
+    std::vector<bool> is_curve = no_curve(surface.t());
+    is_curve[k] = true;
+    Divided_mesh mesh(surface.t(), is_curve);
+    mesh.split_side((k + 1) % 3, 1e-6); // which leaves little height over the curve
+    const auto sides_on_curve = [&]
+    { return std::count(mesh.labels().begin(), mesh.labels().end(), Divided_mesh::curve); };
+    for(int i = 1; i < 30; ++i)
+    {
+      mesh.insert(surface.on(0, int(k), uniform(random)));
+      EXPECT_EQ(sides_on_curve(), 1 + i);
+    }
+  }
+}
+
 } // namespace
