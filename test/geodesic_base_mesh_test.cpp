@@ -63,4 +63,12 @@ TEST(geodesic_base_mesh, adds_nothing_when_cancelled)
   EXPECT_EQ(num_vertices(base) + num_vertices(divided), 0u);
 }
 
+TEST(geodesic_base_mesh, refuses_a_mesh_without_triangles)
+{
+  Mesh base, divided;
+  const auto base_face = divided.add_property_map<Face, Face>("f:base").first;
+  EXPECT_THROW(GP::geodesic_base_mesh(Mesh(), 20, base, divided, base_face),
+               GP::Invalid_argument_error);
+}
+
 } // namespace

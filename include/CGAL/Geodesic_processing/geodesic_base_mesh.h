@@ -42,6 +42,8 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
   result.is_finished = found.is_finished;
   if(!result.is_finished)
     return result;
+  if(found.triangles.empty())
+    throw Invalid_argument_error("The mesh has no triangle.");
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
 
   const internal::Glued_triangles& fine = found.fine;
