@@ -67,6 +67,8 @@ TEST(Base_parameterization, refuses_what_is_no_place)
   const Mesh mesh = mesh_of(icosphere(2));
   const GP::Base_parameterization<Mesh> base(mesh, 20);
   EXPECT_THROW(base.point({base.number_of_base_faces(), {1., 0., 0.}}), GP::Invalid_argument_error);
+  EXPECT_THROW(base.base_face(base.number_of_base_faces()), GP::Invalid_argument_error);
+  EXPECT_THROW(base.base_vertex(base.number_of_base_vertices()), GP::Invalid_argument_error);
   EXPECT_THROW(base.point({0, {1., 1., 0.}}), GP::Invalid_argument_error);
   EXPECT_THROW(base.point({0, {2., -1., 0.}}), GP::Invalid_argument_error);
   EXPECT_THROW(GP::Base_parameterization<Mesh>(Mesh(), 20), GP::Invalid_argument_error);

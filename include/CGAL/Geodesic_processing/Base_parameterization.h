@@ -114,12 +114,15 @@ public:
   /// the numbers of the corners of a base face, counterclockwise, to which coordinates belong.
   std::array<std::size_t, 3> base_face(std::size_t face) const
   {
+    check_face(face);
     const auto& f = m_map->base().triangles[face];
     return {f[0], f[1], f[2]};
   }
   /// where a base vertex is.
   Location base_vertex(std::size_t vertex) const
   {
+    if(vertex >= number_of_base_vertices())
+      throw Invalid_argument_error("There is no base vertex of that number.");
     return m_domain.outer(m_map->base().samples[vertex]);
   }
 
@@ -150,6 +153,11 @@ public:
   /// @}
 
 private:
+  void check_face(std::size_t face) const
+  {
+    if(face >= number_of_base_faces())
+      throw Invalid_argument_error("There is no base face of that number.");
+  }
   Base_location place(const internal::Location& location) const
   {
     if(location.triangle == internal::none)
@@ -159,8 +167,7 @@ private:
   }
   internal::Location inner(const Base_location& location) const
   {
-    if(location.face >= number_of_base_faces())
-      throw Invalid_argument_error("There is no base face of that number.");
+    check_face(location.face);
     const auto& b = location.barycentric;
     // 1e-6 is what rounding can do to the sum of three.
     if(!((std::min)({b[0], b[1], b[2]}) > -1e-6) || !(std::abs(b[0] + b[1] + b[2] - 1.) < 1e-6))
