@@ -62,31 +62,33 @@ double deviation(const std::vector<Base_location>& places, const Glued_triangles
 Semi_regular semi_regular(const Base_map& map, const Glued_triangles& coarse, unsigned times,
                           double maximum_deviation)
 {
+  const bool has_maximum = maximum_deviation > 0.;
   Subdivision subdivision =
-      subdivide(map.base().triangles, Index(map.base().samples.size()), times);
-  const std::vector<Base_place> place = base_places(subdivision);
+      subdivide(map.base().triangles, Index(map.base().samples.size()), has_maximum ? 0 : times);
   std::vector<Base_location> of_sites;
-  if(maximum_deviation > 0.)
+  if(has_maximum)
     for(Index site = 0; site < coarse.number_of_sites(); ++site)
     {
       const Location location = at_site(coarse, site);
       of_sites.push_back(location.triangle == none ? Base_location() : map(location));
     }
   Semi_regular result;
-  for(unsigned i = 0; i <= times; ++i)
+  for(;;)
   {
-    Subdivision::Level& level = subdivision.levels[i];
-    while(result.points.size() < level.number_of_vertices)
+    const std::vector<Base_place> place = base_places(subdivision);
+    while(result.points.size() < place.size())
       result.points.push_back(point_at(map, coarse, place[result.points.size()]));
-    result.number_of_vertices.push_back(level.number_of_vertices);
-    if(i == times ||
-       (maximum_deviation > 0. &&
-        deviation(of_sites, coarse, level, i, result.points) <= maximum_deviation * coarse.scale))
-    {
-      result.triangles = std::move(level.triangles);
+    if(!has_maximum)
       break;
-    }
+    const unsigned levels = unsigned(subdivision.levels.size() - 1);
+    result.deviation = deviation(of_sites, coarse, subdivision.finest(), levels, result.points);
+    if(levels == times || result.deviation <= maximum_deviation * coarse.scale)
+      break;
+    subdivide(subdivision);
   }
+  for(const Subdivision::Level& level : subdivision.levels)
+    result.number_of_vertices.push_back(level.number_of_vertices);
+  result.triangles = std::move(subdivision.levels.back().triangles);
   return result;
 }
 

@@ -152,12 +152,16 @@ Subdivision subdivide(const std::vector<Triangle>& triangles, Index number_of_ve
   for(Index v = 0; v < number_of_vertices; ++v)
     result.parents.push_back({v, v});
   for(unsigned i = 0; i < times; ++i)
-  {
-    add_midpoints(result.levels.back(), result.parents);
-    result.levels.push_back(finer(result.levels.back()));
-    result.levels.back().number_of_vertices = Index(result.parents.size());
-  }
+    subdivide(result);
   return result;
+}
+
+void subdivide(Subdivision& subdivision)
+{
+  check_size(subdivision.finest().triangles.size(), 1);
+  add_midpoints(subdivision.levels.back(), subdivision.parents);
+  subdivision.levels.push_back(finer(subdivision.levels.back()));
+  subdivision.levels.back().number_of_vertices = Index(subdivision.parents.size());
 }
 
 std::vector<Base_place> base_places(const Subdivision& subdivision)

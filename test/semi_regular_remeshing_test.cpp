@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <map>
+
 namespace {
 
 namespace GP = CGAL::Geodesic_processing;
+namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace GP::test;
 
 TEST(semi_regular_remeshing, has_subdivision_connectivity)
@@ -37,12 +43,14 @@ TEST(semi_regular_remeshing, has_subdivision_connectivity)
 TEST(semi_regular_remeshing, has_quads_on_request)
 {
   CGAL::Polyhedron_3<Kernel> output;
-  const auto result =
-      GP::semi_regular_remeshing(mesh_of(torus(24, 16)), 40, 1, output,
-                                 GP::parameters::subdivision_scheme(GP::Subdivision_scheme::quads));
+  const Mesh mesh = mesh_of(torus(24, 16));
+  const auto quads = GP::parameters::subdivision_scheme(GP::Subdivision_scheme::quads);
+  const auto result = GP::semi_regular_remeshing(mesh, 40, 1, output, quads);
   EXPECT_EQ(output.size_of_facets(), 12 * result.base_faces);
   EXPECT_TRUE(output.is_pure_quad());
   EXPECT_TRUE(output.is_closed());
+  EXPECT_THROW(GP::semi_regular_remeshing(mesh, 40, 1, output, quads.maximum_deviation(1.)),
+               GP::Invalid_argument_error);
 }
 
 TEST(semi_regular_remeshing, ends_where_it_is_near_enough)
@@ -55,9 +63,106 @@ TEST(semi_regular_remeshing, ends_where_it_is_near_enough)
       GP::semi_regular_remeshing(mesh, 30, 5, fine, GP::parameters::maximum_deviation(0.03));
   EXPECT_LT(few.levels, more.levels);
   EXPECT_LT(more.levels, 5u);
+  EXPECT_LE(few.deviation, 0.3);
+  EXPECT_LE(more.deviation, 0.03);
+  EXPECT_GT(more.deviation, 0.);
   EXPECT_THROW(
       GP::semi_regular_remeshing(mesh, 30, 5, fine, GP::parameters::maximum_deviation(-1.)),
       GP::Invalid_argument_error);
+}
+
+// The surface of [0, 1]^3, each side of 2 n^2 triangles.
+Mesh cube(int n)
+{
+  Mesh result;
+  std::map<std::array<int, 3>, Vertex> vertex;
+  const auto at = [&](std::array<int, 3> p)
+  {
+    const auto [found, is_new] = vertex.try_emplace(p);
+    if(is_new)
+      found->second =
+          result.add_vertex(Kernel::Point_3(double(p[0]) / n, double(p[1]) / n, double(p[2]) / n));
+    return found->second;
+  };
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    for(const int level : {0, n})
+      for(int i = 0; i < n; ++i)
+        for(int j = 0; j < n; ++j)
+        {
+          std::array<Vertex, 4> corner;
+          constexpr std::array<int, 4> across = {0, 1, 1, 0}, along = {0, 0, 1, 1};
+          for(std::size_t k = 0; k < 4; ++k)
+          {
+            std::array<int, 3> p;
+            p[axis] = level;
+            p[(axis + 1) % 3] = i + across[k];
+            p[(axis + 2) % 3] = j + along[k];
+            corner[level == 0 ? 3 - k : k] = at(p);
+          }
+          result.add_face(corner[0], corner[1], corner[2]);
+          result.add_face(corner[0], corner[2], corner[3]);
+        }
+  return result;
+}
+
+// On how many sides of the cube a point is.
+int sides_at(const Kernel::Point_3& p)
+{
+  int result = 0;
+  for(int k = 0; k < 3; ++k)
+    result += std::abs(p[k]) < 1e-12 || std::abs(p[k] - 1.) < 1e-12;
+  return result;
+}
+
+template <typename NamedParameters>
+void expect_keeps_the_edges_of_a_cube(const Mesh& mesh, const NamedParameters& np)
+{
+  Mesh output;
+  GP::semi_regular_remeshing(mesh, 60, 2, output, np);
+  // Output edges on those of the cube are as long as these are together.
+  double length = 0.;
+  for(const auto e : output.edges())
+  {
+    const auto &p = output.point(output.vertex(e, 0)), &q = output.point(output.vertex(e, 1));
+    if(sides_at(p) > 1 && sides_at(q) > 1 && sides_at(CGAL::midpoint(p, q)) > 1)
+      length += PMP::edge_length(e, output);
+  }
+  EXPECT_NEAR(length, 12., 1e-10);
+  EXPECT_NEAR(PMP::area(output), 6., 1e-10);
+  EXPECT_NEAR(PMP::volume(output), 1., 1e-10);
+}
+
+TEST(semi_regular_remeshing, keeps_sharp_and_constrained_edges)
+{
+  Mesh mesh = cube(6);
+  expect_keeps_the_edges_of_a_cube(mesh, GP::parameters::sharp_angle(60.));
+  const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
+  for(const auto e : mesh.edges())
+    is_kept[e] =
+        sides_at(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))) > 1;
+  expect_keeps_the_edges_of_a_cube(mesh, GP::parameters::edge_is_constrained_map(is_kept));
+}
+
+TEST(semi_regular_remeshing, has_small_faces_where_the_speed_is_low)
+{
+  Mesh mesh = mesh_of(icosphere(3)), output;
+  const auto speed = vertex_map(mesh);
+  for(const Vertex v : mesh.vertices())
+    speed[v] = mesh.point(v).z() > 0. ? 0.25 : 1.;
+  GP::semi_regular_remeshing(mesh, 60, 1, output, GP::parameters::speed_map(speed));
+  int above = 0, below = 0;
+  for(const Vertex v : output.vertices())
+    ++(output.point(v).z() > 0. ? above : below);
+  EXPECT_GT(above, 4 * below);
+}
+
+TEST(semi_regular_remeshing, begins_with_first_samples)
+{
+  const Mesh mesh = mesh_of(icosphere(3));
+  const Vertex first(100);
+  Mesh output;
+  GP::semi_regular_remeshing(mesh, 30, 1, output, GP::parameters::first_samples(first));
+  EXPECT_EQ(output.point(Vertex(0)), mesh.point(first));
 }
 
 } // namespace

@@ -202,6 +202,8 @@ void run_semiregular(Job& job, const Base_options& options)
   job.result()["levels"] = result.levels;
   job.result()["base_faces"] = result.base_faces;
   job.say("levels          " + std::to_string(result.levels));
+  if(options.deviation > 0.)
+    job.report("deviation", result.deviation);
 
   job.stage("write");
   job.write_values([&] { return text; });

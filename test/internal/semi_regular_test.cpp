@@ -78,4 +78,16 @@ TEST(Semi_regular, has_quads)
   EXPECT_EQ(mesh.points.size(), mesh.quads.size());
 }
 
+TEST(Semi_regular, makes_no_finer_levels_than_it_takes)
+{
+  const Glued_surface sphere(icosphere(3));
+  const Base_map map = map_of(sphere, 30);
+  const Semi_regular mesh = semi_regular(map, sphere.t(), 20, 100. / sphere.scale());
+  EXPECT_EQ(mesh.number_of_vertices.size(), 1u);
+  EXPECT_EQ(mesh.triangles, map.base().triangles);
+  EXPECT_GT(mesh.deviation, 0.);
+  // What is left where levels are few.
+  EXPECT_GT(semi_regular(map, sphere.t(), 1, 1e-9 / sphere.scale()).deviation, 1e-9);
+}
+
 } // namespace

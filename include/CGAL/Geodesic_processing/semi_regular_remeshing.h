@@ -26,6 +26,7 @@ struct Semi_regular_result
   unsigned levels = 0; ///< how often faces have been cut; of quads, after the first three
   std::size_t base_faces = 0;
   std::size_t folds = 0; ///< of the parameterization
+  double deviation = 0.; ///< of the mesh's vertices, where `maximum_deviation` is given
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
@@ -34,9 +35,10 @@ struct Semi_regular_result
 /// pattern, and vertices lie on the mesh where a `Base_parameterization` has their places.
 /// \cgalCite{cgal:pc-grfp-03}
 ///
-/// All vertices but those of the base have six neighbours, or on borders four, of quads four.  Vertices are
-/// added level by level: those of a coarser mesh come first, in its order.  Faces \f$4f\f$ to \f$4f+3\f$ are
-/// the parts of face \f$f\f$ of the level before.
+/// All vertices but those of the base have six neighbours, or on borders four; in meshes of quads four, or
+/// three on borders and in the middles of base faces.  Vertices are added level by level: those of a coarser
+/// mesh come first, in its order.  Faces \f$4f\f$ to \f$4f+3\f$ are the parts of face \f$f\f$ of the level
+/// before; quads \f$3f\f$ to \f$3f+2\f$ of level 0 are those of base face \f$f\f$.
 ///
 /// \param mesh all of whose faces are triangles
 /// \param number of base vertices
@@ -50,13 +52,14 @@ struct Semi_regular_result
 ///     \cgalParamDefault{`Subdivision_scheme::triangles`} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
 ///     \cgalParamDescription{of triangles: less levels where these are enough that no vertex of the mesh is
-///       farther from what is at its place}
+///       farther from what is at its place: what is left over is the result's `deviation`}
 ///     \cgalParamDefault{all levels} \cgalParamNEnd
 ///   \cgalParamNBegin{level_map}
 ///     \cgalParamDescription{receives for each vertex of the output the level on which it comes, 0 of the
-///       base} \cgalParamNEnd
+///       base, and of quads also of the vertices that the first three have} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error also when there would be more than 2<SUP>31</SUP> sides
+/// \throws Invalid_argument_error also when there would be more than 2<SUP>31</SUP> sides, and when quads have a
+///         maximum deviation
 template <typename TriangleMesh, typename OutputMesh,
           typename NamedParameters = internal::Default_parameters>
 Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t number,
@@ -66,11 +69,13 @@ Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t
   const double deviation = internal::parameter(np, internal_np::maximum_deviation, 0.);
   if(!(deviation >= 0.))
     throw Invalid_argument_error("The maximum deviation is negative or not a number.");
-  const Base_parameterization<TriangleMesh> base(mesh, number, np);
-  const internal::Glued_triangles& coarse = *base.domain().triangles();
   const bool has_quads =
       internal::parameter(np, internal_np::subdivision_scheme, Subdivision_scheme::triangles) ==
       Subdivision_scheme::quads;
+  if(has_quads && deviation > 0.)
+    throw Invalid_argument_error("The maximum deviation is of triangles, not of quads.");
+  const Base_parameterization<TriangleMesh> base(mesh, number, np);
+  const internal::Glued_triangles& coarse = *base.domain().triangles();
   const internal::Semi_regular found =
       has_quads ? internal::semi_regular_quads(base.map(), coarse, levels)
                 : internal::semi_regular(base.map(), coarse, levels, deviation / coarse.scale);
@@ -90,7 +95,8 @@ Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t
       put(internal::parameter(np, internal_np::level_map, 0), vertices[i], level);
     }
   }
-  return {unsigned(found.number_of_vertices.size() - 1), base.number_of_base_faces(), base.folds()};
+  return {unsigned(found.number_of_vertices.size() - 1), base.number_of_base_faces(), base.folds(),
+          found.deviation};
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -18,6 +18,8 @@ struct Semi_regular
   std::vector<Index> number_of_vertices;     // #levels
   std::vector<Triangle> triangles;           // of the finest level, or
   std::vector<Quad> quads;                   //   these
+  // Of sites from the finest level, in the caller's coordinates; zero where there is no maximum.
+  double deviation = 0.;
 };
 
 // The triangles of the base cut into four, as often as it takes until the sites of the mesh are not

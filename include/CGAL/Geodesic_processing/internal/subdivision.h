@@ -77,6 +77,10 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Subdivision subdivide(const std::vector<Triangle>& triangles, Index number_of_vertices,
                       unsigned times);
 
+// Adds a level.  Throws Invalid_argument_error when it would have more than 2^31 sides.
+CGAL_GEODESIC_PROCESSING_EXPORT
+void subdivide(Subdivision& subdivision);
+
 // A place in a triangle of the coarsest level: the shares of its corners times a common denominator, so
 // that sums and comparisons are exact.
 struct Base_place
