@@ -30,7 +30,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  GP::semi_regular_remeshing(mesh, 250, 4, levels);
+  GP::semi_regular_remeshing(mesh, 250, 4, levels, GP::parameters::number_of_relaxation_steps(10));
 
   const GP::Subdivision_wavelet<Mesh> wavelet(levels);
   const auto bytes =

@@ -3,7 +3,7 @@
 //
 // How far is a mesh from what few of its details, or few bits for each vertex, make of it?
 //
-// The meshes are semi-regular remeshings of models, with 250 vertices in the base, and "smooth" ones: a coarse mesh of 250 vertices
+// The meshes are semi-regular remeshings of models, with 250 relaxed vertices in the base, and "smooth" ones: a coarse mesh of 250 vertices
 // that was cut into four and laid on the model at each level, then smoothed along it.  Errors are root mean squares over
 // vertices, in ten thousandths of the diagonal.
 #include <CGAL/Geodesic_processing.h>
@@ -48,7 +48,8 @@ double diagonal(const Mesh& mesh)
 Mesh semi_regular(const Mesh& input, unsigned levels)
 {
   Mesh result;
-  GP::semi_regular_remeshing(input, 250, levels, result);
+  GP::semi_regular_remeshing(input, 250, levels, result,
+                             GP::parameters::number_of_relaxation_steps(std::size_t(10)));
   return result;
 }
 
