@@ -358,6 +358,8 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
               {"vertices_out", "faces_out", "folds", "repaired_faces"});
   expect_keys("semiregular square.ply --number 20 --levels 1",
               {"vertices_out", "faces_out", "folds", "levels", "base_faces"});
+  expect_keys("semiregular square.ply --number 20 --levels 1 --maximum-deviation 1",
+              {"vertices_out", "faces_out", "folds", "levels", "base_faces", "deviation"});
   expect_keys("atlas square.ply --number 4",
               {"charts", "flips", "overlaps", "coverage", "texels_per_length", "conformal",
                "authalic", "symmetric_dirichlet"});
