@@ -195,9 +195,15 @@ for strength in 0.1 0.3 1; do
     remesh "$animal" --number 1500 --speed curvature-attractive --strength $strength
 done
 picture base "The edges of a base of 100 vertices, as geodesics." base "$animal" --number 100
+picture base-flat "The same vertices and flat triangles." \
+  remesh "$animal" --number 100 --allow-self-intersections
+picture base-divided "The triangles of a model, divided by the edges of a base." \
+  base "$small" --number 50 --divided
 picture base-part "Edges of a base that follow sharp ones." base "$part" --number 150 --keep-sharp 40
 picture semiregular "Each base face cut into 64." semiregular "$animal" --number 100 --levels 3
-picture semiregular-quads "And into 48 quadrilaterals, with sharp edges." \
+picture semiregular-2 "The same faces cut into 16," semiregular "$animal" --number 100 --levels 2
+picture semiregular-4 "and into 256." semiregular "$animal" --number 100 --levels 4
+picture semiregular-quads "Base faces cut into 48 quadrilaterals, with sharp edges." \
   semiregular "$part" --number 150 --levels 2 --keep-sharp 40 --quads
 picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
 picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
@@ -349,6 +355,8 @@ program many_paths "$animal"
 program neighbourhoods "$animal"
 program remeshing "$animal" $build/remeshed.off
 property=share program shares_over_a_base "$animal" 100 $build/shares.ply
+picture base-distance "And how far is each from the nearest corner?" \
+  info $build/shares.ply --property distance
 picture step-sample "A hundred places that cover a surface," sample "$animal" --number 100
 picture step-voronoi "the cells of what is nearest to each," voronoi "$animal" --number 100
 picture step-remesh "the triangles between their centres," remesh "$animal" --number 100
@@ -361,6 +369,9 @@ for bits in 0.7 1 2 6; do
   picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits
 done
 picture wavelet-tenth "A tenth of the details, the largest." wavelet $build/levels.off --keep 10
+cp doc/fig/rate_distortion.svg $gallery &&
+  printf '<figure><img src="rate_distortion.svg" alt=""><figcaption><p>%s</p></figcaption></figure>\n' \
+    "Errors over the bits for each vertex, relative to the diagonal." >>$page
 echo '</main></body></html>' >>$page
 
 echo

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -37,6 +38,13 @@ int main(int argc, char* argv[])
       const auto shares = base(v).barycentric;
       share[v] = *std::max_element(shares.begin(), shares.end());
     }
+
+  // From the nearest base vertex.
+  std::vector<GP::Base_parameterization<Mesh>::Location> corners;
+  for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
+    corners.push_back(base.base_vertex(i));
+  const auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
+  GP::geodesic_distances(mesh, corners, distance);
   std::cout << base.number_of_base_faces() << " base faces, of which " << base.repaired_faces()
             << " have mean value coordinates; " << base.folds() << " folds.\n";
   return CGAL::IO::write_polygon_mesh(argv[3], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -99,10 +99,11 @@ Surface_file divided_file(const GP::internal::Base_mesh& base)
 }
 
 // Base faces in their colours: each has points of its own, as colours are of points.
-void draw(const std::string& filename, const GP::internal::Base_mesh& base)
+void draw(const std::string& filename, const GP::internal::Base_mesh& base, bool with_sides)
 {
   Surface_file parts;
   Picture picture{&parts};
+  picture.with_sides = with_sides;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number; // of face and site
   for(std::size_t corner = 0; corner < base.fine.corner.size(); ++corner)
   {
@@ -158,7 +159,7 @@ void run_base(Job& job, const Base_options& options)
   job.write_values([&] { return text; });
   const GP::internal::Base_mesh& found = base.map().base();
   if(!job.picture().empty())
-    draw(job.picture(), found);
+    draw(job.picture(), found, options.is_divided);
   if(!job.output().empty())
     write_surface_file(job.output(), options.is_divided ? divided_file(found) : base_file(found));
   job.finish();
