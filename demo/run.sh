@@ -160,7 +160,7 @@ picture segment-part "Charts that are smaller where creases slow fronts down." \
   segment "$part" --number 60 --discs --speed curvature-attractive
 picture remesh "The same surface in 1,000 vertices, with even triangles." \
   remesh "$animal" --number 1000 --lloyd 10
-picture part "A part of a machine, as it is." info "$part"
+picture part "A part of a machine, as it is." info "$part" --sides
 picture remesh-part "Sharp edges are kept on request." \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40
 picture remesh-spacing "With small steps along them." \
@@ -197,7 +197,8 @@ done
 picture base "The edges of a base of 100 vertices, as geodesics." base "$animal" --number 100
 picture base-flat "The same vertices and flat triangles." \
   remesh "$animal" --number 100 --allow-self-intersections
-picture base-divided "The triangles of a model, divided by the edges of a base." \
+picture base-undivided "The triangles of a model," info "$small" --sides
+picture base-divided "and how the edges of a base divide them." \
   base "$small" --number 50 --divided
 picture base-part "Edges of a base that follow sharp ones." base "$part" --number 150 --keep-sharp 40
 picture semiregular "Each base face cut into 64." semiregular "$animal" --number 100 --levels 3

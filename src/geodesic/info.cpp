@@ -144,11 +144,22 @@ void describe_box(Job& job)
           " to " + readable(high[0]) + " " + readable(high[1]) + " " + readable(high[2]));
 }
 
-void run_info(Job& job, const std::string& wanted)
+struct Shown
 {
+  std::string property;
+  bool has_sides = false;
+};
+
+void run_info(Job& job, const Shown& shown)
+{
+  const std::string& wanted = shown.property;
   if(!wanted.empty() && job.picture().empty())
     throw Usage_error("--property: it is shown in a --picture.");
+  if(shown.has_sides && job.picture().empty())
+    throw Usage_error("--sides: they are shown in a --picture.");
   const Surface& surface = job.read();
+  if(shown.has_sides && !surface.is_mesh())
+    throw Usage_error("--sides: points have none.");
   if(!wanted.empty())
     property(surface, wanted);
   job.say(std::string("kind            ") + (surface.is_mesh() ? "mesh" : "cloud"));
@@ -175,6 +186,7 @@ void run_info(Job& job, const std::string& wanted)
       picture.title = wanted;
       picture.labels.clear();
     }
+    picture.with_sides = shown.has_sides;
     draw(job.picture(), picture);
   }
   job.finish();
@@ -186,10 +198,11 @@ void add_info(CLI::App& program)
 {
   Command command(program, "info", "sizes, shape and defects; -o converts");
   const auto job = std::make_shared<Job>(command);
-  const auto name = std::make_shared<std::string>();
-  command.add("--property", *name, "NAME",
+  const auto shown = std::make_shared<Shown>();
+  command.add("--property", shown->property, "NAME",
               "of the vertices, shown in the picture; else the components are");
-  command.set_run([job, name] { run_info(*job, *name); });
+  command.add_flag("--sides", shown->has_sides, "show the sides of triangles in the picture");
+  command.set_run([job, shown] { run_info(*job, *shown); });
 }
 
 } // namespace program

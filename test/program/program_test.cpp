@@ -227,6 +227,7 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("path square.ply --from 0 --to 80 -o a.off", 1, "a.off");
   expect_failure("path square.ply --from 0 --to 80 --method nothing", 1, "nothing");
   expect_failure("info square.ply --property distance", 1, "--picture");
+  expect_failure("info square.ply --sides", 1, "--picture");
   expect_failure("voronoi square.ply", 1, "--number");
   expect_failure("voronoi square.ply --number 2 --seeds 1", 1, "--seeds");
   expect_failure("segment square.ply", 1, "--number");
@@ -1622,6 +1623,13 @@ TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
     EXPECT_EQ(run("distance cloud.xyz --source 0 -o d.ply --quiet").code, 0);
     EXPECT_EQ(run("info d.ply --property distance --picture b.png --quiet").code, 0);
     expect_failure("info d.ply --property other --picture b.png", 2, "'other'");
+    const auto shown = [&](const std::string& options)
+    {
+      EXPECT_EQ(run("info square.ply --picture b.png --quiet" + options).code, 0);
+      return content(m_folder / "b.png");
+    };
+    EXPECT_NE(shown(" --sides"), shown(""));
+    expect_failure("info cloud.xyz --sides --picture b.png", 1, "--sides");
   }
   // Without a server and a display, as without VTK, nothing is even read.
   const std::string path = std::getenv("PATH");
