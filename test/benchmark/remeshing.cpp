@@ -143,7 +143,8 @@ void compare_quality(bool quick)
       const auto input = model(name);
       if(!input)
         continue;
-      const auto add = [&](std::size_t steps, bool do_fit)
+      const auto add =
+          [&](const std::string& how, std::size_t steps, bool do_fit, double sharp_angle)
       {
         Mesh output;
         const double time = seconds(
@@ -151,15 +152,17 @@ void compare_quality(bool quick)
             {
               GP::geodesic_delaunay_remeshing(
                   *input, vertices, output,
-                  GP::parameters::number_of_relaxation_steps(steps).do_fit(do_fit));
+                  GP::parameters::number_of_relaxation_steps(steps).do_fit(do_fit).sharp_angle(
+                      sharp_angle));
             });
-        add_quality(table,
-                    name + ", " + std::to_string(steps) + " steps" + (do_fit ? ", fitted" : ""),
-                    *input, output, time);
+        add_quality(table, name + ", " + how, *input, output, time);
       };
-      for(const std::size_t steps : {0, 12, 16, 30})
-        add(steps, false);
-      add(12, true);
+      add("0 steps", 0, false, 180.);
+      add("12 steps", 12, false, 180.);
+      add("30 steps", 30, false, 180.);
+      add("30 steps, fitted", 30, true, 180.);
+      if(name == "fandisk_6k5")
+        add("30 steps, fitted, creases", 30, true, 40.);
       const auto [output, time] = isotropic(*input, vertices);
       add_quality(table, name + ", CGAL", *input, output, time);
     }
