@@ -14,6 +14,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// Of base points, in parts of the width of a patch. Corridors of a maze are turned round with 0.99, and not
+// with 0.92 or less.
+constexpr double widest_spacing = 0.85;
+
 // Of each sample the distance that reaches its `nearest` nearest ones, itself among them, along chains of
 // samples whose cells touch: not below the true one.
 std::vector<double> reaches(const Glued_triangles& t, const Sampling& sampling, std::size_t nearest)
@@ -178,6 +182,26 @@ void complete_between(const std::vector<Meeting>& meetings, Base_points& base)
 }
 
 } // namespace
+
+std::size_t base_points_across(const Glued_triangles& t)
+{
+  if(t.is_cloud())
+    return usual_base_points;
+  double area = 0., border = 0.;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    const double* const l = &t.length[3 * std::size_t(f)];
+    area += 0.5 * twice_area(l[0], l[1], l[2]);
+    for(Index side = 3 * f; side < 3 * f + 3; ++side)
+      border += t.twin[side] == none ? t.length[side] : 0.;
+  }
+  // Each has a hexagon for itself.
+  const double spacing = widest_spacing * 2. * area / border;
+  const double number = 2. / std::sqrt(3.) * area / (spacing * spacing);
+  return number > double(usual_base_points)
+             ? std::size_t(std::min(number, double(most_base_points)))
+             : usual_base_points;
+}
 
 Base_points nearest_base_points(const Glued_triangles& t, const Sampling& sampling, Front front,
                                 std::size_t nearest, const std::function<bool(double)>& callback)

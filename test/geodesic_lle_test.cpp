@@ -60,6 +60,36 @@ TEST(geodesic_lle, of_a_square_is_a_similarity_at_all_scales)
   }
 }
 
+// Corridors two squares wide between walls of one, joined at their ends in turns.
+Mesh meander(std::size_t length, std::size_t number)
+{
+  const std::size_t height = 3 * number - 1;
+  const Triangulation whole = grid(length, height,
+                                   [&](double u, double v) {
+                                     return Point{double(length) * u, double(height) * v, 0.};
+                                   });
+  Triangulation result{whole.points, {}};
+  for(std::size_t i = 0; i < whole.corners.size(); i += 6)
+  {
+    const std::size_t column = i / 6 % length, row = i / 6 / length, wall = row / 3;
+    const bool is_end = wall % 2 == 0 ? column + 2 >= length : column < 2;
+    if(row % 3 != 2 || is_end)
+      result.corners.insert(result.corners.end(), whole.corners.begin() + i,
+                            whole.corners.begin() + i + 6);
+  }
+  return mesh_of(result);
+}
+
+TEST(geodesic_lle, takes_more_base_points_where_a_patch_is_narrow)
+{
+  Mesh mesh = meander(20, 40);
+  auto uv = vertex_map<UV>(mesh);
+  GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(200)));
+  EXPECT_GT(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
+  EXPECT_GT(GP::geodesic_lle(mesh, uv).size(), 200u);
+  EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
+}
+
 TEST(geodesic_lle, takes_base_points_and_numbers)
 {
   Mesh mesh = mesh_of(square(12, 0.2));

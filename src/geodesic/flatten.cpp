@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace program {
 
@@ -21,7 +22,8 @@ using UV = std::array<double, 2>;
 struct Flatten_options
 {
   std::string method = "glle";
-  std::size_t base_points = 200, neighbors = 10;
+  std::optional<std::size_t> base_points;
+  std::size_t neighbors = 10;
   bool injective = false, flat = false;
 };
 
@@ -35,14 +37,19 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
   job.stage("query");
   if(options.method == "glle" || options.method == "mds")
   {
-    const auto np = GP::parameters::number_of_base_points(options.base_points)
-                        .random_seed(job.seed())
-                        .callback(job.progress("flattening"));
-    const auto base =
-        options.method == "mds"
-            ? GP::geodesic_mds(domain, map, np)
-            : GP::geodesic_lle(domain, map, np.number_of_neighbors(options.neighbors));
-    job.result()["base_points"] = base.size();
+    const auto np = GP::parameters::random_seed(job.seed()).callback(job.progress("flattening"));
+    const auto flatten = [&](const auto& with)
+    {
+      const auto base =
+          options.method == "mds"
+              ? GP::geodesic_mds(domain, map, with)
+              : GP::geodesic_lle(domain, map, with.number_of_neighbors(options.neighbors));
+      job.result()["base_points"] = base.size();
+    };
+    if(options.base_points)
+      flatten(np.number_of_base_points(*options.base_points));
+    else
+      flatten(np);
   }
   else
     uv = parameterization(job.surface(), options.method);
@@ -173,8 +180,8 @@ void add_flatten(CLI::App& program)
            "mesh "
            "CGAL's lscm, authalic and arap")
       .shows_default();
-  command.add("--base-points", options->base_points, "N", "how many points carry glle and mds")
-      .shows_default();
+  command.add("--base-points", options->base_points, "N",
+              "how many points carry glle and mds: 200, for glle more where the patch is narrow");
   command.add("--neighbors", options->neighbors, "K", "how many of them are around each, for glle")
       .shows_default();
   command.add_flag("--injective", options->injective,

@@ -72,9 +72,8 @@ void add_row(Table& table, const std::string& name, const std::string& method,
 
 void distortion(bool is_quick)
 {
-  std::printf(
-      "Distortion with 200 base points: conformal and authalic, their sum, symmetric Dirichlet, "
-      "stretch\n\n");
+  std::printf("Distortion: conformal and authalic, their sum, symmetric Dirichlet, "
+              "stretch\n\n");
   Table table({"patch", "method", "Ec", "Ea", "Ec + Ea", "Dirichlet", "L2", "Linf", "flips"});
   Table few({"patch: Dirichlet", "5", "10", "20", "100 base points"});
   std::size_t patches = 0, gentle = 0, unturned = 0, compared = 0, least = 0, between = 0,

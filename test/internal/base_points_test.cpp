@@ -29,6 +29,25 @@ double straight(const Glued_surface& surface, Index a, Index b)
   return distance(surface.point(surface.point_of_site(a)), surface.point(surface.point_of_site(b)));
 }
 
+TEST(base_points, are_nearer_to_each_other_than_a_surface_is_wide)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const auto strip = [&](std::size_t length)
+    {
+      const auto place = [&](double u, double v) { return Point{double(length) * u, v, 0.}; };
+      return Glued_surface(scaled(grid(length, 1, place), scale));
+    };
+    EXPECT_EQ(base_points_across(Glued_surface(scaled(square(10), scale)).t()), 200u);
+    EXPECT_EQ(base_points_across(strip(100).t()), 200u);
+    // Its width in the mean is 800 / 802, and a hexagon with 0.85 of that between its sides has an area
+    // of 0.6225.
+    EXPECT_EQ(base_points_across(strip(400).t()), 642u);
+    EXPECT_EQ(base_points_across(strip(2000).t()), 1000u);
+    EXPECT_EQ(base_points_across(Glued_surface(scaled(tetrahedron(), scale)).t()), 200u);
+  }
+}
+
 TEST(base_points, are_those_nearest_to_each_site)
 {
   const Glued_surface surface(square(40, 0.25));

@@ -32,7 +32,8 @@ namespace CGAL::Geodesic_processing {
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_base_points}
 ///     \cgalParamDescription{from 3 to 1,000, as many as there are sites where these are fewer}
-///     \cgalParamDefault{200} \cgalParamNEnd
+///     \cgalParamDefault{200, and up to 1,000 on a mesh so narrow that those would be farther apart than it is wide
+///       in the mean, which is twice its area over the length of its border} \cgalParamNEnd
 ///   \cgalParamNBegin{base_points}
 ///     \cgalParamDescription{a range of sites, each once: instead of farthest ones; such as those of
 ///       `farthest_site_sampling()` with `curvature_speeds()`, which are denser where the surface bends}
@@ -66,7 +67,7 @@ auto geodesic_lle(const Surface& surface, UVMap uv_map,
   if(neighbors < 3)
     throw Invalid_argument_error("Each base point needs three neighbors or more.");
   return internal::flatten<Method>(
-      domain, uv_map, np,
+      domain, uv_map, np, internal::base_points_across(*domain.triangles()),
       [&](const auto& triangles, const auto& sampling, const auto& front, const auto& callback)
       {
         const internal::Base_points base = internal::nearest_base_points(

@@ -19,7 +19,7 @@ namespace CGAL::Geodesic_processing {
 /// notches, distances are not those of a plane, and the map bends; `geodesic_lle()` sees neighbours alone, and
 /// bends less.
 ///
-/// Parameters, result and errors are those of `geodesic_lle()`, without neighbours.
+/// Parameters, result and errors are those of `geodesic_lle()`, without neighbours, and with 200 base points by default.
 ///
 /// Twice as many fronts over the whole surface as there are base points.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
@@ -29,7 +29,7 @@ auto geodesic_mds(const Surface& surface, UVMap uv_map,
 {
   const auto domain = make_domain(surface, np);
   return internal::flatten<Method>(
-      domain, uv_map, np,
+      domain, uv_map, np, internal::usual_base_points,
       [](const auto& triangles, const auto& sampling, const auto& front, const auto& callback)
       {
         std::vector<internal::Index> sites;

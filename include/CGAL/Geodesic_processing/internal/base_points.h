@@ -27,6 +27,16 @@ struct Base_points
   double distance_between(std::size_t i, std::size_t j) const { return between[i * size() + j]; }
 };
 
+// So many carry a flattening, if there is no better reason.
+inline constexpr std::size_t usual_base_points = 200;
+// The matrices of all pairs of base points are dense.
+inline constexpr std::size_t most_base_points = 1000;
+
+// So many that they are not as far apart as the surface is wide, in the mean: the usual ones at least, which on
+// a cloud are all that are told, and the most at most.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::size_t base_points_across(const Glued_triangles& triangles);
+
 // Lets a front start from each sample, which goes on only as long as the sample is among the `nearest` ones:
 // together they visit little more than `nearest` times all sites.  Distances between samples are lengths of
 // straight lines across the triangles where two fronts meet.

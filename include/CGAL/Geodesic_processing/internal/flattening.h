@@ -25,12 +25,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The matrices of all pairs of base points are dense.
-inline constexpr std::size_t most_base_points = 1000;
-
-// Spreads the base points that named parameters ask for, over a surface of one piece.
+// Spreads the base points that named parameters ask for, or a usual number, over a surface of one piece.
 template <typename Domain, typename NamedParameters>
-void spread(const Domain& domain, const NamedParameters& np, Sampling& sampling)
+void spread(const Domain& domain, const NamedParameters& np, std::size_t usual, Sampling& sampling)
 {
   const auto check_is_one_piece = [&]
   {
@@ -53,7 +50,7 @@ void spread(const Domain& domain, const NamedParameters& np, Sampling& sampling)
   else
   {
     Sampling_goal goal;
-    goal.number = parameter(np, internal_np::number_of_base_points, std::size_t(200));
+    goal.number = parameter(np, internal_np::number_of_base_points, usual);
     goal.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
     if(goal.number <= most_base_points)
       sample_farthest(sampling, goal, [&](double) { check_is_one_piece(); });
@@ -82,7 +79,8 @@ inline double area_of_image(const Glued_triangles& t, const std::vector<Planar>&
 //
 // map(triangles, sampling, front, callback): nothing when the callback cancelled it
 template <typename Method, typename Domain, typename UVMap, typename NamedParameters, typename Map>
-auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, const Map& map)
+auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, std::size_t usual,
+             const Map& map)
 {
   static_assert(std::is_base_of_v<Front, Engine<Method>>,
                 "Base points are joined by fronts: Euclidean_front, Fast_marching or Dijkstra.");
@@ -90,7 +88,7 @@ auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, cons
   const Glued_triangles& triangles = *domain.triangles();
   const Engine<Method> front(domain.triangles());
   Sampling sampling(domain.triangles(), front, Sample_place::site);
-  spread(domain, np, sampling);
+  spread(domain, np, usual, sampling);
 
   std::vector<typename Domain::Site> base_points;
   std::vector<Planar> image =
