@@ -31,8 +31,8 @@ constexpr double longest_part = 0.65;
 // Where samples move, a little longer ones: that costs 0.2 to 0.5 degrees of the mean of the least angles, and saves
 // more time than the four steps that give it back.
 constexpr double longest_part_of_relaxed = 0.75;
-// But so many steps get to where cells made of such triangles end: with shorter sides the mean rises by up to another
-// degree, and the first percentile by up to two.
+// But so many steps get to where cells made of such triangles end: with shorter sides the mean changes by -0.2 to 0.7
+// degrees on six models with 1,000 and 5,000 vertices, and the first percentile by -1 to 4, in up to twice the time.
 constexpr std::size_t many_steps = 30;
 constexpr double longest_part_of_well_relaxed = 0.5;
 // One in so many may be longer, by this factor at most: else all triangles would be glued anew for the sake of

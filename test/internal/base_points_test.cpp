@@ -41,7 +41,7 @@ TEST(base_points, are_nearer_to_each_other_than_a_surface_is_wide)
     EXPECT_EQ(base_points_across(Glued_surface(scaled(square(10), scale)).t()), 200u);
     EXPECT_EQ(base_points_across(strip(100).t()), 200u);
     // Its width in the mean is 800 / 802, and a hexagon with 0.85 of that between its sides has an area
-    // of 0.6225.
+    // of 0.6226.
     EXPECT_EQ(base_points_across(strip(400).t()), 642u);
     EXPECT_EQ(base_points_across(strip(2000).t()), 1000u);
     EXPECT_EQ(base_points_across(Glued_surface(scaled(tetrahedron(), scale)).t()), 200u);
