@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/centroids.h>
 
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/walk.h>
 
 #include <algorithm>
 #include <array>
@@ -147,11 +148,6 @@ bool is_obstacle(const std::vector<double>* slowness, Index triangle)
   return slowness && !((*slowness)[triangle] < infinity);
 }
 
-bool has_area(const Spatial& a, const Spatial& b, const Spatial& c)
-{
-  return norm(cross(b - a, c - a)) > 0.;
-}
-
 // The cells of a triangle's corners, each once.
 struct Labels
 {
@@ -167,84 +163,6 @@ struct Labels
   }
   const Index* begin() const { return labels.data(); }
   const Index* end() const { return labels.data() + size; }
-};
-
-// What is nearest to a point, found from triangle to triangle; nowhere where that leads to a border, to an
-// obstacle or out of the cell.
-class Walk
-{
-public:
-  Walk(const Glued_triangles& t, const std::vector<Index>& labels,
-       const std::vector<double>* slowness)
-      : m_triangles(t), m_labels(labels), m_slowness(slowness)
-  {}
-
-  Location operator()(Index label, Index triangle, const Spatial& p) const
-  {
-    const Glued_triangles& t = m_triangles;
-    Index last = none;
-    std::array<double, 3> nearest;
-    double least = nearest_in(triangle, label, p, nearest);
-    for(int steps = 0; least < infinity && steps < 10; ++steps)
-    {
-      const auto zeros = std::count(nearest.begin(), nearest.end(), 0.);
-      if(zeros == 0)
-        return {triangle, none, nearest};
-      if(zeros > 1)
-      {
-        // At a corner: on through what comes nearest of all around it.
-        const Location corner = {triangle, none, nearest};
-        const Index site = site_of(t, corner), before = triangle;
-        std::array<double, 3> there;
-        for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-          if(const double square = nearest_in(t.star[i] / 3, label, p, there); square < least)
-          {
-            least = square;
-            nearest = there;
-            triangle = t.star[i] / 3;
-          }
-        if(triangle == before)
-          return corner;
-        last = before;
-        continue;
-      }
-      const auto behind = std::find(nearest.begin(), nearest.end(), 0.) - nearest.begin();
-      const Index twin = t.twin[next_side(3 * triangle + Index(behind))];
-      if(twin == none)
-        return {};
-      // On an edge where the surface bulges.
-      if(twin / 3 == last)
-        return {triangle, none, nearest};
-      last = triangle;
-      triangle = twin / 3;
-      least = nearest_in(triangle, label, p, nearest);
-    }
-    return {};
-  }
-
-private:
-  // The squared distance of the nearest place; infinity where there is no area, an obstacle, or nothing of
-  // the cell.
-  double nearest_in(Index triangle, Index label, const Spatial& p,
-                    std::array<double, 3>& nearest) const
-  {
-    if(triangle == none || is_obstacle(m_slowness, triangle))
-      return infinity;
-    const Index* const corner = &m_triangles.corner[3 * std::size_t(triangle)];
-    if(m_labels[corner[0]] != label && m_labels[corner[1]] != label && m_labels[corner[2]] != label)
-      return infinity;
-    const std::vector<Spatial>& point = m_triangles.point;
-    const Spatial &a = point[corner[0]], &b = point[corner[1]], &c = point[corner[2]];
-    if(!has_area(a, b, c))
-      return infinity;
-    nearest = nearest_in_triangle(a, b, c, p);
-    const Spatial way = nearest[0] * a + nearest[1] * b + nearest[2] * c - p;
-    return dot(way, way);
-  }
-
-  const Glued_triangles& m_triangles;
-  const std::vector<Index>& m_labels;
-  const std::vector<double>* m_slowness;
 };
 
 } // namespace
@@ -329,11 +247,17 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<doub
   std::vector<Location> result = samples;
   std::vector<double> least(samples.size(), 0.);
   bool is_open = false;
-  const Walk nearest_from(t, labels, slowness);
+  const auto is_no_wall = [](Index) { return false; };
   for(Index i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)
     {
-      result[i] = nearest_from(i, triangle_at(t, samples[i]), centre[i]);
+      const auto is_of_cell = [&](Index f)
+      {
+        const Index* const corner = &t.corner[3 * std::size_t(f)];
+        return !is_obstacle(slowness, f) &&
+               (labels[corner[0]] == i || labels[corner[1]] == i || labels[corner[2]] == i);
+      };
+      result[i] = walk_to_nearest(t, triangle_at(t, samples[i]), centre[i], is_of_cell, is_no_wall);
       if(result[i].triangle != none)
         continue;
       result[i] = samples[i];

@@ -151,6 +151,20 @@ private:
 
 } // namespace
 
+std::vector<std::array<Index, 3>> triangles_between(const Glued_triangles& t,
+                                                    const std::vector<Index>& labels)
+{
+  std::vector<std::array<Index, 3>> result;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    const Index a = labels[t.corner[3 * f]], b = labels[t.corner[3 * f + 1]],
+                c = labels[t.corner[3 * f + 2]];
+    if(a != b && b != c && c != a && a != none && b != none && c != none)
+      result.push_back({a, b, c});
+  }
+  return result;
+}
+
 Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index number_of_cells,
           const std::vector<bool>& is_border)
 {
@@ -187,22 +201,16 @@ Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index numb
     if(is_on_border(side))
       border.add_side(x, z);
   }
-  std::vector<std::array<Index, 3>> places;
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
-    std::array<Index, 3> cells;
-    for(Index k = 0; k < 3; ++k)
-      cells[k] = labels[t.corner[3 * f + k]];
-    if(std::find(cells.begin(), cells.end(), none) != cells.end())
-      continue;
-    if(cells[0] == cells[1] && cells[1] == cells[2])
-      inside.add_triangle(cells[0]);
-    if(cells[0] == cells[1] || cells[1] == cells[2] || cells[2] == cells[0])
-      continue;
-    result.triangles.push_back(cells);
-    std::sort(cells.begin(), cells.end());
-    places.push_back(cells);
+    const Index cell = labels[t.corner[3 * f]];
+    if(cell != none && cell == labels[t.corner[3 * f + 1]] && cell == labels[t.corner[3 * f + 2]])
+      inside.add_triangle(cell);
   }
+  result.triangles = triangles_between(t, labels);
+  std::vector<std::array<Index, 3>> places = result.triangles;
+  for(auto& cells : places)
+    std::sort(cells.begin(), cells.end());
   result.repeated_places = repeated(places, number_of_cells);
   for(Index cell = 0; cell < number_of_cells; ++cell)
   {

@@ -85,8 +85,8 @@ struct Remeshing_result
 ///     \cgalParamDescription{how often samples move to the centres of their cells, which makes triangles
 ///       more even; each takes no longer than a front over the whole surface. First samples and
 ///       those on borders and kept edges stay. Where samples move, the first half of them are strewn
-///       instead of spread; for 30 steps and more, cells are told apart on smaller triangles, which takes
-///       up to twice the time}
+///       instead of spread, and at last each moves a little more between its neighbours; for 30 steps and
+///       more, cells are told apart on smaller triangles, which takes up to twice the time}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{of the vertex from which the first sample is farthest, and of the places where

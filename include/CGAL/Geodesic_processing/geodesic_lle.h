@@ -39,7 +39,7 @@ namespace CGAL::Geodesic_processing {
 ///       `farthest_site_sampling()` with `curvature_speeds()`, which are denser where the surface bends}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_neighbors}
-///     \cgalParamDescription{how many base points are around each; 3 or more. It is raised, by half at most, where
+///     \cgalParamDescription{how many base points are around each; 3 or more. It is raised, by a quarter at most, where
 ///       groups of base points would know only themselves}
 ///     \cgalParamDefault{10} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}

@@ -10,13 +10,19 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// The cells around each triangle whose corners are in three, counterclockwise.
+// labels: #sites, the cell of each, or none
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<std::array<Index, 3>> triangles_between(const Glued_triangles& triangles,
+                                                    const std::vector<Index>& labels);
+
 // The triangles between cells of sites on a mesh, those of a Voronoi diagram for example, and what
 // keeps them from being a surface like the mesh: the closed ball property asks that each cell is a
 // disc, that two cells meet in one arc if at all, and three in one place; and that what a cell has of
 // the border is one arc (Edelsbrunner and Shah 1997).
 struct Dual
 {
-  std::vector<std::array<Index, 3>> triangles; // cells around each place of three, counterclockwise
+  std::vector<std::array<Index, 3>> triangles; // cells around each place of three, as above
 
   // All sorted, each once.
   std::vector<Index> no_discs;                 // cells, those without a site as well

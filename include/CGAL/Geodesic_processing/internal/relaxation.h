@@ -32,6 +32,8 @@ public:
   void step(bool is_last);
 
   const std::vector<Location>& samples() const { return m_samples; }
+  // #sites: the sample of each before the last step
+  const std::vector<Index>& labels() const { return m_labels; }
 
 private:
   void update_cells();
