@@ -54,7 +54,7 @@ namespace CGAL::Geodesic_processing {
 /// \throws Invalid_argument_error when there are less than three base points, or groups of them have no neighbors
 ///         in each other, or a number is out of range
 ///
-/// The fronts of base points end where their neighbours' neighbours are: together they visit each site about
+/// The fronts of base points end where their neighbours' neighbours are: together they visit each site less than
 /// twenty times for ten neighbours, whatever the number of base points.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
