@@ -16,7 +16,7 @@ namespace {
 constexpr int steps_of_fit = 2;
 
 // The triangles around each point.
-std::vector<std::vector<Index>> stars(const Coarse_mesh& mesh)
+std::vector<std::vector<Index>> triangles_around(const Coarse_mesh& mesh)
 {
   std::vector<std::vector<Index>> result(mesh.points.size());
   for(Index f = 0; f < mesh.triangles.size(); ++f)
@@ -34,32 +34,93 @@ struct Nearest
   double length = infinity;
 };
 
-Nearest nearest_on(const std::vector<Index>& star, const Coarse_mesh& mesh, const Spatial& p)
+// The triangles around points, and what tells from afar which of them is near.
+class Stars
 {
-  Nearest result;
-  for(const Index f : star)
+public:
+  explicit Stars(const Coarse_mesh& mesh)
+      : m_mesh(mesh), m_star(triangles_around(mesh)), m_slabs(mesh.triangles.size())
   {
-    const auto& triangle = mesh.triangles[f];
-    const Spatial &a = mesh.points[triangle[0]], &b = mesh.points[triangle[1]],
-                  &c = mesh.points[triangle[2]];
-    const auto nearest = nearest_in_triangle(a, b, c, p);
-    const Spatial way = p - (nearest[0] * a + nearest[1] * b + nearest[2] * c);
-    if(const double length = norm(way); length < result.length)
-      result = {f, nearest, way, length};
+    for(std::size_t f = 0; f < m_slabs.size(); ++f)
+    {
+      const std::array<Spatial, 3> p = corners(Index(f));
+      Slab& slab = m_slabs[f];
+      slab.normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+      for(int k = 0; k < 3; ++k)
+        slab.outwards[k] = unit(cross(p[(k + 1) % 3] - p[k], slab.normal));
+    }
   }
-  return result;
-}
+
+  // On the triangles around a point.
+  Nearest nearest(Index point, const Spatial& p)
+  {
+    const std::vector<Index>& star = m_star[point];
+    m_bounds.clear();
+    std::size_t first = 0;
+    for(const Index f : star)
+    {
+      m_bounds.push_back(squared_bound(f, p));
+      if(m_bounds.back() < m_bounds[first])
+        first = m_bounds.size() - 1;
+    }
+    Nearest result;
+    const auto look_at = [&](Index f)
+    {
+      const auto [a, b, c] = corners(f);
+      const auto nearest = nearest_in_triangle(a, b, c, p);
+      const Spatial way = p - (nearest[0] * a + nearest[1] * b + nearest[2] * c);
+      if(const double length = norm(way); length < result.length)
+        result = {f, nearest, way, length};
+    };
+    if(!star.empty())
+      look_at(star[first]);
+    for(std::size_t i = 0; i < star.size(); ++i)
+      if(i != first && m_bounds[i] < result.length * result.length)
+        look_at(star[i]);
+    return result;
+  }
+
+private:
+  struct Slab
+  {
+    Spatial normal;
+    std::array<Spatial, 3> outwards; // from each side, in the plane
+  };
+
+  std::array<Spatial, 3> corners(Index f) const
+  {
+    const auto& triangle = m_mesh.triangles[f];
+    return {m_mesh.points[triangle[0]], m_mesh.points[triangle[1]], m_mesh.points[triangle[2]]};
+  }
+
+  // No place of the triangle is nearer.
+  double squared_bound(Index f, const Spatial& p) const
+  {
+    const Slab& slab = m_slabs[f];
+    const auto& triangle = m_mesh.triangles[f];
+    double aside = 0.;
+    for(int k = 0; k < 3; ++k)
+      aside = std::max(aside, dot(slab.outwards[k], p - m_mesh.points[triangle[k]]));
+    const double above = dot(slab.normal, p - m_mesh.points[triangle[0]]);
+    return aside * aside + above * above;
+  }
+
+  const Coarse_mesh& m_mesh;
+  std::vector<std::vector<Index>> m_star;
+  std::vector<Slab> m_slabs;
+  std::vector<double> m_bounds; // of a star
+};
 
 } // namespace
 
 std::vector<Index> far_sites(const Glued_triangles& fine, const std::vector<Index>& labels,
                              const Coarse_mesh& coarse, double most)
 {
-  const auto star = stars(coarse);
+  Stars stars(coarse);
   std::vector<std::pair<double, Index>> farthest(coarse.points.size(), {most, none});
   for(Index site = 0; site < labels.size(); ++site)
     if(const Index cell = labels[site]; cell != none)
-      if(const double length = nearest_on(star[cell], coarse, fine.point[site]).length;
+      if(const double length = stars.nearest(cell, fine.point[site]).length;
          length < infinity && length > farthest[cell].first)
         farthest[cell] = {length, site};
   std::vector<Index> result;
@@ -78,15 +139,14 @@ void fit(const Glued_triangles& fine, const std::vector<Index>& labels,
     for(Index side = 3 * f; side < 3 * f + 3; ++side)
       area[fine.corner[side]] +=
           twice_area(fine.length[3 * f], fine.length[3 * f + 1], fine.length[3 * f + 2]);
-  const auto star = stars(coarse);
   for(int step = 0; step < steps_of_fit; ++step)
   {
+    Stars stars(coarse);
     std::vector<Spatial> moves(coarse.points.size(), Spatial{0., 0., 0.});
     std::vector<double> weights(coarse.points.size(), 0.);
     for(Index site = 0; site < labels.size(); ++site)
       if(const Index cell = labels[site]; cell != none)
-        if(const Nearest nearest = nearest_on(star[cell], coarse, fine.point[site]);
-           nearest.triangle != none)
+        if(const Nearest nearest = stars.nearest(cell, fine.point[site]); nearest.triangle != none)
           for(int k = 0; k < 3; ++k)
           {
             const Index point = coarse.triangles[nearest.triangle][k];
