@@ -31,7 +31,8 @@ namespace {
 constexpr double longest_part = 0.65;
 // Where samples move, a little longer ones, which saves time.
 constexpr double longest_part_of_relaxed = 0.75;
-// But with so many steps it is quality that is asked for.
+// But not with so many steps: a tenth to three quarters more time for 0.1 degrees of the mean of the least angles, 0.4 of
+// their first percentile, and a distance of fitted vertices that is up to a tenth smaller, on six models.
 constexpr std::size_t many_steps = 30;
 constexpr double longest_part_of_well_relaxed = 0.5;
 // One in so many may be longer, by this factor at most: else all triangles would be glued anew for the sake of
@@ -47,8 +48,8 @@ constexpr std::size_t most_vertices = (std::size_t(1) << 31) / 6;
 // farthest from all of them then fills the gaps.  With one of twenty the samples take three times as long,
 // for 0.2 degrees of the mean of the least angles after twelve steps.
 constexpr std::size_t strewn_part = 2;
-// After samples have moved on the surface, between each other: as long as six steps there take.  With half as many the
-// mean of the least angles is 0.4 degrees less, with twice as many half a degree more.
+// After samples have moved on the surface, between each other: as long as six steps there take, for 1.2 degrees of the
+// mean of the least angles after twelve of these.  Half as many give 0.3 degrees less, twice as many 0.5 more.
 constexpr int smoothing_steps = 20;
 // Farther than any curve is long, in the domain's scale: it has less than 2^31 sides.
 constexpr double longest_curve = 0x1p32;

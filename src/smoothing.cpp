@@ -15,9 +15,9 @@ namespace {
 // What is gone of the way to the centroid.
 constexpr double way_to_centroid = 1.5;
 
-// The size of the sum of the normals around a sample, in parts of their sizes: less is at creases and tips, from
-// which samples would be drawn.  With 0.9 creases of a part keep their edges, and the first percentile of the
-// angles on it falls by a degree; with none the mean distance to scans grows by 2 to 10 percent.
+// The size of the sum of the normals around a sample, in parts of their sizes: where it is less, at creases and tips,
+// samples would be drawn away.  With 0.9 the first percentile of the angles is 0.8 degrees less in the mean of six
+// models, and the RMS distance from them a fifteenth; as it is that is a tenth more than without smoothing.
 constexpr double flattest_to_stay = 0.75;
 
 } // namespace
