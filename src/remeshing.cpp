@@ -411,7 +411,11 @@ private:
     Smoothing smoothing(t(), m_slowness.get(), relaxation.samples(),
                         triangles_between(t(), relaxation.labels()), is_fixed, m_is_curve);
     for(int step = 0; step < smoothing_steps; ++step)
+    {
+      if(!tell(0.8))
+        return false;
       smoothing.step();
+    }
     begin();
     m_sampling->add(smoothing.samples());
     return true;
