@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/glue.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 
@@ -13,12 +14,8 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 constexpr double least_cosine = 0.9;  // between normals of neighbours
+constexpr double least_height = 0.1;  // of a needle, in parts of its longest side
 constexpr double worth_a_flip = 1e-9; // of a cosine: beyond rounding
-
-Spatial normal(const Spatial& a, const Spatial& b, const Spatial& c)
-{
-  return unit(cross(b - a, c - a));
-}
 
 // Of the least angle.
 double largest_cosine(const Spatial& a, const Spatial& b, const Spatial& c)
@@ -58,9 +55,18 @@ bool Flippable_triangles::is_flat(const std::vector<Spatial>& points, Index side
   const Spatial &x = points[m_corner[side]], &y = points[m_corner[twin]],
                 &z = points[m_corner[previous_side(side)]],
                 &w = points[m_corner[previous_side(twin)]];
-  const Spatial a = normal(x, y, z), b = normal(y, x, w), c = normal(x, w, z), d = normal(w, y, z);
-  return dot(a, b) > least_cosine && dot(c, d) > least_cosine &&
-         dot(a + b, c) > least_cosine * norm(a + b) && dot(a + b, d) > least_cosine * norm(a + b);
+  const Spatial a = cross(y - x, z - x), b = cross(x - y, w - y), c = unit(cross(w - x, z - x)),
+                d = unit(cross(y - w, z - w));
+  const auto is_along = [&](const Spatial& n)
+  { return dot(n, c) > least_cosine * norm(n) && dot(n, d) > least_cosine * norm(n); };
+  if(!(dot(c, d) > least_cosine))
+    return false;
+  if(dot(a, b) > least_cosine * norm(a) * norm(b) && is_along(unit(a) + unit(b)))
+    return true;
+  // Or one is a needle along the other, as come at creases: how far the one edge passes the other.
+  const Spatial across = cross(y - x, w - z);
+  return std::abs(dot(z - x, across)) < least_height * norm(y - x) * norm(across) &&
+         is_along(dot(a, a) > dot(b, b) ? a : b);
 }
 
 void Flippable_triangles::flip(Index side)

@@ -119,6 +119,20 @@ TEST(Flips, keep_what_bends)
   EXPECT_EQ(topology_of(triangles), topology(flat.corners));
 }
 
+TEST(Flips, turn_needles_at_creases)
+{
+  // A needle upright on the side of a triangle that lies: as high as a twentieth of that side, and as a quarter.
+  const Triangles both = {{0, 1, 2}, {1, 0, 3}};
+  for(const double height : {0.2, 1.})
+  {
+    const std::vector<Point> points = {{0., 0., 0.}, {4., 0., 0.}, {2., 0., height}, {2., -2., 0.}};
+    Triangles triangles = both;
+    flip_to_larger_angles(points, std::vector<bool>(4, false), triangles);
+    EXPECT_EQ(topology_of(triangles), topology_of(both));
+    EXPECT_EQ(triangles == both, height == 1.);
+  }
+}
+
 TEST(Flips, make_angles_larger_on_any_surface)
 {
   for(const Triangulation& surface : {shaken(icosphere(3), 0.03), shaken(torus(60, 24), 0.01),

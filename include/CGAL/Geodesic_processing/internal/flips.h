@@ -23,7 +23,8 @@ public:
   const std::vector<Index>& twin() const { return m_twin; }
   // Whether an edge joins the end of a side to another point.
   bool is_joined(Index side, Index point) const;
-  // Whether the surface bends little at a side, and would so at the one that takes its place.
+  // Whether the surface bends little at a side, and would so at the one that takes its place; or, however it
+  // bends, hardly changes, as one of the triangles is a needle along the other.
   bool is_flat(const std::vector<Spatial>& points, Index side) const;
   // Of x y z and y x w makes x w z and w y z, which lie where these did.
   void flip(Index side);
@@ -33,8 +34,8 @@ private:
 };
 
 // Flips edges of a surface in space where that makes the least angle of their two triangles larger
-// (Lawson 1977), so that it ends; not where the surface bends by 25 degrees, before or after, and not
-// to an edge that is there already: the surface stays as it is.
+// (Lawson 1977), so that it ends; not where the surface bends by 25 degrees, before or after, but for needles, and
+// not to an edge that is there already: the surface stays as it is.
 // triangles: of points, counterclockwise, a manifold; is_kept: #points: edges between two such stay
 CGAL_GEODESIC_PROCESSING_EXPORT
 void flip_to_larger_angles(const std::vector<Spatial>& points, const std::vector<bool>& is_kept,
