@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 
 #include "Glued_surface.h"
+#include "polygons.h"
 
 #include <gtest/gtest.h>
 
@@ -66,36 +67,6 @@ TEST(Centroids, of_a_square_and_of_its_halves)
   const std::vector<Location> four = {regular.at(5), regular.at(5 * 11), regular.at(5 * 11 + 10),
                                       regular.at(115)};
   EXPECT_LT(distance(moved(regular, four, 0), {0.5, 1. / 6., 0.}), rounding);
-}
-
-// What of a convex polygon is nearer to p than to q, side by side.
-std::vector<Point> nearer(const std::vector<Point>& polygon, const Point& p, const Point& q)
-{
-  const auto excess = [&](const Point& x) { return dot(x - p, x - p) - dot(x - q, x - q); };
-  std::vector<Point> result;
-  for(std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    if(excess(a) <= 0.)
-      result.push_back(a);
-    if((excess(a) < 0.) != (excess(b) < 0.))
-      result.push_back(a + (excess(a) / (excess(a) - excess(b))) * (b - a));
-  }
-  return result;
-}
-
-Point centroid(const std::vector<Point>& polygon)
-{
-  Point moment = {0., 0., 0.};
-  double area = 0.;
-  for(std::size_t i = 2; i < polygon.size(); ++i)
-  {
-    const Point &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
-    const double here = cross(b - a, c - a)[2];
-    area += here;
-    moment = moment + (here / 3.) * (a + b + c);
-  }
-  return (1. / area) * moment;
 }
 
 TEST(Centroids, divide_a_triangle_among_three)

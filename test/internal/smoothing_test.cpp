@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/path_locations.h>
 
 #include "Glued_surface.h"
+#include "polygons.h"
 
 #include <gtest/gtest.h>
 
@@ -77,36 +78,6 @@ std::vector<Point> smoothed(const Glued_surface& surface, const Input& input, in
   for(const Location& sample : smoothing.samples())
     result.push_back(coordinates(surface.t(), sample));
   return result;
-}
-
-// What of a convex polygon is nearer to p than to q.
-std::vector<Point> nearer(const std::vector<Point>& polygon, const Point& p, const Point& q)
-{
-  const auto excess = [&](const Point& x) { return dot(x - p, x - p) - dot(x - q, x - q); };
-  std::vector<Point> result;
-  for(std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    if(excess(a) <= 0.)
-      result.push_back(a);
-    if((excess(a) < 0.) != (excess(b) < 0.))
-      result.push_back(a + (excess(a) / (excess(a) - excess(b))) * (b - a));
-  }
-  return result;
-}
-
-Point centroid(const std::vector<Point>& polygon)
-{
-  Point moment = {0., 0., 0.};
-  double area = 0.;
-  for(std::size_t i = 2; i < polygon.size(); ++i)
-  {
-    const Point &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
-    const double here = cross(b - a, c - a)[2];
-    area += here;
-    moment = moment + (here / 3.) * (a + b + c);
-  }
-  return (1. / area) * moment;
 }
 
 TEST(Smoothing, ends_at_the_centroids_of_voronoi_cells)
