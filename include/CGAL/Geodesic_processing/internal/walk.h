@@ -40,7 +40,6 @@ Location walk_to_nearest(const Glued_triangles& t, Index triangle, const Spatial
     const Spatial way = nearest[0] * a + nearest[1] * b + nearest[2] * c - p;
     return dot(way, way);
   };
-  const auto is_passed = [&](Index side) { return t.twin[side] != none && !is_wall(side); };
 
   Index last = none;
   std::array<double, 3> nearest;
@@ -74,7 +73,7 @@ Location walk_to_nearest(const Glued_triangles& t, Index triangle, const Spatial
     }
     const auto behind = std::find(nearest.begin(), nearest.end(), 0.) - nearest.begin();
     const Index side = next_side(3 * triangle + Index(behind));
-    if(!is_passed(side))
+    if(t.twin[side] == none || is_wall(side))
       return {};
     // On an edge where the surface bulges.
     if(t.twin[side] / 3 == last)
