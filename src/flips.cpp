@@ -17,13 +17,6 @@ constexpr double least_cosine = 0.9;  // between normals of neighbours
 constexpr double least_height = 0.1;  // of a needle, in parts of its longest side
 constexpr double worth_a_flip = 1e-9; // of a cosine: beyond rounding
 
-// Of the least angle.
-double largest_cosine(const Spatial& a, const Spatial& b, const Spatial& c)
-{
-  const Spatial u = unit(b - a), v = unit(c - b), w = unit(a - c);
-  return std::max({-dot(u, v), -dot(v, w), -dot(w, u)});
-}
-
 } // namespace
 
 Flippable_triangles::Flippable_triangles(std::size_t number_of_points,

@@ -85,4 +85,62 @@ TEST(Fitting, finds_the_farthest_site_of_a_cell)
             std::vector<Index>{over.fine.site(3 * 11 + 7)});
 }
 
+TEST(Fitting, takes_no_more_from_small_angles_with_care)
+{
+  // A wavy square of 40 by 40 over one of 8 by 8 whose points are moved at random.
+  constexpr std::size_t n = 40, m = 8;
+  const auto wave = [](double x, double y) -> Point {
+    return {x, y, 0.08 * std::sin(9. * x) * std::cos(7. * y)};
+  };
+  const Glued_surface fine(grid(n, n, wave));
+  const double scale = fine.scale();
+  const Triangulation places = square(m, 0.25);
+  Coarse_mesh coarse;
+  for(const Point& p : places.points)
+    coarse.points.push_back((1. / scale) * (wave(p[0], p[1]) - fine.t().origin));
+  for(std::size_t c = 0; c < places.corners.size(); c += 3)
+    coarse.triangles.push_back({places.corners[c], places.corners[c + 1], places.corners[c + 2]});
+  std::vector<Index> labels;
+  for(const Spatial& p : fine.t().point)
+  {
+    const auto near = [&](const Spatial& a, const Spatial& b) { return norm(a - p) < norm(b - p); };
+    labels.push_back(Index(std::min_element(coarse.points.begin(), coarse.points.end(), near) -
+                           coarse.points.begin()));
+  }
+  const std::vector<bool> is_fixed(coarse.points.size(), false);
+  Coarse_mesh with_care = coarse;
+  fit(fine.t(), labels, is_fixed, coarse);
+  fit(fine.t(), labels, is_fixed, with_care, infinity, 5);
+  std::size_t moved = 0;
+  for(std::size_t i = 0; i < coarse.points.size(); ++i)
+    moved += norm(with_care.points[i] - coarse.points[i]) > 0.;
+  EXPECT_GT(moved, 0u);
+  EXPECT_LT(moved, coarse.points.size()); // some triangles have had small angles
+  const double small = std::cos(42. * pi / 180.);
+  for(const auto& [a, b, c] : coarse.triangles)
+    // The constant has three digits.
+    EXPECT_LE(
+        largest_cosine(with_care.points[a], with_care.points[b], with_care.points[c]),
+        std::max(small, largest_cosine(coarse.points[a], coarse.points[b], coarse.points[c])) +
+            1e-3);
+  const auto sum_of_squares = [&](const Coarse_mesh& mesh)
+  {
+    double sum = 0.;
+    for(const Spatial& p : fine.t().point)
+    {
+      double least = infinity;
+      for(const auto& [a, b, c] : mesh.triangles)
+      {
+        const std::array<Spatial, 3> corners = {mesh.points[a], mesh.points[b], mesh.points[c]};
+        const auto at = nearest_in_triangle(corners[0], corners[1], corners[2], p);
+        const Spatial way = at[0] * corners[0] + at[1] * corners[1] + at[2] * corners[2] - p;
+        least = std::min(least, dot(way, way));
+      }
+      sum += least;
+    }
+    return sum;
+  };
+  EXPECT_LT(sum_of_squares(with_care), sum_of_squares(coarse));
+}
+
 } // namespace

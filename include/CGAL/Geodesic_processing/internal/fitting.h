@@ -27,10 +27,12 @@ std::vector<Index> far_sites(const Glued_triangles& fine, const std::vector<Inde
                              const Coarse_mesh& coarse, double most);
 
 // Moves points that are not fixed, by at most so much, such that sites are near to the triangles, in
-// the sense of least squares: a site counts by the area around it.
+// the sense of least squares: a site counts by the area around it.  Two steps, and more in which angles of less than
+// 42 degrees get no smaller.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void fit(const Glued_triangles& fine, const std::vector<Index>& labels,
-         const std::vector<bool>& is_fixed, Coarse_mesh& coarse, double most = infinity);
+         const std::vector<bool>& is_fixed, Coarse_mesh& coarse, double most = infinity,
+         int careful_steps = 0);
 
 } // namespace CGAL::Geodesic_processing::internal
 

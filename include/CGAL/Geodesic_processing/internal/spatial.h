@@ -82,6 +82,13 @@ inline std::array<double, 3> nearest_in_triangle(const Spatial& a, const Spatial
   return result;
 }
 
+// Of the least angle of a triangle.
+inline double largest_cosine(const Spatial& a, const Spatial& b, const Spatial& c)
+{
+  const Spatial u = unit(b - a), v = unit(c - b), w = unit(a - c);
+  return std::max({-dot(u, v), -dot(v, w), -dot(w, u)});
+}
+
 } // namespace CGAL::Geodesic_processing::internal
 
 #endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_H
