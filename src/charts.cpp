@@ -9,6 +9,7 @@
 #include <CGAL/Geodesic_processing/internal/parallel.h>
 #include <CGAL/Geodesic_processing/internal/patches.h>
 #include <CGAL/Geodesic_processing/internal/sampling.h>
+#include <CGAL/Geodesic_processing/internal/untangling.h>
 #include <CGAL/Geodesic_processing/internal/unfold.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
@@ -72,13 +73,8 @@ std::vector<Planar> embedding(const Glued_triangles& shape)
   if(places.empty())
     return {};
   std::vector<Planar> image = extended(base, places, neighbors);
-  double twice = 0.;
-  for(std::size_t c = 0; c < shape.corner.size(); c += 3)
-    twice += cross(image[shape.corner[c + 1]] - image[shape.corner[c]],
-                   image[shape.corner[c + 2]] - image[shape.corner[c]]);
-  if(twice < 0.)
-    for(Planar& p : image)
-      p[1] = -p[1];
+  face_up(shape, image);
+  untangle(shape, image);
   return image;
 }
 

@@ -35,6 +35,9 @@ struct Rest
   std::array<Planar, 3> gradient; // of the function that is one at a corner and zero at the others
 };
 
+// What makes the energy finite where triangles are turned round but little.
+constexpr double least_softness = 1e-3;
+
 // No triangle is flatter than this: height over longest side.
 constexpr double least_height = 1e-7;
 
@@ -94,23 +97,48 @@ Stretch stretch(const Rest& rest, const std::array<Planar, 3>& image)
   const double alpha = 0.5 * (sum + difference), beta = 0.5 * (sum - difference);
   // The determinant over the larger one keeps the digits of the smaller one.
   const double determinant = a * d - b * c;
-  return {{p + q, determinant / (p + q)},
+  return {{p + q, p + q > 0. ? determinant / (p + q) : 0.},
           {std::cos(alpha), std::sin(alpha)},
           {std::cos(beta), std::sin(beta)}};
 }
 
-double energy_of(const Stretch& j)
+// The square of the Frobenius norm of J, q, times 1 + 1/c^2, where c is the determinant d; or, to be finite and to
+// fall where that is negative, too, c = (d + sqrt(d^2 + softness^2)) / 2 (Garanzha and others 2021).
+struct Energy
 {
-  double result = 0.;
-  for(const double s : j.s)
-    result += s * s + 1. / (s * s);
-  return result;
+  Energy(const Stretch& j, double softness) : square(j.s[0] * j.s[0] + j.s[1] * j.s[1])
+  {
+    const double d = j.s[0] * j.s[1], root = std::hypot(d, softness);
+    // Without loss of digits where d is negative.
+    const double c = d > 0. ? 0.5 * (d + root) : 0.5 * softness * softness / (root - d);
+    inverse = 1. / (c * c);
+    // -1/2 of the derivatives of 1/c^2.
+    const double slope = c / root, bend = 0.5 * softness * softness / (root * root * root);
+    first = inverse / c * slope;
+    second = inverse / c * (bend - 3. * slope * slope / c);
+  }
+  double value() const { return square * (1. + inverse); }
+
+  double square, inverse, first, second;
+};
+
+// The part of a symmetric matrix of two rows, a, b, c, whose eigenvalues are not negative.
+std::array<double, 3> definite(double a, double b, double c)
+{
+  const double mean = 0.5 * (a + c), half = 0.5 * (a - c), radius = std::hypot(half, b);
+  if(mean - radius >= 0.)
+    return {a, b, c};
+  if(mean + radius <= 0.)
+    return {0., 0., 0.};
+  const double share = 0.5 * (mean + radius) / radius;
+  return {share * (radius + half), share * b, share * (radius - half)};
 }
 
 class Symmetric_dirichlet
 {
 public:
-  explicit Symmetric_dirichlet(const Glued_triangles& t) : m_t(t), m_rest(rest_shapes(t))
+  Symmetric_dirichlet(const Glued_triangles& t, const std::vector<bool>& is_held)
+      : m_t(t), m_rest(rest_shapes(t)), m_is_held(is_held)
   {
     // The lower triangle of the Hessian; two unknowns a site.
     std::vector<Eigen::Triplet<double>> entries;
@@ -128,18 +156,15 @@ public:
     m_hessian.makeCompressed();
   }
 
-  // Infinite where a triangle is flipped.
   double energy(const std::vector<Planar>& image) const
   {
     double result = 0.;
     for(Index f = 0; f < m_rest.size(); ++f)
     {
-      if(!(doubled_area(m_t, image, f) > 0.))
-        return infinity;
       const Stretch j = stretch(m_rest[f], corners(image, f));
-      if(!(j.s[1] > 0.))
+      if(m_softness == 0. && !(doubled_area(m_t, image, f) > 0. && j.s[1] > 0.))
         return infinity;
-      result += m_rest[f].area * energy_of(j);
+      result += m_rest[f].area * Energy(j, m_softness).value();
     }
     return result;
   }
@@ -154,20 +179,20 @@ public:
     {
       const Rest& rest = m_rest[f];
       const Stretch j = stretch(rest, corners(image, f));
-      // Derivatives of s^2 + 1/s^2.
+      const Energy e(j, m_softness);
+      const double d = j.s[0] * j.s[1], q = e.square;
       std::array<double, 2> first, second;
       for(int i = 0; i < 2; ++i)
       {
-        const double inverse = 1. / (j.s[i] * j.s[i]);
-        first[i] = 2. * (j.s[i] - inverse / j.s[i]);
-        second[i] = 2. + 6. * inverse * inverse;
+        const double s = j.s[i], other = j.s[1 - i];
+        first[i] = 2. * s * (1. + e.inverse) - 2. * q * other * e.first;
+        second[i] = 2. * (1. + e.inverse) - 8. * d * e.first - 2. * q * other * other * e.second;
       }
-      // Modes: stretch along either axis, turn, and the one that mirrors.  f'(s) is increasing, so that
-      // only the turn's may be negative.
-      const double turn = std::max(0., (first[0] + first[1]) / (j.s[0] + j.s[1]));
-      const double gap = j.s[0] - j.s[1];
-      const double mirror = std::abs(gap) > 1e-6 * j.s[0] ? (first[0] - first[1]) / gap : second[0];
-      const std::array<double, 4> factor = {second[0], second[1], 0.5 * turn, 0.5 * mirror};
+      const double mixed = -6. * q * e.first - 2. * q * d * e.second;
+      // Modes: stretch along either axis, turn, and the one that mirrors, whose factor is never negative.
+      const double turn = std::max(0., 2. * (1. + e.inverse) - 2. * q * e.first);
+      const double mirror = 2. * (1. + e.inverse) + 2. * q * e.first;
+      const std::array<double, 3> stretching = definite(second[0], mixed, second[1]);
       const Planar u = j.u, u2 = turned_left(u), v = j.v, v2 = turned_left(v);
       std::array<std::array<double, 6>, 4> mode;
       for(int k = 0; k < 3; ++k)
@@ -189,9 +214,10 @@ public:
           const int row = unknown(f, r), column = unknown(f, c);
           if(row < column)
             continue;
-          double sum = 0.;
-          for(int m = 0; m < 4; ++m)
-            sum += factor[m] * mode[m][r] * mode[m][c];
+          const double sum =
+              stretching[0] * mode[0][r] * mode[0][c] + stretching[2] * mode[1][r] * mode[1][c] +
+              stretching[1] * (mode[0][r] * mode[1][c] + mode[1][r] * mode[0][c]) +
+              0.5 * turn * mode[2][r] * mode[2][c] + 0.5 * mirror * mode[3][r] * mode[3][c];
           value[place(row, column)] += rest.area * sum;
         }
       }
@@ -203,15 +229,33 @@ public:
     const double ridge = 1e-9 * trace / double(m_hessian.rows());
     for(int i = 0; i < m_hessian.rows(); ++i)
       value[place(i, i)] += ridge;
+    if(!m_is_held.empty())
+      hold(gradient);
     return gradient;
+  }
+
+  // The energy is infinite where a triangle is flipped, unless this is positive.
+  void set_softness(double softness) { m_softness = softness; }
+  // Of a Jacobian.
+  double least_determinant(const std::vector<Planar>& image) const
+  {
+    double result = infinity;
+    for(Index f = 0; f < m_rest.size(); ++f)
+    {
+      const Stretch j = stretch(m_rest[f], corners(image, f));
+      result = std::min(result, j.s[0] * j.s[1]);
+    }
+    return result;
   }
 
   const Sparse_matrix& hessian() const { return m_hessian; }
 
-  // How far a map may move until the first triangle has no area.
+  // How far a map may move until the first triangle has no area, where that matters.
   double way_to_flip(const std::vector<Planar>& image, const std::vector<Planar>& step) const
   {
     double result = infinity;
+    if(m_softness > 0.)
+      return result;
     for(Index f = 0; f < m_rest.size(); ++f)
     {
       const auto p = corners(image, f), s = corners(step, f);
@@ -230,6 +274,18 @@ public:
   }
 
 private:
+  // Steps of what is held are zero, whatever the others are.
+  void hold(Vector& gradient)
+  {
+    for(int column = 0; column < m_hessian.cols(); ++column)
+      for(Sparse_matrix::InnerIterator entry(m_hessian, column); entry; ++entry)
+        if(m_is_held[std::size_t(entry.row()) / 2] || m_is_held[std::size_t(column) / 2])
+          entry.valueRef() = entry.row() == column ? 1. : 0.;
+    for(int i = 0; i < gradient.size(); ++i)
+      if(m_is_held[std::size_t(i) / 2])
+        gradient[i] = 0.;
+  }
+
   int unknown(Index f, int i) const { return int(2 * m_t.corner[3 * f + Index(i) / 2]) + i % 2; }
   std::array<Planar, 3> corners(const std::vector<Planar>& image, Index f) const
   {
@@ -245,7 +301,72 @@ private:
 
   const Glued_triangles& m_t;
   std::vector<Rest> m_rest;
+  const std::vector<bool>& m_is_held; // #sites, or none
+  double m_softness = 0.;
   Sparse_matrix m_hessian;
+};
+
+// Newton's method from an image that it moves.
+class Descent
+{
+public:
+  Descent(Symmetric_dirichlet& problem, std::vector<Planar>& image)
+      : m_problem(problem), m_image(image), m_step(image.size()), m_moved(image.size()),
+        m_tried(image.size())
+  {}
+
+  // What a step takes off the energy, whatever that has been made since the last one; zero at the end.
+  double step()
+  {
+    const double before = m_problem.energy(m_image);
+    const Vector gradient = m_problem.differentiate(m_image);
+    if(!(before < infinity) || !gradient.allFinite() || !factorize())
+      return 0.;
+    const Vector way = m_solver->solve(-gradient);
+    const double slope = gradient.dot(way);
+    if(!(slope < 0.))
+      return 0.;
+    for(std::size_t site = 0; site < m_image.size(); ++site)
+      m_step[site] = {way[2 * Eigen::Index(site)], way[2 * Eigen::Index(site) + 1]};
+    // The first share that lowers it enough; and shorter ones, as long as they lower it more.
+    double least = before;
+    double share = std::min(1., 0.9 * m_problem.way_to_flip(m_image, m_step));
+    for(int attempt = 0; attempt < 60; ++attempt, share *= 0.5)
+    {
+      for(std::size_t site = 0; site < m_image.size(); ++site)
+        m_tried[site] = m_image[site] + share * m_step[site];
+      const double energy = m_problem.energy(m_tried);
+      if(least < before ? energy < least : energy <= before + 1e-4 * share * slope)
+      {
+        least = energy;
+        m_moved.swap(m_tried);
+      }
+      else if(least < before)
+        break;
+    }
+    if(least < before)
+      m_image.swap(m_moved);
+    return before - least;
+  }
+
+private:
+  // False when rounding has left the matrix indefinite.
+  bool factorize()
+  {
+    if(m_solver)
+      return m_solver->factorize(m_problem.hessian());
+    try
+    {
+      m_solver = std::make_unique<Sparse_solver>(m_problem.hessian(), Elimination::sparse);
+    }
+    catch(const Unsupported_surface_error&)
+    {}
+    return m_solver != nullptr;
+  }
+
+  Symmetric_dirichlet& m_problem;
+  std::vector<Planar>&m_image, m_step, m_moved, m_tried;
+  std::unique_ptr<Sparse_solver> m_solver;
 };
 
 // Such that areas agree, where there are any.
@@ -407,13 +528,12 @@ std::vector<Planar> tutte_map(const Glued_triangles& t)
 Flattest minimize_symmetric_dirichlet(const Glued_triangles& t, std::vector<Planar>& image,
                                       std::size_t most_steps,
                                       const std::function<bool(double)>& callback,
-                                      double least_progress)
+                                      double least_progress, const std::vector<bool>& is_held)
 {
-  Symmetric_dirichlet problem(t);
+  Symmetric_dirichlet problem(t, is_held);
+  Descent descent(problem, image);
   Flattest result;
   result.energy = problem.energy(image);
-  std::unique_ptr<Sparse_solver> solver;
-  std::vector<Planar> step(image.size()), moved(image.size());
   for(; result.steps < most_steps; ++result.steps)
   {
     if(callback && !callback(double(result.steps) / double(most_steps)))
@@ -421,40 +541,34 @@ Flattest minimize_symmetric_dirichlet(const Glued_triangles& t, std::vector<Plan
       result.is_complete = false;
       break;
     }
-    const Vector gradient = problem.differentiate(image);
-    if(!solver)
-      solver = std::make_unique<Sparse_solver>(problem.hessian(), Elimination::sparse);
-    else if(!solver->factorize(problem.hessian()))
+    const double progress = descent.step();
+    if(progress == 0.)
       break;
-    const Vector way = solver->solve(-gradient);
-    const double slope = gradient.dot(way);
-    if(!(slope < 0.))
-      break;
-    for(std::size_t site = 0; site < image.size(); ++site)
-      step[site] = {way[2 * Eigen::Index(site)], way[2 * Eigen::Index(site) + 1]};
-    double share = std::min(1., 0.9 * problem.way_to_flip(image, step));
-    double energy = infinity;
-    for(int attempt = 0; attempt < 60; ++attempt, share *= 0.5)
-    {
-      for(std::size_t site = 0; site < image.size(); ++site)
-        moved[site] = image[site] + share * step[site];
-      energy = problem.energy(moved);
-      if(energy <= result.energy + 1e-4 * share * slope)
-        break;
-      energy = infinity;
-    }
-    if(!(energy < result.energy))
-      break;
-    const double progress = result.energy - energy;
-    image.swap(moved);
-    result.energy = energy;
-    if(progress < least_progress * energy)
+    result.energy -= progress;
+    if(progress < least_progress * result.energy)
     {
       ++result.steps;
       break;
     }
   }
   return result;
+}
+
+bool turn_back(const Glued_triangles& t, std::vector<Planar>& image, std::size_t most_steps,
+               const std::vector<bool>& is_held)
+{
+  Symmetric_dirichlet problem(t, is_held);
+  Descent descent(problem, image);
+  std::size_t flips = number_of_flips(t, image);
+  for(std::size_t step = 0; flips > 0 && step < most_steps; ++step)
+  {
+    // As soft as what is turned round the most asks for.
+    problem.set_softness(std::max(least_softness, std::abs(problem.least_determinant(image))));
+    if(descent.step() == 0.)
+      break;
+    flips = number_of_flips(t, image);
+  }
+  return flips == 0;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

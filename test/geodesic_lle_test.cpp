@@ -265,7 +265,8 @@ TEST(geodesic_lle, flattens_clouds)
 // Shared models that bend little, or not: by the Gauss-Bonnet sum over inner vertices.
 TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
 {
-  for(const std::string name : {"hemisphere_2k.ply", "disk_5k.ply", "alligator_3k.ply"})
+  for(const std::string name :
+      {"hemisphere_2k.ply", "disk_5k.ply", "alligator_3k.ply", "cylinder_locally_refined_8k.ply"})
   {
     const std::string file = model("patches/" + name);
     Mesh mesh;
@@ -279,6 +280,21 @@ TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
                 2. * std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)),
                                                       mesh.point(mesh.target(h)))))
           << name;
+  }
+}
+
+// The two bend by twice 2 pi and more, and have flips before they are turned back.
+TEST(geodesic_lle, turns_few_faces_back)
+{
+  for(const std::string name : {"mushroom_2k.off", "three_peaks_2k.off"})
+  {
+    const std::string file = model("patches/" + name);
+    Mesh mesh;
+    if(file.empty() || !CGAL::IO::read_polygon_mesh(file, mesh))
+      GTEST_SKIP() << "no shared models";
+    auto uv = vertex_map<UV>(mesh);
+    GP::geodesic_lle(mesh, uv);
+    EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;
   }
 }
 

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_LLE_H
 
 #include <CGAL/Geodesic_processing/internal/flattening.h>
+#include <CGAL/Geodesic_processing/internal/untangling.h>
 
 #include <cstddef>
 #include <vector>
@@ -21,7 +22,9 @@ namespace CGAL::Geodesic_processing {
 /// which fade out smoothly towards those that it does not see: the map is continuous, and smooth between few base
 /// points.
 ///
-/// No face is promised not to flip: see `minimize_distortion()`.
+/// Where faces flip, up to a thousand about them are moved such that none does and, but for what is around them,
+/// the symmetric Dirichlet energy is least.  Larger groups, as there are on patches that bend much, stay: no face is
+/// promised not to flip, see `minimize_distortion()`.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
 /// \param surface as for `geodesic_distances()`: one piece, which may have holes
@@ -78,7 +81,10 @@ auto geodesic_lle(const Surface& surface, UVMap uv_map,
         if(places.empty())
           throw Invalid_argument_error(
               "Base points are in groups apart: give more of their neighbors.");
-        return extended(base, places, neighbors);
+        std::vector<internal::Planar> image = extended(base, places, neighbors);
+        face_up(triangles, image);
+        untangle(triangles, image);
+        return image;
       });
 }
 

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_MDS_H
 
 #include <CGAL/Geodesic_processing/internal/flattening.h>
+#include <CGAL/Geodesic_processing/internal/untangling.h>
 
 #include <vector>
 
@@ -35,7 +36,10 @@ auto geodesic_mds(const Surface& surface, UVMap uv_map,
         std::vector<internal::Index> sites;
         for(const internal::Location& sample : sampling.samples())
           sites.push_back(sample.site);
-        return internal::scaled(triangles, front, sites, callback);
+        std::vector<internal::Planar> image = scaled(triangles, front, sites, callback);
+        if(!image.empty())
+          face_up(triangles, image);
+        return image;
       });
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/injective.h>
 #include <CGAL/Geodesic_processing/internal/planar.h>
 #include <CGAL/Geodesic_processing/internal/planar_value.h>
+#include <CGAL/Geodesic_processing/internal/untangling.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
@@ -37,7 +38,8 @@ struct Distortion_minimum
 /// least, without flips.
 ///
 /// The energy is infinite where a face loses its area, so that none is turned round on the way: Newton's method
-/// stops short of that.  A map that has flips has an infinite energy, and is replaced by Tutte's
+/// stops short of that.  Flips of the map that is given are turned back where they are few, for which the energy is
+/// made finite there \cgalCite{cgal:gkkprs-ffm-21}.  A map that has more is replaced by Tutte's
 /// \cgalCite{cgal:t-hdg-63}, which has none but for rounding on needles, and the way starts from there;
 /// `Distortion_minimum::number_of_flips` counts those.  Lengths along the mesh are kept as well as they can; the image may still
 /// overlap itself, where the border meets itself.
@@ -83,6 +85,8 @@ Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
   Distortion_minimum result;
   result.number_of_flips_before = number_of_flips(triangles, image);
   if(result.number_of_flips_before > 0)
+    untangle(triangles, image);
+  if(number_of_flips(triangles, image) > 0)
     image = tutte_map(triangles);
   const internal::Flattest found = minimize_symmetric_dirichlet(
       triangles, image,

@@ -63,18 +63,6 @@ void spread(const Domain& domain, const NamedParameters& np, std::size_t usual, 
                                  std::to_string(most_base_points) + ".");
 }
 
-// The sum of the areas of the images of triangles, those turned round negative.
-inline double area_of_image(const Glued_triangles& t, const std::vector<Planar>& image)
-{
-  double result = 0.;
-  for(std::size_t c = 0; c < t.corner.size(); c += 3)
-  {
-    const Planar &p = image[t.corner[c]], &q = image[t.corner[c + 1]], &r = image[t.corner[c + 2]];
-    result += (t.weight.empty() ? 1. : double(t.weight[c / 3])) * cross(q - p, r - p);
-  }
-  return result;
-}
-
 // Spreads base points, maps all sites by them, and writes where they go.
 //
 // map(triangles, sampling, front, callback): nothing when the callback cancelled it
@@ -91,7 +79,7 @@ auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, std:
   spread(domain, np, usual, sampling);
 
   std::vector<typename Domain::Site> base_points;
-  std::vector<Planar> image =
+  const std::vector<Planar> image =
       map(triangles, sampling, front,
           parameter(np, CGAL::internal_np::callback, std::function<bool(double)>()));
   if(image.empty())
@@ -101,13 +89,12 @@ auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, std:
   std::vector<bool> is_known(image.size(), false);
   for(const Index site : sampling.sites())
     is_known[site] = true;
-  const double mirror = area_of_image(triangles, image) < 0. ? -1. : 1.;
   domain.write(
       [&](Index i)
       {
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
         return is_known[i] ? planar_value<Value>(triangles.scale * image[i][0],
-                                                 mirror * triangles.scale * image[i][1])
+                                                 triangles.scale * image[i][1])
                            : planar_value<Value>(unknown, unknown);
       },
       uv_map);

@@ -48,7 +48,15 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Flattest minimize_symmetric_dirichlet(const Glued_triangles& triangles, std::vector<Planar>& image,
                                       std::size_t most_steps,
                                       const std::function<bool(double)>& callback = {},
-                                      double least_progress = 1e-6);
+                                      double least_progress = 1e-6,
+                                      const std::vector<bool>& is_held = {});
+
+// Moves sites that are not held until no triangle is flipped, and says whether that came about.  Steps are of the
+// same method, for the same energy with the inverse determinant made finite where that is not positive (Garanzha
+// and others 2021).
+CGAL_GEODESIC_PROCESSING_EXPORT
+bool turn_back(const Glued_triangles& triangles, std::vector<Planar>& image, std::size_t most_steps,
+               const std::vector<bool>& is_held = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 
