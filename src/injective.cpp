@@ -162,7 +162,7 @@ public:
     for(Index f = 0; f < m_rest.size(); ++f)
     {
       const Stretch j = stretch(m_rest[f], corners(image, f));
-      if(m_softness == 0. && !(doubled_area(m_t, image, f) > 0. && j.s[1] > 0.))
+      if(!is_soft() && !(doubled_area(m_t, image, f) > 0. && j.s[1] > 0.))
         return infinity;
       result += m_rest[f].area * Energy(j, m_softness).value();
     }
@@ -236,6 +236,7 @@ public:
 
   // The energy is infinite where a triangle is flipped, unless this is positive.
   void set_softness(double softness) { m_softness = softness; }
+  bool is_soft() const { return m_softness > 0.; }
   // Of a Jacobian.
   double least_determinant(const std::vector<Planar>& image) const
   {
@@ -254,7 +255,7 @@ public:
   double way_to_flip(const std::vector<Planar>& image, const std::vector<Planar>& step) const
   {
     double result = infinity;
-    if(m_softness > 0.)
+    if(is_soft())
       return result;
     for(Index f = 0; f < m_rest.size(); ++f)
     {
@@ -328,7 +329,8 @@ public:
       return 0.;
     for(std::size_t site = 0; site < m_image.size(); ++site)
       m_step[site] = {way[2 * Eigen::Index(site)], way[2 * Eigen::Index(site) + 1]};
-    // The first share that lowers it enough; and shorter ones, as long as they lower it more.
+    // The first share that lowers it enough; of a softened energy, which bends much, a shorter one that lowers it
+    // more.
     double least = before;
     double share = std::min(1., 0.9 * m_problem.way_to_flip(m_image, m_step));
     for(int attempt = 0; attempt < 60; ++attempt, share *= 0.5)
@@ -336,12 +338,15 @@ public:
       for(std::size_t site = 0; site < m_image.size(); ++site)
         m_tried[site] = m_image[site] + share * m_step[site];
       const double energy = m_problem.energy(m_tried);
-      if(least < before ? energy < least : energy <= before + 1e-4 * share * slope)
+      const bool is_found = least < before;
+      if(is_found ? energy < least : energy <= before + 1e-4 * share * slope)
       {
         least = energy;
         m_moved.swap(m_tried);
+        if(!m_problem.is_soft())
+          break;
       }
-      else if(least < before)
+      else if(is_found)
         break;
     }
     if(least < before)
