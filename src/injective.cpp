@@ -14,12 +14,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-double doubled_area(const Glued_triangles& t, const std::vector<Planar>& image, Index triangle)
-{
-  const Index* c = &t.corner[3 * std::size_t(triangle)];
-  return cross(image[c[1]] - image[c[0]], image[c[2]] - image[c[0]]);
-}
-
 // The side after a side along its border: turned around the corner where it ends.
 Index next_on_border(const Glued_triangles& t, Index side)
 {
@@ -162,7 +156,7 @@ public:
     for(Index f = 0; f < m_rest.size(); ++f)
     {
       const Stretch j = stretch(m_rest[f], corners(image, f));
-      if(!is_soft() && !(doubled_area(m_t, image, f) > 0. && j.s[1] > 0.))
+      if(!is_soft() && !(twice_area_of_image(m_t, image, f) > 0. && j.s[1] > 0.))
         return infinity;
       result += m_rest[f].area * Energy(j, m_softness).value();
     }
@@ -374,29 +368,25 @@ private:
   std::unique_ptr<Sparse_solver> m_solver;
 };
 
-// Such that areas agree, where there are any.
-void scale_to_area(std::vector<Planar>& image, const Glued_triangles& t)
+} // namespace
+
+double scale_to_area(const Glued_triangles& t, const std::vector<Planar>& image)
 {
   double area = 0., area_of_image = 0.; // twice
-  for(std::size_t c = 0; c < t.corner.size(); c += 3)
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
-    area += twice_area(t.length[c], t.length[c + 1], t.length[c + 2]);
-    area_of_image += cross(image[t.corner[c + 1]] - image[t.corner[c]],
-                           image[t.corner[c + 2]] - image[t.corner[c]]);
+    area += twice_area(t.length[3 * f], t.length[3 * f + 1], t.length[3 * f + 2]);
+    area_of_image += twice_area_of_image(t, image, f);
   }
-  if(!(area > 0. && area_of_image > 0.))
-    return;
-  for(Planar& p : image)
-    p = std::sqrt(area / area_of_image) * p;
+  const double result = std::sqrt(area / area_of_image);
+  return result > 0. && result < infinity ? result : 0.;
 }
-
-} // namespace
 
 std::size_t number_of_flips(const Glued_triangles& t, const std::vector<Planar>& image)
 {
   std::size_t result = 0;
   for(Index f = 0; f < t.number_of_triangles(); ++f)
-    result += !(doubled_area(t, image, f) > 0.);
+    result += !(twice_area_of_image(t, image, f) > 0.);
   return result;
 }
 
@@ -526,7 +516,9 @@ std::vector<Planar> tutte_map(const Glued_triangles& t)
   for(Index site = 0; site < t.number_of_sites(); ++site)
     if(unknown[site] >= 0)
       image[site] = {right(unknown[site], 0), right(unknown[site], 1)};
-  scale_to_area(image, t);
+  if(const double scale = scale_to_area(t, image); scale > 0.)
+    for(Planar& p : image)
+      p = scale * p;
   return image;
 }
 

@@ -25,13 +25,6 @@ constexpr double least_progress = 1e-4;
 // Of what is moved: stretched ten times.
 constexpr double most_energy = 100.;
 
-double twice_area_of_image(const Glued_triangles& t, const std::vector<Planar>& image,
-                           Index triangle)
-{
-  const Index* c = &t.corner[3 * std::size_t(triangle)];
-  return cross(image[c[1]] - image[c[0]], image[c[2]] - image[c[0]]);
-}
-
 // Triangles that have an area, which their image has not, or the other side up.
 std::vector<Index> turned_round(const Glued_triangles& t, const std::vector<Planar>& image)
 {
@@ -107,18 +100,6 @@ bool is_around_once(const Glued_triangles& t, const std::vector<Planar>& image, 
   return angle < (is_inner ? 3. * pi : std::max(2. * pi, own + pi));
 }
 
-// What an image is to be enlarged by for its area to be that of its triangles.
-double missing_scale(const Glued_triangles& t, const std::vector<Planar>& image)
-{
-  double area = 0., area_of_image = 0.; // twice
-  for(Index f = 0; f < t.number_of_triangles(); ++f)
-  {
-    area += twice_area(t.length[3 * f], t.length[3 * f + 1], t.length[3 * f + 2]);
-    area_of_image += twice_area_of_image(t, image, f);
-  }
-  return std::sqrt(area / area_of_image);
-}
-
 void turn_back(const Glued_triangles& t, Chart& chart, std::vector<Planar>& image, double scale)
 {
   const Glued_triangles& shape = chart.shape;
@@ -165,8 +146,8 @@ void untangle(const Glued_triangles& t, std::vector<Planar>& image)
 {
   if(t.is_cloud())
     return;
-  const double scale = missing_scale(t, image);
-  if(!(scale > 0. && scale < infinity))
+  const double scale = scale_to_area(t, image);
+  if(scale == 0.)
     return;
   for(const int number : rings)
   {

@@ -14,6 +14,18 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Twice the area of the image of a triangle; negative where that is turned round.
+inline double twice_area_of_image(const Glued_triangles& triangles,
+                                  const std::vector<Planar>& image, Index triangle)
+{
+  const Index* c = &triangles.corner[3 * std::size_t(triangle)];
+  return cross(image[c[1]] - image[c[0]], image[c[2]] - image[c[0]]);
+}
+
+// What an image is to be enlarged by for its area to be that of its triangles; 0 where nothing does that.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double scale_to_area(const Glued_triangles& triangles, const std::vector<Planar>& image);
+
 // How many triangles have an image whose corners do not run counterclockwise.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_of_flips(const Glued_triangles& triangles, const std::vector<Planar>& image);
