@@ -16,7 +16,7 @@ namespace {
 
 // What is moved: little distorts much, and more is tried where little does not do.
 constexpr int rings[] = {4, 8};
-constexpr std::size_t most_triangles = 1000;
+constexpr std::size_t most_triangles = 1000, most_in_all = 3000;
 
 // Newton's method turns back what it can in half of these steps.
 constexpr std::size_t most_steps = 50;
@@ -37,7 +37,7 @@ std::vector<Index> turned_round(const Glued_triangles& t, const std::vector<Plan
 }
 
 // Triangles and rings of others about them, in regions that no side joins: a label for each triangle, or none,
-// and how many there are, of those that are not too large.
+// and how many there are, of those that are not too large, one by one and together.
 std::pair<std::vector<Index>, Index> regions(const Glued_triangles& t, std::vector<Index> members,
                                              int number_of_rings)
 {
@@ -58,6 +58,7 @@ std::pair<std::vector<Index>, Index> regions(const Glued_triangles& t, std::vect
           }
       }
   Index number = 0;
+  std::size_t in_all = 0;
   std::vector<Index> piece;
   for(const Index start : members)
   {
@@ -72,8 +73,11 @@ std::pair<std::vector<Index>, Index> regions(const Glued_triangles& t, std::vect
           region[t.twin[side] / 3] = number;
           piece.push_back(t.twin[side] / 3);
         }
-    if(piece.size() <= most_triangles)
+    if(piece.size() <= std::min(most_triangles, most_in_all - in_all))
+    {
+      in_all += piece.size();
       ++number;
+    }
     else
       for(const Index f : piece)
         region[f] = none;
