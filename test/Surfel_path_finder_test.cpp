@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <random>
 #include <string>
@@ -166,8 +165,8 @@ TEST(Surfel_path_finder, finds_the_same_from_all_searches)
 Point_set scan(const std::string& name)
 {
   Point_set points;
-  const std::string file = GEODESIC_PROCESSING_DATA "/points/" + name;
-  if(!std::ifstream(file) || !CGAL::IO::read_point_set(file, points))
+  const std::string file = model("points/" + name);
+  if(file.empty() || !CGAL::IO::read_point_set(file, points))
     return {};
   if(!points.has_normal_map())
   {
@@ -224,8 +223,7 @@ TEST(Surfel_path_finder, stays_on_the_surfels_of_scans)
     SCOPED_TRACE(name);
     const Point_set points = scan(name);
     if(points.empty())
-      GTEST_SKIP()
-          << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+      GTEST_SKIP() << no_models;
     expect_near_surfels(points, 25,
                         [&](const auto& path)
                         {
@@ -250,8 +248,7 @@ TEST(Surfel_path_finder, stays_near_the_surfels_of_uneven_scans)
     SCOPED_TRACE(name);
     const Point_set points = scan(name);
     if(points.empty())
-      GTEST_SKIP()
-          << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+      GTEST_SKIP() << no_models;
     expect_near_surfels(points, 20, [](const auto&) {});
   }
 }
@@ -261,7 +258,7 @@ TEST(Surfel_path_finder, finds_great_circles_below_much_noise)
   // Points off a unit sphere by 1.7 times their spacing, and normals by 18 degrees in the median.
   const Point_set points = scan("sphere_21k_normals.ply");
   if(points.empty())
-    GTEST_SKIP() << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+    GTEST_SKIP() << no_models;
   GP::Surfel_path_finder<Point_set> find(points);
   EXPECT_GT(find.noise(), 0.5);
   std::mt19937 random(1);

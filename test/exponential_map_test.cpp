@@ -4,8 +4,6 @@
 
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -38,10 +36,8 @@ TEST(exponential_map, leads_to_the_vertices_of_the_logarithmic_map)
   };
   EXPECT_EQ(part_found_again(mesh_of(icosphere(4)), Vertex(7), 1.5), 1.);
   EXPECT_EQ(part_found_again(mesh_of(square(20, 0.25)), Vertex(220), 0.7), 1.);
-  if(const std::string file = model("meshes/elephant_2k8.off"); !file.empty())
+  if(Mesh mesh; read_model("meshes/elephant_2k8.off", mesh))
   {
-    Mesh mesh;
-    ASSERT_TRUE(CGAL::IO::read_polygon_mesh(file, mesh));
     // Where a shortest path bends at a saddle vertex, the straightest one leaves it: to one in eighty.
     EXPECT_GT(part_found_again(mesh, Vertex(100), 0.1), 0.95);
   }

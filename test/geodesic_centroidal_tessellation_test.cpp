@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
@@ -200,7 +199,7 @@ TEST(Geodesic_centroidal_tessellation, of_real_models_is_of_discs)
   {
     const std::string file = model(std::string("meshes/") + name + ".off");
     if(file.empty())
-      GTEST_SKIP() << "There are no shared models.";
+      GTEST_SKIP() << no_models;
     expect_discs<Mesh>(read_off(file), 30);
   }
 }

@@ -580,7 +580,7 @@ TEST(Geodesic_delaunay_remeshing, of_the_shared_models)
     }
   }
   if(!any)
-    GTEST_SKIP() << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+    GTEST_SKIP() << no_models;
 }
 
 TEST(Geodesic_delaunay_remeshing, says_what_it_cannot_use)

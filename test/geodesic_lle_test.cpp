@@ -7,7 +7,6 @@
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include "Mesh_of.h"
 #include "openmesh.h"
@@ -268,10 +267,9 @@ TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
   for(const std::string name :
       {"hemisphere_2k.ply", "disk_5k.ply", "alligator_3k.ply", "cylinder_locally_refined_8k.ply"})
   {
-    const std::string file = model("patches/" + name);
     Mesh mesh;
-    if(file.empty() || !CGAL::IO::read_polygon_mesh(file, mesh))
-      GTEST_SKIP() << "no shared models";
+    if(!read_model("patches/" + name, mesh))
+      GTEST_SKIP() << no_models;
     auto uv = vertex_map<UV>(mesh);
     GP::geodesic_lle(mesh, uv);
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;
@@ -288,10 +286,9 @@ TEST(geodesic_lle, turns_few_faces_back)
 {
   for(const std::string name : {"mushroom_2k.off", "three_peaks_2k.off"})
   {
-    const std::string file = model("patches/" + name);
     Mesh mesh;
-    if(file.empty() || !CGAL::IO::read_polygon_mesh(file, mesh))
-      GTEST_SKIP() << "no shared models";
+    if(!read_model("patches/" + name, mesh))
+      GTEST_SKIP() << no_models;
     auto uv = vertex_map<UV>(mesh);
     GP::geodesic_lle(mesh, uv);
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;

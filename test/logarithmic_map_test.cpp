@@ -4,7 +4,6 @@
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include "Mesh_of.h"

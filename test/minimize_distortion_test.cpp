@@ -6,7 +6,6 @@
 #include <CGAL/Geodesic_processing/geodesic_lle.h>
 
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include "Mesh_of.h"
 #include "openmesh.h"
@@ -108,10 +107,9 @@ TEST(minimize_distortion, flattens_shared_patches)
                                                     {"mushroom_2k.off", 5.86005}};
   for(const auto& [name, arap] : patches)
   {
-    const std::string file = model("patches/" + name);
     Mesh mesh;
-    if(file.empty() || !CGAL::IO::read_polygon_mesh(file, mesh))
-      GTEST_SKIP() << "no shared models";
+    if(!read_model("patches/" + name, mesh))
+      GTEST_SKIP() << no_models;
     auto uv = vertex_map<UV>(mesh);
     GP::geodesic_lle(mesh, uv);
     GP::minimize_distortion(mesh, uv);

@@ -93,7 +93,7 @@ TEST_P(Real_meshes, agree_with_exact_distances)
 {
   const Triangulation shape = read_off(model(std::string("meshes/") + GetParam()));
   if(shape.points.empty())
-    GTEST_SKIP() << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+    GTEST_SKIP() << no_models;
   expect_agreement(shape);
 }
 

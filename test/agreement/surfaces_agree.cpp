@@ -111,7 +111,7 @@ TEST_P(Real_surfaces, agree)
 {
   const Triangulation shape = read_off(model(std::string("meshes/") + GetParam()));
   if(shape.points.empty())
-    GTEST_SKIP() << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+    GTEST_SKIP() << no_models;
   expect_agreement_with_refined(shape);
   expect_agreement_of_heat_and_front(shape);
 }

@@ -94,7 +94,7 @@ TEST(Windows_agree_with_sequence_trees, on_scans_and_parts)
   if(const Triangulation shape = read_off(model("meshes/joint_221.off")); !shape.points.empty())
     expect_agreement(shape, 1e-6);
   if(model("meshes/pig_468.off").empty())
-    GTEST_SKIP() << "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+    GTEST_SKIP() << no_models;
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -79,6 +80,27 @@ TEST(untangling, moves_nothing_far_away_and_nothing_that_is_sound)
     const bool is_far = std::max(std::abs(column - 30), std::abs(row - 30)) > 10;
     EXPECT_TRUE(!is_far || image[surface.site(i)] == before[surface.site(i)]);
   }
+}
+
+TEST(untangling, leaves_places_when_there_are_many)
+{
+  // 49 places, with more than 100 triangles about each, of which two passes move 3,000 each.
+  constexpr std::size_t n = 160, spacing = 20, most_moved = 2 * 3000;
+  const Glued_surface surface(square(n, 0.25));
+  const std::vector<Planar> truth = flat(surface);
+  std::vector<Planar> image = truth;
+  for(std::size_t row = spacing; row < n; row += spacing)
+    for(std::size_t column = spacing; column < n; column += spacing)
+      image[surface.site(Index(row * (n + 1) + column))][0] += 2.5 / double(n);
+  const std::vector<Planar> before = image;
+  untangle(surface.t(), image);
+  EXPECT_GT(number_of_flips(surface.t(), image), 0u);
+  EXPECT_LT(number_of_flips(surface.t(), image), number_of_flips(surface.t(), before));
+  std::size_t moved = 0;
+  for(std::size_t c = 0; c < surface.t().corner.size(); c += 3)
+    moved += std::any_of(surface.t().corner.begin() + c, surface.t().corner.begin() + c + 3,
+                         [&](Index site) { return image[site] != before[site]; });
+  EXPECT_LE(moved, most_moved);
 }
 
 TEST(untangling, adds_no_flip)

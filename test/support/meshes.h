@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_MESHES_H
 
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
@@ -11,6 +12,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,6 +101,22 @@ inline std::string model(const std::string& name)
     return path;
 #endif
   return {};
+}
+
+// Why a test that needs them is skipped.
+constexpr const char* no_models =
+    "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+
+// Reads a mesh among the shared models; false where they are not there.
+template <typename Mesh>
+bool read_model(const std::string& name, Mesh& mesh)
+{
+  const std::string file = model(name);
+  if(file.empty())
+    return false;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh))
+    throw std::runtime_error("Not readable: " + name);
+  return true;
 }
 
 } // namespace CGAL::Geodesic_processing::test
