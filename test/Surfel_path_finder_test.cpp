@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -166,8 +167,10 @@ Point_set scan(const std::string& name)
 {
   Point_set points;
   const std::string file = model("points/" + name);
-  if(file.empty() || !CGAL::IO::read_point_set(file, points))
+  if(file.empty())
     return {};
+  if(!CGAL::IO::read_point_set(file, points))
+    throw std::runtime_error("Not readable: " + name);
   if(!points.has_normal_map())
   {
     points.add_normal_map();

@@ -87,8 +87,7 @@ TEST(untangling, leaves_places_when_there_are_many)
   // 49 places, with more than 100 triangles about each, of which two passes move 3,000 each.
   constexpr std::size_t n = 160, spacing = 20, most_moved = 2 * 3000;
   const Glued_surface surface(square(n, 0.25));
-  const std::vector<Planar> truth = flat(surface);
-  std::vector<Planar> image = truth;
+  std::vector<Planar> image = flat(surface);
   for(std::size_t row = spacing; row < n; row += spacing)
     for(std::size_t column = spacing; column < n; column += spacing)
       image[surface.site(Index(row * (n + 1) + column))][0] += 2.5 / double(n);

@@ -17,8 +17,9 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 void face_up(const Glued_triangles& triangles, std::vector<Planar>& image);
 
 // Turns triangles back that are turned round: a few rings about them are moved to where their symmetric Dirichlet
-// energy is least, all else stays.  Where more than a thousand triangles would have to move at a place, or three
-// thousand in all, or cannot be turned back, they stay as they are.  Nothing is done on a cloud.
+// energy is least, all else stays; with four rings first, then with eight.  Where more than a thousand triangles would
+// have to move at a place, or three thousand in all with as many rings, or cannot be turned back, they stay as they
+// are.  Nothing is done on a cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void untangle(const Glued_triangles& triangles, std::vector<Planar>& image);
 
