@@ -220,7 +220,11 @@ bool Front::run(const std::vector<Source>& sources, const Front_limits& limits)
     m_queue.pop();
     // What comes next is mostly known already: what lies around it is on its way while this one spreads.
     if(!m_queue.empty())
+    {
       prefetch_around(m_queue.front().site);
+      if(m_known)
+        prefetch(m_known->data() + m_queue.front().site);
+    }
     Site& site = m_sites[entry.site];
     site.state |= final_flag;
     m_improves = !m_known || (m_kind != Front_kind::arcs && site.distance < (*m_known)[entry.site]);

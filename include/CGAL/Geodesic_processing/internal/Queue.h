@@ -84,19 +84,35 @@ private:
     const std::size_t size = m_heap.size();
     for(;;)
     {
-      const std::size_t child = 4 * place + 1, end = std::min(child + 4, size);
+      const std::size_t child = 4 * place + 1;
       if(child >= size)
         break;
-      std::size_t least = child;
-      for(std::size_t i = child + 1; i < end; ++i)
-        if(m_heap[i].key < m_heap[least].key)
-          least = i;
+      const std::size_t least = child + 4 <= size ? least_of_four(child) : least_of(child, size);
       if(m_heap[least].key >= key)
         break;
       put(place, m_heap[least].site, m_heap[least].key);
       place = least;
     }
     put(place, site, key);
+  }
+
+  // Sums of comparisons: a jump to the least, which cannot be foreseen, takes a twentieth of a front's time.
+  std::size_t least_of_four(std::size_t first) const
+  {
+    const auto is_less = [&](std::size_t a, std::size_t b)
+    { return std::size_t(m_heap[a].key < m_heap[b].key); };
+    const std::size_t low = first + is_less(first + 1, first),
+                      high = first + 2 + is_less(first + 3, first + 2);
+    return low + (high - low) * is_less(high, low);
+  }
+
+  std::size_t least_of(std::size_t first, std::size_t end) const
+  {
+    std::size_t least = first;
+    for(std::size_t i = first + 1; i < end; ++i)
+      if(m_heap[i].key < m_heap[least].key)
+        least = i;
+    return least;
   }
 
   // Part by part: read as a whole right after its parts were written, an entry takes a tenth of a front's time.
