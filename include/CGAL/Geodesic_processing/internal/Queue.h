@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -87,7 +88,7 @@ private:
       const std::size_t child = 4 * place + 1;
       if(child >= size)
         break;
-      const std::size_t least = child + 4 <= size ? least_of_four(child) : least_of(child, size);
+      const std::size_t least = child + 4 <= size ? least_of_four(child) : least_from(child);
       if(m_heap[least].key >= key)
         break;
       put(place, m_heap[least].site, m_heap[least].key);
@@ -106,13 +107,13 @@ private:
     return low + (high - low) * is_less(high, low);
   }
 
-  std::size_t least_of(std::size_t first, std::size_t end) const
+  // Of less than four at the end.
+  std::size_t least_from(std::size_t first) const
   {
-    std::size_t least = first;
-    for(std::size_t i = first + 1; i < end; ++i)
-      if(m_heap[i].key < m_heap[least].key)
-        least = i;
-    return least;
+    const auto is_less = [](const Entry& a, const Entry& b) { return a.key < b.key; };
+    return std::size_t(
+        std::min_element(m_heap.begin() + std::ptrdiff_t(first), m_heap.end(), is_less) -
+        m_heap.begin());
   }
 
   // Part by part: read as a whole right after its parts were written, an entry takes a tenth of a front's time.
