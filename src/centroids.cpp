@@ -17,16 +17,11 @@ struct Mass
   double mass = 0.;
   Spatial moment = {0., 0., 0.};
 
-  void add(const Spatial& a, const Spatial& b, const Spatial& c, double density)
+  Mass operator-(const Mass& other) const { return {mass - other.mass, moment - other.moment}; }
+  void add(const Mass& other)
   {
-    const double here = density * norm(cross(b - a, c - a));
-    mass += here;
-    moment = moment + (here / 3.) * (a + b + c);
-  }
-  void add(const Mass& other, double times)
-  {
-    mass += times * other.mass;
-    moment = moment + times * other.moment;
+    mass += other.mass;
+    moment = moment + other.moment;
   }
 };
 
@@ -57,10 +52,24 @@ struct Polygon
   {
     Mass result;
     for(int i = 2; i < size; ++i)
-      result.add(points[0], points[i - 1], points[i], density);
+    {
+      const Spatial &a = points[0], &b = points[i - 1], &c = points[i];
+      const double part = density * norm(cross(b - a, c - a));
+      result.add({part, (part / 3.) * (a + b + c)});
+    }
     return result;
   }
 };
+
+// The corner of a triangle that is cut off at these shares of its sides.
+Mass corner_part(const std::array<Spatial, 3>& corners, const Mass& whole, int k, double to_next,
+                 double to_previous)
+{
+  const Spatial& tip = corners[k];
+  const double mass = to_next * to_previous * whole.mass;
+  return {mass, mass * (tip + (to_next / 3.) * (corners[(k + 1) % 3] - tip) +
+                        (to_previous / 3.) * (corners[(k + 2) % 3] - tip))};
+}
 
 // What of a triangle is nearer to p than to q: the corner that one of its corners has for itself, or the rest.
 Mass nearer_part(const std::array<Spatial, 3>& corners, const Mass& whole, const Spatial& p,
@@ -72,63 +81,44 @@ Mass nearer_part(const std::array<Spatial, 3>& corners, const Mass& whole, const
   for(int k = 0; k < 3; ++k)
   {
     at[k] = dot(corners[k] - middle, way);
-    near += at[k] <= 0. ? 1 : 0;
+    near |= int(at[k] <= 0.) << k;
   }
   if(near == 0)
     return {};
-  if(near == 3)
+  if(near == 7)
     return whole;
-  int alone = 0;
-  while((at[alone] <= 0.) != (near == 1))
-    ++alone;
-  const int next = (alone + 1) % 3, previous = (alone + 2) % 3;
-  const double to_next = at[alone] / (at[alone] - at[next]),
-               to_previous = at[alone] / (at[alone] - at[previous]);
-  const Spatial& tip = corners[alone];
-  Mass corner;
-  corner.mass = to_next * to_previous * whole.mass;
-  corner.moment = corner.mass * (tip + (to_next / 3.) * (corners[next] - tip) +
-                                 (to_previous / 3.) * (corners[previous] - tip));
-  if(near == 1)
-    return corner;
-  Mass rest = whole;
-  rest.add(corner, -1.);
-  return rest;
+  constexpr std::array<int, 8> corner_alone = {0, 0, 1, 2, 2, 1, 0, 0};
+  const int k = corner_alone[near];
+  const Mass corner = corner_part(corners, whole, k, at[k] / (at[k] - at[(k + 1) % 3]),
+                                  at[k] / (at[k] - at[(k + 2) % 3]));
+  return near == 1 << k ? corner : whole - corner;
 }
 
-// What three samples have of a triangle each, where every corner is nearest to its own one and they
-// meet inside: three quadrangles about that place.  In coordinates of the triangle, with corner k as
-// the origin.  False where it is otherwise.
-bool three_parts(const std::array<Spatial, 3>& corners, double whole,
-                 const std::array<Spatial, 3>& centres, std::array<Mass, 3>& parts)
+using Parts = std::array<Mass, 3>;
+
+// Of any triangle: what is cut from it for two, and the rest.
+Parts cut_parts(const std::array<Spatial, 3>& corners, const Mass& whole,
+                const std::array<Spatial, 3>& centres)
 {
-  // Squared distances to the first sample less those to the second and to the third one.
-  std::array<double, 3> second, third;
-  const Spatial to_second = centres[1] - centres[0], to_third = centres[2] - centres[0];
-  const Spatial middle_second = 0.5 * (centres[0] + centres[1]),
-                middle_third = 0.5 * (centres[0] + centres[2]);
-  for(int k = 0; k < 3; ++k)
+  const double area = norm(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  Parts parts;
+  for(int k = 0; k < 2; ++k)
   {
-    second[k] = dot(corners[k] - middle_second, to_second);
-    third[k] = dot(corners[k] - middle_third, to_third);
+    Polygon part{{corners[0], corners[1], corners[2]}, 3};
+    part.cut(centres[k], centres[1 - k]);
+    part.cut(centres[k], centres[2]);
+    parts[k] = part.mass(whole.mass / area);
   }
-  if(!(second[0] < 0. && third[0] < 0. && second[1] > 0. && second[1] > third[1] && third[2] > 0. &&
-       third[2] > second[2]))
-    return false;
-  const Spatial meeting = cross(second, third);
-  const double sum = meeting[0] + meeting[1] + meeting[2];
-  const std::array<double, 3> place = {meeting[0] / sum, meeting[1] / sum, meeting[2] / sum};
-  if(!(place[0] > 0. && place[1] > 0. && place[2] > 0.))
-    return false;
-  // How far along each side two meet, and that the other one is farther there.
-  const double from_second = second[1] - third[1], from_third = third[2] - second[2];
-  const std::array<double, 3> share = {second[0] / (second[0] - second[1]),
-                                       from_second / (from_second + from_third),
-                                       third[2] / (third[2] - third[0])};
-  if(!(third[0] + share[0] * (third[1] - third[0]) < 0. &&
-       second[1] + share[1] * (second[2] - second[1]) > 0. &&
-       second[2] + share[2] * (second[0] - second[2]) < 0.))
-    return false;
+  parts[2] = whole - parts[0] - parts[1];
+  return parts;
+}
+
+// Three quadrangles about a place in the triangle.
+// share: along each side, where they meet
+Parts parts_around(const Spatial& place, const std::array<double, 3>& share,
+                   const std::array<Spatial, 3>& corners, const Mass& whole)
+{
+  Parts parts;
   for(int k = 0; k < 3; ++k)
   {
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
@@ -136,11 +126,55 @@ bool three_parts(const std::array<Spatial, 3>& corners, double whole,
     const double first = along * place[previous], last = back * place[next];
     const double to_next = (first * (along + place[next]) + last * place[next]) / 3.,
                  to_previous = (first * place[previous] + last * (place[previous] + back)) / 3.;
-    parts[k].mass = whole * (first + last);
-    parts[k].moment = whole * ((first + last - to_next - to_previous) * corners[k] +
-                               to_next * corners[next] + to_previous * corners[previous]);
+    parts[k].mass = whole.mass * (first + last);
+    parts[k].moment = whole.mass * ((first + last - to_next - to_previous) * corners[k] +
+                                    to_next * corners[next] + to_previous * corners[previous]);
   }
-  return true;
+  return parts;
+}
+
+// What three samples have of a triangle each.
+Parts three_parts(const std::array<Spatial, 3>& corners, const Mass& whole,
+                  const std::array<Spatial, 3>& centres)
+{
+  // Half the squared distances of the corners to each sample less those to the first.
+  std::array<std::array<double, 3>, 3> at{};
+  for(int i = 1; i < 3; ++i)
+  {
+    const Spatial way = centres[i] - centres[0], middle = 0.5 * (centres[i] + centres[0]);
+    for(int k = 0; k < 3; ++k)
+      at[i][k] = -dot(corners[k] - middle, way);
+  }
+  bool is_own = true;          // every corner is nearest to its own sample
+  std::array<double, 3> share; // along each side, where two are equally near
+  for(int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3, previous = (k + 2) % 3;
+    is_own = is_own && at[k][k] < at[next][k] && at[k][k] < at[previous][k];
+    const double here = at[next][k] - at[k][k], there = at[k][next] - at[next][next];
+    share[k] = here / (here + there);
+  }
+  if(!is_own)
+    return cut_parts(corners, whole, centres);
+  for(int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3, previous = (k + 2) % 3;
+    const auto there = [&](int i) { return at[i][k] + share[k] * (at[i][next] - at[i][k]); };
+    if(there(k) < there(previous))
+      continue;
+    // The third one lies between the two, which have a corner each.
+    const auto lead = [&](int i, int corner) { return at[previous][corner] - at[i][corner]; };
+    Parts parts;
+    parts[k] = corner_part(corners, whole, k, lead(k, k) / (lead(k, k) - lead(k, next)),
+                           1. - share[previous]);
+    parts[next] = corner_part(corners, whole, next, share[next],
+                              lead(next, next) / (lead(next, next) - lead(next, k)));
+    parts[previous] = whole - parts[k] - parts[next];
+    return parts;
+  }
+  const Spatial meeting = cross(at[1], at[2]);
+  return parts_around((1. / (meeting[0] + meeting[1] + meeting[2])) * meeting, share, corners,
+                      whole);
 }
 
 bool is_obstacle(const std::vector<double>* slowness, Index triangle)
@@ -200,40 +234,30 @@ std::vector<Location> centroids(const Glued_triangles& t, const std::vector<doub
     const Index* const corner = &t.corner[3 * std::size_t(f)];
     const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
     const Labels here(corner, labels);
-    if(here.size == 0)
-      continue;
-    // The last one has what the others leave.
-    Mass rest = {masses[f], (masses[f] / 3.) * (a + b + c)};
-    if(here.size == 2)
+    const Mass whole = {masses[f], (masses[f] / 3.) * (a + b + c)};
+    // What is left by rounding has no centre.
+    const auto give = [&](int k, const Mass& part)
+    {
+      if(part.mass > 1e-12 * masses[f])
+        mass[here.labels[k]].add(part);
+    };
+    if(here.size == 1)
+      give(0, whole);
+    else if(here.size == 2)
     {
       const Mass first =
-          nearer_part({a, b, c}, rest, centre[here.labels[0]], centre[here.labels[1]]);
-      mass[here.labels[0]].add(first, 1.);
-      rest.add(first, -1.);
+          nearer_part({a, b, c}, whole, centre[here.labels[0]], centre[here.labels[1]]);
+      give(0, first);
+      give(1, whole - first);
     }
     else if(here.size == 3)
     {
-      std::array<Mass, 3> parts;
-      if(!three_parts({a, b, c}, masses[f],
-                      {centre[here.labels[0]], centre[here.labels[1]], centre[here.labels[2]]},
-                      parts))
-        for(int k = 0; k < 2; ++k)
-        {
-          Polygon part{{a, b, c}, 3};
-          for(const Index other : here)
-            if(other != here.labels[k])
-              part.cut(centre[here.labels[k]], centre[other]);
-          parts[k] = part.mass(masses[f] / norm(cross(b - a, c - a)));
-        }
-      for(int k = 0; k < 2; ++k)
-      {
-        mass[here.labels[k]].add(parts[k], 1.);
-        rest.add(parts[k], -1.);
-      }
+      const std::array<Mass, 3> parts =
+          three_parts({a, b, c}, whole,
+                      {centre[here.labels[0]], centre[here.labels[1]], centre[here.labels[2]]});
+      for(int k = 0; k < 3; ++k)
+        give(k, parts[k]);
     }
-    // What is left by rounding has no centre.
-    if(rest.mass > 1e-12 * masses[f])
-      mass[here.labels[here.size - 1]].add(rest, 1.);
   }
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)

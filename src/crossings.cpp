@@ -7,6 +7,7 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -19,7 +20,10 @@ using Box =
     Box_intersection_d::Box_with_info_d<double, 3, Index, Box_intersection_d::ID_FROM_BOX_ADDRESS>;
 
 // Below so many boxes all pairs of them are looked at.
-constexpr std::ptrdiff_t few_boxes = 2000;
+constexpr std::ptrdiff_t few_boxes = 500;
+
+// Below it products have lost digits.
+constexpr double least_product = 1e-290;
 
 // The only way out of CGAL's search.
 struct Enough
@@ -29,11 +33,8 @@ class Crossings
 {
 public:
   Crossings(const std::vector<Spatial>& points, const std::vector<std::array<Index, 3>>& corners)
-      : m_corners(corners)
-  {
-    for(const Spatial& p : points)
-      m_points.emplace_back(p[0], p[1], p[2]);
-  }
+      : m_points(points), m_corners(corners)
+  {}
 
   std::vector<std::array<Index, 2>> find(std::size_t most) const
   {
@@ -70,7 +71,12 @@ public:
 private:
   std::array<Point, 3> points_of(Index f) const
   {
-    return {m_points[m_corners[f][0]], m_points[m_corners[f][1]], m_points[m_corners[f][2]]};
+    const auto point = [&](int k)
+    {
+      const Spatial& p = m_points[m_corners[f][k]];
+      return Point(p[0], p[1], p[2]);
+    };
+    return {point(0), point(1), point(2)};
   }
 
   bool do_cross(Index f, Index g) const
@@ -85,6 +91,8 @@ private:
           in_f[shared] = i;
           in_g[shared++] = j;
         }
+    if(shared == 1 && are_parted(f, in_f[0], g, in_g[0]))
+      return false;
     const auto p = points_of(f), q = points_of(g);
     const Kernel::Triangle_3 a(p[0], p[1], p[2]), b(q[0], q[1], q[2]);
     if(shared == 0)
@@ -103,7 +111,28 @@ private:
     return coplanar(x, y, z, w) && coplanar_orientation(x, y, z, w) == POSITIVE;
   }
 
-  std::vector<Point> m_points;
+  // Whether a plane through the corner that two triangles share, square to the way from one to the other, has
+  // them on two sides for certain.
+  bool are_parted(Index f, int in_f, Index g, int in_g) const
+  {
+    const Spatial& tip = m_points[m_corners[f][in_f]];
+    const auto side = [&](Index triangle, int k)
+    { return m_points[m_corners[triangle][k % 3]] - tip; };
+    const std::array<Spatial, 2> of_f = {side(f, in_f + 1), side(f, in_f + 2)},
+                                 of_g = {side(g, in_g + 1), side(g, in_g + 2)};
+    const Spatial way = (of_g[0] + of_g[1]) - (of_f[0] + of_f[1]);
+    // The differences, products and sums are right to five roundings of 2^-53 of the sizes of the products.
+    const auto is_before = [&](const Spatial& p, double sign)
+    {
+      const std::array<double, 3> product = {p[0] * way[0], p[1] * way[1], p[2] * way[2]};
+      const double size = std::abs(product[0]) + std::abs(product[1]) + std::abs(product[2]);
+      return sign * (product[0] + product[1] + product[2]) > 1e-15 * size + least_product;
+    };
+    return is_before(of_f[0], -1.) && is_before(of_f[1], -1.) && is_before(of_g[0], 1.) &&
+           is_before(of_g[1], 1.);
+  }
+
+  const std::vector<Spatial>& m_points;
   const std::vector<std::array<Index, 3>>& m_corners;
 };
 

@@ -48,6 +48,10 @@ TEST(Crossings, leave_out_what_triangles_share)
   // A corner, and the other's opposite side above or through the triangle.
   EXPECT_EQ(beside({{1., 0.2, 1.}, {0.2, 1., 1.}}, {0, 3, 4}), Pairs());
   EXPECT_EQ(beside({{0.3, 0.3, -1.}, {0.3, 0.3, 1.}}, {0, 3, 4}), both);
+  // The opposite side touches a side, passes a hair beside it, or is on the other side of the corner.
+  EXPECT_EQ(beside({{0.5, 0., 0.}, {0.5, -1., 1.}}, {0, 3, 4}), both);
+  EXPECT_EQ(beside({{0.5, -1e-300, 0.}, {0.5, -1., 1.}}, {0, 3, 4}), Pairs());
+  EXPECT_EQ(beside({{-1., -1e-300, 0.}, {-1e-300, -1., 0.}}, {0, 3, 4}), Pairs());
   // A side, and the other beside, above or upon the triangle.
   EXPECT_EQ(beside({{1., 1., 0.}}, {1, 3, 2}), Pairs());
   EXPECT_EQ(beside({{0.2, 0.2, 1e-9}}, {1, 3, 2}), Pairs());
