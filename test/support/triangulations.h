@@ -10,11 +10,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <string>
-#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -332,10 +333,11 @@ inline Triangulation read_off(const std::string& file)
 {
   Triangulation result;
   std::ifstream in(file);
+  if(!in)
+    return result;
   std::string header;
   std::size_t points = 0, faces = 0, edges = 0;
-  if(!(in >> header >> points >> faces >> edges))
-    return result;
+  in >> header >> points >> faces >> edges;
   result.points.resize(points);
   for(Point& p : result.points)
     in >> p[0] >> p[1] >> p[2];
@@ -344,9 +346,11 @@ inline Triangulation read_off(const std::string& file)
     Index n, a, b, c;
     in >> n >> a >> b >> c;
     if(!in || n != 3 || a >= points || b >= points || c >= points)
-      return {};
+      throw std::runtime_error("Not triangles in OFF: " + file);
     result.corners.insert(result.corners.end(), {a, b, c});
   }
+  if(result.points.empty())
+    throw std::runtime_error("Not a surface in OFF: " + file);
   return result;
 }
 

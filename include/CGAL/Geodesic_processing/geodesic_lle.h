@@ -23,8 +23,8 @@ namespace CGAL::Geodesic_processing {
 /// points.
 ///
 /// Where faces flip, up to a thousand about them are moved such that none does and, but for what is around them,
-/// the symmetric Dirichlet energy is least.  Larger groups, as there are on patches that bend much, stay: no face is
-/// promised not to flip, see `minimize_distortion()`.
+/// the symmetric Dirichlet energy is least.  Larger groups, as there are on patches that bend much, stay, and so do
+/// those beyond three thousand faces: no face is promised not to flip, see `minimize_distortion()`.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
 /// \param surface as for `geodesic_distances()`: one piece, which may have holes
