@@ -28,7 +28,7 @@ constexpr std::size_t most_visits = 5;
 bool is_sampled(const Glued_triangles& t, const std::vector<double>* slowness, Index site)
 {
   if(t.is_cloud() && t.first[site] == t.first[site + 1])
-    return true;
+    return t.graph.first[site] < t.graph.first[site + 1];
   const auto is_open = [&](Index corner)
   { return !slowness || (*slowness)[corner / 3] < infinity; };
   return std::any_of(t.star.begin() + t.first[site], t.star.begin() + t.first[site + 1], is_open);

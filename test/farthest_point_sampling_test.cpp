@@ -247,6 +247,28 @@ TEST(Farthest_point_sampling, of_a_cloud_is_of_surfels)
     EXPECT_EQ(sites[i], samples[i].surfel);
 }
 
+TEST(Farthest_point_sampling, of_a_cloud_leaves_out_surfels_without_neighbors)
+{
+  Surfels surfels = flat_surfels(500);
+  const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
+  const auto sampled = [&]
+  {
+    std::vector<std::size_t> sites;
+    GP::farthest_site_sampling(surfels, 20, std::back_inserter(sites), maps);
+    return sites;
+  };
+  const std::vector<std::size_t> without = sampled();
+  surfels.push_back({{0.5, 0.5, 3.}, {0., 0., 1.}});
+  // At one place: neighbors.
+  surfels.push_back({{9., 9., 0.}, {0., 0., 1.}});
+  surfels.push_back(surfels.back());
+  const std::vector<std::size_t> with = sampled();
+  EXPECT_EQ(std::count(with.begin(), with.end(), 500u), 0);
+  EXPECT_EQ(std::count_if(with.begin(), with.end(), [](std::size_t i) { return i > 500; }), 1);
+  EXPECT_EQ(without.size(), 20u);
+  EXPECT_EQ(with.size(), 20u);
+}
+
 TEST(Farthest_point_sampling, of_a_cloud_is_seeded_chosen_and_weighted)
 {
   const Surfels surfels = flat_surfels(3000);

@@ -261,6 +261,21 @@ TEST(geodesic_lle, flattens_clouds)
   EXPECT_LT(worst, 2e-3);
 }
 
+TEST(geodesic_lle, leaves_out_surfels_without_neighbors)
+{
+  Surfels flat = flat_surfels(500);
+  flat.push_back({{0.5, 0.5, 3.}, {0., 0., 1.}});
+  // In the plane, but its normal is wrong.
+  flat.push_back({{0.5, 0.51, 0.}, {1., 0., 0.}});
+  std::vector<UV> uv(flat.size());
+  GP::geodesic_lle(flat, CGAL::make_property_map(uv),
+                   GP::parameters::number_of_base_points(std::size_t(30))
+                       .point_map(Surfel_point_map())
+                       .normal_map(Surfel_normal_map()));
+  for(std::size_t i = 0; i < uv.size(); ++i)
+    EXPECT_EQ(std::isnan(uv[i][0]), i >= 500) << i;
+}
+
 // Shared models that bend little, or not: by the Gauss-Bonnet sum over inner vertices.
 TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
 {

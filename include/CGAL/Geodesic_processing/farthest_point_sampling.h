@@ -67,7 +67,8 @@ void farthest_samples(const Domain& domain, std::size_t number, Sample_place pla
 /// On a mesh a sample may lie inside a face, where the fronts that come to the farthest vertex meet
 /// (section 3.1 of the paper); where they do not, at borders and at the tips of cones, it is that vertex.
 /// On a cloud samples are surfels.  A component without a sample is sampled before any other, first at
-/// a place as far as can be from one of its vertices.
+/// a place as far as can be from one of its vertices.  Vertices without faces and surfels without neighbors, such
+/// as outliers, are no components: no sample is there, and none reaches them.
 ///
 /// The <em>covering radius</em> is the largest distance of a vertex or a surfel from its nearest sample,
 /// infinite as long as a component has none; it never grows.  Fewer samples than asked for are found

@@ -29,7 +29,8 @@ namespace CGAL::Geodesic_processing {
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
 /// \param surface as for `geodesic_distances()`: one piece, which may have holes
 /// \param uv_map receives where vertices or surfels go: values are `Point_2` or arrays of two numbers, which are
-///        not numbers for vertices without faces.  Lengths are the surface's; most faces keep their side up.
+///        not numbers for vertices without faces and surfels without neighbors.  Lengths are the surface's; most faces
+///        keep their side up.
 /// \param np what `make_domain()` takes, and
 ///
 /// \cgalNamedParamsBegin
