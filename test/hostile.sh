@@ -83,7 +83,8 @@ check_all()
 export -f check check_all
 export program folder
 if printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" bash -c 'check_all "$1"' _; then
-  echo "$# files, $(declare -f check_all | grep -c "check \"") times each: no crash, no hang, no NaN"
+  commands=$(declare -f check_all | grep -c "check \"")
+  echo "$(($# * commands)) runs ($# files, $commands commands): no crash, no hang, no NaN"
 else
   exit 1
 fi

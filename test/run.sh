@@ -26,6 +26,9 @@ data=${GEODESIC_PROCESSING_DATA:-$PWD/../shared/data}
 release=build/release sanitizer=build/sanitizer
 summary=() failures=0 started=$SECONDS
 
+# The numbers of checks may grow and never fall; a step fails if it finds fewer.
+min_tests=1000 min_sanitized_tests=1000 min_headers=60 min_hostile_runs=2790
+
 # step NAME COMMAND...: runs it, remembers how it ended and how long it took.
 step()
 {
@@ -38,6 +41,13 @@ step()
   fi
   summary+=("$(printf '%-34s %-7s %5d s' "$name" "$result" $((SECONDS - begin)))")
   [ $result = passed ]
+}
+
+# at_least MINIMUM NUMBER WHAT: prints the number and fails if it is below the minimum.
+at_least()
+{
+  printf '%s: %d (at least %d)\n' "$3" "$2" "$1"
+  [ "$2" -ge "$1" ]
 }
 
 skip() { summary+=("$(printf '%-34s skipped  %s' "$1" "$2")"); }
@@ -105,9 +115,27 @@ check_installed_package()
     ctest --test-dir build/consumer --output-on-failure
 }
 
-run_tests() { ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs"; }
+# run_tests BUILD MINIMUM
+run_tests()
+{
+  at_least "$2" "$(ctest --test-dir "$1" -N | sed -n 's/^Total Tests: //p')" "number of tests" &&
+    ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs"
+}
 
-check_hostile_files() { bash test/hostile.sh $sanitizer/geodesic "$jobs" "$@"; }
+check_headers()
+{
+  local objects='/Geodesic_processing_verify_interface_header_sets.dir/.*\.o:'
+  at_least $min_headers "$(ninja -C $release -t targets all | grep -c "$objects")" \
+    "number of headers" &&
+    cmake --build $release -j "$jobs" --target all_verify_interface_header_sets
+}
+
+check_hostile_files()
+{
+  bash test/hostile.sh $sanitizer/geodesic "$jobs" "$@" | tee build/hostile.log &&
+    at_least $min_hostile_runs "$(sed -n 's/^\([0-9]*\) runs.*/\1/p' build/hostile.log)" \
+      "number of hostile runs"
+}
 
 check_all_models()
 {
@@ -140,14 +168,13 @@ mkdir -p build
 step "packages" install_packages "${packages[@]}" || finish
 step "format" check_format
 if step "build" build_release; then
-  step "headers compile alone" \
-    cmake --build $release -j "$jobs" --target all_verify_interface_header_sets
-  step "tests" run_tests $release
+  step "headers compile alone" check_headers
+  step "tests" run_tests $release $min_tests
   step "documentation" cmake --build $release --target documentation
   step "installed package" check_installed_package
 fi
 if [ $quick = 0 ] && step "sanitizer build" build_sanitizer; then
-  step "tests, sanitized" run_tests $sanitizer
+  step "tests, sanitized" run_tests $sanitizer $min_sanitized_tests
   if [ -d "$data/hostile" ]; then
     step "hostile files, sanitized" check_hostile_files "$data"/hostile/*
   else
