@@ -1,8 +1,9 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Fails when a public header, or a kernel (an internal header with a source of the same name), has
-# no test of the same name.
+# Fails if a public header, or a kernel (an internal or private header with a source of the same
+# name), has no test of the same name.
+include(${CMAKE_CURRENT_LIST_DIR}/../cmake/folders.cmake)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
 set(include ${root}/include/CGAL/Geodesic_processing)
 set(missing "")
@@ -15,12 +16,15 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-file(GLOB headers ${include}/internal/*.h)
-foreach(header IN LISTS headers)
-  cmake_path(GET header STEM name)
-  if(EXISTS ${root}/src/${name}.cpp AND NOT EXISTS ${root}/test/internal/${name}_test.cpp)
-    string(APPEND missing "  test/internal/${name}_test.cpp\n")
-  endif()
+foreach(folder IN LISTS kernel_folders)
+  file(GLOB headers ${include}/internal/${folder}/*.h ${root}/src/${folder}/*.h)
+  foreach(header IN LISTS headers)
+    cmake_path(GET header STEM name)
+    if(EXISTS ${root}/src/${folder}/${name}.cpp
+       AND NOT EXISTS ${root}/test/internal/${folder}/${name}_test.cpp)
+      string(APPEND missing "  test/internal/${folder}/${name}_test.cpp\n")
+    endif()
+  endforeach()
 endforeach()
 
 if(missing)

@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "methods.h"
 
-#include <CGAL/Geodesic_processing/internal/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
 
 #include <gtest/gtest.h>
 

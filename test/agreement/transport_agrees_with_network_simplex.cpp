@@ -3,8 +3,8 @@
 //
 // Earth mover's distances by flows in triangles beside the linear program over all pairs of vertices, with
 // exact distances as costs.
-#include <CGAL/Geodesic_processing/internal/Earth_movers.h>
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 
 #include "Glued_surface.h"
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

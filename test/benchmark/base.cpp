@@ -5,9 +5,9 @@
 // fold, how near are semi-regular meshes, and what does all that cost?
 #include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 
-#include <CGAL/Geodesic_processing/internal/Triangle_tree.h>
-#include <CGAL/Geodesic_processing/internal/singular_values.h>
-#include <CGAL/Geodesic_processing/internal/unfold.h>
+#include <CGAL/Geodesic_processing/internal/spatial_search/Triangle_tree.h>
+#include <CGAL/Geodesic_processing/internal/numerics/singular_values.h>
+#include "core/unfold.h"
 
 #include "models.h"
 #include "report.h"

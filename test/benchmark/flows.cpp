@@ -10,10 +10,10 @@
 #include "models.h"
 #include "report.h"
 
-#include <CGAL/Geodesic_processing/internal/Earth_movers.h>
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/surfels.h>
+#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
 
 #include <algorithm>
 #include <array>

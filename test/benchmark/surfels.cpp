@@ -3,8 +3,8 @@
 //
 // How far from the truth are geodesics on point set surfaces, clean and noisy, beside the tables of
 // Ruggeri, Darom, Saupe and Kiryati 2006?
-#include <CGAL/Geodesic_processing/internal/Cloud_path_finder.h>
-#include <CGAL/Geodesic_processing/internal/surfel_estimation.h>
+#include <CGAL/Geodesic_processing/internal/paths/Cloud_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_estimation.h>
 
 #include "clouds.h"
 #include "report.h"

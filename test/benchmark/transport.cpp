@@ -7,8 +7,8 @@
 #include "models.h"
 #include "report.h"
 
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/transport.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/transport/transport.h>
 
 #include <algorithm>
 #include <cmath>

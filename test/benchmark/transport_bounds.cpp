@@ -9,10 +9,10 @@
 #include "models.h"
 #include "report.h"
 
-#include <CGAL/Geodesic_processing/internal/Earth_movers.h>
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/glue.h>
-#include <CGAL/Geodesic_processing/internal/surfels.h>
+#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -10,13 +10,13 @@
 #include "models.h"
 #include "report.h"
 
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/biharmonic.h>
-#include <CGAL/Geodesic_processing/internal/flat_refinement.h>
-#include <CGAL/Geodesic_processing/internal/heat.h>
-#include <CGAL/Geodesic_processing/internal/intrinsic_delaunay.h>
-#include <CGAL/Geodesic_processing/internal/transport.h>
-#include <CGAL/Geodesic_processing/internal/transport_family.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
+#include "transport/flat_refinement.h"
+#include <CGAL/Geodesic_processing/internal/distances/heat.h>
+#include "mesh/intrinsic_delaunay.h"
+#include <CGAL/Geodesic_processing/internal/transport/transport.h>
+#include <CGAL/Geodesic_processing/internal/transport/transport_family.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Surface_mesh_deformation.h>

@@ -8,9 +8,9 @@
 #include "models.h"
 #include "report.h"
 
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/biharmonic.h>
-#include <CGAL/Geodesic_processing/internal/transport_family.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
+#include <CGAL/Geodesic_processing/internal/transport/transport_family.h>
 
 #include <algorithm>
 #include <cmath>

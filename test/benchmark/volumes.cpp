@@ -6,8 +6,8 @@
 #include "Glued_surface.h"
 #include "report.h"
 
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/volumetric.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/transport/volumetric.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>

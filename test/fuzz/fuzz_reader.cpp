@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz_reader.h"
 
-#include "Surface.h"
-#include "errors.h"
+#include "repair/Surface.h"
+#include "io/errors.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Image.h"
+#include "io/Image.h"
 
-#include "drawings.h"
-#include "errors.h"
+#include "picture/drawings.h"
+#include "io/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Surface.h"
-#include "errors.h"
+#include "repair/Surface.h"
+#include "io/errors.h"
 
 #include <CGAL/boost/graph/helpers.h>
 

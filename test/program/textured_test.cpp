@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "textured.h"
+#include "io/textured.h"
 
-#include "errors.h"
+#include "io/errors.h"
 
 #include <gtest/gtest.h>
 

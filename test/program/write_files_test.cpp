@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Output_file.h"
-#include "Surface.h"
-#include "colours.h"
-#include "errors.h"
+#include "io/Output_file.h"
+#include "repair/Surface.h"
+#include "io/colours.h"
+#include "io/errors.h"
 
 #include <gtest/gtest.h>
 

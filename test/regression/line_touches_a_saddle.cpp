@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
 #include "Glued_surface.h"
 #include "path_checks.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "methods.h"
 
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/surfels.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "methods.h"
 
-#include <CGAL/Geodesic_processing/internal/Path_finder.h>
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/paths/Path_finder.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_GLUED_SURFACE_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_GLUED_SURFACE_H
 
-#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/sampling.h>
-#include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
+#include <CGAL/Geodesic_processing/internal/core/spatial.h>
 
 #include "triangulations.h"
 

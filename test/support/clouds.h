@@ -3,10 +3,10 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_CLOUDS_H
 
-#include <CGAL/Geodesic_processing/internal/Surfel_cloud.h>
-#include <CGAL/Geodesic_processing/internal/normals.h>
-#include <CGAL/Geodesic_processing/internal/planar.h>
-#include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/surfels/Surfel_cloud.h>
+#include "surfels/normals.h"
+#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/spatial.h>
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_METHODS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_METHODS_H
 
-#include <CGAL/Geodesic_processing/internal/front.h>
-#include <CGAL/Geodesic_processing/internal/heat.h>
-#include <CGAL/Geodesic_processing/internal/path_to_sources.h>
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/distances/heat.h>
+#include <CGAL/Geodesic_processing/internal/paths/path_to_sources.h>
 
 #include "Glued_surface.h"
 

@@ -3,8 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_PATH_CHECKS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_PATH_CHECKS_H
 
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/straighten.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include "paths/straighten.h"
 
 #include "triangulations.h"
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_POLYGONS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_POLYGONS_H
 
-#include <CGAL/Geodesic_processing/internal/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/spatial.h>
 
 #include "triangulations.h"
 

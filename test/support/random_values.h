@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_RANDOM_VALUES_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_RANDOM_VALUES_H
 
-#include <CGAL/Geodesic_processing/internal/operators.h>
+#include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
 #include <cstddef>
 #include <random>

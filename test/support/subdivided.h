@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_SUBDIVIDED_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_SUBDIVIDED_H
 
-#include <CGAL/Geodesic_processing/internal/subdivision.h>
+#include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
 
 #include "triangulations.h"
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TRIANGULATIONS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TRIANGULATIONS_H
 
-#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/glue.h>
-#include <CGAL/Geodesic_processing/internal/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+#include <CGAL/Geodesic_processing/internal/core/planar.h>
 
 #include <array>
 #include <cmath>

@@ -5,10 +5,10 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/geodesic_delaunay_remeshing.h>
-#include <CGAL/Geodesic_processing/internal/add_faces.h>
-#include <CGAL/Geodesic_processing/internal/base_map.h>
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/remeshing_goal.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/add_faces.h>
+#include <CGAL/Geodesic_processing/internal/remeshing/base_map.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/remeshing_goal.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <algorithm>

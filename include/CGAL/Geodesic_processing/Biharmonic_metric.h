@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_BIHARMONIC_METRIC_H
 #define CGAL_GEODESIC_PROCESSING_BIHARMONIC_METRIC_H
 
-#include <CGAL/Geodesic_processing/internal/biharmonic.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/tags.h>

@@ -5,8 +5,8 @@
 
 #include <CGAL/Geodesic_processing/Streamline_tracer.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/blur.h>
-#include <CGAL/Geodesic_processing/internal/masses.h>
+#include <CGAL/Geodesic_processing/internal/operators/blur.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 

@@ -5,8 +5,8 @@
 
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 

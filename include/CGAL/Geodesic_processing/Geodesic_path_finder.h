@@ -4,8 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_PATH_FINDER_H
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
-#include <CGAL/Geodesic_processing/internal/Path_finder.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/paths/Path_finder.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 namespace CGAL::Geodesic_processing {

@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 
 #include <cstddef>
 #include <utility>

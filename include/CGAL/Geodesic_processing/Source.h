@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 

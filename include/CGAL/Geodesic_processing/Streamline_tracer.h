@@ -4,8 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_STREAMLINE_TRACER_H
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
-#include <CGAL/Geodesic_processing/internal/Earth_movers.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 

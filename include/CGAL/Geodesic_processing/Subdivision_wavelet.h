@@ -4,9 +4,9 @@
 #define CGAL_GEODESIC_PROCESSING_SUBDIVISION_WAVELET_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/channels.h>
-#include <CGAL/Geodesic_processing/internal/hierarchy.h>
-#include <CGAL/Geodesic_processing/internal/zerotree.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/channels.h>
+#include <CGAL/Geodesic_processing/internal/subdivision/hierarchy.h>
+#include <CGAL/Geodesic_processing/internal/subdivision/zerotree.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/boost/graph/properties.h>

@@ -4,8 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_SURFACE_PATH_H
 
 #include <CGAL/Geodesic_processing/Location.h>
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/path_to_sources.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/paths/path_to_sources.h>
 
 #include <vector>
 

@@ -5,10 +5,10 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/read_surfels.h>
-#include <CGAL/Geodesic_processing/internal/slowness.h>
-#include <CGAL/Geodesic_processing/internal/surfels.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
+#include <CGAL/Geodesic_processing/internal/core/slowness.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/number_utils.h>

@@ -4,9 +4,9 @@
 #define CGAL_GEODESIC_PROCESSING_SURFEL_PATH_FINDER_H
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
-#include <CGAL/Geodesic_processing/internal/Cloud_path_finder.h>
-#include <CGAL/Geodesic_processing/internal/path_options.h>
-#include <CGAL/Geodesic_processing/internal/read_surfels.h>
+#include <CGAL/Geodesic_processing/internal/paths/Cloud_path_finder.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/path_options.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 

@@ -4,10 +4,10 @@
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/Barycenters.h>
-#include <CGAL/Geodesic_processing/internal/field_vectors.h>
-#include <CGAL/Geodesic_processing/internal/masses.h>
-#include <CGAL/Geodesic_processing/internal/weights.h>
+#include <CGAL/Geodesic_processing/internal/transport/Barycenters.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/weights.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 

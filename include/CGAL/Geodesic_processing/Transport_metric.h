@@ -4,10 +4,10 @@
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_METRIC_H
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/masses.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
-#include <CGAL/Geodesic_processing/internal/transport_family.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/internal/transport/transport_family.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/tags.h>

@@ -4,8 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_VOLUMETRIC_METRIC_H
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/volumetric.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/transport/volumetric.h>
 #include <CGAL/Geodesic_processing/mean_value_coordinates.h>
 
 #include <CGAL/tags.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Geodesic_processing/decal.h>
 #include <CGAL/Geodesic_processing/distortion.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/texels.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/texels.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>

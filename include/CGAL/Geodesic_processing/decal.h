@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_DECAL_H
 #define CGAL_GEODESIC_PROCESSING_DECAL_H
 
-#include <CGAL/Geodesic_processing/internal/decal.h>
+#include <CGAL/Geodesic_processing/internal/log_map/decal.h>
 #include <CGAL/Geodesic_processing/logarithmic_map.h>
 
 #include <CGAL/IO/Color.h>

@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_DECODE_WAVELETS_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/zerotree.h>
+#include <CGAL/Geodesic_processing/internal/subdivision/zerotree.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_DISTORTION_H
 #define CGAL_GEODESIC_PROCESSING_DISTORTION_H
 
-#include <CGAL/Geodesic_processing/internal/singular_values.h>
+#include <CGAL/Geodesic_processing/internal/numerics/singular_values.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>

@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_ESTIMATE_SURFELS_H
 #define CGAL_GEODESIC_PROCESSING_ESTIMATE_SURFELS_H
 
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/read_surfels.h>
-#include <CGAL/Geodesic_processing/internal/surfel_estimation.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_estimation.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>

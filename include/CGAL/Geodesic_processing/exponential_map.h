@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_EXPONENTIAL_MAP_H
 #define CGAL_GEODESIC_PROCESSING_EXPONENTIAL_MAP_H
 
-#include <CGAL/Geodesic_processing/internal/turned_plane.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/turned_plane.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <array>

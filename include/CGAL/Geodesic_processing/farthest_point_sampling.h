@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_FARTHEST_POINT_SAMPLING_H
 #define CGAL_GEODESIC_PROCESSING_FARTHEST_POINT_SAMPLING_H
 
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/sampling.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 

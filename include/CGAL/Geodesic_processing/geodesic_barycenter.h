@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Geodesic_distance_solver.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/weights.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/weights.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_DELAUNAY_REMESHING_H
 
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
-#include <CGAL/Geodesic_processing/internal/Reconstructed_domain.h>
-#include <CGAL/Geodesic_processing/internal/remeshing.h>
-#include <CGAL/Geodesic_processing/internal/remeshing_goal.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/Reconstructed_domain.h>
+#include <CGAL/Geodesic_processing/internal/remeshing/remeshing.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/remeshing_goal.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

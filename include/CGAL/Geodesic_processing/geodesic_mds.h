@@ -3,8 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_MDS_H
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_MDS_H
 
-#include <CGAL/Geodesic_processing/internal/flattening.h>
-#include <CGAL/Geodesic_processing/internal/untangling.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/flattening.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>
 
 #include <vector>
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
 
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/sources.h>
-#include <CGAL/Geodesic_processing/internal/voronoi.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/internal/sampling/voronoi.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 

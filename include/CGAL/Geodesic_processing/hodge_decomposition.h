@@ -4,8 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_HODGE_DECOMPOSITION_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/field_vectors.h>
-#include <CGAL/Geodesic_processing/internal/hodge.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
+#include <CGAL/Geodesic_processing/internal/operators/hodge.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_LOCATE_ON_SURFACE_H
 #define CGAL_GEODESIC_PROCESSING_LOCATE_ON_SURFACE_H
 
-#include <CGAL/Geodesic_processing/internal/Triangle_tree.h>
+#include <CGAL/Geodesic_processing/internal/spatial_search/Triangle_tree.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/number_utils.h>

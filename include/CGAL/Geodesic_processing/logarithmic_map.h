@@ -3,10 +3,10 @@
 #ifndef CGAL_GEODESIC_PROCESSING_LOGARITHMIC_MAP_H
 #define CGAL_GEODESIC_PROCESSING_LOGARITHMIC_MAP_H
 
-#include <CGAL/Geodesic_processing/internal/Log_engine.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/planar_value.h>
-#include <CGAL/Geodesic_processing/internal/turned_plane.h>
+#include <CGAL/Geodesic_processing/internal/log_map/Log_engine.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/turned_plane.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_MEAN_VALUE_COORDINATES_H
 #define CGAL_GEODESIC_PROCESSING_MEAN_VALUE_COORDINATES_H
 
-#include <CGAL/Geodesic_processing/internal/mean_value.h>
+#include <CGAL/Geodesic_processing/internal/transport/mean_value.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/number_utils.h>

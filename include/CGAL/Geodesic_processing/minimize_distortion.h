@@ -4,10 +4,10 @@
 #define CGAL_GEODESIC_PROCESSING_MINIMIZE_DISTORTION_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/injective.h>
-#include <CGAL/Geodesic_processing/internal/planar.h>
-#include <CGAL/Geodesic_processing/internal/planar_value.h>
-#include <CGAL/Geodesic_processing/internal/untangling.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/injective.h>
+#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 

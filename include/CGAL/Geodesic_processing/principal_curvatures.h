@@ -3,8 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_PRINCIPAL_CURVATURES_H
 #define CGAL_GEODESIC_PROCESSING_PRINCIPAL_CURVATURES_H
 
-#include <CGAL/Geodesic_processing/internal/curvature.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/curvature/curvature.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/Origin.h>

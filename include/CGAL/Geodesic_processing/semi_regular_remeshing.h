@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_SEMI_REGULAR_REMESHING_H
 
 #include <CGAL/Geodesic_processing/Base_parameterization.h>
-#include <CGAL/Geodesic_processing/internal/semi_regular.h>
+#include <CGAL/Geodesic_processing/internal/remeshing/semi_regular.h>
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_SHORTEN_POLYLINE_H
 #define CGAL_GEODESIC_PROCESSING_SHORTEN_POLYLINE_H
 
-#include <CGAL/Geodesic_processing/internal/path_options.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/path_options.h>
 
 #include <CGAL/number_utils.h>
 

@@ -4,8 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_SPEEDS_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/speeds.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/curvature/speeds.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/principal_curvatures.h>
 

@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_SURFEL_GEODESIC_PATH_H
 
 #include <CGAL/Geodesic_processing/Surfel_path_finder.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 
 #include <CGAL/tags.h>
 

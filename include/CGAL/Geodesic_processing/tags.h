@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TAGS_H
 #define CGAL_GEODESIC_PROCESSING_TAGS_H
 
-#include <CGAL/Geodesic_processing/internal/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/front.h>
-#include <CGAL/Geodesic_processing/internal/heat.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/distances/heat.h>
 
 namespace CGAL::Geodesic_processing {
 

@@ -4,9 +4,9 @@
 #define CGAL_GEODESIC_PROCESSING_TEXTURE_ATLAS_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/atlas.h>
-#include <CGAL/Geodesic_processing/internal/limits.h>
-#include <CGAL/Geodesic_processing/internal/planar_value.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/atlas.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 

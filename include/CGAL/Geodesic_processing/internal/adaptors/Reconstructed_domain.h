@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTED_DOMAIN_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTED_DOMAIN_H
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/surfels/reconstruction.h>
+#include <CGAL/Geodesic_processing/locate_on_surface.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// A cloud as those algorithms see it that need a surface: the one that reconstruction() lays through
+// its surfels.  Sites and locations of the caller are still the cloud's.
+template <typename SurfelRange>
+class Reconstructed_domain
+{
+  using Cloud = Surfel_domain<SurfelRange>;
+
+public:
+  using Surface = SurfelRange;
+  using Site = typename Cloud::Site;
+  using Location = typename Cloud::Location;
+
+  // Throws Unsupported_surface_error when there is no surface.
+  explicit Reconstructed_domain(const Cloud& cloud)
+      : m_cloud(cloud), m_cloud_locator(cloud), m_mesh(reconstruction(cloud.surfels())),
+        m_triangles(std::make_shared<const Glued_triangles>(std::move(m_mesh.triangles))),
+        m_tree(m_triangles)
+  {
+    if(m_triangles->number_of_triangles() == 0)
+      throw Unsupported_surface_error(
+          "No surface can be laid through the surfels: no three of them are near enough.");
+  }
+
+  const std::shared_ptr<const Glued_triangles>& triangles() const { return m_triangles; }
+
+  // The nearest place on the surface, which takes not every surfel.
+  internal::Location inner(const Location& location) const
+  {
+    const auto p = m_cloud.point(m_cloud.inner(location));
+    return m_tree.nearest({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+  }
+  internal::Location inner_site(Site surfel) const
+  {
+    return inner(m_cloud.outer(m_cloud.inner_site(surfel)));
+  }
+  Location outer(const internal::Location& location) const
+  {
+    const auto p = coordinates(*m_triangles, location);
+    return m_cloud_locator(typename Cloud::Point_3(p[0], p[1], p[2]));
+  }
+
+  template <typename SpeedMap>
+  std::vector<double> slowness(SpeedMap speed) const
+  {
+    std::vector<double> values(m_mesh.site_of_vertex.size());
+    for(Index site = 0; site < values.size(); ++site)
+      values[m_mesh.site_of_vertex[site]] = get(speed, m_cloud.site(site));
+    return mean_of_corners(*m_triangles, slowness_of(std::move(values)));
+  }
+
+private:
+  Cloud m_cloud;
+  Surface_locator<Surface> m_cloud_locator;
+  Glued_mesh m_mesh; // its vertices are the cloud's sites; without its triangles
+  std::shared_ptr<const Glued_triangles> m_triangles;
+  Triangle_tree m_tree;
+};
+
+// A domain whose triangles form a surface.
+template <typename TriangleMesh>
+const Mesh_domain<TriangleMesh>& manifold(const Mesh_domain<TriangleMesh>& domain)
+{
+  return domain;
+}
+template <typename SurfelRange>
+Reconstructed_domain<SurfelRange> manifold(const Surfel_domain<SurfelRange>& domain)
+{
+  return Reconstructed_domain<SurfelRange>(domain);
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTED_DOMAIN_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_FIELD_VECTORS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_FIELD_VECTORS_H
+
+#include <CGAL/Geodesic_processing/Location.h>
+#include <CGAL/Geodesic_processing/internal/operators/operators.h>
+#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+
+#include <array>
+
+// Between fields in the planes of unfolded triangles and vectors in space.
+namespace CGAL::Geodesic_processing::internal {
+
+// The axes of a triangle's plane; zero where it has no side or no height.
+inline std::array<Spatial, 2> axes(const Glued_triangles& t, Index triangle)
+{
+  const Index* corner = &t.corner[3 * std::size_t(triangle)];
+  const Spatial first = unit(t.point[corner[1]] - t.point[corner[0]]);
+  const Spatial side = t.point[corner[2]] - t.point[corner[0]];
+  return {first, unit(side - dot(side, first) * first)};
+}
+
+inline Spatial in_space(const Glued_triangles& t, Index triangle, const Planar& vector)
+{
+  const auto [u, v] = axes(t, triangle);
+  return vector[0] * u + vector[1] * v;
+}
+
+inline Planar in_plane(const Glued_triangles& t, Index triangle, const Spatial& vector)
+{
+  const auto [u, v] = axes(t, triangle);
+  return {dot(vector, u), dot(vector, v)};
+}
+
+// A vector for each face of a mesh, or the mean of those around each surfel of a cloud.
+template <typename Domain, typename VectorMap>
+void write_vectors(const Domain& domain, const Field& field, VectorMap map)
+{
+  using Vector_3 = typename Domain::Vector_3;
+  const Glued_triangles& t = *domain.triangles();
+  const auto outer = [](const Spatial& v) { return Vector_3(v[0], v[1], v[2]); };
+  if constexpr(!Is_cloud<typename Domain::Surface>::value)
+    for(Index f = 0; f < t.number_of_triangles(); ++f)
+      put(map, domain.face(f), outer(in_space(t, f, field[f])));
+  else
+    domain.write(
+        [&](Index site)
+        {
+          Spatial sum = {0., 0., 0.};
+          const Index begin = t.first[site], end = t.first[site + 1];
+          for(Index i = begin; i < end; ++i)
+            sum = sum + in_space(t, t.star[i] / 3, field[t.star[i] / 3]);
+          return outer(end > begin ? (1. / double(end - begin)) * sum : sum);
+        },
+        map);
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_FIELD_VECTORS_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/lle.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/mds.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
+#include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/make_domain.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/tags.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// What the flattenings by base points share: all but the map.
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Spreads the base points that named parameters ask for, or a usual number, over a surface of one piece.
+template <typename Domain, typename NamedParameters>
+void spread(const Domain& domain, const NamedParameters& np, std::size_t usual, Sampling& sampling)
+{
+  const auto check_is_one_piece = [&]
+  {
+    if(!(sampling.covering_radius() < infinity))
+      throw Unsupported_surface_error("The surface is not one piece.");
+  };
+  if constexpr(has_parameter<NamedParameters, internal_np::base_points_t>)
+  {
+    std::vector<bool> is_taken(domain.number_of_sites(), false);
+    for(const auto& place : parameter(np, internal_np::base_points, none))
+    {
+      const Location site = domain.inner_site(place);
+      if(is_taken[site.site])
+        throw Invalid_argument_error("A base point comes twice.");
+      is_taken[site.site] = true;
+      sampling.add(site);
+      check_is_one_piece();
+    }
+  }
+  else
+  {
+    Sampling_goal goal;
+    goal.number = parameter(np, internal_np::number_of_base_points, usual);
+    goal.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
+    if(goal.number <= most_base_points)
+      sample_farthest(sampling, goal, [&](double) { check_is_one_piece(); });
+    else
+      goal.number = 0;
+  }
+  const std::size_t number = sampling.samples().size();
+  if(number < 3 || number > most_base_points)
+    throw Invalid_argument_error("The number of base points is not between 3 and " +
+                                 std::to_string(most_base_points) + ".");
+}
+
+// Spreads base points, maps all sites by them, and writes where they go.
+//
+// map(triangles, sampling, front, callback): nothing when the callback cancelled it
+template <typename Method, typename Domain, typename UVMap, typename NamedParameters, typename Map>
+auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, std::size_t usual,
+             const Map& map)
+{
+  static_assert(std::is_base_of_v<Front, Engine<Method>>,
+                "Base points are joined by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+  using Value = typename boost::property_traits<UVMap>::value_type;
+  const Glued_triangles& triangles = *domain.triangles();
+  const Engine<Method> front(domain.triangles());
+  Sampling sampling(domain.triangles(), front, Sample_place::site);
+  spread(domain, np, usual, sampling);
+
+  std::vector<typename Domain::Site> base_points;
+  const std::vector<Planar> image =
+      map(triangles, sampling, front,
+          parameter(np, CGAL::internal_np::callback, std::function<bool(double)>()));
+  if(image.empty())
+    return base_points;
+  for(const Location& sample : sampling.samples())
+    base_points.push_back(domain.site(sample.site));
+  std::vector<bool> is_known(image.size(), false);
+  for(const Index site : sampling.sites())
+    is_known[site] = true;
+  domain.write(
+      [&](Index i)
+      {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        return is_known[i] ? planar_value<Value>(triangles.scale * image[i][0],
+                                                 triangles.scale * image[i][1])
+                           : planar_value<Value>(unknown, unknown);
+      },
+      uv_map);
+  return base_points;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LIMITS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_LIMITS_H
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// What named parameters ask of a query, as the kernels know it.
+template <typename Domain, typename NamedParameters>
+Front_limits limits(const Domain& domain, const NamedParameters& np)
+{
+  Front_limits result;
+  const double maximum = parameter(np, internal_np::maximum_distance, infinity);
+  if(!(maximum >= 0.))
+    throw Invalid_argument_error("The maximum distance is negative or not a number.");
+  result.maximum_distance = maximum / domain.triangles()->scale;
+  result.callback = parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
+  if constexpr(has_parameter<NamedParameters, internal_np::targets_t>)
+    result.targets = locations(domain, parameter(np, internal_np::targets, none));
+  if constexpr(has_parameter<NamedParameters, internal_np::speed_map_t>)
+    result.slowness = std::make_shared<const std::vector<double>>(
+        domain.slowness(parameter(np, internal_np::speed_map, none)));
+  return result;
+}
+
+// How many threads a tag and named parameters ask for.
+template <typename Concurrency_tag, typename NamedParameters>
+unsigned threads(const NamedParameters& np)
+{
+  if constexpr(std::is_same_v<Concurrency_tag, Sequential_tag>)
+    return 1;
+  else
+    return parameter(np, internal_np::threads, (std::max)(1u, std::thread::hardware_concurrency()));
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LIMITS_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MASSES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_MASSES_H
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
+#include <CGAL/Geodesic_processing/internal/core/slowness.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
+#include <CGAL/Geodesic_processing/parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingTransport
+/// a mass per area that is linear in each triangle; see `mass_density()`.
+template <typename PropertyMap>
+struct Mass_density
+{
+  PropertyMap map; ///< a number for each vertex or surfel, per square of the coordinates' unit
+};
+
+/// \ingroup PkgGeodesicProcessingTransport
+/// makes masses for `earth_movers_distance()` out of a property map of vertices or surfels that has mass
+/// per area.
+template <typename PropertyMap>
+Mass_density<PropertyMap> mass_density(PropertyMap map)
+{
+  return {std::move(map)};
+}
+
+namespace internal {
+
+template <typename T>
+struct Is_density : std::false_type
+{};
+template <typename PropertyMap>
+struct Is_density<Mass_density<PropertyMap>> : std::true_type
+{};
+
+// A set has keys and values too, but no category.
+template <typename T, typename = void>
+struct Is_property_map : std::false_type
+{};
+template <typename T>
+struct Is_property_map<T, std::void_t<typename boost::property_traits<T>::category>>
+    : std::true_type
+{};
+
+// A value for each site, in the domain's order.
+template <typename Domain, typename PropertyMap>
+Vector values_at_sites(const Domain& domain, const PropertyMap& map)
+{
+  Vector result(Eigen::Index(domain.number_of_sites()));
+  for(Index i = 0; i < domain.number_of_sites(); ++i)
+    result[i] = to_double(get(map, domain.site(i)));
+  return result;
+}
+
+// A unit mass at a place, in equal parts at a range of places, masses at sites, or a density.
+template <typename Domain, typename From>
+Mass_distribution masses(const Domain& domain, const From& from)
+{
+  Mass_distribution result;
+  if constexpr(is_place<Domain, From>)
+    result.at_locations.emplace_back(location(domain, from), 1.);
+  else if constexpr(Is_density<From>::value)
+    result.density = values_at_sites(domain, from.map);
+  else if constexpr(Is_property_map<From>::value)
+    result.at_sites = values_at_sites(domain, from);
+  else
+  {
+    const std::vector<Location> places = locations(domain, from);
+    if(places.empty())
+      throw Invalid_argument_error("There is no place where a mass could be.");
+    for(const Location& place : places)
+      result.at_locations.emplace_back(place, 1. / double(places.size()));
+  }
+  return result;
+}
+
+// The root of a symmetric positive definite tensor.
+inline Tensor root(const Tensor& a)
+{
+  const double determinant = std::sqrt(a[0] * a[2] - a[1] * a[1]);
+  const double factor = 1. / std::sqrt(a[0] + a[2] + 2. * determinant);
+  return {factor * (a[0] + determinant), factor * a[1], factor * (a[2] + determinant)};
+}
+
+// A map's tensor of a face, or the mean of those of its vertices.
+template <typename Domain, typename MetricMap>
+Eigen::Matrix3d metric(const Domain& domain, const MetricMap& map, Index triangle)
+{
+  using Key = typename boost::property_traits<MetricMap>::key_type;
+  if constexpr(std::is_convertible_v<typename Domain::Site, Key>)
+  {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += get(map, domain.site(domain.triangles()->corner[3 * std::size_t(triangle) + k]));
+    return sum / 3.;
+  }
+  else
+    return get(map, domain.face(triangle));
+}
+
+// What named parameters say about lengths, as the kernel knows it: a speed, or a metric in space.
+template <typename Domain, typename NamedParameters>
+std::vector<Tensor> measure(const Domain& domain, const NamedParameters& np)
+{
+  const Glued_triangles& t = *domain.triangles();
+  std::vector<Tensor> result;
+  if constexpr(has_parameter<NamedParameters, internal_np::speed_map_t>)
+    for(const double slowness : domain.slowness(parameter(np, internal_np::speed_map, none)))
+      result.push_back({slowness, 0., slowness});
+  if constexpr(has_parameter<NamedParameters, internal_np::metric_map_t>)
+  {
+    const auto map = parameter(np, internal_np::metric_map, none);
+    result.resize(t.number_of_triangles(), {1., 0., 1.});
+    for(Index f = 0; f < t.number_of_triangles(); ++f)
+    {
+      const auto [u, v] = axes(t, f);
+      if(v == Spatial{0., 0., 0.})
+        continue;
+      const Eigen::Matrix3d tensor = metric(domain, map, f);
+      const auto product = [&tensor](const Spatial& a, const Spatial& b)
+      {
+        using Eigen_vector = Eigen::Map<const Eigen::Vector3d>;
+        return Eigen_vector(a.data()).dot(tensor * Eigen_vector(b.data()));
+      };
+      const Tensor squared = {product(u, u), product(u, v), product(v, v)};
+      if(!(squared[0] > 0. && squared[0] * squared[2] > squared[1] * squared[1]) ||
+         !std::isfinite(squared[0] + squared[2]))
+        throw Invalid_argument_error("A metric is not positive definite.");
+      const double slowness = result[f][0];
+      result[f] = root(squared);
+      for(double& entry : result[f])
+        entry *= slowness;
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MASSES_H

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SLOWNESS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SLOWNESS_H
+
+#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// 1 / speed, infinite where the speed is zero: an obstacle.
+// Throws Invalid_argument_error when a speed is negative or not finite.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<double> slowness_of(std::vector<double> speed);
+
+// #triangles: the mean of the slownesses of the corners.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<double> mean_of_corners(const Glued_triangles& triangles,
+                                    const std::vector<double>& slowness_of_site);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SLOWNESS_H

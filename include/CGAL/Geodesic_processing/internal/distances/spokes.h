@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SPOKES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SPOKES_H
+
+#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/planar.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// All that a front reads around a site, in one run of memory: a front visits sites all over
+// it, and waits for memory longer than it computes.
+struct Spokes
+{
+  // A side, seen from the site, and the triangle between it and the next spoke.
+  struct Spoke
+  {
+    enum Flags : Index
+    {
+      has_triangle = 1,  // else it is the last one of its fan
+      is_repeated = 2,   // it begins or ends a closed fan, and stands at both ends
+      is_split = 4,      // the triangle's corner at this end is obtuse, and split
+      next_is_split = 8, // that at the next spoke's end is
+      is_curved = 16,    // the first one of a site whose triangles turn by more or less than 2 pi
+    };
+    Index end; // the site at the far end
+    Index flags;
+    double length;
+    Planar opening; // unit vector at the triangle's angle, seen from this spoke
+  };
+  // Half of an obtuse corner, which the site behind the opposite side splits into two acute angles
+  // once the triangles between are unfolded into its plane (Kimmel and Sethian 1998, section 3):
+  // a triangle as good as a real one to reach that corner, seen from one end of its base.
+  struct Split
+  {
+    Index corner;    // the obtuse one
+    Index target;    // its site
+    Index along;     // the site at the other end of the base
+    Index neighbour; // the end that is a neighbour of the corner's site
+    double base;     // its length
+    Planar apex;     // where the corner lies when the base runs from this end along the first axis
+  };
+
+  // Where the spokes and the splits of a site begin, and its star: as in a CSR.
+  struct First
+  {
+    Index spoke, split, star;
+  };
+
+  std::vector<First> first;  // #sites + 1
+  std::vector<Spoke> spokes; // of each fan counterclockwise; the first one again ends a closed fan
+  std::vector<Split> splits;
+};
+
+// O(#triangles).  The corners of meshes are split, where that is asked for; at most 20 triangles are
+// unfolded for each.
+CGAL_GEODESIC_PROCESSING_EXPORT Spokes spokes(const Glued_triangles& triangles, bool with_splits);
+
+// The same, made anew only when nobody else has them: for triangles that change no more.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::shared_ptr<const Spokes> shared_spokes(const Glued_triangles& triangles, bool with_splits);
+
+// Where the triangle of a corner stands around the site of that corner.
+struct Spoke_place
+{
+  Index spoke; // the one that the triangle follows
+  Index star;  // the triangle's place in the star
+};
+
+inline Spoke_place place_of(const Glued_triangles& triangles, const Spokes& spokes, Index site,
+                            Index corner)
+{
+  Spoke_place place = {spokes.first[site].spoke, spokes.first[site].star};
+  for(; triangles.star[place.star] != corner; ++place.star, ++place.spoke)
+    if(!(spokes.spokes[place.spoke + 1].flags & Spokes::Spoke::has_triangle))
+      ++place.spoke;
+  return place;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SPOKES_H

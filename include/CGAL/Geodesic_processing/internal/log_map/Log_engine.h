@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_ENGINE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_ENGINE_H
+
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/log_map/log_map.h>
+#include <CGAL/Geodesic_processing/internal/log_map/tangent_plane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+struct Log_options
+{
+  double maximum_distance = infinity;
+  double stencil_length = 0.; // 0: as the engine finds best
+  std::size_t stencil_size = 8;
+};
+
+inline std::vector<Source> point_source(const Location& at) { return {Source{{at}}}; }
+
+// Tangent vectors by the gradient of squared distances, whatever engine measures these.
+template <typename Engine>
+class Gradient_engine
+{
+public:
+  explicit Gradient_engine(std::shared_ptr<const Glued_triangles> triangles)
+      : m_triangles(triangles), m_engine(std::move(triangles))
+  {}
+
+  // Calls visit(site, tangent vector) for all sites up to the maximum distance.
+  template <typename Visit>
+  void run(const Tangent_plane& plane, const Log_options& options, Visit visit)
+  {
+    const Glued_triangles& t = *m_triangles;
+    Front_limits limits;
+    limits.maximum_distance = options.maximum_distance;
+    m_engine.run(point_source(plane.location()), limits);
+    const std::vector<Index> sites = m_engine.reached();
+    std::vector<double> distances;
+    for(const Index site : sites)
+      distances.push_back(m_engine.distance(site));
+
+    const double length = options.stencil_length > 0.
+                              ? options.stencil_length
+                              : sides_of_stencil(plane) * mean_length_around(t, plane.location());
+    const Stencil stencil = make_stencil(plane, sites, distances, length, options.stencil_size);
+    const std::size_t size = stencil.places.size();
+    limits.maximum_distance += length;
+    std::vector<double> from_stencil(sites.size() * size);
+    for(std::size_t j = 0; j < size; ++j)
+    {
+      m_engine.run(point_source(stencil.places[j]), limits);
+      for(std::size_t i = 0; i < sites.size(); ++i)
+        from_stencil[i * size + j] = m_engine.distance(sites[i]);
+    }
+    const Log_fit fit(stencil.vectors);
+    for(std::size_t i = 0; i < sites.size(); ++i)
+      visit(sites[i], fit(distances[i], from_stencil.data() + i * size));
+  }
+
+private:
+  // In mean lengths of the sides around.  A longer stencil averages the errors of fronts, but sees bends;
+  // what is best grows more slowly than the sides are short: as one over the root of their bend.  On a
+  // sphere of 10,000 vertices tangent vectors are then off by 0.044 %, with 0.6 sides by 0.11 %; on the
+  // armadillo of 26,000, a rough mesh, directions by 0.92 and 0.87 degrees in the median, and by 1.4
+  // with twice the length.  On a cloud it must reach surfels in all directions.
+  double sides_of_stencil(const Tangent_plane& plane) const
+  {
+    if(m_triangles->is_cloud())
+      return 2.5;
+    return std::clamp(0.35 / std::sqrt(mean_bend_around(*m_triangles, plane.location())), 0.6, 4.);
+  }
+
+  Stencil make_stencil(const Tangent_plane& plane, const std::vector<Index>& sites,
+                       const std::vector<double>& distances, double length, std::size_t size)
+  {
+    if(!m_triangles->is_cloud())
+      return straight_stencil(plane, length, size);
+    m_distance.resize(m_triangles->number_of_sites(), infinity);
+    for(std::size_t i = 0; i < sites.size(); ++i)
+      m_distance[sites[i]] = distances[i];
+    return stencil_of_sites(*m_triangles, plane, sites, m_distance, length, size);
+  }
+
+  std::shared_ptr<const Glued_triangles> m_triangles;
+  Engine m_engine;
+  std::vector<double>
+      m_distance; // #sites, on a cloud: of the last run, those of others before left
+};
+
+// Tangent vectors of shortest paths on a mesh.
+class Exact_log_engine
+{
+public:
+  explicit Exact_log_engine(std::shared_ptr<const Glued_triangles> triangles)
+      : m_windows(std::move(triangles))
+  {}
+
+  template <typename Visit>
+  void run(const Tangent_plane& plane, const Log_options& options, Visit visit)
+  {
+    Front_limits limits;
+    limits.maximum_distance = options.maximum_distance;
+    m_windows.run(point_source(plane.location()), limits);
+    for(const Index site : m_windows.reached())
+    {
+      const double angle = plane.tangent_angle(m_windows.polar_angle_of_departure(site));
+      visit(site, m_windows.distance(site) * Planar{std::cos(angle), std::sin(angle)});
+    }
+  }
+
+private:
+  Window_propagation m_windows;
+};
+
+// Sums of steps along shortest chains of arcs.
+class Discrete_exponential_engine
+{
+public:
+  explicit Discrete_exponential_engine(std::shared_ptr<const Glued_triangles> triangles)
+      : m_triangles(triangles), m_front(std::move(triangles), Front_kind::arcs),
+        m_vectors(m_triangles->number_of_sites())
+  {}
+
+  template <typename Visit>
+  void run(const Tangent_plane& plane, const Log_options& options, Visit visit)
+  {
+    Front_limits limits;
+    limits.maximum_distance = options.maximum_distance;
+    m_front.run(point_source(plane.location()), limits);
+    for(const Index site : m_front.reached())
+      m_vectors[site] = {std::numeric_limits<double>::quiet_NaN(), 0.};
+    for(const Index site : m_front.reached())
+    {
+      sum_up(plane, site);
+      visit(site, m_vectors[site]);
+    }
+  }
+
+private:
+  void sum_up(const Tangent_plane& plane, Index site)
+  {
+    const Glued_triangles& t = *m_triangles;
+    std::vector<Index> chain; // back to the first one that is known
+    for(; site != none && std::isnan(m_vectors[site][0]); site = m_front.predecessor(site))
+      chain.push_back(site);
+    for(; !chain.empty(); chain.pop_back())
+    {
+      const Index next = chain.back();
+      m_vectors[next] = site == none
+                            ? step_in_plane(plane, plane.normal(), t.point[next] - plane.point())
+                            : m_vectors[site] + step_in_plane(plane, site_normal(t, site),
+                                                              t.point[next] - t.point[site]);
+      site = next;
+    }
+  }
+
+  std::shared_ptr<const Glued_triangles> m_triangles;
+  Front m_front;
+  std::vector<Planar> m_vectors; // #sites, of the last run
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_ENGINE_H

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MDS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_MDS_H
+
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/core/planar.h>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Multidimensional scaling of the distances between base points (Zigelman, Kimmel and Kiryati 2002), and where
+// its squared distances to all of these place every other site (de Silva and Tenenbaum 2004).  The front runs twice
+// from each base point: to find the coordinates, and to sum them up.
+//
+// Nothing when the callback cancelled it.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<Planar> scaled(const Glued_triangles& triangles, Front front,
+                           const std::vector<Index>& base_points,
+                           const std::function<bool(double)>& callback = {});
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MDS_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_UNFOLD_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_UNFOLD_H
+
+#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/planar.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+// Chains of triangles in the plane, from lengths alone.  Degenerate triangles become flat ones.
+
+namespace CGAL::Geodesic_processing::internal {
+
+inline Planar turned_left(const Planar& p) { return {-p[1], p[0]}; }
+
+// Twice the area of a triangle, zero when its lengths belong to none (Kahan's order of operations:
+// Heron's formula loses half of the digits of a needle).
+inline double twice_area(double a, double b, double c)
+{
+  if(a < b)
+    std::swap(a, b);
+  if(a < c)
+    std::swap(a, c);
+  if(b < c)
+    std::swap(b, c);
+  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  return product > 0. ? 0.5 * std::sqrt(product) : 0.;
+}
+
+// The third corner over a base from (0,0) to (base,0), at distances `left` and `right` from its
+// first and its second end.
+inline Planar third_corner(double base, double left, double right)
+{
+  if(base <= 0.)
+    return {0., left};
+  return {0.5 * (base + (left - right) * ((left + right) / base)),
+          twice_area(base, left, right) / base};
+}
+
+// The corners of a triangle, the first at the origin and side 0 along the first axis.
+inline std::array<Planar, 3> unfolded(const Glued_triangles& t, Index triangle)
+{
+  const double* l = &t.length[3 * std::size_t(triangle)];
+  return {Planar{0., 0.}, Planar{l[0], 0.}, third_corner(l[0], l[2], l[1])};
+}
+
+inline Planar unfolded_point(const std::array<Planar, 3>& corners, const std::array<double, 3>& b)
+{
+  return b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2];
+}
+
+// The distance between two points of a triangle given by barycentric coordinates.
+inline double distance_in_triangle(const Glued_triangles& t, Index triangle,
+                                   const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  const auto corners = unfolded(t, triangle);
+  return norm((p[1] - q[1]) * corners[1] + (p[2] - q[2]) * corners[2]);
+}
+
+// The angle at a corner, in [0, pi].  A side of length zero is seen as the limit of short ones with
+// equal legs: pi/2 at both of its ends.
+inline double interior_angle(const Glued_triangles& t, Index corner)
+{
+  const double right = t.length[corner], left = t.length[previous_side(corner)];
+  const double opposite = t.length[next_side(corner)];
+  const double sine = 2. * twice_area(right, left, opposite);
+  const double cosine = right * right + (left - opposite) * (left + opposite);
+  return sine == 0. && cosine == 0. ? 1.57079632679489661923 : std::atan2(sine, cosine);
+}
+
+// The corner after this one around its site, or none behind a border.
+inline Index turn_left(const Glued_triangles& t, Index corner)
+{
+  return t.twin[previous_side(corner)];
+}
+inline Index turn_right(const Glued_triangles& t, Index corner)
+{
+  const Index twin = t.twin[corner];
+  return twin == none ? none : next_side(twin);
+}
+
+// The coordinates of the corner `corner` in its triangle, and of a point of the side that leaves
+// it, at the fraction `share` of its length.
+inline std::array<double, 3> at_corner(Index corner)
+{
+  std::array<double, 3> b = {0., 0., 0.};
+  b[corner % 3] = 1.;
+  return b;
+}
+inline std::array<double, 3> on_side(Index side, double share)
+{
+  std::array<double, 3> b = {0., 0., 0.};
+  b[side % 3] = 1. - share;
+  b[next_side(side) % 3] = share;
+  return b;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_UNFOLD_H

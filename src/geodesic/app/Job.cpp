@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Job.h"
+
+#include "app/Command.h"
+#include "picture/Display.h"
+#include "io/Output_file.h"
+#include "io/Scanner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include <unistd.h>
+
+namespace program {
+
+Job::Job(Command& command)
+{
+  command
+      .add("INPUT", m_input, "TEXT", "a mesh or a cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw")
+      .required();
+  command.add("-o,--output", m_output, "FILE", "the result: .ply .off .obj .vtp");
+  command.add("--values", m_values, "FILE", "the result as text, one line each in input order");
+  command.add("--picture", m_picture, "FILE", "a picture of the result: .png");
+  command.add_flag("--json", m_json, "print one JSON object and nothing else");
+  command.add("--threads", m_threads, "N", "0: as many as there are processors");
+  command.add("--seed", m_seed, "N", "of everything random");
+  command.add_flag("--quiet", m_quiet, "print nothing that is not asked for");
+}
+
+Job::~Job() = default;
+
+const Surface& Job::read(const std::vector<std::string>& kinds)
+{
+  if(!m_output.empty())
+  {
+    if(std::find(kinds.begin(), kinds.end(), ending(m_output)) == kinds.end())
+    {
+      std::string list;
+      for(std::size_t i = 0; i < kinds.size(); ++i)
+        list += (i == 0 ? "." : i + 1 < kinds.size() ? ", ." : " or .") + kinds[i];
+      throw Usage_error("-o " + m_output + ": the name of this result ends with " + list + ".");
+    }
+    check_folder(m_output);
+  }
+  if(!m_values.empty())
+    check_folder(m_values);
+  if(!m_picture.empty())
+  {
+    if(ending(m_picture) != "png")
+      throw Usage_error("--picture " + m_picture + ": the name of a picture ends with .png.");
+    check_folder(m_picture);
+    m_display = std::make_unique<Display>();
+  }
+  stage("read");
+  m_surface = read_surface(m_input, threads());
+  m_result["input"] = m_input;
+  m_result["repaired"] = m_surface.repaired;
+  m_result["kind"] = m_surface.is_mesh() ? "mesh" : "cloud";
+  m_result["vertices"] = m_surface.file.points.size();
+  m_result["faces"] = m_surface.file.number_of_polygons();
+  if(m_surface.repaired)
+    note(m_surface.is_mesh() ? "the faces were repaired (cut into triangles, turned, or separated)"
+                             : "missing normals were estimated");
+  return m_surface;
+}
+
+unsigned Job::threads() const
+{
+  return m_threads != 0 ? m_threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
+void Job::stage(const std::string& name)
+{
+  const auto now = std::chrono::steady_clock::now();
+  if(!m_stage.empty())
+    m_seconds[m_stage] += std::chrono::duration<double>(now - m_stage_began).count();
+  m_stage = name;
+  m_stage_began = now;
+}
+
+std::function<bool(double)> Job::progress(const std::string& what)
+{
+  if(m_quiet || ::isatty(STDERR_FILENO) == 0)
+    return {};
+  const auto began = std::chrono::steady_clock::now();
+  return [what, began, shown = -1](double done) mutable
+  {
+    const int percent = static_cast<int>(100. * std::clamp(done, 0., 1.));
+    // Work that ends within a second needs no bar.
+    if(percent != shown && std::chrono::steady_clock::now() - began > std::chrono::seconds(1))
+    {
+      shown = percent;
+      const std::string bar(static_cast<std::size_t>(percent / 4), '=');
+      std::fprintf(stderr, "\r%s [%-25s] %3d %%%s", what.c_str(), bar.c_str(), percent,
+                   percent == 100 ? "\n" : "");
+      std::fflush(stderr);
+    }
+    return true;
+  };
+}
+
+void Job::say(const std::string& line) const
+{
+  if(!m_json && !m_quiet)
+    std::printf("%s\n", line.c_str());
+}
+
+void Job::say_value(const std::string& name, const std::string& value) const
+{
+  constexpr std::size_t column = 16;
+  std::string line = name;
+  line.resize(std::max(line.size() + 1, column), ' ');
+  say(line + value);
+}
+
+void Job::report(const std::string& name, double value)
+{
+  m_result[name] = json_number(value);
+  say_value(name, readable(value));
+}
+
+void Job::report(const std::string& name, std::size_t value)
+{
+  m_result[name] = value;
+  say_value(name, std::to_string(value));
+}
+
+void Job::note(const std::string& line) const
+{
+  if(!m_quiet)
+    std::fprintf(stderr, "geodesic: %s: %s.\n", m_input.c_str(), line.c_str());
+}
+
+void Job::write_values(const std::function<std::string()>& text) const
+{
+  if(!m_values.empty())
+    write_file(m_values, text());
+}
+
+void Job::finish()
+{
+  stage("");
+  if(m_json)
+  {
+    for(const char* name : {"read", "prepare", "query", "write"})
+      m_result["seconds"][name] = m_seconds[name];
+    // A file name may hold any bytes; JSON holds UTF-8.
+    const std::string text =
+        m_result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    std::printf("%s\n", text.c_str());
+  }
+  if(std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Output_error("standard output: it cannot be written.");
+}
+
+nlohmann::ordered_json json_number(double value)
+{
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+}
+
+std::string readable(double value)
+{
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+std::vector<std::size_t> parse_integers(const std::string& text, const std::string& option)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t begin = 0; begin <= text.size();)
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const std::optional<long long> number = to_integer(word);
+    if(!number || *number < 0)
+      throw Usage_error(option + " " + shown(text) + ": '" + shown(word) +
+                        "' is not the number of a vertex.");
+    result.push_back(static_cast<std::size_t>(*number));
+    begin = end + 1;
+  }
+  return result;
+}
+
+std::optional<std::vector<double>> to_numbers(const std::string& text)
+{
+  std::vector<double> result;
+  for(std::size_t begin = 0; begin <= text.size();)
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::optional<double> number =
+        to_number(std::string_view(text).substr(begin, end - begin));
+    if(!number)
+      return std::nullopt;
+    result.push_back(*number);
+    begin = end + 1;
+  }
+  return result;
+}
+
+Point parse_point(const std::string& text, const std::string& option)
+{
+  const auto numbers = to_numbers(text);
+  if(!numbers || numbers->size() != 3 ||
+     !std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); }))
+    throw Usage_error(option + " " + shown(text) + ": it is not a point x,y,z.");
+  return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+void check_vertex(const Surface& surface, std::size_t vertex)
+{
+  const std::size_t n = surface.file.points.size();
+  if(vertex >= n)
+    fail(surface.name, "there is no vertex " + std::to_string(vertex) + ", the last one is " +
+                           std::to_string(n - 1));
+}
+
+} // namespace program

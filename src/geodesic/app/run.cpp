@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run.h"
+
+#include "app/commands.h"
+#include "io/errors.h"
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <string>
+
+namespace program {
+
+namespace {
+
+int fail(Exit_code code, std::string sentence)
+{
+  // One line, whatever a library put into its message.
+  for(char& c : sentence)
+    c = c == '\n' || c == '\r' ? ' ' : c;
+  std::fprintf(stderr, "geodesic: %s\n", sentence.c_str());
+  return code;
+}
+
+// The input named on the command line, for errors that do not name it themselves.
+std::string input_of(const CLI::App& program)
+{
+  for(const CLI::App* command : program.get_subcommands())
+    if(const CLI::Option* input = command->get_option_no_throw("INPUT"))
+      return input->as<std::string>() + ": ";
+  return {};
+}
+
+} // namespace
+
+int run(int argc, char** argv)
+{
+  // A reader that stops listening is an error of writing, not a reason to die.
+  std::signal(SIGPIPE, SIG_IGN);
+
+  CLI::App program("Geodesics on triangle meshes and point clouds.", "geodesic");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "geodesic 0.1.0");
+  add_info(program);
+  add_distance(program);
+  add_path(program);
+  add_logmap(program);
+  add_decal(program);
+  add_flatten(program);
+  add_atlas(program);
+  add_matrix(program);
+  add_sample(program);
+  add_voronoi(program);
+  add_segment(program);
+  add_remesh(program);
+  add_base(program);
+  add_semiregular(program);
+  add_wavelet(program);
+  add_surfels(program);
+  add_emd(program);
+  add_plan(program);
+  add_barycenter(program);
+  add_feature_distance(program);
+  add_fuzzy(program);
+  add_streamlines(program);
+  add_volume(program);
+  try
+  {
+    program.parse(argc, argv);
+    return success;
+  }
+  catch(const CLI::ParseError& error)
+  {
+    if(error.get_exit_code() == 0)
+    {
+      program.exit(error); // prints help or the version
+      return std::fflush(stdout) == 0 ? success : not_written;
+    }
+    return fail(wrong_usage, std::string(error.what()) + "; see geodesic --help.");
+  }
+  catch(const Usage_error& error)
+  {
+    return fail(wrong_usage, error.what());
+  }
+  catch(const Input_error& error)
+  {
+    return fail(bad_input, error.what());
+  }
+  catch(const Output_error& error)
+  {
+    return fail(not_written, error.what());
+  }
+  catch(const CGAL::Geodesic_processing::Invalid_argument_error& error)
+  {
+    return fail(bad_input, input_of(program) + error.what());
+  }
+  catch(const CGAL::Geodesic_processing::Unsupported_surface_error& error)
+  {
+    return fail(bad_input, input_of(program) + error.what());
+  }
+  catch(const std::bad_alloc&)
+  {
+    return fail(bad_input, input_of(program) + "it needs more memory than there is.");
+  }
+  catch(const std::exception& error)
+  {
+    return fail(bad_input, input_of(program) + error.what());
+  }
+}
+
+} // namespace program

@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Image.h"
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "picture/drawings.h"
+#include "commands/queries.h"
+#include "io/textured.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace program {
+
+namespace {
+
+using UV = std::array<double, 2>;
+
+struct Atlas_options
+{
+  std::size_t number = 0, texels = 1024, gutter = 4, iterations = 5;
+  std::string image;
+  bool flat = false;
+};
+
+struct Result
+{
+  std::vector<UV> corner_uv;     // #corners
+  std::vector<long long> charts; // #faces
+  Image texture;
+};
+
+// The colour of a place on the surface, by the weights of a face's corners.
+class Painter
+{
+public:
+  // image  or none of no width
+  Painter(const Surface_file& file, const Result& result, const Image& image)
+      : m_file(file), m_result(result), m_image(image)
+  {
+    if(std::all_of(colour_names.begin(), colour_names.end(),
+                   [&](auto name) { return file.properties.count(name) > 0; }))
+      for(const char* const name : colour_names)
+        m_colours.push_back(&file.properties.at(name));
+    m_low.fill(std::numeric_limits<double>::infinity());
+    m_high.fill(-std::numeric_limits<double>::infinity());
+    for(const Point& p : file.points)
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        m_low[k] = std::min(m_low[k], p[k]);
+        m_high[k] = std::max(m_high[k], p[k]);
+      }
+  }
+
+  GP::Decal_color operator()(std::size_t face, const std::array<double, 3>& shares) const
+  {
+    Colour colour;
+    if(m_image.width > 0)
+      colour = seen_along_z(face, shares);
+    else if(m_colours.empty())
+      colour = squares(face, shares);
+    else
+      for(std::size_t c = 0; c < 3; ++c)
+        colour[c] = between(face, shares,
+                            [&](std::size_t corner)
+                            { return (*m_colours[c])[m_file.corners[corner]] / 255.; });
+    return {colour[0], colour[1], colour[2], 1.};
+  }
+
+private:
+  template <typename Value>
+  static double between(std::size_t face, const std::array<double, 3>& shares, const Value& value)
+  {
+    double result = 0.;
+    for(std::size_t k = 0; k < 3; ++k)
+      result += shares[k] * value(3 * face + k);
+    return result;
+  }
+
+  // The image covers the bounding box, as it is seen against the third axis.
+  Colour seen_along_z(std::size_t face, const std::array<double, 3>& shares) const
+  {
+    UV place;
+    for(std::size_t k = 0; k < 2; ++k)
+    {
+      const double p = between(face, shares,
+                               [&](std::size_t corner)
+                               { return m_file.points[m_file.corners[corner]][k] - m_low[k]; });
+      const double size = m_high[k] - m_low[k];
+      place[k] = size > 0. ? std::clamp(p / size, 0., 1.) : 0.5;
+    }
+    return m_image.at(place[0], place[1]);
+  }
+
+  // Of the texture, in a colour of the chart.
+  Colour squares(std::size_t face, const std::array<double, 3>& shares) const
+  {
+    UV place;
+    for(std::size_t k = 0; k < 2; ++k)
+      place[k] = 3. * between(face, shares,
+                              [&](std::size_t corner) { return m_result.corner_uv[corner][k]; });
+    Colour colour = colour_of_label(m_result.charts[face]);
+    if(square_of(place) == 0)
+      for(double& part : colour)
+        part = 0.25 * part + 0.75;
+    return colour;
+  }
+
+  const Surface_file& m_file;
+  const Result& m_result;
+  const Image& m_image;
+  std::vector<const std::vector<double>*> m_colours;
+  Point m_low, m_high;
+};
+
+// The library's part.
+Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& image, Job& job)
+{
+  job.stage("query");
+  const Surface_file& file = job.surface().file;
+  Result result;
+  std::vector<UV> uv(mesh.number_of_halfedges());
+  result.charts.assign(file.number_of_polygons(), -1);
+  const Value_map<Mesh::Halfedge_index, UV> corner_uv = {&uv};
+  const GP::Texture_atlas atlas = GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
+      mesh, options.number, corner_uv,
+      GP::parameters::texture_size(options.texels)
+          .gutter_width(options.gutter)
+          .maximum_number_of_iterations(unsigned(options.iterations))
+          .chart_map(Label_map<Mesh::Face_index>{&result.charts})
+          .random_seed(job.seed())
+          .threads(job.threads())
+          .callback(job.progress("charts")));
+  const GP::Flattening_distortion distortion = GP::flattening_distortion(mesh, corner_uv);
+  job.report("charts", atlas.number_of_charts);
+  job.report("flips", atlas.number_of_flips);
+  job.report("overlaps", atlas.number_of_overlaps);
+  job.report("coverage", atlas.coverage);
+  job.report("texels_per_length", atlas.texels_per_length);
+  job.report("conformal", distortion.conformal);
+  job.report("authalic", distortion.authalic);
+  job.report("symmetric_dirichlet", distortion.symmetric_dirichlet);
+
+  result.corner_uv.resize(file.corners.size());
+  for(const auto h : mesh.halfedges())
+    if(!mesh.is_border(h))
+    {
+      const std::size_t face(mesh.face(h));
+      for(std::size_t corner = 3 * face; corner < 3 * face + 3; ++corner)
+        if(file.corners[corner] == std::size_t(mesh.target(h)))
+          result.corner_uv[corner] = uv[h];
+    }
+
+  const Painter paint(file, result, image);
+  const auto texels = GP::bake_atlas(
+      mesh, corner_uv, options.texels,
+      [&](const auto& place)
+      {
+        // Its shares begin where the face's half-edge does.
+        const auto h = mesh.halfedge(place.first);
+        const std::size_t face(place.first);
+        std::array<double, 3> shares = {0., 0., 0.};
+        std::size_t k = 0;
+        for(const auto vertex : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
+        {
+          for(std::size_t corner = 0; corner < 3; ++corner)
+            if(file.corners[3 * face + corner] == std::size_t(vertex))
+              shares[corner] = place.second[k];
+          ++k;
+        }
+        return paint(face, shares);
+      },
+      GP::parameters::gutter_width(options.gutter)
+          .background(GP::Decal_color{plain[0], plain[1], plain[2], 1.}));
+  result.texture.width = result.texture.height = options.texels;
+  for(const GP::Decal_color& texel : texels)
+    result.texture.pixels.push_back({texel[0], texel[1], texel[2]});
+  return result;
+}
+
+// Each triangle where it lies in the texture.
+Surface_file in_the_plane(const Surface_file& file, const std::vector<UV>& corner_uv)
+{
+  Surface_file result;
+  result.first = file.first;
+  for(const auto& [u, v] : corner_uv)
+  {
+    result.corners.push_back(static_cast<std::uint32_t>(result.points.size()));
+    result.points.push_back({u, v, 0.});
+  }
+  return result;
+}
+
+void check(const Job& job, const Atlas_options& options)
+{
+  if(options.number == 0)
+    throw Usage_error("atlas: give --number, at least 1.");
+  if(options.texels < 16 || options.texels > 16384)
+    throw Usage_error("--texels " + std::to_string(options.texels) + ": from 16 to 16384.");
+  if(options.gutter > options.texels / 4)
+    throw Usage_error("--gutter " + std::to_string(options.gutter) +
+                      ": at most a quarter of --texels.");
+  if(!job.output().empty())
+    check_images(job.output());
+}
+
+void run_atlas(Job& job, const Atlas_options& options)
+{
+  check(job, options);
+  const Surface& surface = job.read({"obj", "gltf", "glb"});
+  if(!surface.is_mesh())
+    throw Input_error(surface.name + ": a cloud has no faces to carry a texture.");
+  const Image image = options.image.empty() ? Image() : read_image(options.image);
+  job.stage("prepare");
+  const Result result = make_atlas(make_mesh(surface), options, image, job);
+
+  job.stage("write");
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(std::size_t corner = 0; corner < result.corner_uv.size(); ++corner)
+          text += number_text(result.corner_uv[corner][0]) + ' ' +
+                  number_text(result.corner_uv[corner][1]) + (corner % 3 == 2 ? '\n' : ' ');
+        return text;
+      });
+  Surface_file file = options.flat ? in_the_plane(surface.file, result.corner_uv) : surface.file;
+  file.corner_uv = result.corner_uv;
+  if(!job.picture().empty())
+  {
+    Picture picture{&file};
+    picture.texture = &result.texture;
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+    write_textured(job.output(), file, result.texture);
+  job.finish();
+}
+
+} // namespace
+
+void add_atlas(CLI::App& program)
+{
+  Command command(program, "atlas", "a texture: the surface cut into charts, side by side");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Atlas_options>();
+  command.add("--number", options->number, "N", "of charts to begin with");
+  command.add("--image", options->image, "FILE",
+              "a picture, .png, that is seen on the surface against the third axis; else the "
+              "colours of its vertices, or squares");
+  command.add("--texels", options->texels, "N", "along a side of the texture").shows_default();
+  command.add("--gutter", options->gutter, "N", "texels between charts").shows_default();
+  command.add("--iterations", options->iterations, "N", "steps of the charts' centres at most")
+      .shows_default();
+  command.add_flag("--flat", options->flat, "write and draw the texture's plane, not the input");
+  command.set_run([job, options] { run_atlas(*job, *options); });
+}
+
+} // namespace program

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/cloud_paths.h"
+
+#include "io/errors.h"
+
+#include <functional>
+#include <map>
+
+namespace program {
+
+namespace {
+
+template <typename Enum>
+void add_words(Command& command, const std::string& name, Enum& value, const std::string& text,
+               const std::map<std::string, Enum>& words)
+{
+  std::string list;
+  for(const auto& word : words)
+    list += (list.empty() ? "" : ", ") + word.first;
+  const std::function<void(const std::string&)> read =
+      [&value, name, words, list](const std::string& word)
+  {
+    const auto found = words.find(word);
+    if(found == words.end())
+      throw Usage_error(name + ' ' + word + ": it is one of " + list + '.');
+    value = found->second;
+  };
+  command.add(name, read, "NAME", "on a cloud, " + text + ": " + list);
+}
+
+} // namespace
+
+void add_surfel_options(Command& command, Surfel_options& options)
+{
+  using GP::Surfel_graph;
+  using GP::Surfel_noise;
+  add_words<Surfel_graph>(command, "--surfel-graph", options.graph, "which surfels are joined",
+                          {{"extended-spheres", Surfel_graph::extended_spheres},
+                           {"spheres", Surfel_graph::spheres},
+                           {"nearest", Surfel_graph::nearest}});
+  add_words<Surfel_noise>(command, "--surfel-noise", options.noise, "what is done about noise",
+                          {{"removed-when-found", Surfel_noise::removed_when_found},
+                           {"removed", Surfel_noise::removed},
+                           {"kept", Surfel_noise::kept}});
+}
+
+void add_cloud_path_options(Command& command, Cloud_path_options& options)
+{
+  using GP::Surfel_path_method;
+  add_surfel_options(command, options.surfels);
+  add_words<Surfel_path_method>(command, "--surfel-path-method", options.method,
+                                "what holds the path",
+                                {{"projected-quadrics", Surfel_path_method::projected_quadrics},
+                                 {"projected-spheres", Surfel_path_method::projected_spheres},
+                                 {"projected-planes", Surfel_path_method::projected_planes},
+                                 {"spheres", Surfel_path_method::spheres},
+                                 {"robust-spheres", Surfel_path_method::robust_spheres},
+                                 {"planes", Surfel_path_method::planes},
+                                 {"disks", Surfel_path_method::disks}});
+  command.add("--control-points", options.control_points, "N", "on a cloud, of the path, at most")
+      .shows_default();
+}
+
+Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& options, const Job& job)
+{
+  const auto np = GP::parameters::surfel_graph(options.surfels.graph)
+                      .surfel_noise(options.surfels.noise)
+                      .surfel_path_method(options.method)
+                      .number_of_control_points(options.control_points)
+                      .threads(job.threads());
+  const auto radius = cloud.property_map<double>("radius");
+  return radius.second ? Path_finder(cloud, np.radius_map(radius.first)) : Path_finder(cloud, np);
+}
+
+Surface_file seen_surfels(const Cloud& cloud, const Path_finder& finder)
+{
+  Surface_file result;
+  for(const Cloud::Index& surfel : cloud)
+  {
+    result.points.push_back(coordinates(finder.point(surfel)));
+    result.normals.push_back(coordinates(finder.normal(surfel)));
+  }
+  return result;
+}
+
+} // namespace program

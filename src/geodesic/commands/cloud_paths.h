@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_CLOUD_PATHS_H
+#define GEODESIC_PROGRAM_CLOUD_PATHS_H
+
+#include "commands/queries.h"
+
+namespace program {
+
+using Path_finder = GP::Surfel_path_finder<Cloud>;
+
+// How the surfels of a cloud are joined, and what noise is done about.
+struct Surfel_options
+{
+  GP::Surfel_graph graph = GP::Surfel_graph::extended_spheres;
+  GP::Surfel_noise noise = GP::Surfel_noise::removed_when_found;
+};
+
+void add_surfel_options(Command& command, Surfel_options& options);
+
+// What holds a path on a cloud.
+struct Cloud_path_options
+{
+  Surfel_options surfels;
+  GP::Surfel_path_method method = GP::Surfel_path_method::projected_quadrics;
+  std::size_t control_points = 75;
+};
+
+void add_cloud_path_options(Command& command, Cloud_path_options& options);
+
+// With the radii of the file's property "radius" where it has one.
+Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& options, const Job& job);
+
+// The surfels of a cloud as paths see them.
+Surface_file seen_surfels(const Cloud& cloud, const Path_finder& finder);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_CLOUD_PATHS_H

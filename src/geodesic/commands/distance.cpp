@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "commands/densities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace program {
+
+namespace {
+
+struct Distance_options
+{
+  std::string source;    // "V,V,..."
+  std::string source_at; // "x,y,z"
+  bool source_border = false;
+  std::string method = "euclidean";
+  std::optional<std::size_t> basis;
+  double limit = std::numeric_limits<double>::infinity();
+  Density_options densities;
+};
+
+struct Result
+{
+  std::vector<double> values; // #vertices
+  // For the picture:
+  std::vector<Point> sources;           // where they are; none for borders
+  std::vector<std::uint32_t> triangles; // of a cloud
+};
+
+// Of all vertices, from the one source that such a distance has.
+template <typename Surface_type, typename Domain>
+std::vector<double> metric_distances(const Domain& domain, const Distance_options& options,
+                                     Job& job)
+{
+  std::vector<double> result(job.surface().file.points.size());
+  const Value_map<typename Domain::Site> map{&result};
+  const auto np =
+      GP::parameters::threads(job.threads()).callback(job.progress("distance to each vertex"));
+  with_metric<Surface_type>(
+      domain, options.method, options.basis, job,
+      [&](const auto& metric)
+      {
+        job.stage("query");
+        if(options.source_at.empty())
+          metric.template write_distances<CGAL::Parallel_tag>(
+              site<Surface_type>(parse_integers(options.source, "--source").front()), map, np);
+        else
+          metric.template write_distances<CGAL::Parallel_tag>(
+              locate(domain, options.source_at, "--source-at"), map, np);
+      });
+  return result;
+}
+
+// The library's part: distances of all vertices.
+template <typename Surface_type>
+Result distances(const Surface_type& surface, const Distance_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Domain = std::decay_t<decltype(domain)>;
+  Result result;
+  std::vector<GP::Source<Surface_type>> sources;
+  if(!options.source.empty())
+    for(const std::size_t vertex : parse_integers(options.source, "--source"))
+    {
+      sources.emplace_back(site<Surface_type>(vertex));
+      result.sources.push_back(job.surface().file.points[vertex]);
+    }
+  if(!options.source_at.empty())
+  {
+    const typename Domain::Location location = locate(domain, options.source_at, "--source-at");
+    sources.emplace_back(location);
+    result.sources.push_back(coordinates(domain.point(domain.inner(location))));
+  }
+  if constexpr(is_mesh<Surface_type>)
+    if(options.source_border)
+      GP::border_sources(surface, std::back_inserter(sources));
+  if(sources.empty())
+    fail(job.input(), "it has no border");
+
+  if(is_metric(options.method))
+  {
+    result.values = metric_distances<Surface_type>(domain, options, job);
+    result.triangles = picture_triangles(domain, job);
+    return result;
+  }
+  const std::vector<double> speed = speeds(domain, options.densities, job);
+  const auto limits =
+      GP::parameters::maximum_distance(options.limit).callback(job.progress("distance"));
+  result.values.resize(job.surface().file.points.size());
+  with_method<Surface_type>(
+      options.method,
+      [&](auto method)
+      {
+        GP::Geodesic_distance_solver<Surface_type, decltype(method)> solver(domain);
+        job.stage("query");
+        with_speeds<typename Domain::Site>(speed, limits,
+                                           [&](const auto& np) { solver.compute(sources, np); });
+        for(std::size_t i = 0; i < result.values.size(); ++i)
+          result.values[i] = solver.distance(site<Surface_type>(i));
+      });
+  result.triangles = picture_triangles(domain, job);
+  return result;
+}
+
+void check(const Distance_options& options)
+{
+  if(options.source.empty() && options.source_at.empty() && !options.source_border)
+    throw Usage_error("distance: give --source, --source-at or --source-border.");
+  if(!options.source.empty())
+    parse_integers(options.source, "--source");
+  if(!options.source_at.empty())
+    parse_point(options.source_at, "--source-at");
+  if(!is_metric(options.method))
+    check_method(options.method);
+  else if(options.source_border || std::isfinite(options.limit) ||
+          options.source.empty() == options.source_at.empty() ||
+          options.source.find(',') != std::string::npos)
+    throw Usage_error("--method " + options.method + ": it takes one source and no limit.");
+  check_basis(options.method, options.basis);
+  if(!(options.limit >= 0.))
+    throw Usage_error("--limit: a distance is not negative.");
+  check(options.densities);
+  if(options.densities.are_given() && options.method != "fast-marching" &&
+     options.method != "euclidean")
+    throw Usage_error("--speed: only the methods fast-marching and euclidean take speeds.");
+}
+
+void run_distance(Job& job, const Distance_options& options)
+{
+  check(options);
+  const Surface& surface = job.read();
+  if(!is_metric(options.method))
+    check_method(options.method, surface);
+  if(!options.source.empty())
+    for(const std::size_t vertex : parse_integers(options.source, "--source"))
+      check_vertex(surface, vertex);
+  if(options.source_border && !surface.is_mesh())
+    fail(surface.name, "a cloud has no border");
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud) { result = distances(mesh_or_cloud, options, job); });
+  const double farthest = report_distances(job, result.values);
+
+  job.stage("write");
+  job.write_values([&] { return lines(result.values); });
+  if(!job.picture().empty())
+    draw(job.picture(),
+         {&surface.file, result.values, "distance", {}, {}, result.sources, result.triangles});
+  if(!job.output().empty())
+    write_result(job, "distance", result.values, farthest);
+  job.finish();
+}
+
+} // namespace
+
+void add_distance(CLI::App& program)
+{
+  Command command(program, "distance", "distances along the surface from the nearest source");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Distance_options>();
+  command.add("--source", options->source, "V[,V...]", "vertices by their place in the file");
+  command.add("--source-at", options->source_at, "x,y,z", "the place nearest to a point");
+  command.add_flag("--source-border", options->source_border, "all borders of a mesh");
+  command
+      .add(
+          "--method", options->method, "NAME",
+          "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic from one "
+          "source, by transport of masses, which takes seconds")
+      .shows_default();
+  command.add("--basis", options->basis, "K",
+              "of emd: from 0, spectral, on it comes nearer to distances along the surface "
+              "(default 100)");
+  command.add("--limit", options->limit, "D", "go no farther");
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_distance(*job, *options); });
+}
+
+} // namespace program

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "commands/transports.h"
+
+namespace program {
+
+namespace {
+
+constexpr const char* complete = "complete";
+
+struct Emd_options : Transport_options
+{
+  std::string basis = complete;
+};
+
+std::size_t basis_size(const Emd_options& options)
+{
+  const std::optional<long long> result = to_integer(options.basis);
+  if(!result || *result < 0)
+    throw Usage_error("--basis " + shown(options.basis) + ": it is a number, or complete.");
+  return static_cast<std::size_t>(*result);
+}
+
+void check(const Emd_options& options, const Job& job)
+{
+  if(options.from.empty() || options.to.empty())
+    throw Usage_error("emd: give --from and --to.");
+  check(options);
+  if(options.basis == complete)
+    return;
+  basis_size(options);
+  if(options.refine || options.bound_above || options.method != "interior-point" ||
+     options.densities.are_given() || !job.values().empty())
+    throw Usage_error(
+        "--basis: --method, --refine, --bound-above, speeds and --values, the potential, "
+        "are for the complete one.");
+}
+
+// The library's part.
+template <typename Surface_type>
+Transport_result find_transport(const Surface_type& surface, const Masses& from, const Masses& to,
+                                const Emd_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Site = typename std::decay_t<decltype(domain)>::Site;
+  Transport_result result;
+  const auto with_both = [&](auto f)
+  {
+    with_masses<Site>(from, [&](const auto& before)
+                      { with_masses<Site>(to, [&](const auto& after) { f(before, after); }); });
+  };
+  if(options.basis == complete)
+  {
+    std::optional<GP::Earth_movers_solver<Surface_type>> solver;
+    with_preparation<Site>(domain, options, job,
+                           [&](const auto& np) { solver.emplace(domain, np); });
+    job.stage("query");
+    with_both(
+        [&](const auto& before, const auto& after)
+        {
+          with_transport_method(options.method,
+                                [&](auto method) {
+                                  result.cost = solver->template compute<decltype(method)>(
+                                      before, after, query(options, job));
+                                });
+        });
+    job.result()["estimate"] = json_number(result.cost.estimate);
+    read_solution(*solver, surface, job, result);
+  }
+  else
+  {
+    const GP::Transport_metric<Surface_type> metric(domain, basis_size(options));
+    job.result()["basis"] = metric.basis_size();
+    job.stage("query");
+    const auto flow = vector_map(result.fields["flow"], surface);
+    with_both([&](const auto& before, const auto& after)
+              { result.cost = metric.cost(before, after, query(options, job).flow_map(flow)); });
+  }
+  decompose(domain, surface, options, result);
+  result.triangles = picture_triangles(domain, job);
+  return result;
+}
+
+void run_emd(Job& job, const Emd_options& options)
+{
+  check(options, job);
+  const Surface& surface = job.read({"ply", "vtp"});
+  const Masses from = read_masses(options.from, "--from", options, surface);
+  const Masses to = read_masses(options.to, "--to", options, surface);
+  check(options, surface);
+
+  job.stage("prepare");
+  Transport_result result;
+  on_surface(surface, [&](const auto& mesh_or_cloud)
+             { result = find_transport(mesh_or_cloud, from, to, options, job); });
+  report(job, options, result.cost, "earth mover's distance");
+
+  job.stage("write");
+  std::vector<std::size_t> marked = from.vertices;
+  marked.insert(marked.end(), to.vertices.begin(), to.vertices.end());
+  write_transport(job, result, marked);
+  job.finish();
+}
+
+} // namespace
+
+void add_emd(CLI::App& program)
+{
+  Command command(program, "emd", "what it costs to move masses along the surface");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Emd_options>();
+  command.add(
+      "--from", options->from, "X",
+      "vertices V[,V...] by their place in the file, which share a mass of one; a property of "
+      "the vertices; or a file with a mass on each line");
+  command.add("--to", options->to, "X", "likewise");
+  command
+      .add(
+          "--basis", options->basis, "K",
+          "seek among turned gradients of so many eigenfunctions alone, rounded up to the next gap "
+          "between eigenvalues, which has no potential; or complete")
+      .shows_default();
+  add_options(command, *options);
+  command.set_run([job, options] { run_emd(*job, *options); });
+}
+
+} // namespace program

@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "app/commands.h"
+#include "picture/drawings.h"
+#include "io/errors.h"
+#include "commands/parameterizations.h"
+#include "commands/queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace program {
+
+namespace {
+
+using UV = std::array<double, 2>;
+
+struct Flatten_options
+{
+  std::string method = "glle";
+  std::optional<std::size_t> base_points;
+  std::size_t neighbors = 10;
+  bool injective = false, flat = false;
+};
+
+// The library's part: the map, and on a mesh what it does to faces.
+template <typename Surface_type>
+void flatten_surface(const Surface_type& surface, const Flatten_options& options, Job& job,
+                     std::vector<UV>& uv)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const Value_map<typename decltype(domain)::Site, UV> map = {&uv};
+  job.stage("query");
+  if(options.method == "glle" || options.method == "mds")
+  {
+    const auto np = GP::parameters::random_seed(job.seed()).callback(job.progress("flattening"));
+    const auto flatten = [&](const auto& with)
+    {
+      const auto base =
+          options.method == "mds"
+              ? GP::geodesic_mds(domain, map, with)
+              : GP::geodesic_lle(domain, map, with.number_of_neighbors(options.neighbors));
+      job.result()["base_points"] = base.size();
+    };
+    if(options.base_points)
+      flatten(np.number_of_base_points(*options.base_points));
+    else
+      flatten(np);
+  }
+  else
+    uv = parameterization(job.surface(), options.method);
+  if constexpr(is_mesh<Surface_type>)
+  {
+    if(options.injective)
+    {
+      const GP::Distortion_minimum found = GP::minimize_distortion(
+          domain, map, GP::parameters::callback(job.progress("less distortion")));
+      job.result()["flips_before"] = found.number_of_flips_before;
+      job.result()["steps"] = found.number_of_steps;
+      job.say("flips before    " + std::to_string(found.number_of_flips_before));
+    }
+    const GP::Flattening_distortion found = GP::flattening_distortion(surface, map);
+    job.report("flips", found.number_of_flips);
+    job.report("conformal", found.conformal);
+    job.report("authalic", found.authalic);
+    job.report("symmetric_dirichlet", found.symmetric_dirichlet);
+    job.report("l2_stretch", found.l2_stretch);
+    job.report("linf_stretch", found.linf_stretch);
+  }
+}
+
+void check(const Flatten_options& options)
+{
+  if(options.method != "glle" && options.method != "mds" && options.method != "lscm" &&
+     options.method != "authalic" && options.method != "arap")
+    throw Usage_error("--method " + options.method +
+                      ": the methods are glle, mds, lscm, authalic and arap.");
+}
+
+// Where the smallest square around the image is the unit square.
+std::vector<UV> in_unit_square(const std::vector<UV>& uv)
+{
+  UV low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  double size = 0.;
+  for(const auto& p : uv)
+    if(std::isfinite(p[0]))
+      for(int k = 0; k < 2; ++k)
+        low[k] = std::min(low[k], p[k]);
+  for(const auto& p : uv)
+    if(std::isfinite(p[0]))
+      size = std::max({size, p[0] - low[0], p[1] - low[1]});
+  std::vector<UV> result;
+  for(const auto& p : uv)
+    result.push_back(std::isfinite(p[0]) && size > 0.
+                         ? UV{(p[0] - low[0]) / size, (p[1] - low[1]) / size}
+                         : UV{0., 0.});
+  return result;
+}
+
+// The input, or what lies in the plane, with squares on it.
+void draw_map(const Job& job, const Surface_file& surface, const std::vector<UV>& unit)
+{
+  Surface_file file = surface;
+  const Image image = checkers();
+  Picture picture{&file};
+  if(file.corners.empty())
+    for(const UV& p : unit)
+      picture.labels.push_back(square_of(p));
+  else
+  {
+    for(const std::uint32_t corner : file.corners)
+      file.corner_uv.push_back(unit[corner]);
+    picture.texture = &image;
+  }
+  draw(job.picture(), picture);
+}
+
+void run_flatten(Job& job, const Flatten_options& options)
+{
+  check(options);
+  const Surface& surface = job.read();
+  const bool is_ours = options.method == "glle" || options.method == "mds";
+  if(!surface.is_mesh() && (options.injective || !is_ours))
+    throw Input_error(
+        surface.name + ": " +
+        (options.injective ? "--injective needs" : "--method " + options.method + " needs") +
+        " a mesh.");
+  job.stage("prepare");
+  std::vector<UV> uv(surface.file.points.size());
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud) { flatten_surface(mesh_or_cloud, options, job, uv); });
+
+  job.stage("write");
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(const auto& [u, v] : uv)
+          text += number_text(u) + ' ' + number_text(v) + '\n';
+        return text;
+      });
+  const std::vector<UV> unit = in_unit_square(uv);
+  Surface_file file = surface.file;
+  if(options.flat)
+    for(std::size_t i = 0; i < uv.size(); ++i)
+    {
+      file.points[i] = std::isfinite(uv[i][0]) ? Point{uv[i][0], uv[i][1], 0.} : Point{0., 0., 0.};
+      if(!file.normals.empty())
+        file.normals[i] = {0., 0., 1.};
+    }
+  if(!job.picture().empty())
+    draw_map(job, file, unit);
+  if(!job.output().empty())
+  {
+    file.uv = unit;
+    for(const auto& [u, v] : uv)
+    {
+      file.properties["u"].push_back(u);
+      file.properties["v"].push_back(v);
+    }
+    write_surface_file(job.output(), file);
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_flatten(CLI::App& program)
+{
+  Command command(program, "flatten", "a patch laid into the plane");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Flatten_options>();
+  command
+      .add("--method", options->method, "NAME",
+           "glle, by geodesic distances between neighbours; mds, by those of all pairs; or of a "
+           "mesh "
+           "CGAL's lscm, authalic and arap")
+      .shows_default();
+  command.add("--base-points", options->base_points, "N",
+              "how many points carry glle and mds: 200, for glle more where the patch is narrow");
+  command.add("--neighbors", options->neighbors, "K", "how many of them are around each, for glle")
+      .shows_default();
+  command.add_flag("--injective", options->injective,
+                   "no face turned round: then as little distortion as can be");
+  command.add_flag("--flat", options->flat, "write and draw the plane, not the input");
+  command.set_run([job, options] { run_flatten(*job, *options); });
+}
+
+} // namespace program

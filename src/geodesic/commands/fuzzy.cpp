@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "io/errors.h"
+#include "commands/transports.h"
+
+namespace program {
+
+namespace {
+
+struct Fuzzy_options : Transport_options
+{
+  std::optional<double> width;
+  bool by_distances = false;
+};
+
+std::size_t vertex_of(const std::string& text, const std::string& option)
+{
+  const std::vector<std::size_t> vertices = parse_integers(text, option);
+  if(vertices.size() != 1)
+    throw Usage_error(option + ": give one vertex.");
+  return vertices[0];
+}
+
+// The library's part: likelihoods of all vertices.
+template <typename Surface_type>
+Transport_result likelihoods(const Surface_type& surface, std::size_t from, std::size_t to,
+                             const Fuzzy_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Site = typename std::decay_t<decltype(domain)>::Site;
+  const Site p = site<Surface_type>(from), q = site<Surface_type>(to);
+  job.stage("query");
+  Transport_result result;
+  result.potential.resize(job.surface().file.points.size());
+  const Value_map<Site> map{&result.potential};
+  const auto find = [&](const auto& np)
+  {
+    if(options.by_distances)
+      GP::fuzzy_geodesic_by_distances(domain, p, q, map, np);
+    else
+      with_preparation<Site>(
+          domain, options, job,
+          [&](const auto& prepared)
+          {
+            const auto with_all =
+                prepared.tolerance(options.tolerance).callback(job.progress("transport"));
+            if(options.width)
+              result.cost = GP::fuzzy_geodesic(domain, p, q, map, with_all.width(*options.width));
+            else
+              result.cost = GP::fuzzy_geodesic(domain, p, q, map, with_all);
+          });
+  };
+  if(options.width)
+    find(GP::parameters::width(*options.width));
+  else
+    find(GP::parameters::threads(job.threads()));
+  result.triangles = picture_triangles(domain, job);
+  return result;
+}
+
+void run_fuzzy(Job& job, const Fuzzy_options& options)
+{
+  if(options.from.empty() || options.to.empty())
+    throw Usage_error("fuzzy: give --from and --to.");
+  const std::size_t from = vertex_of(options.from, "--from"), to = vertex_of(options.to, "--to");
+  if(from == to)
+    throw Usage_error("fuzzy: --from and --to are the same.");
+  if(options.width && !(*options.width > 0.))
+    throw Usage_error("--width: it is positive.");
+  check(options);
+  const Surface& surface = job.read();
+  check_vertex(surface, from);
+  check_vertex(surface, to);
+
+  job.stage("prepare");
+  Transport_result result;
+  on_surface(surface, [&](const auto& mesh_or_cloud)
+             { result = likelihoods(mesh_or_cloud, from, to, options, job); });
+  if(!options.by_distances)
+    report(job, options, result.cost, "cost");
+
+  job.stage("write");
+  job.write_values([&] { return lines(result.potential); });
+  if(!job.picture().empty())
+  {
+    Picture picture{&surface.file, result.potential, "likelihood"};
+    picture.markers = {surface.file.points[from], surface.file.points[to]};
+    picture.triangles = result.triangles;
+    picture.with_lines = options.by_distances;
+    for(std::size_t i = 0; i < result.potential.size(); ++i)
+      if(result.potential[i] > 0.3)
+        picture.places.push_back(surface.file.points[i]);
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+    write_result(job, "likelihood", result.potential, 1.);
+  job.finish();
+}
+
+} // namespace
+
+void add_fuzzy(CLI::App& program)
+{
+  Command command(program, "fuzzy", "how likely shortest paths between two vertices pass where");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Fuzzy_options>();
+  command.add("--from", options->from, "V", "a vertex by its place in the file");
+  command.add("--to", options->to, "V", "likewise");
+  command.add("--width", options->width, "W",
+              "of the blobs of mass around them (default a twentieth of the distance)");
+  command.add_flag("--by-distances", options->by_distances,
+                   "by how much of a detour each vertex is, over --width, instead of by a flow");
+  command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
+      .shows_default();
+  command.add("--refine", options->refine, "N", "as in emd");
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_fuzzy(*job, *options); });
+}
+
+} // namespace program

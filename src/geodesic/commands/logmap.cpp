@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "picture/drawings.h"
+#include "commands/queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace program {
+
+namespace {
+
+struct Logmap_options
+{
+  std::string base, base_at, up;
+  double radius = std::numeric_limits<double>::infinity();
+  std::string method = "gradient";
+  std::string distances = "euclidean";
+};
+
+struct Result
+{
+  std::vector<std::array<double, 2>> uv; // #vertices, not numbers outside
+  Point base, normal;
+  std::size_t reached = 0, cut = 0, folded = 0;
+  std::vector<std::size_t> cut_faces; // of a mesh
+};
+
+template <typename Surface_type, typename Method>
+Result map_around(const GP::internal::Domain_of<Surface_type>& domain,
+                  const Logmap_options& options, Job& job)
+{
+  GP::Logarithmic_map<Surface_type, Method> map(domain);
+  job.stage("query");
+  const auto limits = GP::parameters::maximum_distance(options.radius);
+  const auto compute = [&](const auto& base)
+  {
+    if(options.up.empty())
+      return map.compute(base, limits);
+    const Point up = parse_point(options.up, "--up");
+    map.compute(base, limits.up_direction(Kernel::Vector_3(up[0], up[1], up[2])));
+  };
+  if(options.base_at.empty())
+    compute(site<Surface_type>(parse_integers(options.base, "--base").front()));
+  else
+    compute(locate(domain, options.base_at, "--base-at"));
+  Result result;
+  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
+    result.uv.push_back(map(site<Surface_type>(i)));
+  const auto frame = map.frame();
+  result.base = coordinates(frame.origin);
+  result.normal = coordinates(frame.normal());
+  result.reached = map.reached().size();
+  result.cut = map.number_of_cut_faces();
+  if constexpr(is_mesh<Surface_type>)
+    map.for_each_cut_face([&](Mesh::Face_index face) { result.cut_faces.push_back(face); });
+  result.folded = map.number_of_folded_faces();
+  return result;
+}
+
+// The library's part.
+template <typename Surface_type>
+Result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  if constexpr(is_mesh<Surface_type>)
+    if(options.method == "exact")
+      return map_around<Surface_type, GP::Exact>(domain, options, job);
+  if(options.method == "discrete-exponential")
+    return map_around<Surface_type, GP::Discrete_exponential>(domain, options, job);
+  Result result;
+  with_method<Surface_type>(
+      options.distances, [&](auto method)
+      { result = map_around<Surface_type, GP::Gradient<decltype(method)>>(domain, options, job); });
+  return result;
+}
+
+void check(const Logmap_options& options)
+{
+  if(options.base.empty() == options.base_at.empty())
+    throw Usage_error("logmap: give either --base or --base-at.");
+  if(!options.base.empty() && parse_integers(options.base, "--base").size() != 1)
+    throw Usage_error("--base: give one vertex.");
+  if(!options.base_at.empty())
+    parse_point(options.base_at, "--base-at");
+  if(!options.up.empty())
+    parse_point(options.up, "--up");
+  if(!(options.radius >= 0.))
+    throw Usage_error("--radius: a distance is not negative.");
+  if(options.method != "gradient" && options.method != "exact" &&
+     options.method != "discrete-exponential")
+    throw Usage_error("--method " + shown(options.method) +
+                      ": the methods are gradient, exact and discrete-exponential.");
+  check_method(options.distances);
+}
+
+double largest(const std::vector<std::array<double, 2>>& uv)
+{
+  double result = 0.;
+  for(const auto& [u, v] : uv)
+    if(std::isfinite(u))
+      result = std::max(result, std::hypot(u, v));
+  return result;
+}
+
+// The disk in the middle of a picture; its corner is outside.
+std::array<double, 2> in_picture(const std::array<double, 2>& uv, double size)
+{
+  if(!std::isfinite(uv[0]) || !(size > 0.))
+    return {0., 0.};
+  return {0.5 + 0.5 * uv[0] / size, 0.5 + 0.5 * uv[1] / size};
+}
+
+// Rings and rays around the base; on a mesh across the faces that are inside and not cut.
+void draw_map(const Job& job, const Result& result)
+{
+  Surface_file file = job.surface().file;
+  const double size = largest(result.uv);
+  Picture picture{&file};
+  picture.markers = {result.base};
+  picture.normals = {result.normal};
+  Image grid = polar_grid();
+  if(file.corners.empty())
+    for(const auto& [u, v] : result.uv)
+      picture.labels.push_back(polar_cell(u / size, v / size, 10));
+  else
+  {
+    for(std::size_t i = 0; i < grid.pixels.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c)
+        grid.pixels[i][c] = grid.opacity[i] * grid.pixels[i][c] + (1. - grid.opacity[i]) * plain[c];
+    for(const std::uint32_t corner : file.corners)
+      file.corner_uv.push_back(in_picture(result.uv[corner], size));
+    const auto leave_out = [&](std::size_t face)
+    {
+      std::fill_n(file.corner_uv.begin() + 3 * static_cast<std::ptrdiff_t>(face), 3,
+                  std::array<double, 2>{0., 0.});
+    };
+    for(std::size_t i = 0; i < file.corners.size(); ++i)
+      if(!std::isfinite(result.uv[file.corners[i]][0]))
+        leave_out(i / 3);
+    std::for_each(result.cut_faces.begin(), result.cut_faces.end(), leave_out);
+    picture.texture = &grid;
+  }
+  draw(job.picture(), picture);
+}
+
+void run_logmap(Job& job, const Logmap_options& options)
+{
+  check(options);
+  const Surface& surface = job.read();
+  check_method(options.method == "exact" ? options.method : options.distances, surface);
+  if(!options.base.empty())
+    check_vertex(surface, parse_integers(options.base, "--base").front());
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
+  job.result()["values"] = result.reached;
+  job.result()["cut"] = result.cut;
+  job.result()["folded_faces"] = result.folded;
+  job.say("reached         " + std::to_string(result.reached) + " vertices");
+  job.say("cut             " + std::to_string(result.cut) + " faces");
+  job.say("folded          " + std::to_string(result.folded) + " faces");
+
+  job.stage("write");
+  job.write_values(
+      [&]
+      {
+        std::string text;
+        for(const auto& [u, v] : result.uv)
+          text += number_text(u) + ' ' + number_text(v) + '\n';
+        return text;
+      });
+  if(!job.picture().empty())
+    draw_map(job, result);
+  if(!job.output().empty())
+  {
+    Surface_file file = surface.file;
+    file.uv.clear();
+    const double size = largest(result.uv);
+    for(const auto& [u, v] : result.uv)
+    {
+      file.properties["u"].push_back(u);
+      file.properties["v"].push_back(v);
+      file.uv.push_back(in_picture({u, v}, size));
+    }
+    write_surface_file(job.output(), file);
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_logmap(CLI::App& program)
+{
+  Command command(program, "logmap", "the surface around a place, in normal coordinates");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Logmap_options>();
+  command.add("--base", options->base, "V", "a vertex by its place in the file");
+  command.add("--base-at", options->base_at, "x,y,z", "the place nearest to a point");
+  command.add("--radius", options->radius, "R", "go no farther");
+  command.add("--up", options->up, "x,y,z", "where the second axis points");
+  command
+      .add("--method", options->method, "NAME",
+           "gradient, of squared distances; exact, by directions of shortest paths; or "
+           "discrete-exponential, along edges")
+      .shows_default();
+  command
+      .add("--distances", options->distances, "NAME",
+           "for the gradient: dijkstra, fast-marching, euclidean, exact or heat")
+      .shows_default();
+  command.set_run([job, options] { run_logmap(*job, *options); });
+}
+
+} // namespace program

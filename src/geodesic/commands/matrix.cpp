@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "app/commands.h"
+#include "io/errors.h"
+#include "commands/queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace program {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Matrix_options
+{
+  std::string sources; // "V,V,..."
+  std::optional<std::size_t> number;
+  std::string method = "euclidean";
+  std::optional<std::size_t> basis;
+  double limit = infinity;
+
+  bool is_sparse() const { return limit < infinity; }
+  bool of_all_vertices() const { return sources.empty() && !number; }
+};
+
+using Sparse_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+struct Result
+{
+  std::vector<std::size_t> vertices; // of the rows, and of the columns
+  Eigen::MatrixXd dense;             // one of the two is empty
+  Sparse_matrix sparse;
+  std::size_t entries = 0; // pairs that a path joins, within the limit
+  // For the picture:
+  std::vector<double> values;           // #vertices
+  std::vector<std::uint32_t> triangles; // of a cloud
+};
+
+// What a picture shows: how far the vertices of the rows are, or, where all are, how many are near.
+template <typename Method, typename Domain>
+std::vector<double>
+picture_values(const Domain& domain, const std::vector<typename Domain::Site>& sites,
+               const Result& result, const Matrix_options& options, const Job& job)
+{
+  std::vector<double> values(job.surface().file.points.size());
+  if(options.of_all_vertices())
+  {
+    for(std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<double>(result.sparse.outerIndexPtr()[i + 1] -
+                                      result.sparse.outerIndexPtr()[i]);
+    return values;
+  }
+  using Surface_type = typename Domain::Surface;
+  GP::Geodesic_distance_solver<Surface_type, Method> solver(domain);
+  solver.compute(sites, GP::parameters::maximum_distance(options.limit));
+  for(std::size_t i = 0; i < values.size(); ++i)
+    values[i] = solver.distance(site<Surface_type>(i));
+  return values;
+}
+
+// The library's part: the vertices of the rows, and the distances between them.
+template <typename Surface_type>
+Result find_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Domain = std::decay_t<decltype(domain)>;
+  job.stage("query");
+  Result result;
+  if(!options.sources.empty())
+    result.vertices = parse_integers(options.sources, "--sources");
+  else if(options.number)
+    result.vertices = farthest_vertices(domain, *options.number, job);
+  else
+  {
+    result.vertices.resize(job.surface().file.points.size());
+    std::iota(result.vertices.begin(), result.vertices.end(), std::size_t{0});
+  }
+  std::vector<typename Domain::Site> sites;
+  for(const std::size_t vertex : result.vertices)
+    sites.push_back(site<Surface_type>(vertex));
+
+  const auto parameters =
+      GP::parameters::threads(job.threads()).callback(job.progress("distances"));
+  if(is_metric(options.method))
+  {
+    with_metric<Surface_type>(domain, options.method, options.basis, job,
+                              [&](const auto& metric)
+                              { result.dense = metric.distance_matrix(sites); });
+    if(!job.picture().empty()) // of lengths
+      result.values = picture_values<GP::Euclidean_front>(domain, sites, result, options, job);
+  }
+  else
+    with_method<Surface_type>(
+        options.method,
+        [&](auto method)
+        {
+          using Method = decltype(method);
+          if(options.is_sparse())
+            result.sparse = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
+                domain, sites, options.limit, parameters);
+          else
+            result.dense =
+                GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, sites, parameters);
+          if(!job.picture().empty())
+            result.values = picture_values<Method>(domain, sites, result, options, job);
+        });
+  result.entries = options.is_sparse()
+                       ? static_cast<std::size_t>(result.sparse.nonZeros())
+                       : static_cast<std::size_t>((result.dense.array() < infinity).count());
+  result.triangles = picture_triangles(domain, job);
+  return result;
+}
+
+// A line for each entry: row, column, distance.
+void append_entries(std::string& text, const Sparse_matrix& matrix, Eigen::Index first)
+{
+  for(Eigen::Index row = 0; row < matrix.rows(); ++row)
+    for(Sparse_matrix::InnerIterator entry(matrix, row); entry; ++entry)
+    {
+      text += std::to_string(row + first) + ' ' + std::to_string(entry.col() + first) + ' ';
+      append_number(text, entry.value());
+      text += '\n';
+    }
+}
+
+// A line for each row, or for each entry of a sparse matrix.
+std::string values_text(const Result& result)
+{
+  std::string text;
+  append_entries(text, result.sparse, 0);
+  for(Eigen::Index row = 0; row < result.dense.rows(); ++row)
+    for(Eigen::Index column = 0; column < result.dense.cols(); ++column)
+    {
+      append_number(text, result.dense(row, column));
+      text += column + 1 < result.dense.cols() ? ' ' : '\n';
+    }
+  return text;
+}
+
+// Matrix Market: "coordinate" counts from 1, "array" holds columns one after another.  The distances
+// of most methods are not symmetric to the last digit, so the matrix is "general".
+std::string to_matrix_market(const Result& result, bool is_sparse)
+{
+  std::string text = "%%MatrixMarket matrix ";
+  text += is_sparse ? "coordinate" : "array";
+  text += " real general\n";
+  const std::string rows = std::to_string(result.vertices.size());
+  text += rows + ' ' + rows + (is_sparse ? ' ' + std::to_string(result.entries) : "") + '\n';
+  append_entries(text, result.sparse, 1);
+  for(Eigen::Index i = 0; i < result.dense.size(); ++i)
+  {
+    append_number(text, result.dense.data()[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+// Throws Usage_error.
+void check(const Matrix_options& options)
+{
+  if(!options.sources.empty() && options.number)
+    throw Usage_error("matrix: give either --sources or --number.");
+  if(options.number && *options.number == 0)
+    throw Usage_error("--number: a matrix has at least one row.");
+  if(!(options.limit >= 0.))
+    throw Usage_error("--limit: a distance is not negative.");
+  if(options.of_all_vertices() && !options.is_sparse())
+    throw Usage_error("matrix: of all vertices, without --sources and --number, it needs a "
+                      "--limit.");
+  if(!options.sources.empty())
+  {
+    std::vector<std::size_t> vertices = parse_integers(options.sources, "--sources");
+    std::sort(vertices.begin(), vertices.end());
+    const auto twice = std::adjacent_find(vertices.begin(), vertices.end());
+    if(twice != vertices.end())
+      throw Usage_error("--sources: vertex " + std::to_string(*twice) + " comes twice.");
+  }
+  check_basis(options.method, options.basis);
+  if(!is_metric(options.method))
+    check_method(options.method);
+  else if(options.is_sparse())
+    throw Usage_error("--method " + options.method + ": it takes no limit.");
+}
+
+void run_matrix(Job& job, const Matrix_options& options)
+{
+  check(options);
+  const Surface& surface = job.read({"mtx"});
+  if(!is_metric(options.method))
+    check_method(options.method, surface);
+  if(!options.sources.empty())
+    for(const std::size_t vertex : parse_integers(options.sources, "--sources"))
+      check_vertex(surface, vertex);
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface,
+             [&](const auto& mesh_or_cloud) { result = find_matrix(mesh_or_cloud, options, job); });
+  const std::size_t rows = result.vertices.size();
+  job.result()["rows"] = rows;
+  job.result()["entries"] = result.entries;
+  if(!options.of_all_vertices())
+    job.result()["sources"] = result.vertices;
+  job.say("rows            " + std::to_string(rows));
+  job.say("entries         " + std::to_string(result.entries));
+
+  job.stage("write");
+  job.write_values([&] { return values_text(result); });
+  if(!job.picture().empty())
+  {
+    Picture picture{&surface.file, result.values, "", {}, {}, {}, result.triangles};
+    picture.title = options.of_all_vertices() ? "vertices near" : "distance";
+    if(!options.of_all_vertices())
+      for(const std::size_t vertex : result.vertices)
+        picture.markers.push_back(surface.file.points[vertex]);
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+    write_file(job.output(), to_matrix_market(result, options.is_sparse()));
+  job.finish();
+}
+
+} // namespace
+
+void add_matrix(CLI::App& program)
+{
+  Command command(program, "matrix", "distances of all pairs of some vertices, or of near ones");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Matrix_options>();
+  command.describe("--output", "the matrix as Matrix Market: .mtx");
+  command.describe(
+      "--values",
+      "the matrix as text: its rows; of a sparse one row, column and distance of each entry");
+  command.describe("--picture",
+                   "how far the nearest of them is; of all vertices, how many are near: .png");
+  command.add("--sources", options->sources, "V[,V...]", "vertices by their place in the file");
+  command.add("--number", options->number, "N", "of vertices, spread by farthest vertices");
+  command
+      .add("--method", options->method, "NAME",
+           "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic")
+      .shows_default();
+  command.add("--basis", options->basis, "K", "of emd, as in distance (default 100)");
+  command.add("--limit", options->limit, "D",
+              "only pairs that are not farther apart, as a sparse matrix");
+  command.set_run([job, options] { run_matrix(*job, *options); });
+}
+
+} // namespace program

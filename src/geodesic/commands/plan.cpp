@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+#include "io/errors.h"
+#include "commands/transports.h"
+
+namespace program {
+
+namespace {
+
+struct Plan_options : Transport_options
+{
+  std::string capacity;
+  double spread = 0.;
+  Region_options region;
+};
+
+// One for each vertex of the region, and for what is beside them; empty without a limit.
+std::vector<double> capacities(const std::string& text, const std::vector<std::size_t>& region,
+                               std::size_t number_beside, const Surface& surface)
+{
+  std::vector<double> result;
+  if(text.empty())
+    return result;
+  if(const auto numbers = to_numbers(text))
+  {
+    if(numbers->size() != region.size() + number_beside)
+      throw Usage_error("--capacity " + shown(text) + ": there are " +
+                        std::to_string(region.size()) + " vertices" +
+                        (number_beside > 0 ? ", and " + std::to_string(number_beside) +
+                                                 " places and paths, in the region."
+                                           : " in the region."));
+    return *numbers;
+  }
+  if(number_beside > 0)
+    throw Usage_error("--capacity " + shown(text) +
+                      ": give numbers, as --to-at and --to-path have no property.");
+  const std::vector<double> values = property(surface, text);
+  for(const std::size_t vertex : region)
+    result.push_back(values[vertex]);
+  return result;
+}
+
+// The library's part.
+template <typename Surface_type>
+Transport_result find_plan(const Surface_type& surface, const Masses& from,
+                           const std::vector<std::size_t>& to, const std::vector<double>& capacity,
+                           const Plan_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Site = typename std::decay_t<decltype(domain)>::Site;
+  std::vector<GP::Source<Surface_type>> region;
+  for(const std::size_t vertex : to)
+    region.emplace_back(site<Surface_type>(vertex));
+  Transport_result result;
+  add_sources(domain, options.region, job.surface(), region, result);
+  std::optional<GP::Region_transport_solver<Surface_type>> solver;
+  with_preparation<Site>(domain, options, job,
+                         [&](const auto& np) {
+                           solver.emplace(domain, region,
+                                          np.capacities(capacity).spreading_weight(options.spread));
+                         });
+  job.stage("query");
+  with_masses<Site>(from,
+                    [&](const auto& before)
+                    {
+                      with_transport_method(options.method,
+                                            [&](auto method) {
+                                              result.cost =
+                                                  solver->template compute<decltype(method)>(
+                                                      before, query(options, job));
+                                            });
+                    });
+  read_solution(*solver, surface, job, result);
+  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
+    result.arrivals.push_back(solver->arrival(site<Surface_type>(i)));
+  decompose(domain, surface, options, result);
+  result.triangles = picture_triangles(domain, job);
+  return result;
+}
+
+void run_plan(Job& job, const Plan_options& options)
+{
+  if(options.from.empty() || (options.to.empty() && options.region.empty()))
+    throw Usage_error("plan: give --from, and --to, --to-at or --to-path.");
+  check(options);
+  check(options.region);
+  const Surface& surface = job.read({"ply", "vtp"});
+  check(options.region, surface);
+  const Masses from = read_masses(options.from, "--from", options, surface);
+  const std::vector<std::size_t> to = options.to.empty()
+                                          ? std::vector<std::size_t>()
+                                          : region_vertices(options.to, "--to", surface);
+  const std::vector<double> capacity = capacities(
+      options.capacity, to, options.region.at.size() + options.region.paths.size(), surface);
+  check(options, surface);
+
+  job.stage("prepare");
+  Transport_result result;
+  on_surface(surface, [&](const auto& mesh_or_cloud)
+             { result = find_plan(mesh_or_cloud, from, to, capacity, options, job); });
+  report(job, options, result.cost, "cost");
+  std::vector<std::size_t> marked = from.vertices;
+  if(!options.to.empty() && are_vertices(options.to))
+  {
+    marked.insert(marked.end(), to.begin(), to.end());
+    std::vector<double> arrivals;
+    for(const std::size_t vertex : to)
+    {
+      arrivals.push_back(result.arrivals[vertex]);
+      job.say("arrive at " + std::to_string(vertex) + "  " + readable(arrivals.back()));
+    }
+    job.result()["arrivals"] = arrivals;
+  }
+
+  job.stage("write");
+  write_transport(job, result, marked);
+  job.finish();
+}
+
+} // namespace
+
+void add_plan(CLI::App& program)
+{
+  Command command(program, "plan", "how masses move to wherever in a region it costs the least");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Plan_options>();
+  command.add("--from", options->from, "X", "masses, as those of emd");
+  command.add("--to", options->to, "X",
+              "vertices V[,V...], or a property that is positive at those of the region");
+  add_region_options(command, options->region, "--to");
+  command.add(
+      "--capacity", options->capacity, "X",
+      "how much may arrive at each vertex, then place, then path: X[,X...] in their order, or a "
+      "property");
+  command.add("--spread", options->spread, "W",
+              "pay W times the integral of the squared density of what arrives as well");
+  add_options(command, *options);
+  command.set_run([job, options] { run_plan(*job, *options); });
+}
+
+} // namespace program

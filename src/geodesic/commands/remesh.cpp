@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "commands/densities.h"
+#include "io/errors.h"
+#include "repair/fill_holes.h"
+#include "commands/remeshing_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+namespace program {
+
+namespace {
+
+struct Remesh_options : Remeshing_options
+{
+  double curve_spacing = 0.;
+  double deviation = std::numeric_limits<double>::infinity();
+  bool fit = false;
+  bool may_intersect = false;
+  std::optional<std::size_t> hole_edges; // how many a hole may have to be filled
+  Density_options densities;
+};
+
+struct Result
+{
+  Surface_file file;
+  std::string text; // where each vertex is: the lines of --values
+  GP::Remeshing_result found;
+};
+
+// All holes where no number is given.
+std::size_t parse_hole_edges(const std::string& text)
+{
+  if(text.empty())
+    return std::numeric_limits<std::size_t>::max();
+  const std::optional<long long> number = to_integer(text);
+  if(!number || *number < 3)
+    throw Usage_error("--fill-holes " + shown(text) +
+                      ": it is not a number of edges, of which a hole has three or more.");
+  return static_cast<std::size_t>(*number);
+}
+
+// Says what became of the holes.
+void fill(Mesh& mesh, std::size_t most_edges, Job& job)
+{
+  const Filled_holes holes = fill_holes(mesh, most_edges);
+  job.result()["holes_filled"] = holes.filled;
+  job.result()["holes_left"] = holes.left;
+  job.say("holes filled    " + std::to_string(holes.filled));
+  if(holes.left > 0)
+    job.note(std::to_string(holes.left) +
+             (holes.left == 1 ? " hole is left open: it is" : " holes are left open: they are") +
+             " too long, or no triangles fit between their vertices");
+}
+
+// The library's part: the mesh, and where its vertices lie.
+template <typename Surface_type>
+Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Domain = std::decay_t<decltype(domain)>;
+  const std::vector<double> speed = speeds(domain, options.densities, job);
+  job.stage("query");
+  Mesh mesh;
+  const auto locations =
+      mesh.add_property_map<Mesh::Vertex_index, typename Domain::Location>("v:location").first;
+  const auto goal = remeshing_parameters(options, job)
+                        .curve_spacing(options.curve_spacing)
+                        .maximum_deviation(options.deviation)
+                        .do_fit(options.fit)
+                        .do_avoid_self_intersections(!options.may_intersect)
+                        .location_map(locations);
+  Result result;
+  with_speeds<typename Domain::Site>(
+      speed, goal,
+      [&](const auto& np)
+      { result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np); });
+  for(const auto v : mesh.vertices())
+  {
+    result.file.points.push_back(coordinates(mesh.point(v)));
+    if(!job.values().empty())
+      result.text += place_text(surface, get(locations, v)) + '\n';
+  }
+  for(const auto f : mesh.faces())
+  {
+    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      result.file.corners.push_back(v);
+    result.file.first.push_back(result.file.corners.size());
+  }
+  return result;
+}
+
+void run_remesh(Job& job, const Remesh_options& options)
+{
+  check(options.densities);
+  if(!(options.deviation > 0.))
+    throw Usage_error("--maximum-deviation: it is positive.");
+  if(!(options.curve_spacing >= 0.) || std::isinf(options.curve_spacing))
+    throw Usage_error("--curve-spacing: a distance is finite and not negative.");
+  const Surface& surface = job.read();
+  if(!surface.is_mesh() && options.hole_edges)
+    fail(surface.name, "a cloud has no holes that could be filled, that needs a mesh");
+
+  job.stage("prepare");
+  Result result;
+  if(surface.is_mesh())
+  {
+    Mesh mesh = make_mesh(surface);
+    if(options.hole_edges)
+      fill(mesh, *options.hole_edges, job);
+    result = find_mesh(mesh, options, job);
+  }
+  else
+    result = find_mesh(make_cloud(surface), options, job);
+  job.result()["vertices_out"] = result.file.points.size();
+  job.result()["faces_out"] = result.file.number_of_polygons();
+  job.result()["added"] = result.found.added;
+  if(!options.may_intersect)
+    job.result()["self_intersections"] = result.found.self_intersections;
+  job.say("vertices        " + std::to_string(result.file.points.size()));
+  job.say("faces           " + std::to_string(result.file.number_of_polygons()));
+  if(result.found.added > 0)
+    job.say("added           " + std::to_string(result.found.added));
+  if(const std::size_t pairs = result.found.self_intersections; pairs > 0)
+    job.note(std::to_string(pairs) +
+             (pairs == 1 ? " pair of faces intersects" : " pairs of faces intersect") +
+             ", as the input does there or almost does");
+
+  job.stage("write");
+  job.write_values([&] { return result.text; });
+  if(!job.picture().empty())
+  {
+    Picture picture{&result.file};
+    picture.with_sides = true;
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+    write_surface_file(job.output(), result.file);
+  job.finish();
+}
+
+} // namespace
+
+void add_remesh(CLI::App& program)
+{
+  Command command(program, "remesh",
+                  "a mesh of the same surface with even triangles; of a clean cloud, too");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Remesh_options>();
+  add_remeshing_options(command, *options, "vertices", "keeps edges");
+  command.add("--curve-spacing", options->curve_spacing, "D",
+              "how far apart vertices on borders and kept edges are at most to be");
+  command.add_flag("--fit", options->fit,
+                   "vertices leave the surface, such that faces are nearer to it");
+  command.add("--maximum-deviation", options->deviation, "D",
+              "how far the input and the result may be from each other; more vertices come where "
+              "they are farther");
+  command.add_flag("--allow-self-intersections", options->may_intersect,
+                   "no vertices are added where faces of the result intersect");
+  const std::function<void(const std::string&)> fill_holes = [options](const std::string& text)
+  { options->hole_edges = parse_hole_edges(text); };
+  command
+      .add("--fill-holes", fill_holes, "[N]",
+           "first fill the holes that have at most N edges, without a number all of them; "
+           "as the outer border of a sheet is a hole too, N is what keeps it open")
+      .value_is_optional();
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_remesh(*job, *options); });
+}
+
+} // namespace program

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "app/commands.h"
+#include "commands/densities.h"
+#include "io/errors.h"
+
+#include <cmath>
+#include <limits>
+
+namespace program {
+
+namespace {
+
+struct Sample_options
+{
+  std::size_t number = 0;
+  double spacing = 0.;
+  Density_options densities;
+};
+
+struct Result
+{
+  std::vector<Point> points;
+  std::vector<Point> normals;           // of a cloud's
+  std::vector<double> radii;            // the covering radius after each
+  std::string text;                     // where each is: the lines of --values
+  std::vector<std::uint32_t> triangles; // of a cloud, for the picture
+};
+
+// The library's part: the samples.
+template <typename Surface_type>
+Result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)
+{
+  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  using Domain = std::decay_t<decltype(domain)>;
+  const std::vector<double> speed = speeds(domain, options.densities, job);
+  job.stage("query");
+  Result result;
+  std::vector<typename Domain::Location> samples;
+  const auto goal = GP::parameters::random_seed(job.seed())
+                        .covering_radius(options.spacing)
+                        .covering_radius_output(std::back_inserter(result.radii))
+                        .callback(job.progress("samples"));
+  const std::size_t number =
+      options.number > 0 ? options.number : std::numeric_limits<std::size_t>::max();
+  with_speeds<typename Domain::Site>(
+      speed, goal,
+      [&](const auto& np)
+      { GP::farthest_point_sampling(domain, number, std::back_inserter(samples), np); });
+  result.triangles = picture_triangles(domain, job);
+  for(const auto& sample : samples)
+  {
+    result.points.push_back(coordinates(domain.point(domain.inner(sample))));
+    result.text += place_text(surface, sample) + '\n';
+    if constexpr(!is_mesh<Surface_type>)
+      result.normals.push_back(job.surface().file.normals[std::size_t(sample.surfel)]);
+  }
+  return result;
+}
+
+void run_sample(Job& job, const Sample_options& options)
+{
+  if((options.number == 0) == (options.spacing == 0.))
+    throw Usage_error("sample: give either --number, at least 1, or --spacing, above 0.");
+  if(!(options.spacing >= 0.) || std::isinf(options.spacing))
+    throw Usage_error("--spacing: a distance is finite and not negative.");
+  check(options.densities);
+  const Surface& surface = job.read();
+
+  job.stage("prepare");
+  Result result;
+  on_surface(surface, [&](const auto& mesh_or_cloud)
+             { result = find_samples(mesh_or_cloud, options, job); });
+  const double radius =
+      result.radii.empty() ? std::numeric_limits<double>::infinity() : result.radii.back();
+  job.result()["samples"] = result.points.size();
+  job.result()["covering_radius"] = json_number(radius);
+  job.say("samples          " + std::to_string(result.points.size()));
+  job.say("covering radius  " + readable(radius));
+
+  job.stage("write");
+  job.write_values([&] { return result.text; });
+  if(!job.picture().empty())
+  {
+    Picture picture{&surface.file};
+    picture.markers = result.points;
+    picture.triangles = result.triangles;
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+  {
+    Surface_file file;
+    file.points = result.points;
+    file.normals = result.normals;
+    file.properties["covering_radius"] = result.radii;
+    write_surface_file(job.output(), file, "covering_radius");
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_sample(CLI::App& program)
+{
+  Command command(program, "sample", "points that cover the surface evenly");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Sample_options>();
+  command.add("--number", options->number, "N", "how many");
+  command.add("--spacing", options->spacing, "D", "no vertex is farther from all of them");
+  add_density_options(command, options->densities);
+  command.set_run([job, options] { run_sample(*job, *options); });
+}
+
+} // namespace program

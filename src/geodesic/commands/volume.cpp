@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "io/errors.h"
+#include "commands/transports.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace program {
+
+namespace {
+
+struct Volume_options : Transport_options
+{
+  bool path = false;
+  std::vector<std::string> slices;
+  std::size_t resolution = 60;
+  std::optional<double> asked_tolerance;
+};
+
+// A plane across an axis.
+struct Slice
+{
+  std::size_t axis;
+  double offset;
+};
+
+Slice parse_slice(const std::string& text)
+{
+  const std::size_t axis = std::string("xyz").find(text.substr(0, 1));
+  if(text.size() < 3 || text[1] != ',' || axis > 2)
+    throw Usage_error("--slice " + text + ": it is not an axis and a number, like z,0.5.");
+  return {axis, parse_point("0,0," + text.substr(2), "--slice")[2]};
+}
+
+// Points in squares on planes, somewhat beyond the surface, two triangles in each square.
+Surface_file grid(const std::vector<Slice>& slices, const Surface_file& file,
+                  std::size_t resolution)
+{
+  Point low = file.points[0], high = low;
+  for(const Point& p : file.points)
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], p[c]);
+      high[c] = std::max(high[c], p[c]);
+    }
+  double size = 0.;
+  for(std::size_t c = 0; c < 3; ++c)
+    size = std::max(size, high[c] - low[c]);
+  const double beyond = 0.1 * size, step = 1.2 * size / static_cast<double>(resolution - 1);
+  Surface_file result;
+  for(const Slice& slice : slices)
+  {
+    const std::size_t u = (slice.axis + 1) % 3, v = (slice.axis + 2) % 3;
+    const auto number = [&](std::size_t c)
+    { return static_cast<std::uint32_t>(std::ceil((high[c] - low[c] + 2. * beyond) / step)) + 1; };
+    const std::uint32_t columns = number(u), rows = number(v);
+    const auto first = static_cast<std::uint32_t>(result.points.size());
+    for(std::uint32_t j = 0; j < rows; ++j)
+      for(std::uint32_t i = 0; i < columns; ++i)
+      {
+        Point p;
+        p[slice.axis] = slice.offset;
+        p[u] = low[u] - beyond + step * i;
+        p[v] = low[v] - beyond + step * j;
+        result.points.push_back(p);
+        if(i + 1 == columns || j + 1 == rows)
+          continue;
+        const std::uint32_t a = first + j * columns + i, b = a + 1, c = a + columns, d = c + 1;
+        result.corners.insert(result.corners.end(), {a, b, d, a, d, c});
+        for(int k = 0; k < 2; ++k)
+          result.first.push_back(result.first.back() + 3);
+      }
+  }
+  return result;
+}
+
+// Where planes cut the surface, piece by piece.
+std::vector<std::vector<Point>> outlines(const std::vector<Slice>& slices, const Surface_file& file)
+{
+  std::vector<std::vector<Point>> result;
+  for(const Slice& slice : slices)
+    for(std::size_t f = 0; f < file.corners.size(); f += 3)
+    {
+      std::vector<Point> cut;
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const Point& p = file.points[file.corners[f + k]];
+        const Point& q = file.points[file.corners[f + (k + 1) % 3]];
+        const double before = p[slice.axis] - slice.offset, after = q[slice.axis] - slice.offset;
+        if((before < 0.) == (after < 0.))
+          continue;
+        const double share = before / (before - after);
+        cut.emplace_back();
+        for(std::size_t c = 0; c < 3; ++c)
+          cut.back()[c] = p[c] + share * (q[c] - p[c]);
+      }
+      if(cut.size() == 2)
+        result.push_back(cut);
+    }
+  return result;
+}
+
+using Metric = GP::Volumetric_metric<Mesh>;
+
+void run_slices(Job& job, const Volume_options& options, const Metric& metric,
+                const Kernel::Point_3& from)
+{
+  const Surface_file& file = job.surface().file;
+  std::vector<Slice> slices;
+  for(const std::string& text : options.slices)
+    slices.push_back(parse_slice(text));
+  Surface_file result = grid(slices, file, options.resolution);
+  std::vector<Kernel::Point_3> points;
+  for(const Point& p : result.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  std::vector<double> distances;
+  double gap = 0.;
+  for(const GP::Earth_movers_cost& cost : metric.costs<CGAL::Parallel_tag>(
+          from, points,
+          GP::parameters::tolerance(options.asked_tolerance.value_or(0.02))
+              .threads(job.threads())
+              .callback(job.progress("distances on slices"))))
+  {
+    distances.push_back(cost.value);
+    if(cost.upper > 0.)
+      gap = std::max(gap, 1. - cost.lower / cost.upper);
+  }
+  const double farthest = *std::max_element(distances.begin(), distances.end());
+  job.result()["points"] = points.size();
+  job.result()["max"] = json_number(farthest);
+  job.result()["gap"] = json_number(gap);
+  job.say("points          " + std::to_string(points.size()));
+  job.say("farthest        " + readable(farthest));
+
+  job.stage("write");
+  job.write_values([&] { return lines(distances); });
+  if(!job.picture().empty())
+  {
+    Picture picture{&result, distances, "distance"};
+    picture.polylines = outlines(slices, file);
+    picture.markers = {coordinates(from)};
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+  {
+    result.properties["distance"] = distances;
+    write_surface_file(job.output(), result, "distance");
+  }
+}
+
+void run_path(Job& job, const Metric& metric, const Kernel::Point_3& from,
+              const Kernel::Point_3& to)
+{
+  std::vector<Point> path;
+  std::vector<Kernel::Point_3> points;
+  const bool arrives = metric.write_path(from, to, std::back_inserter(points));
+  double length = 0.;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    path.push_back(coordinates(points[i]));
+    if(i > 0)
+      length += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
+  }
+  job.result()["length"] = json_number(length);
+  job.result()["points"] = path.size();
+  job.result()["arrives"] = arrives;
+  job.say("length          " + readable(length));
+  if(!arrives)
+    job.note("the path ends where the distance falls no more");
+
+  job.stage("write");
+  job.write_values([&] { return points_text(path); });
+  if(!job.picture().empty())
+  {
+    Picture picture{&job.surface().file};
+    picture.is_glass = true;
+    picture.polylines = {path};
+    picture.markers = {path.front(), path.back()};
+    draw(job.picture(), picture);
+  }
+  if(!job.output().empty())
+  {
+    Surface_file line;
+    line.polylines = {path};
+    write_surface_file(job.output(), line);
+  }
+}
+
+void run_volume(Job& job, const Volume_options& options)
+{
+  const bool is_pair = !options.to.empty();
+  if(options.from.empty() || is_pair == !options.slices.empty() || (options.path && !is_pair))
+    throw Usage_error("volume: give --from, and either --to or --slice.");
+  if(options.asked_tolerance && !(*options.asked_tolerance > 0.))
+    throw Usage_error("--tolerance: it is positive.");
+  const Kernel::Point_3 from = parse_point_3(options.from, "--from");
+  const Kernel::Point_3 to = is_pair ? parse_point_3(options.to, "--to") : from;
+  for(const std::string& text : options.slices)
+    parse_slice(text);
+  const Surface& surface =
+      job.read(options.path ? std::vector<std::string>{"vtp", "ply", "obj"}
+               : is_pair    ? std::vector<std::string>{"ply", "vtp"}
+                            : std::vector<std::string>{"ply", "off", "obj", "vtp"});
+  if(!surface.is_mesh())
+    fail(surface.name, "a cloud encloses nothing: distances in space need a closed mesh");
+
+  job.stage("prepare");
+  const Mesh mesh = make_mesh(surface);
+  std::optional<Metric> metric;
+  if(options.refine)
+    metric.emplace(mesh, GP::parameters::number_of_refinements(
+                             static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))));
+  else
+    metric.emplace(mesh);
+  job.stage("query");
+  if(!is_pair)
+    run_slices(job, options, *metric, from);
+  else if(options.path)
+    run_path(job, *metric, from, to);
+  else
+  {
+    Transport_result result;
+    result.potential.resize(surface.file.points.size());
+    result.cost = metric->cost(from, to,
+                               GP::parameters::tolerance(options.asked_tolerance.value_or(1e-3))
+                                   .do_bound_from_above(options.bound_above)
+                                   .callback(job.progress("transport"))
+                                   .potential_map(Value_map<Mesh::Vertex_index>{&result.potential})
+                                   .flow_map(vector_map(result.fields["flow"], mesh)));
+    report(job, options, result.cost, "distance");
+    job.stage("write");
+    write_transport(job, result, {});
+  }
+  job.finish();
+}
+
+} // namespace
+
+void add_volume(CLI::App& program)
+{
+  Command command(program, "volume", "distances and paths in space, inside or outside of a mesh");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Volume_options>();
+  command.add("--from", options->from, "x,y,z", "a point");
+  command.add("--to", options->to, "x,y,z", "another one");
+  command.add_flag("--path", options->path,
+                   "a path down the distance, which does not cross the surface");
+  command.add("--slice", options->slices, "AXIS,OFFSET",
+              "in place of --to the points of a plane across x, y or z; more than once");
+  command.add("--resolution", options->resolution, "N", "points along the longest side")
+      .shows_default()
+      .between(2., 10000.);
+  command.add("--tolerance", options->asked_tolerance, "T",
+              "of the gap between the bounds, relative (default 0.001, on slices 0.02)");
+  command.add("--refine", options->refine, "N", "as in emd");
+  command.add_flag("--bound-above", options->bound_above, "as in emd");
+  command.set_run([job, options] { run_volume(*job, *options); });
+}
+
+} // namespace program

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "app/commands.h"
+#include "io/errors.h"
+#include "commands/queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace program {
+
+namespace {
+
+struct Wavelet_options
+{
+  double keep = 100.; // percent
+  std::optional<double> bits;
+  std::size_t levels = std::numeric_limits<std::size_t>::max();
+  std::string predictor = "butterfly";
+};
+
+void check(const Wavelet_options& options)
+{
+  if(options.predictor != "butterfly" && options.predictor != "linear")
+    throw Usage_error("--predictor " + shown(options.predictor) +
+                      ": the predictors are butterfly and linear.");
+  if(!(options.keep >= 0. && options.keep <= 100.))
+    throw Usage_error("wavelet: --keep is a percentage, 0 to 100.");
+  if(options.bits && !(*options.bits > 0. && *options.bits <= 1e6))
+    throw Usage_error("wavelet: --bits is a positive number for each vertex.");
+}
+
+double root_mean_square(const std::vector<Point>& a, const std::vector<Point>& b)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i < a.size(); ++i)
+  {
+    const double distance = std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1], a[i][2] - b[i][2]);
+    sum += distance * distance;
+  }
+  return std::sqrt(sum / double(a.size()));
+}
+
+using Wavelet = GP::Subdivision_wavelet<Mesh>;
+
+struct Result
+{
+  std::vector<Point> points; // #vertices of the input
+  std::vector<std::uint8_t> stream;
+};
+
+// What is left of the mesh with some of its details, and where bits are counted, as a stream tells them.
+Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
+{
+  const auto prediction = options.predictor == "linear" ? GP::Wavelet_prediction::linear
+                                                        : GP::Wavelet_prediction::butterfly;
+  const Wavelet wavelet(
+      mesh, GP::parameters::number_of_levels(options.levels).wavelet_prediction(prediction));
+  job.stage("query");
+  GP::Wavelet_details details = wavelet.analyze(mesh.points(), GP::parameters::do_use_frames(true));
+  const std::size_t n = wavelet.number_of_vertices(), coarsest = wavelet.number_of_vertices(0),
+                    kept = std::size_t(std::llround(options.keep / 100. * double(n - coarsest)));
+  wavelet.keep_largest(details, kept);
+
+  Result result;
+  const double bytes = options.bits ? std::floor(*options.bits * double(n) / 8.) : 1e18;
+  result.stream =
+      wavelet.encode(details, GP::parameters::maximum_number_of_bytes(std::size_t(bytes)));
+  if(options.bits)
+  {
+    Mesh decoded;
+    GP::Wavelet_stream stream;
+    try
+    {
+      stream = GP::decode_wavelets(result.stream, decoded,
+                                   GP::parameters::maximum_number_of_vertices(n));
+    }
+    catch(const GP::Invalid_argument_error&)
+    {
+      throw Input_error(job.input() + ": --bits " + readable(*options.bits) +
+                        " are too few for its coarse mesh.");
+    }
+    job.result()["bit_planes"] = stream.number_of_bit_planes;
+    for(std::size_t i = 0; i < n; ++i)
+      mesh.point(wavelet.vertex(i)) = decoded.point(Mesh::Vertex_index(Mesh::size_type(i)));
+  }
+  else
+    wavelet.synthesize(details, mesh.points());
+  for(const auto vertex : mesh.vertices())
+    result.points.push_back(coordinates(mesh.point(vertex)));
+
+  const double bits = 8. * double(result.stream.size()) / double(n);
+  job.result()["levels"] = wavelet.number_of_levels();
+  job.result()["base_vertices"] = coarsest;
+  job.result()["kept"] = kept;
+  job.result()["bits_per_vertex"] = bits;
+  job.say("levels          " + std::to_string(wavelet.number_of_levels()) + " above " +
+          std::to_string(coarsest) + " vertices");
+  job.say("details kept    " + std::to_string(kept) + " of " + std::to_string(n - coarsest));
+  job.say("bits per vertex " + readable(bits));
+  return result;
+}
+
+void run_wavelet(Job& job, const Wavelet_options& options)
+{
+  check(options);
+  const Surface& surface = job.read({"ply", "off", "obj", "vtp", "gpw"});
+  if(!surface.is_mesh())
+    throw Input_error(job.input() + ": a cloud has no faces, which wavelets need.");
+  job.stage("prepare");
+  const Result result = approximate(make_mesh(surface), options, job);
+  const double error = root_mean_square(surface.file.points, result.points);
+  job.result()["rms"] = json_number(error);
+  job.say("error           " + readable(error) + " (root mean square)");
+
+  job.stage("write");
+  job.write_values(
+      [&]
+      {
+        std::vector<double> distances;
+        for(std::size_t i = 0; i < result.points.size(); ++i)
+          distances.push_back(root_mean_square({surface.file.points[i]}, {result.points[i]}));
+        return lines(distances);
+      });
+  Surface_file file = surface.file;
+  file.points = result.points;
+  file.normals.clear();
+  if(!job.picture().empty())
+    draw(job.picture(), Picture{&file});
+  if(ending(job.output()) == "gpw")
+    write_file(job.output(),
+               {reinterpret_cast<const char*>(result.stream.data()), result.stream.size()});
+  else if(!job.output().empty())
+    write_surface_file(job.output(), file);
+  job.finish();
+}
+
+} // namespace
+
+void add_wavelet(CLI::App& program)
+{
+  Command command(program, "wavelet",
+                  "a mesh that was subdivided by fewer details, or as a stream of few bits (.gpw)");
+  const auto job = std::make_shared<Job>(command);
+  const auto options = std::make_shared<Wavelet_options>();
+  command.add("--keep", options->keep, "P", "percent of the details, the largest").shows_default();
+  command.add("--bits", options->bits, "B", "for each vertex at most, as a progressive stream");
+  command.add("--levels", options->levels, "J", "that are taken off at most");
+  command.add("--predictor", options->predictor, "NAME", "butterfly or linear").shows_default();
+  command.set_run([job, options] { run_wavelet(*job, *options); });
+}
+
+} // namespace program

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Image.h"
+
+#include "io/Output_file.h"
+#include "io/Scanner.h"
+#include "io/Surface_file.h"
+#include "io/errors.h"
+#include "io/read_bytes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#ifdef GEODESIC_PROCESSING_HAS_PNG
+#  include <png.h>
+#endif
+
+namespace program {
+
+namespace {
+
+// The two pixels around a coordinate in [0, 1], and the share of the second one.
+struct Between
+{
+  std::size_t first, second;
+  double share;
+
+  Between(double x, std::size_t size)
+  {
+    if(!(x >= 0. && x <= 1.))
+      x -= std::floor(x);
+    const double place =
+        std::clamp(x * static_cast<double>(size) - 0.5, 0., static_cast<double>(size - 1));
+    first = std::min(static_cast<std::size_t>(place), size - 1);
+    second = std::min(first + 1, size - 1);
+    share = place - static_cast<double>(first);
+  }
+};
+
+// Calls f(pixel, share) for the four pixels around a place.
+template <typename Function>
+void for_each_pixel_around(const Image& image, double u, double v, Function f)
+{
+  const Between column(u, image.width), row(v, image.height);
+  for(const bool right : {false, true})
+    for(const bool up : {false, true})
+      f((up ? row.second : row.first) * image.width + (right ? column.second : column.first),
+        (right ? column.share : 1. - column.share) * (up ? row.share : 1. - row.share));
+}
+
+} // namespace
+
+Colour Image::at(double u, double v) const
+{
+  Colour result = {0., 0., 0.};
+  for_each_pixel_around(*this, u, v,
+                        [&](std::size_t pixel, double share)
+                        {
+                          for(std::size_t c = 0; c < 3; ++c)
+                            result[c] += share * pixels[pixel][c];
+                        });
+  return result;
+}
+
+std::array<double, 4> Image::with_opacity_at(double u, double v) const
+{
+  std::array<double, 4> result = {0., 0., 0., 0.};
+  for_each_pixel_around(*this, u, v,
+                        [&](std::size_t pixel, double share)
+                        {
+                          const double part = opacity.empty() ? share : share * opacity[pixel];
+                          for(std::size_t c = 0; c < 3; ++c)
+                            result[c] += part * pixels[pixel][c];
+                          result[3] += part;
+                        });
+  if(result[3] > 0.)
+    for(std::size_t c = 0; c < 3; ++c)
+      result[c] /= result[3];
+  return result;
+}
+
+#ifdef GEODESIC_PROCESSING_HAS_PNG
+
+void check_images(const std::string&) {}
+
+Image read_image(const std::string& filename)
+{
+  constexpr std::size_t most_pixels = std::size_t{1} << 25; // less than a gigabyte
+  const std::string bytes = read_bytes(filename);
+  if(ending(filename) != "png")
+    fail(filename, "the name of an image ends with .png");
+  const std::string complaint = "it cannot be read as an image";
+  struct Reader : png_image
+  {
+    Reader() : png_image() { version = PNG_IMAGE_VERSION; }
+    ~Reader() { png_image_free(this); }
+  } png;
+  if(png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
+    fail(filename, complaint);
+  Image image;
+  image.width = png.width;
+  image.height = png.height;
+  if(image.width == 0 || image.height == 0)
+    fail(filename, complaint);
+  if(image.width > most_pixels / image.height)
+    fail(filename, "it has more than 2^25 pixels");
+  png.format = PNG_FORMAT_RGBA;
+  std::vector<png_byte> values(PNG_IMAGE_SIZE(png));
+  if(png_image_finish_read(&png, nullptr, values.data(), 0, nullptr) == 0)
+    fail(filename, complaint);
+  // The file begins with the highest row; what is transparent has a colour as well.
+  image.pixels.resize(image.width * image.height);
+  image.opacity.resize(image.pixels.size());
+  for(std::size_t row = 0; row < image.height; ++row)
+    for(std::size_t column = 0; column < image.width; ++column)
+    {
+      const png_byte* const value = &values[4 * (row * image.width + column)];
+      const std::size_t pixel = (image.height - 1 - row) * image.width + column;
+      for(std::size_t c = 0; c < 3; ++c)
+        image.pixels[pixel][c] = value[c] / 255.;
+      image.opacity[pixel] = value[3] / 255.;
+    }
+  return image;
+}
+
+std::string to_png(const std::string& filename, const Image& image)
+{
+  std::vector<png_byte> values;
+  values.reserve(3 * image.pixels.size());
+  for(std::size_t row = image.height; row-- > 0;)
+    for(std::size_t column = 0; column < image.width; ++column)
+      for(const double part : image.pixels[row * image.width + column])
+        values.push_back(static_cast<png_byte>(std::lround(255. * std::clamp(part, 0., 1.))));
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGB;
+  // The size is asked for first.
+  png_alloc_size_t size = 0;
+  std::string bytes;
+  if(png_image_write_to_memory(&png, nullptr, &size, 0, values.data(), 0, nullptr) != 0)
+    bytes.resize(size);
+  if(bytes.empty() ||
+     png_image_write_to_memory(&png, bytes.data(), &size, 0, values.data(), 0, nullptr) == 0)
+    throw Output_error(filename + ": it cannot be written as an image.");
+  bytes.resize(size);
+  return bytes;
+}
+
+void write_image(const std::string& filename, const Image& image)
+{
+  write_file(filename, to_png(filename, image));
+}
+
+#else
+
+void check_images(const std::string& filename)
+{
+  throw Usage_error(filename +
+                    ": this program was built without libpng, which reads and writes images.");
+}
+
+Image read_image(const std::string& filename)
+{
+  check_images(filename);
+  return {};
+}
+
+std::string to_png(const std::string& filename, const Image&)
+{
+  check_images(filename);
+  return {};
+}
+
+void write_image(const std::string& filename, const Image&) { check_images(filename); }
+
+#endif
+
+} // namespace program

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Output_file.h"
+
+#include "io/errors.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const std::string& filename, int error)
+{
+  throw Output_error(filename + ": it cannot be written, " + std::strerror(error) + ".");
+}
+
+// Closes and, unless told otherwise, removes a file that was not finished.
+class Descriptor
+{
+public:
+  Descriptor(const std::string& filename, int flags, bool temporary)
+      : m_filename(filename), m_temporary(temporary),
+        m_descriptor(::open(filename.c_str(), flags, 0666))
+  {}
+
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  ~Descriptor()
+  {
+    if(m_descriptor >= 0)
+      ::close(m_descriptor);
+    if(m_temporary && m_opened())
+      ::unlink(m_filename.c_str());
+  }
+
+  bool is_open() const { return m_descriptor >= 0; }
+
+  // 0 or the number of an error.
+  int write(std::string_view bytes)
+  {
+    while(!bytes.empty())
+    {
+      const ::ssize_t n = ::write(m_descriptor, bytes.data(), bytes.size());
+      if(n < 0 && errno == EINTR)
+        continue;
+      if(n < 0)
+        return errno;
+      bytes.remove_prefix(static_cast<std::size_t>(n));
+    }
+    return 0;
+  }
+
+  int close()
+  {
+    const int error = ::close(m_descriptor) == 0 ? 0 : errno;
+    m_descriptor = -1;
+    m_closed = true;
+    return error;
+  }
+
+  void keep() { m_temporary = false; }
+
+private:
+  bool m_opened() const { return m_descriptor >= 0 || m_closed; }
+
+  std::string m_filename;
+  bool m_temporary;
+  int m_descriptor;
+  bool m_closed = false;
+};
+
+// Where a chain of links ends; so a link stays a link.
+fs::path target_of(const std::string& filename)
+{
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(filename, error);
+  return error ? fs::path(filename) : target;
+}
+
+} // namespace
+
+std::string name_beside(const std::string& filename)
+{
+  static unsigned count = 0;
+  const fs::path target = target_of(filename);
+  return (target.parent_path() / ("." + target.filename().string() + "." +
+                                  std::to_string(::getpid()) + "." + std::to_string(count++)))
+      .string();
+}
+
+void move_to(const std::string& from, const std::string& filename)
+{
+  if(::rename(from.c_str(), target_of(filename).c_str()) != 0)
+  {
+    const int error = errno;
+    ::unlink(from.c_str());
+    fail(filename, error);
+  }
+}
+
+void write_file(const std::string& filename, std::string_view bytes)
+{
+  std::error_code ignored;
+  const auto status = fs::status(filename, ignored);
+  if(fs::is_directory(status))
+    fail(filename, EISDIR);
+  const bool direct = fs::exists(status) && !fs::is_regular_file(status);
+  const std::string name = direct ? filename : name_beside(filename);
+  Descriptor file(name, direct ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL, !direct);
+  if(!file.is_open())
+    fail(filename, errno);
+  if(const int error = file.write(bytes); error != 0)
+    fail(filename, error);
+  if(const int error = file.close(); error != 0)
+    fail(filename, error);
+  if(!direct)
+  {
+    move_to(name, filename);
+    file.keep();
+  }
+}
+
+void check_folder(const std::string& filename)
+{
+  const fs::path folder = fs::path(filename).parent_path();
+  std::error_code ignored;
+  if(!folder.empty() && !fs::is_directory(folder, ignored))
+    throw Output_error(filename + ": it cannot be written, there is no folder " + folder.string() +
+                       ".");
+}
+
+void append_number(std::string& text, double value)
+{
+  if(std::isnan(value))
+    text += "nan";
+  else if(std::isinf(value))
+    text += value < 0 ? "-inf" : "inf";
+  else
+  {
+    char buffer[32];
+    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+  }
+}
+
+std::string number_text(double value)
+{
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string lines(const std::vector<double>& values)
+{
+  std::string text;
+  for(const double value : values)
+  {
+    append_number(text, value);
+    text += '\n';
+  }
+  return text;
+}
+
+} // namespace program

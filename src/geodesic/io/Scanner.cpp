@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Scanner.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace program {
+
+bool Scanner::next_line()
+{
+  while(!m_rest.empty())
+  {
+    const std::size_t end = m_rest.find_first_of("\r\n");
+    m_line = m_rest.substr(0, end);
+    if(end == std::string_view::npos)
+      m_rest = {};
+    else
+      m_rest.remove_prefix(end + (m_rest.substr(end, 2) == "\r\n" ? 2 : 1));
+    ++m_number;
+    if(m_comment_mark != 0)
+      m_line = m_line.substr(0, m_line.find(m_comment_mark));
+    if(!line_is_empty())
+      return true;
+  }
+  m_line = {};
+  return false;
+}
+
+void Scanner::skip_separators()
+{
+  const char* const separators = commas ? " \t\v\f,;" : " \t\v\f";
+  const std::size_t begin = m_line.find_first_not_of(separators);
+  m_line.remove_prefix(begin == std::string_view::npos ? m_line.size() : begin);
+}
+
+bool Scanner::line_is_empty()
+{
+  skip_separators();
+  return m_line.empty();
+}
+
+std::string_view Scanner::word()
+{
+  skip_separators();
+  const std::size_t end = m_line.find_first_of(commas ? " \t\v\f,;" : " \t\v\f");
+  const std::string_view result = m_line.substr(0, end);
+  m_line.remove_prefix(result.size());
+  return result;
+}
+
+std::string_view Scanner::word_across_lines()
+{
+  while(line_is_empty())
+    if(!next_line())
+      return {};
+  return word();
+}
+
+void Scanner::fail(const std::string& reason) const
+{
+  program::fail(m_name, "line " + std::to_string(m_number) + ": " + reason);
+}
+
+double Scanner::number(std::string_view word) const
+{
+  if(word.empty())
+    fail("a number is missing");
+  const std::optional<double> value = to_number(word);
+  if(!value)
+    fail("'" + shown(word) + "' is not a number");
+  return *value;
+}
+
+double Scanner::coordinate(std::string_view word) const
+{
+  const double value = number(word);
+  if(!std::isfinite(value))
+    fail("the coordinate '" + shown(word) + "' is not finite");
+  return value;
+}
+
+long long Scanner::integer(std::string_view word) const
+{
+  if(word.empty())
+    fail("an integer is missing");
+  const std::optional<long long> value = to_integer(word);
+  if(!value)
+    fail("'" + shown(word) + "' is not an integer");
+  return *value;
+}
+
+std::optional<double> to_number(std::string_view word)
+{
+  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  double value = 0.;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if(word.empty() || stop != end || error == std::errc::invalid_argument)
+    return std::nullopt;
+  // from_chars does not say whether the number was too large or too small.
+  if(error == std::errc::result_out_of_range)
+    value = std::strtod(std::string(word).c_str(), nullptr);
+  return value;
+}
+
+std::optional<long long> to_integer(std::string_view word)
+{
+  if(word.size() > 1 && word[0] == '+' && word[1] != '-')
+    word.remove_prefix(1);
+  long long value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if(word.empty() || stop != end || error != std::errc())
+    return std::nullopt;
+  return value;
+}
+
+void fail(const std::string& name, const std::string& reason)
+{
+  throw Input_error(name + ": " + reason + ".");
+}
+
+std::string shown(std::string_view word)
+{
+  std::string result;
+  for(const char c : word.substr(0, 30))
+    result += c >= ' ' && c <= '~' ? c : '?';
+  return word.size() > 30 ? result + "..." : result;
+}
+
+} // namespace program

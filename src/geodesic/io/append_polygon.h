@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_APPEND_POLYGON_H
+#define GEODESIC_PROGRAM_APPEND_POLYGON_H
+
+#include "io/Surface_file.h"
+
+#include <limits>
+
+namespace program {
+
+// A negative index, or one beyond 32 bits, becomes the largest index, which no vertex has.
+inline std::uint32_t to_index(double index)
+{
+  constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
+  return index >= 0. && index < no_vertex ? static_cast<std::uint32_t>(index) : no_vertex;
+}
+
+inline void append_corner(Surface_file& surface, double index)
+{
+  surface.corners.push_back(to_index(index));
+}
+
+inline void end_polygon(Surface_file& surface) { surface.first.push_back(surface.corners.size()); }
+
+// The triangles of a strip: every second one is turned round, so that all face the same side.
+// A negative index ends a strip and begins the next.
+template <typename Indices>
+void append_strip(Surface_file& surface, const Indices& indices)
+{
+  std::size_t begin = 0;
+  for(std::size_t i = 0; i < indices.size(); ++i)
+  {
+    if(indices[i] < 0)
+      begin = i + 1;
+    else if(i >= begin + 2)
+    {
+      const bool turned = (i - begin) % 2 == 1;
+      append_corner(surface, static_cast<double>(indices[turned ? i - 1 : i - 2]));
+      append_corner(surface, static_cast<double>(indices[turned ? i - 2 : i - 1]));
+      append_corner(surface, static_cast<double>(indices[i]));
+      end_polygon(surface);
+    }
+  }
+}
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_APPEND_POLYGON_H

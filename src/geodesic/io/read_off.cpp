@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Scanner.h"
+#include "io/Surface_file.h"
+#include "io/append_polygon.h"
+
+namespace program {
+
+namespace {
+
+// What the keyword before the counts says: [ST][C][N][4][n]OFF.
+struct Kind
+{
+  bool normals = false;
+  bool homogeneous = false;
+};
+
+Kind kind_of(std::string_view keyword, const Scanner& scanner)
+{
+  Kind kind;
+  std::string_view rest = keyword;
+  const auto take = [&rest](std::string_view prefix)
+  {
+    if(rest.substr(0, prefix.size()) != prefix)
+      return false;
+    rest.remove_prefix(prefix.size());
+    return true;
+  };
+  take("ST");
+  take("C");
+  kind.normals = take("N");
+  kind.homogeneous = take("4");
+  if(take("nOFF"))
+    scanner.fail("only three dimensions are read, not the " + shown(keyword) + " kind");
+  if(rest != "OFF")
+    scanner.fail("it is not an OFF file, it begins with '" + shown(keyword) + "'");
+  return kind;
+}
+
+} // namespace
+
+Surface_file read_off(std::string_view bytes, const std::string& name)
+{
+  Scanner scanner(bytes, name, '#');
+  if(!scanner.next_line())
+    fail(name, "it is empty");
+  const Kind kind = kind_of(scanner.word(), scanner);
+  std::string_view word = scanner.word_across_lines();
+  if(word == "BINARY")
+    fail(name, "it is a binary OFF file, only text is read");
+
+  // The number of edges is often missing or wrong, and nobody needs it.
+  const long long vertices = scanner.integer(word);
+  const long long faces = scanner.integer(scanner.word_across_lines());
+  if(vertices < 0 || faces < 0)
+    scanner.fail("a count is negative");
+  // A vertex takes at least six characters, a face two.
+  if(static_cast<double>(vertices) * 6. + static_cast<double>(faces) * 2. >
+     static_cast<double>(bytes.size()) + 1.)
+    scanner.fail("it promises " + std::to_string(vertices) + " vertices and " +
+                 std::to_string(faces) + " faces, more than the file holds");
+
+  Surface_file surface;
+  surface.points.resize(static_cast<std::size_t>(vertices));
+  if(kind.normals)
+    surface.normals.resize(surface.points.size());
+  for(std::size_t i = 0; i < surface.points.size(); ++i)
+  {
+    if(!scanner.next_line())
+      fail(name,
+           "it ends after " + std::to_string(i) + " of " + std::to_string(vertices) + " vertices");
+    for(double& x : surface.points[i])
+      x = scanner.coordinate(scanner.word());
+    if(kind.homogeneous)
+    {
+      const double w = scanner.coordinate(scanner.word());
+      if(w == 0.)
+        scanner.fail("a vertex lies at infinity");
+      for(double& x : surface.points[i])
+        x /= w;
+    }
+    if(kind.normals)
+      for(double& x : surface.normals[i])
+        x = scanner.number(scanner.word());
+  }
+  for(long long i = 0; i < faces; ++i)
+  {
+    if(!scanner.next_line())
+      fail(name, "it ends after " + std::to_string(i) + " of " + std::to_string(faces) + " faces");
+    const long long degree = scanner.integer(scanner.word());
+    if(degree < 0)
+      scanner.fail("a face has a negative number of vertices");
+    for(long long k = 0; k < degree; ++k)
+    {
+      const long long index = scanner.integer(scanner.word());
+      if(index < 0 || index >= vertices)
+        scanner.fail("a face names vertex " + std::to_string(index) + ", but there are " +
+                     std::to_string(vertices));
+      append_corner(surface, static_cast<double>(index));
+    }
+    end_polygon(surface);
+  }
+  return surface;
+}
+
+} // namespace program

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Scanner.h"
+#include "io/Surface_file.h"
+#include "io/append_polygon.h"
+
+#include <cmath>
+#include <cstring>
+#include <unordered_map>
+
+namespace program {
+
+namespace {
+
+struct Hash
+{
+  std::size_t operator()(const Point& point) const
+  {
+    std::uint64_t result = 0;
+    for(const double x : point)
+    {
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof bits);
+      // A round of splitmix64: coordinates on a grid differ in few bits.
+      result += bits + 0x9e3779b97f4a7c15u;
+      result = (result ^ (result >> 30)) * 0xbf58476d1ce4e5b9u;
+      result = (result ^ (result >> 27)) * 0x94d049bb133111ebu;
+      result ^= result >> 31;
+    }
+    return static_cast<std::size_t>(result);
+  }
+};
+
+// STL repeats its vertices: those with the same coordinates are one, numbered as they first appear.
+class Welder
+{
+public:
+  explicit Welder(Surface_file& surface) : m_surface(surface) {}
+
+  void add(Point point)
+  {
+    for(double& x : point)
+      x += 0.; // -0 and 0 are the same place
+    const auto [place, is_new] = m_index.try_emplace(point, m_surface.points.size());
+    if(is_new)
+      m_surface.points.push_back(point);
+    append_corner(m_surface, static_cast<double>(place->second));
+  }
+
+private:
+  Surface_file& m_surface;
+  std::unordered_map<Point, std::size_t, Hash> m_index;
+};
+
+std::uint32_t little_endian(std::string_view bytes)
+{
+  std::uint32_t result = 0;
+  for(unsigned i = 0; i < 4; ++i)
+    result |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+  return result;
+}
+
+Surface_file read_binary(std::string_view bytes, const std::string& name)
+{
+  Surface_file surface;
+  Welder welder(surface);
+  for(bytes.remove_prefix(84); bytes.size() >= 50; bytes.remove_prefix(50))
+  {
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      Point point;
+      for(std::size_t c = 0; c < 3; ++c)
+      {
+        const std::uint32_t bits = little_endian(bytes.substr(12 + 12 * k + 4 * c));
+        float x;
+        std::memcpy(&x, &bits, sizeof x);
+        // Not a number is equal to nothing: it must not reach the table.
+        if(!std::isfinite(x))
+          fail(name, "a coordinate of facet " + std::to_string(surface.number_of_polygons()) +
+                         " is not finite");
+        point[c] = x;
+      }
+      welder.add(point);
+    }
+    end_polygon(surface);
+  }
+  return surface;
+}
+
+Surface_file read_text(std::string_view bytes, const std::string& name)
+{
+  Surface_file surface;
+  Welder welder(surface);
+  Scanner scanner(bytes, name, 0);
+  std::size_t in_loop = 0;
+  while(scanner.next_line())
+    // Line by line, because a solid's name may be any text; several words of a facet may share one.
+    for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
+    {
+      if(word == "solid" || word == "endsolid")
+        break;
+      if(word == "vertex")
+      {
+        Point point;
+        for(double& x : point)
+          x = scanner.coordinate(scanner.word());
+        welder.add(point);
+        ++in_loop;
+      }
+      else if(word == "endloop")
+      {
+        if(in_loop < 3)
+          scanner.fail("a facet has " + std::to_string(in_loop) + " vertices");
+        end_polygon(surface);
+        in_loop = 0;
+      }
+    }
+  if(in_loop != 0)
+    fail(name, "it ends within a facet");
+  return surface;
+}
+
+} // namespace
+
+Surface_file read_stl(std::string_view bytes, const std::string& name)
+{
+  // Many binary files begin with "solid" too; their size gives them away.
+  if(bytes.size() >= 84 && bytes.size() == 84 + 50 * std::size_t{little_endian(bytes.substr(80))})
+    return read_binary(bytes, name);
+  Scanner scanner(bytes, name, 0);
+  if(scanner.word_across_lines() == "solid")
+    return read_text(bytes, name);
+  if(bytes.size() < 84)
+    fail(name, "it is not an STL file");
+  fail(name, "it is neither text nor as long as a binary STL file of " +
+                 std::to_string(little_endian(bytes.substr(80))) + " facets");
+}
+
+} // namespace program

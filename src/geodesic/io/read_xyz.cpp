@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Scanner.h"
+#include "io/Surface_file.h"
+
+namespace program {
+
+namespace {
+
+// Lines of numbers, all of one length.
+struct Table
+{
+  std::optional<double> count; // a number alone on the first line
+  std::size_t columns = 0;
+  std::vector<double> values;
+  std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
+};
+
+Table read_table(std::string_view bytes, const std::string& name)
+{
+  Table table;
+  Scanner scanner(bytes, name, '#');
+  scanner.commas = true;
+  std::vector<double> row;
+  for(bool first = true; scanner.next_line(); first = false)
+  {
+    if(scanner.rest_of_line().substr(0, 2) == "//")
+      continue;
+    row.clear();
+    for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
+      row.push_back(row.size() < 3 ? scanner.coordinate(word) : scanner.number(word));
+    // Some writers begin with the number of points.
+    if(first && row.size() == 1)
+    {
+      table.count = row[0];
+      continue;
+    }
+    if(row.size() < 3)
+      scanner.fail("a point needs three coordinates");
+    if(table.columns == 0)
+      table.columns = row.size();
+    if(row.size() != table.columns)
+      scanner.fail("it has " + std::to_string(row.size()) + " numbers, the lines before " +
+                   std::to_string(table.columns));
+    table.values.insert(table.values.end(), row.begin(), row.end());
+  }
+  return table;
+}
+
+Surface_file from_table(const Table& table, std::size_t points, bool normals_follow)
+{
+  Surface_file surface;
+  surface.points.resize(points);
+  const bool normals = normals_follow || table.columns >= 6;
+  if(normals)
+    surface.normals.resize(points);
+  for(std::size_t i = 0; i < points; ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      surface.points[i][c] = table.values[i * table.columns + c];
+      if(normals)
+        surface.normals[i][c] = normals_follow ? table.values[(i + points) * 3 + c]
+                                               : table.values[i * table.columns + 3 + c];
+    }
+  return surface;
+}
+
+} // namespace
+
+// Lines of x y z, or of x y z nx ny nz; further columns are skipped.  A count may stand before.
+Surface_file read_xyz(std::string_view bytes, const std::string& name)
+{
+  const Table table = read_table(bytes, name);
+  if(table.count && *table.count != static_cast<double>(table.rows()))
+    fail(name, "its first line promises another number of points than the " +
+                   std::to_string(table.rows()) + " that it holds");
+  return from_table(table, table.rows(), false);
+}
+
+// The same with normals; or, after a count, first all points and then all normals.
+Surface_file read_pwn(std::string_view bytes, const std::string& name)
+{
+  const Table table = read_table(bytes, name);
+  if(table.count && table.columns == 3 && *table.count * 2. == static_cast<double>(table.rows()))
+    return from_table(table, table.rows() / 2, true);
+  return read_xyz(bytes, name);
+}
+
+} // namespace program

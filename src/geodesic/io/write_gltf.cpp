@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/base64.h"
+#include "io/errors.h"
+#include "io/textured.h"
+#include "io/write.h"
+
+#include <boost/functional/hash.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace program {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers of the format.
+constexpr int floats = 5126, unsigned_integers = 5125, vertex_data = 34962, index_data = 34963,
+              linear = 9729, linear_of_linear = 9987, clamped = 33071;
+
+void append_single(std::string& bytes, double value)
+{
+  const float single = static_cast<float>(value);
+  std::uint32_t bits;
+  static_assert(sizeof bits == sizeof single);
+  std::memcpy(&bits, &single, sizeof bits);
+  append_little_endian(bytes, bits);
+}
+
+// Unit vectors; those of points without area around them are up.
+std::vector<Point> normals_of(const Surface_file& surface)
+{
+  std::vector<Point> result(surface.points.size(), Point{0., 0., 0.});
+  for(std::size_t c = 0; c + 2 < surface.corners.size(); c += 3)
+  {
+    const Point &p = surface.points[surface.corners[c]],
+                &q = surface.points[surface.corners[c + 1]],
+                &r = surface.points[surface.corners[c + 2]];
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const double part = (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
+      for(std::size_t corner = c; corner < c + 3; ++corner)
+        result[surface.corners[corner]][k] += part;
+    }
+  }
+  for(Point& normal : result)
+  {
+    const double size = std::hypot(normal[0], normal[1], normal[2]);
+    if(size > 0. && std::isfinite(size))
+      for(double& part : normal)
+        part /= size;
+    else
+      normal = {0., 0., 1.};
+  }
+  return result;
+}
+
+// The JSON, and its buffer.
+struct Gltf
+{
+  Json json;
+  std::string buffer;
+
+  Gltf(const std::string& filename, const Surface_file& surface, const std::string& png)
+  {
+    // A vertex has one place in the texture: one for each pair of both.
+    struct Hash
+    {
+      std::size_t operator()(const std::pair<std::uint32_t, std::array<double, 2>>& key) const
+      {
+        return boost::hash_value(key);
+      }
+    };
+    std::unordered_map<std::pair<std::uint32_t, std::array<double, 2>>, std::uint32_t, Hash> number;
+    std::vector<std::size_t> first; // corner of each vertex
+    std::string indices;
+    for(std::size_t c = 0; c < surface.corners.size(); ++c)
+    {
+      const auto [at, is_new] = number.try_emplace({surface.corners[c], surface.corner_uv[c]},
+                                                   static_cast<std::uint32_t>(first.size()));
+      if(is_new)
+        first.push_back(c);
+      append_little_endian(indices, at->second);
+    }
+    const std::vector<Point> normal = normals_of(surface);
+    std::string positions, normals, coordinates;
+    std::array<std::vector<float>, 2> range = {
+        std::vector<float>(3, std::numeric_limits<float>::infinity()),
+        std::vector<float>(3, -std::numeric_limits<float>::infinity())};
+    for(const std::size_t c : first)
+    {
+      const std::uint32_t point = surface.corners[c];
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const double part = surface.points[point][k];
+        if(!(std::abs(part) <= double((std::numeric_limits<float>::max)())))
+          throw Output_error(filename + ": a coordinate is too large for the format.");
+        range[0][k] = std::min(range[0][k], float(part));
+        range[1][k] = std::max(range[1][k], float(part));
+        append_single(positions, part);
+        append_single(normals, normal[point][k]);
+      }
+      // From the upper left corner.
+      append_single(coordinates, surface.corner_uv[c][0]);
+      append_single(coordinates, 1. - surface.corner_uv[c][1]);
+    }
+
+    json["asset"] = {{"version", "2.0"}, {"generator", "geodesic"}};
+    json["scene"] = 0;
+    json["scenes"] = {{{"nodes", {0}}}};
+    json["nodes"] = {{{"mesh", 0}}};
+    json["meshes"] = {{{"primitives",
+                        {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}}},
+                          {"indices", 3},
+                          {"material", 0}}}}}};
+    json["materials"] = {
+        {{"name", "texture"},
+         {"pbrMetallicRoughness",
+          {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.}, {"roughnessFactor", 1.}}},
+         {"doubleSided", true}}};
+    json["textures"] = {{{"sampler", 0}, {"source", 0}}};
+    json["samplers"] = {{{"magFilter", linear},
+                         {"minFilter", linear_of_linear},
+                         {"wrapS", clamped},
+                         {"wrapT", clamped}}};
+    json["accessors"] = Json::array();
+    json["bufferViews"] = Json::array();
+    add(positions, vertex_data, floats, first.size(), "VEC3");
+    json["accessors"][0]["min"] = range[0];
+    json["accessors"][0]["max"] = range[1];
+    add(normals, vertex_data, floats, first.size(), "VEC3");
+    add(coordinates, vertex_data, floats, first.size(), "VEC2");
+    add(indices, index_data, unsigned_integers, surface.corners.size(), "SCALAR");
+    view(png);
+    json["images"] = {{{"name", "texture"},
+                       {"mimeType", "image/png"},
+                       {"bufferView", json["bufferViews"].size() - 1}}};
+  }
+
+private:
+  Json& view(const std::string& bytes)
+  {
+    json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", bytes.size()}});
+    buffer += bytes;
+    buffer.resize((buffer.size() + 3) / 4 * 4);
+    return json["bufferViews"].back();
+  }
+
+  void add(const std::string& bytes, int target, int component, std::size_t count, const char* type)
+  {
+    view(bytes)["target"] = target;
+    json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
+                                 {"componentType", component},
+                                 {"count", count},
+                                 {"type", type}});
+  }
+};
+
+} // namespace
+
+std::string to_gltf(const std::string& filename, const Surface_file& surface,
+                    const std::string& png)
+{
+  Gltf gltf(filename, surface, png);
+  gltf.json["buffers"] = {
+      {{"byteLength", gltf.buffer.size()},
+       {"uri", "data:application/octet-stream;base64," + to_base64(gltf.buffer)}}};
+  return gltf.json.dump(1) + '\n';
+}
+
+std::string to_glb(const std::string& filename, const Surface_file& surface, const std::string& png)
+{
+  Gltf gltf(filename, surface, png);
+  gltf.json["buffers"] = {{{"byteLength", gltf.buffer.size()}}};
+  std::string text = gltf.json.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::uint64_t size = 12 + 8 + text.size() + 8 + gltf.buffer.size();
+  if(size > (std::numeric_limits<std::uint32_t>::max)())
+    throw Output_error(filename + ": it would be larger than the format allows.");
+  std::string bytes = "glTF";
+  append_little_endian(bytes, std::uint32_t(2));
+  append_little_endian(bytes, std::uint32_t(size));
+  append_little_endian(bytes, std::uint32_t(text.size()));
+  bytes += "JSON" + text;
+  append_little_endian(bytes, std::uint32_t(gltf.buffer.size()));
+  bytes += std::string("BIN\0", 4) + gltf.buffer;
+  return bytes;
+}
+
+} // namespace program

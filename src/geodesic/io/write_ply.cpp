@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+// Whether a property is a part of a colour as most programs write it, a byte.
+bool is_byte(const std::pair<const std::string, std::vector<double>>& property)
+{
+  const auto& [name, values] = property;
+  return std::find(colour_names.begin(), colour_names.end(), name) != colour_names.end() &&
+         std::all_of(values.begin(), values.end(),
+                     [](double x) { return x >= 0. && x <= 255. && x == std::floor(x); });
+}
+
+} // namespace
+
+std::string to_ply(const Surface_file& surface)
+{
+  std::size_t polyline_points = 0, edges = surface.edges.size();
+  for(const std::vector<Point>& polyline : surface.polylines)
+  {
+    polyline_points += polyline.size();
+    edges += polyline.empty() ? 0 : polyline.size() - 1;
+  }
+  // Only faces of 255 or fewer corners, which all readers take; the program writes triangles.
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                      std::to_string(surface.points.size() + polyline_points) +
+                      "\nproperty double x\nproperty double y\nproperty double z\n";
+  if(!surface.normals.empty())
+    bytes += "property double nx\nproperty double ny\nproperty double nz\n";
+  std::vector<bool> are_bytes;
+  for(const auto& property : surface.properties)
+  {
+    are_bytes.push_back(is_byte(property));
+    bytes += (are_bytes.back() ? "property uchar " : "property double ") +
+             one_word(property.first) + "\n";
+  }
+  const auto append_properties = [&](auto value_of)
+  {
+    std::size_t k = 0;
+    for(const auto& property : surface.properties)
+      if(const double value = value_of(property.second); are_bytes[k++])
+        append_little_endian(bytes, static_cast<std::uint8_t>(value));
+      else
+        append_little_endian(bytes, value);
+  };
+  if(surface.number_of_polygons() > 0)
+  {
+    bytes += "element face " + std::to_string(surface.number_of_polygons()) +
+             "\nproperty list uchar int vertex_indices\n";
+    for(const auto& [name, vectors] : surface.vectors)
+      for(const char* axis : {"_x", "_y", "_z"})
+        bytes += "property double " + one_word(name) + axis + "\n";
+    for(const auto& [name, numbers] : surface.face_numbers)
+      bytes += "property uint " + one_word(name) + "\n";
+  }
+  if(edges > 0)
+    bytes +=
+        "element edge " + std::to_string(edges) + "\nproperty int vertex1\nproperty int vertex2\n";
+  bytes += "end_header\n";
+
+  for(std::size_t i = 0; i < surface.points.size(); ++i)
+  {
+    for(const double x : surface.points[i])
+      append_little_endian(bytes, x);
+    if(!surface.normals.empty())
+      for(const double x : surface.normals[i])
+        append_little_endian(bytes, x);
+    append_properties([i](const std::vector<double>& values) { return values[i]; });
+  }
+  for(const std::vector<Point>& polyline : surface.polylines)
+    for(const Point& point : polyline)
+    {
+      for(const double x : point)
+        append_little_endian(bytes, x);
+      for(std::size_t k = 0; k < 3 && !surface.normals.empty(); ++k)
+        append_little_endian(bytes, 0.);
+      append_properties([](const std::vector<double>&) { return 0.; });
+    }
+  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
+  {
+    append_little_endian(bytes, static_cast<std::uint8_t>(surface.first[f + 1] - surface.first[f]));
+    for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
+      append_little_endian(bytes, surface.corners[c]);
+    for(const auto& [name, vectors] : surface.vectors)
+      for(const double x : vectors[f])
+        append_little_endian(bytes, x);
+    for(const auto& [name, numbers] : surface.face_numbers)
+      append_little_endian(bytes, numbers[f]);
+  }
+  for(const auto& edge : surface.edges)
+    for(const std::uint32_t end : edge)
+      append_little_endian(bytes, end);
+  std::size_t begin = surface.points.size();
+  for(const std::vector<Point>& polyline : surface.polylines)
+  {
+    for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
+    {
+      append_little_endian(bytes, static_cast<std::uint32_t>(begin + i));
+      append_little_endian(bytes, static_cast<std::uint32_t>(begin + i + 1));
+    }
+    begin += polyline.size();
+  }
+  return bytes;
+}
+
+} // namespace program

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/Display.h"
+
+#include "io/errors.h"
+
+#ifdef GEODESIC_PROCESSING_HAS_VTK
+
+#  include <cerrno>
+#  include <csignal>
+#  include <cstdlib>
+#  include <string>
+
+#  include <dlfcn.h>
+#  include <fcntl.h>
+#  include <poll.h>
+#  include <sys/wait.h>
+#  include <unistd.h>
+#  ifdef __linux__
+#    include <sys/prctl.h>
+#  endif
+
+namespace program {
+
+namespace {
+
+// The number that Xvfb writes when it is ready; empty when it does not start.
+std::string read_number(int pipe)
+{
+  std::string number;
+  for(;;)
+  {
+    // It is ready in a tenth of a second, on a busy machine in a few.
+    ::pollfd ready = {pipe, POLLIN, 0};
+    char c;
+    if(::poll(&ready, 1, 20000) <= 0 || ::read(pipe, &c, 1) != 1)
+      return {};
+    if(c == '\n')
+      return number;
+    number += c;
+  }
+}
+
+// VTK ends the process when it cannot open a display: ask before.
+bool can_open_display()
+{
+  if(std::getenv("DISPLAY") == nullptr)
+    return false;
+  void* const library = ::dlopen("libX11.so.6", RTLD_NOW);
+  if(library == nullptr)
+    return false;
+  using Open = void* (*)(const char*);
+  using Close = int (*)(void*);
+  const auto open = reinterpret_cast<Open>(::dlsym(library, "XOpenDisplay"));
+  const auto close = reinterpret_cast<Close>(::dlsym(library, "XCloseDisplay"));
+  void* const display = open != nullptr && close != nullptr ? open(nullptr) : nullptr;
+  if(display == nullptr)
+    return false;
+  close(display);
+  return true;
+}
+
+} // namespace
+
+Display::Display()
+{
+  int ends[2];
+  if(::pipe(ends) != 0)
+    throw Usage_error("--picture: no pipe to a display server can be opened.");
+  const ::pid_t parent = ::getpid();
+  m_server = ::fork();
+  if(m_server == 0)
+  {
+#  ifdef __linux__
+    // Ends with us, also when we crash.
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if(::getppid() != parent)
+      ::_exit(1);
+#  else
+    (void)parent;
+#  endif
+    // An interrupt from the keyboard is for the program, not for its server.
+    ::setpgid(0, 0);
+    ::close(ends[0]);
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    ::dup2(nowhere, STDIN_FILENO);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    const std::string number = std::to_string(ends[1]);
+    ::execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1200x24",
+             "-nolisten", "tcp", static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  ::close(ends[1]);
+  const std::string number = m_server > 0 ? read_number(ends[0]) : std::string();
+  ::close(ends[0]);
+  if(!number.empty())
+  {
+    ::setenv("DISPLAY", (":" + number).c_str(), 1);
+    return;
+  }
+  if(!can_open_display())
+    throw Usage_error("--picture: there is no display and Xvfb does not start; is it installed?");
+}
+
+Display::~Display()
+{
+  if(m_server <= 0)
+    return;
+  ::kill(m_server, SIGTERM);
+  while(::waitpid(m_server, nullptr, 0) < 0 && errno == EINTR)
+    ;
+}
+
+} // namespace program
+
+#else
+
+namespace program {
+
+Display::Display()
+{
+  throw Usage_error("--picture: this program was built without VTK, which draws the pictures.");
+}
+
+Display::~Display() = default;
+
+} // namespace program
+
+#endif

@@ -1,0 +1,796 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/Picture.h"
+
+#ifndef GEODESIC_PROCESSING_HAS_VTK
+
+#  include "io/errors.h"
+
+namespace program {
+
+void draw(const std::string& filename, const Picture&)
+{
+  throw Usage_error("--picture " + filename + ": this program was built without VTK.");
+}
+
+} // namespace program
+
+#else
+
+#  include "io/Output_file.h"
+#  include "picture/View.h"
+#  include "io/colours.h"
+
+#  include <CGAL/Orthogonal_k_neighbor_search.h>
+#  include <CGAL/Search_traits_3.h>
+#  include <CGAL/Simple_cartesian.h>
+
+#  include <vtkActor.h>
+#  include <vtkCamera.h>
+#  include <vtkCellArray.h>
+#  include <vtkCellData.h>
+#  include <vtkContourFilter.h>
+#  include <vtkFloatArray.h>
+#  include <vtkIdList.h>
+#  include <vtkImageData.h>
+#  include <vtkLightKit.h>
+#  include <vtkLookupTable.h>
+#  include <vtkNew.h>
+#  include <vtkPNGWriter.h>
+#  include <vtkPointData.h>
+#  include <vtkPoints.h>
+#  include <vtkPolyData.h>
+#  include <vtkPolyDataMapper.h>
+#  include <vtkPolyDataNormals.h>
+#  include <vtkProperty.h>
+#  include <vtkRenderWindow.h>
+#  include <vtkRenderer.h>
+#  include <vtkScalarBarActor.h>
+#  include <vtkSphereSource.h>
+#  include <vtkStripper.h>
+#  include <vtkTextProperty.h>
+#  include <vtkTexture.h>
+#  include <vtkTubeFilter.h>
+#  include <vtkUnsignedCharArray.h>
+#  include <vtkWindowToImageFilter.h>
+
+#  include <algorithm>
+#  include <cmath>
+#  include <map>
+#  include <random>
+#  include <set>
+#  include <utility>
+
+namespace program {
+
+namespace {
+
+constexpr int width = 1600, height = 1200;
+constexpr Colour dark = {0.08, 0.08, 0.12}, red = {0.86, 0.11, 0.12};
+// Radii, in units of half the longest side of the bounding box.
+constexpr double thin = 0.0022, thick = 0.011, ball = 0.024;
+
+Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point operator*(double t, const Point& a) { return {t * a[0], t * a[1], t * a[2]}; }
+
+double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
+
+Point cross(const Point& a, const Point& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Graphics cards count in single precision: everything is drawn in a box from -1 to 1.
+class Frame
+{
+public:
+  explicit Frame(const std::vector<Point>& points)
+  {
+    Point low = points[0], high = points[0];
+    for(const Point& p : points)
+      for(std::size_t c = 0; c < 3; ++c)
+      {
+        low[c] = std::min(low[c], p[c]);
+        high[c] = std::max(high[c], p[c]);
+      }
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      m_center[c] = low[c] / 2. + high[c] / 2.;
+      m_size = std::max(m_size, high[c] / 2. - low[c] / 2.);
+    }
+  }
+
+  Point operator()(const Point& p) const
+  {
+    Point q = {0., 0., 0.};
+    if(m_size > 0.)
+      for(std::size_t c = 0; c < 3; ++c)
+        q[c] = (p[c] / 2. - m_center[c] / 2.) / m_size * 2.;
+    return q;
+  }
+
+  std::vector<Point> operator()(const std::vector<Point>& points) const
+  {
+    std::vector<Point> result(points.size());
+    std::transform(points.begin(), points.end(), result.begin(), *this);
+    return result;
+  }
+
+private:
+  Point m_center = {0., 0., 0.};
+  double m_size = 0.;
+};
+
+// Points and triangles that VTK is given, with one value or one colour for each point.
+struct Skin
+{
+  std::vector<Point> points;
+  std::vector<Point> normals; // empty: VTK finds them, with creases
+  std::vector<std::uint32_t> corners;
+  std::vector<Colour> colours; // #points or #triangles
+};
+
+vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Point>& points)
+{
+  const auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result->SetPoint(static_cast<vtkIdType>(i), points[i].data());
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> triangles_of(const std::vector<Point>& points,
+                                          const std::vector<std::uint32_t>& corners)
+{
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(to_vtk(points));
+  vtkNew<vtkCellArray> cells;
+  for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    const vtkIdType triangle[] = {corners[i], corners[i + 1], corners[i + 2]};
+    cells->InsertNextCell(3, triangle);
+  }
+  result->SetPolys(cells);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> lines_of(const std::vector<std::vector<Point>>& polylines)
+{
+  std::vector<Point> points;
+  vtkNew<vtkCellArray> cells;
+  for(const std::vector<Point>& polyline : polylines)
+  {
+    // The tube filter stumbles over points that coincide.
+    std::vector<vtkIdType> ids;
+    for(const Point& p : polyline)
+      if(ids.empty() || length(p - points.back()) > 1e-6)
+      {
+        ids.push_back(static_cast<vtkIdType>(points.size()));
+        points.push_back(p);
+      }
+    if(ids.size() > 1)
+      cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(to_vtk(points));
+  result->SetLines(cells);
+  return result;
+}
+
+// The sides of triangles, those that two share once.
+std::vector<std::vector<Point>> sides_of(const std::vector<Point>& points,
+                                         const std::vector<std::uint32_t>& corners)
+{
+  std::set<std::pair<std::uint32_t, std::uint32_t>> ends;
+  for(std::size_t c = 0; c < corners.size(); ++c)
+    ends.insert(std::minmax(corners[c], corners[c % 3 == 2 ? c - 2 : c + 1]));
+  std::vector<std::vector<Point>> result;
+  for(const auto& [a, b] : ends)
+    result.push_back({points[a], points[b]});
+  return result;
+}
+
+void paint(vtkActor* actor, const Colour& colour)
+{
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+// Nothing where there are no lines.
+vtkSmartPointer<vtkActor> add_tubes(vtkRenderer* renderer, vtkPolyData* lines, double radius,
+                                    const Colour& colour)
+{
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  if(lines->GetNumberOfLines() == 0)
+    return actor;
+  vtkNew<vtkTubeFilter> tubes;
+  tubes->SetInputData(lines);
+  tubes->SetRadius(radius);
+  tubes->SetNumberOfSides(10);
+  tubes->CappingOn();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(tubes->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  actor->SetMapper(mapper);
+  paint(actor, colour);
+  actor->GetProperty()->SetAmbient(0.25);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+void add_ball(vtkRenderer* renderer, const Point& center, double radius, const Colour& colour)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(24);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  paint(actor, colour);
+  actor->GetProperty()->SetAmbient(0.2);
+  actor->GetProperty()->SetSpecular(0.3);
+  actor->GetProperty()->SetSpecularPower(30.);
+  renderer->AddActor(actor);
+}
+
+// With normals, and points where creases end once on each side of them.
+vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* triangles)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(triangles);
+  normals->SetFeatureAngle(40.);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+// How skins shine.
+void finish(vtkActor* actor)
+{
+  actor->GetProperty()->SetAmbient(0.12);
+  actor->GetProperty()->SetDiffuse(0.9);
+  actor->GetProperty()->SetSpecular(0.08);
+  actor->GetProperty()->SetSpecularPower(25.);
+}
+
+void add_skin(vtkRenderer* renderer, const Skin& skin, double opacity = 1.)
+{
+  const vtkSmartPointer<vtkPolyData> data = triangles_of(skin.points, skin.corners);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(skin.colours.size()));
+  for(std::size_t i = 0; i < skin.colours.size(); ++i)
+    for(int c = 0; c < 3; ++c)
+      colours->SetComponent(static_cast<vtkIdType>(i), c,
+                            std::round(255. * skin.colours[i][static_cast<std::size_t>(c)]));
+  if(skin.colours.size() == skin.points.size())
+    data->GetPointData()->SetScalars(colours);
+  else
+    data->GetCellData()->SetScalars(colours);
+
+  vtkNew<vtkPolyDataMapper> mapper;
+  if(skin.normals.empty())
+    mapper->SetInputData(with_normals(data));
+  else
+  {
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(static_cast<vtkIdType>(skin.normals.size()));
+    for(std::size_t i = 0; i < skin.normals.size(); ++i)
+      normals->SetTuple(static_cast<vtkIdType>(i), skin.normals[i].data());
+    data->GetPointData()->SetNormals(normals);
+    mapper->SetInputData(data);
+  }
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  finish(actor);
+  actor->GetProperty()->SetOpacity(opacity);
+  renderer->AddActor(actor);
+}
+
+// A skin with a picture on it.
+void add_textured_skin(vtkRenderer* renderer, const std::vector<Point>& points,
+                       const Surface_file& surface, const Image& image)
+{
+  // Normals first, with creases: then each corner is a point, as places in the picture are its own.
+  const vtkSmartPointer<vtkPolyData> smooth = with_normals(triangles_of(points, surface.corners));
+  std::vector<Point> corners;
+  vtkNew<vtkFloatArray> corner_normals, places;
+  corner_normals->SetNumberOfComponents(3);
+  places->SetNumberOfComponents(2);
+  std::vector<std::uint32_t> numbers;
+  vtkNew<vtkIdList> cell;
+  for(vtkIdType f = 0; f < smooth->GetNumberOfCells(); ++f)
+  {
+    smooth->GetCellPoints(f, cell);
+    for(vtkIdType k = 0; k < 3; ++k)
+    {
+      numbers.push_back(static_cast<std::uint32_t>(corners.size()));
+      places->InsertNextTuple(surface.corner_uv[corners.size()].data());
+      corner_normals->InsertNextTuple(
+          smooth->GetPointData()->GetNormals()->GetTuple(cell->GetId(k)));
+      smooth->GetPoint(cell->GetId(k), corners.emplace_back().data());
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> data = triangles_of(corners, numbers);
+  data->GetPointData()->SetNormals(corner_normals);
+  data->GetPointData()->SetTCoords(places);
+
+  vtkNew<vtkImageData> pixels;
+  pixels->SetDimensions(static_cast<int>(image.width), static_cast<int>(image.height), 1);
+  pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* byte = static_cast<unsigned char*>(pixels->GetScalarPointer());
+  for(const Colour& pixel : image.pixels)
+    for(const double part : pixel)
+      *byte++ = static_cast<unsigned char>(std::lround(255. * part));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(pixels);
+  texture->InterpolateOn();
+  texture->RepeatOff();
+
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  finish(actor);
+  renderer->AddActor(actor);
+}
+
+struct Range
+{
+  double low = INFINITY, high = -INFINITY;
+  bool empty() const { return !(low < high); }
+};
+
+Range range_of(const std::vector<double>& values)
+{
+  Range range;
+  for(const double x : values)
+    if(std::isfinite(x))
+    {
+      range.low = std::min(range.low, x);
+      range.high = std::max(range.high, x);
+    }
+  return range;
+}
+
+// Between 12 and 25 lines, at multiples of 1, 2, 2.5 or 5 times a power of ten.
+double line_step(const Range& range)
+{
+  const double wanted = (range.high - range.low) / 25.;
+  const double power = std::pow(10., std::floor(std::log10(wanted)));
+  for(const double factor : {1., 2., 2.5, 5., 10.})
+    if(factor * power >= wanted)
+      return factor * power;
+  return wanted;
+}
+
+// Lines of equal value on the triangles whose corners all have one.
+vtkSmartPointer<vtkActor> add_isolines(vtkRenderer* renderer, const std::vector<Point>& points,
+                                       const std::vector<std::uint32_t>& corners,
+                                       const std::vector<double>& values, const Range& range)
+{
+  std::vector<std::uint32_t> finite;
+  for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    if(std::isfinite(values[corners[i]]) && std::isfinite(values[corners[i + 1]]) &&
+       std::isfinite(values[corners[i + 2]]))
+      finite.insert(finite.end(), {corners[i], corners[i + 1], corners[i + 2]});
+  const vtkSmartPointer<vtkPolyData> data = triangles_of(points, finite);
+  // In single precision and from 0 to 1: values may be as large or small as a double can be.
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  const double size = range.high - range.low;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    scalars->SetValue(static_cast<vtkIdType>(i),
+                      std::isfinite(values[i]) ? static_cast<float>((values[i] - range.low) / size)
+                                               : 0.f);
+  data->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkContourFilter> contours;
+  contours->SetInputData(data);
+  const double step = line_step(range);
+  int count = 0;
+  for(double value = step * (std::floor(range.low / step) + 1.); value < range.high && count < 100;
+      value += step)
+    contours->SetValue(count++, (value - range.low) / size);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(contours->GetOutputPort());
+  stripper->Update();
+  return add_tubes(renderer, stripper->GetOutput(), thin, dark);
+}
+
+void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title)
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  for(int i = 0; i < 256; ++i)
+  {
+    const Colour colour = viridis(i / 255.);
+    table->SetTableValue(i, colour[0], colour[1], colour[2]);
+  }
+  table->SetRange(range.low, range.high);
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(table);
+  bar->SetTitle(title.c_str());
+  bar->SetNumberOfLabels(5);
+  // Three digits, without an exponent where that is short.
+  const double digits = std::floor(std::log10(std::max(std::abs(range.low), range.high)));
+  const std::string format =
+      digits >= -3. && digits < 6.
+          ? "%." + std::to_string(static_cast<int>(std::max(0., 2. - digits))) + "f"
+          : "%.2e";
+  bar->SetLabelFormat(format.c_str());
+  bar->SetMaximumWidthInPixels(110);
+  bar->SetPosition(0.885, 0.18);
+  bar->SetWidth(0.1);
+  bar->SetHeight(0.64);
+  bar->UnconstrainedFontSizeOn();
+  bar->SetVerticalTitleSeparation(12);
+  for(vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
+  {
+    text->SetColor(dark[0], dark[1], dark[2]);
+    text->SetFontFamilyToArial();
+    text->BoldOff();
+    text->ItalicOff();
+    text->ShadowOff();
+    text->SetFontSize(26);
+  }
+  renderer->AddViewProp(bar);
+}
+
+// Cuts the triangles where several labels meet, so that each piece has one.
+class Regions
+{
+public:
+  Regions(const std::vector<Point>& points, const std::vector<std::uint32_t>& corners,
+          const std::vector<long long>& labels)
+      : m_count(points.size())
+  {
+    m_skin.points = points;
+    for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
+      cut({corners[i], corners[i + 1], corners[i + 2]}, labels);
+    smooth();
+  }
+
+  const Skin& skin() const { return m_skin; }
+
+  std::vector<std::vector<Point>> borders() const
+  {
+    std::vector<std::vector<Point>> result;
+    for(const auto& [p, q] : m_borders)
+      result.push_back({m_skin.points[p], m_skin.points[q]});
+    return result;
+  }
+
+private:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  void cut(Triangle c, const std::vector<long long>& labels)
+  {
+    const auto label = [&](std::size_t k) { return labels[c[k]]; };
+    if(label(0) == label(1) && label(1) == label(2))
+      return add({c[0], c[1], c[2]}, label(0));
+    if(label(0) != label(1) && label(1) != label(2) && label(2) != label(0))
+    {
+      const Triangle p = {cut_of(c[0], c[1]), cut_of(c[1], c[2]), cut_of(c[2], c[0])};
+      const auto middle = static_cast<std::uint32_t>(m_skin.points.size());
+      m_skin.points.push_back({0., 0., 0.});
+      m_sides.push_back({c[0], c[0]});
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        add({c[k], p[k], middle}, label(k));
+        add({c[k], middle, p[(k + 2) % 3]}, label(k));
+        m_borders.emplace_back(p[k], middle);
+      }
+      m_middles.push_back(middle);
+      move_middle(middle, p);
+      m_around.push_back(p);
+      return;
+    }
+    // One corner differs from the two others: turn it to the front.
+    while(label(1) != label(2))
+      std::rotate(c.begin(), c.begin() + 1, c.end());
+    const std::uint32_t p = cut_of(c[0], c[1]), q = cut_of(c[2], c[0]);
+    add({c[0], p, q}, label(0));
+    add({p, c[1], c[2]}, label(1));
+    add({p, c[2], q}, label(1));
+    m_borders.emplace_back(p, q);
+  }
+
+  void add(const Triangle& corners, long long label)
+  {
+    m_skin.corners.insert(m_skin.corners.end(), corners.begin(), corners.end());
+    m_skin.colours.push_back(colour_of_label(label));
+  }
+
+  // The point that cuts a side, first in its middle.
+  std::uint32_t cut_of(std::uint32_t a, std::uint32_t b)
+  {
+    const auto [low, high] = std::minmax(a, b);
+    const auto [place, is_new] =
+        m_cuts.try_emplace({low, high}, static_cast<std::uint32_t>(m_skin.points.size()));
+    if(is_new)
+    {
+      const Point middle = 0.5 * (m_skin.points[low] + m_skin.points[high]);
+      m_skin.points.push_back(middle);
+      m_sides.push_back({low, high});
+    }
+    return place->second;
+  }
+
+  void move_middle(std::uint32_t middle, const Triangle& p)
+  {
+    m_skin.points[middle] =
+        (1. / 3.) * (m_skin.points[p[0]] + m_skin.points[p[1]] + m_skin.points[p[2]]);
+  }
+
+  // Borders that go from middle to middle of sides are ragged.  Each cut slides along its side
+  // towards the middle of its neighbours on the border.
+  void smooth()
+  {
+    const std::size_t cuts = m_sides.size();
+    std::vector<Point> sum(cuts);
+    std::vector<double> number(cuts);
+    for(int round = 0; round < 30; ++round)
+    {
+      std::fill(sum.begin(), sum.end(), Point{0., 0., 0.});
+      std::fill(number.begin(), number.end(), 0.);
+      for(const auto& [p, q] : m_borders)
+      {
+        sum[p - m_count] = sum[p - m_count] + m_skin.points[q];
+        sum[q - m_count] = sum[q - m_count] + m_skin.points[p];
+        number[p - m_count] += 1.;
+        number[q - m_count] += 1.;
+      }
+      for(std::size_t i = 0; i < cuts; ++i)
+      {
+        const Point &a = m_skin.points[m_sides[i][0]], &b = m_skin.points[m_sides[i][1]];
+        const Point side = b - a, wish = (1. / std::max(number[i], 1.)) * sum[i] - a;
+        const double squared = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
+        // Ends of borders stay, and middles move with their cuts.
+        if(number[i] < 2. || squared == 0.)
+          continue;
+        const double t = (wish[0] * side[0] + wish[1] * side[1] + wish[2] * side[2]) / squared;
+        m_skin.points[m_count + i] = a + std::clamp(t, 0.03, 0.97) * side;
+      }
+      for(std::size_t i = 0; i < m_middles.size(); ++i)
+        move_middle(m_middles[i], m_around[i]);
+    }
+  }
+
+  std::size_t m_count; // of the points given; cuts and middles follow
+  Skin m_skin;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_cuts;
+  std::vector<std::array<std::uint32_t, 2>> m_sides; // #cuts and middles: what a cut lies on
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_borders;
+  std::vector<std::uint32_t> m_middles;
+  std::vector<Triangle> m_around; // #middles: the cuts around each
+};
+
+// A disk for each point, across its normal, wide enough to meet its neighbours'.
+Skin splats(const std::vector<Point>& points, const std::vector<Point>& normals,
+            const std::vector<Colour>& colours)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
+  std::vector<Kernel::Point_3> distinct;
+  for(const Point& p : points)
+    distinct.emplace_back(p[0], p[1], p[2]);
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  Search::Tree tree(distinct.begin(), distinct.end());
+
+  std::vector<double> radius(points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Search search(tree, {points[i][0], points[i][1], points[i][2]}, 7);
+    double farthest = 0.;
+    for(const auto& neighbour : search)
+      farthest = std::max(farthest, neighbour.second);
+    radius[i] = 0.75 * std::sqrt(farthest);
+  }
+  // Lone points must neither vanish nor cover the others.
+  std::vector<double> sorted = radius;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double median = std::max(sorted[sorted.size() / 2], 1e-3);
+
+  constexpr std::uint32_t sides = 10;
+  Skin skin;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Point& n = normals[i];
+    const Point helper = std::abs(n[0]) < 0.6 ? Point{1., 0., 0.} : Point{0., 1., 0.};
+    Point u = cross(n, helper);
+    u = (1. / length(u)) * u;
+    const Point v = cross(n, u);
+    const double r = std::clamp(radius[i], 0.4 * median, 1.8 * median);
+    const auto first = static_cast<std::uint32_t>(skin.points.size());
+    for(std::uint32_t k = 0; k < sides; ++k)
+    {
+      const double angle = 2. * 3.14159265358979 * k / sides;
+      skin.points.push_back(points[i] + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v);
+      skin.normals.push_back(n);
+      skin.colours.push_back(colours[i]);
+      if(k >= 2)
+        skin.corners.insert(skin.corners.end(), {first, first + k - 1, first + k});
+    }
+  }
+  return skin;
+}
+
+// Points spread over the surface, always the same ones.
+std::vector<Point> sample(const std::vector<Point>& points,
+                          const std::vector<std::uint32_t>& corners)
+{
+  constexpr std::size_t count = 60000;
+  if(corners.empty())
+    return points;
+  std::vector<double> area(corners.size() / 3);
+  double sum = 0.;
+  for(std::size_t f = 0; f < area.size(); ++f)
+  {
+    const Point& a = points[corners[3 * f]];
+    sum += length(cross(points[corners[3 * f + 1]] - a, points[corners[3 * f + 2]] - a));
+    area[f] = sum;
+  }
+  std::vector<Point> samples;
+  std::mt19937 generator(1);
+  const auto random = [&generator] { return static_cast<double>(generator()) / 4294967296.; };
+  for(std::size_t i = 0; i < count && sum > 0.; ++i)
+  {
+    const auto place = std::upper_bound(area.begin(), area.end(), random() * sum);
+    const std::size_t f =
+        std::min<std::size_t>(static_cast<std::size_t>(place - area.begin()), area.size() - 1);
+    double s = random(), t = random();
+    if(s + t > 1.)
+    {
+      s = 1. - s;
+      t = 1. - t;
+    }
+    const Point& a = points[corners[3 * f]];
+    samples.push_back(a + s * (points[corners[3 * f + 1]] - a) +
+                      t * (points[corners[3 * f + 2]] - a));
+  }
+  // Corners too: the outermost ones decide how near the camera may come.
+  const std::size_t stride = corners.size() / 100000 + 1;
+  for(std::size_t i = 0; i < corners.size(); i += stride)
+    samples.push_back(points[corners[i]]);
+  return samples;
+}
+
+View place_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
+                  const std::vector<Point>& places, const std::vector<Point>& normals, bool has_bar)
+{
+  // The bar takes a strip at the right.
+  const double free_share = has_bar ? 0.86 : 1.;
+  const View view = choose_view(samples, places, free_share * width / height, normals);
+  const Point position = view.center + view.distance * view.back;
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(view.center.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(view.up.data());
+  camera->SetViewAngle(view_angle);
+  camera->SetWindowCenter(has_bar ? 1. - free_share : 0., 0.);
+  renderer->ResetCameraClippingRange();
+  return view;
+}
+
+void save(vtkRenderWindow* window, const std::string& filename)
+{
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  write_file(filename, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                        static_cast<std::size_t>(bytes->GetNumberOfValues())});
+}
+
+} // namespace
+
+void draw(const std::string& filename, const Picture& picture)
+{
+  // Its warnings go to standard error, which belongs to our sentences.
+  vtkObject::GlobalWarningDisplayOff();
+  const Surface_file& surface = *picture.surface;
+  const bool is_mesh = surface.number_of_polygons() > 0;
+  const Frame frame(surface.points);
+  const std::vector<Point> points = frame(surface.points), markers = frame(picture.markers);
+  const auto framed = [&](std::vector<std::vector<Point>> result)
+  {
+    for(std::vector<Point>& polyline : result)
+      polyline = frame(polyline);
+    return result;
+  };
+  const std::vector<std::vector<Point>> polylines = framed(picture.polylines);
+  Range range = picture.labels.empty() ? range_of(picture.values) : Range();
+  // Distances begin at zero, also where no vertex is a source.
+  if(range.low > 0. && range.low < 0.2 * range.high)
+    range.low = 0.;
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1., 1., 1.);
+  std::vector<Colour> colours =
+      picture.colours.empty() ? std::vector<Colour>(points.size(), plain) : picture.colours;
+  if(!picture.labels.empty())
+    std::transform(picture.labels.begin(), picture.labels.end(), colours.begin(), colour_of_label);
+  else if(!picture.values.empty())
+    colours = colours_of(picture.values, range.low, range.high);
+
+  const std::vector<std::uint32_t>& triangles = is_mesh ? surface.corners : picture.triangles;
+  vtkSmartPointer<vtkActor> lines;
+  if(!is_mesh)
+    add_skin(renderer, splats(points, surface.normals, colours));
+  if(!picture.labels.empty())
+  {
+    const Regions regions(points, triangles, picture.labels);
+    if(is_mesh)
+      add_skin(renderer, regions.skin());
+    lines = add_tubes(renderer, lines_of(regions.borders()), thin, dark);
+  }
+  else
+  {
+    if(picture.texture != nullptr)
+      add_textured_skin(renderer, points, surface, *picture.texture);
+    else if(is_mesh)
+      add_skin(renderer, {points, {}, triangles, colours}, picture.is_glass ? 0.25 : 1.);
+    if(!range.empty() && picture.with_lines)
+      lines = add_isolines(renderer, points, triangles, picture.values, range);
+  }
+  if(picture.with_sides)
+    add_tubes(renderer, lines_of(sides_of(points, triangles)), thin, dark);
+  add_tubes(renderer, lines_of(framed(picture.chains)), thin, dark);
+  add_tubes(renderer, lines_of(polylines), thick, red);
+  const bool has_regions = !picture.labels.empty();
+  for(const Point& marker : markers)
+    add_ball(renderer, marker, has_regions ? 0.6 * ball : ball, has_regions ? dark : red);
+  if(!range.empty())
+    add_bar(renderer, range, picture.title);
+
+  std::vector<Point> places = frame(picture.places);
+  if(!has_regions)
+    places.insert(places.end(), markers.begin(), markers.end());
+  for(const std::vector<Point>& polyline : polylines)
+    for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
+      places.push_back(polyline[i]);
+  const View view = place_camera(renderer, sample(points, surface.corners), places, picture.normals,
+                                 !range.empty());
+  // Splats stick out of the triangles that carry a cloud's lines: bring the lines to the front.
+  if(!is_mesh && lines != nullptr)
+  {
+    const Point shift = 0.012 * view.back;
+    lines->SetPosition(shift[0], shift[1], shift[2]);
+  }
+
+  vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(0.85);
+  lights->SetKeyToFillRatio(2.2);
+  lights->SetKeyToHeadRatio(3.);
+  lights->AddLightsToRenderer(renderer);
+
+  vtkNew<vtkRenderWindow> window;
+  window->OffScreenRenderingOn();
+  window->SetMultiSamples(picture.is_glass ? 0 : 8);
+  if(picture.is_glass)
+  {
+    window->AlphaBitPlanesOn();
+    renderer->UseDepthPeelingOn();
+    renderer->SetMaximumNumberOfPeels(12);
+    renderer->UseFXAAOn();
+  }
+  window->SetSize(width, height);
+  window->AddRenderer(renderer);
+  window->Render();
+  save(window, filename);
+}
+
+} // namespace program
+
+#endif

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "repair/repair.h"
+
+#include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
+#include <CGAL/Geodesic_processing/internal/mesh/locality.h>
+#include "surfels/normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+using CGAL::Geodesic_processing::internal::dot;
+using CGAL::Geodesic_processing::internal::estimate_normals;
+using CGAL::Geodesic_processing::internal::Index;
+using CGAL::Geodesic_processing::internal::Kd_tree;
+using CGAL::Geodesic_processing::internal::operator*;
+using CGAL::Geodesic_processing::internal::to_frame;
+using CGAL::Geodesic_processing::internal::unit_frame;
+
+constexpr unsigned neighbours = 16;
+
+// Of unit length, or zero where there is none.  Neither overflows nor underflows.
+Point unit(Point v)
+{
+  double size = 0.;
+  for(const double x : v)
+  {
+    if(!std::isfinite(x))
+      return {0., 0., 0.};
+    size = std::max(size, std::abs(x));
+  }
+  if(size == 0.)
+    return {0., 0., 0.};
+  for(double& x : v)
+    x /= size;
+  const double length = std::hypot(v[0], v[1], v[2]);
+  for(double& x : v)
+    x /= length;
+  return v;
+}
+
+bool is_zero(const Point& v) { return v[0] == 0. && v[1] == 0. && v[2] == 0.; }
+
+// Replaces normals that are missing, on the side of the nearest one given.
+void complete_like_given(std::vector<Point> points, const std::vector<Point>& estimated,
+                         std::vector<Point>& normals)
+{
+  to_frame(points, unit_frame(points));
+  std::vector<Point> known, like;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(!is_zero(normals[i]))
+    {
+      known.push_back(points[i]);
+      like.push_back(normals[i]);
+    }
+  std::vector<Index> order;
+  const Kd_tree tree(known, order);
+  for(std::size_t i = 0; i < points.size(); ++i)
+    if(is_zero(normals[i]))
+    {
+      const bool agrees = dot(estimated[i], like[order[tree.nearest(known, points[i])]]) >= 0.;
+      normals[i] = (agrees ? 1. : -1.) * estimated[i];
+    }
+}
+
+} // namespace
+
+bool complete_normals(Surface_file& cloud, unsigned threads)
+{
+  const std::size_t n = cloud.points.size();
+  const bool given = !cloud.normals.empty();
+  cloud.normals.resize(n, Point{0., 0., 0.});
+  for(Point& normal : cloud.normals)
+    normal = unit(normal);
+  const auto missing =
+      static_cast<std::size_t>(std::count_if(cloud.normals.begin(), cloud.normals.end(), is_zero));
+  if(missing == 0)
+    return false;
+
+  std::vector<Point> estimated = estimate_normals(cloud.points, neighbours, missing == n, threads);
+  if(missing == n)
+    cloud.normals = std::move(estimated);
+  else
+    complete_like_given(cloud.points, estimated, cloud.normals);
+  return given;
+}
+
+} // namespace program

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "repair/fill_holes.h"
+
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+using Halfedge = Mesh::Halfedge_index;
+using Vertex = Mesh::Vertex_index;
+
+// The search among all triangles takes the cube of the number of edges: 0.1 s for so many.
+constexpr std::size_t most_for_all_triangles = 200;
+// Some rims have Delaunay triangulations as large as the square.
+constexpr std::size_t most_for_delaunay = 1000;
+// What writes the triangles calls itself as often.
+constexpr std::size_t most_for_plane = 5000;
+
+struct Out_of_steps
+{};
+
+// Ends the searches when together they take too long.  A step is some 0.1 microseconds, and an
+// edge of the Delaunay triangulation counts as a hundred: a usual rim has four for each of its edges,
+// others half the square of their number.
+struct Patience : PMP::Hole_filling::Default_visitor
+{
+  double* steps_left;
+
+  explicit Patience(double& steps) : steps_left(&steps) {}
+  void quadratic_step() const { take(100.); }
+  void start_cubic_phase(int steps) const { take(steps); }
+
+private:
+  void take(double steps) const
+  {
+    if(steps > *steps_left)
+      throw Out_of_steps();
+    *steps_left -= steps;
+  }
+};
+
+struct Hole
+{
+  Halfedge last;
+  std::size_t edges = 0;
+};
+
+// What follows on a border in the same fan of triangles.
+Halfedge next_of_fan(const Mesh& mesh, Halfedge h)
+{
+  do
+    h = mesh.prev(mesh.opposite(h));
+  while(!mesh.is_border(mesh.opposite(h)));
+  return mesh.opposite(h);
+}
+
+// The borders, each of which is made to pass its vertices once.  At vertices where several fans meet
+// each keeps to its fan, so that parts that only touch are not joined; where a border comes to a
+// vertex again, what lies between becomes a border of its own.
+std::vector<Hole> take_apart(Mesh& mesh)
+{
+  std::vector<Hole> holes;
+  std::vector<bool> seen(mesh.num_halfedges(), false);
+  std::vector<std::size_t> place(mesh.num_vertices(), 0); // in `border`, from 1
+  std::vector<Halfedge> border;
+  for(const Halfedge begin : mesh.halfedges())
+  {
+    if(!mesh.is_border(begin) || seen[begin])
+      continue;
+    for(Halfedge h = begin; !seen[h];)
+    {
+      seen[h] = true;
+      const Halfedge next = next_of_fan(mesh, h);
+      const std::size_t before = place[mesh.target(h)];
+      border.push_back(h);
+      if(before == 0)
+      {
+        place[mesh.target(h)] = border.size();
+        mesh.set_next(h, next);
+      }
+      else
+      {
+        const Halfedge first = border[before - 1];
+        holes.push_back({h, border.size() - before});
+        mesh.set_next(h, mesh.next(first));
+        mesh.set_next(first, next);
+        for(; border.size() > before; border.pop_back())
+          if(border.back() != h)
+            place[mesh.target(border.back())] = 0;
+      }
+      h = next;
+    }
+    holes.push_back({border.back(), border.size()});
+    for(; !border.empty(); border.pop_back())
+      place[mesh.target(border.back())] = 0;
+  }
+  return holes;
+}
+
+// The outside of a triangle that has no neighbours.
+bool is_one_triangle(const Mesh& mesh, const Hole& hole)
+{
+  const Halfedge inside = mesh.opposite(hole.last);
+  return hole.edges == 3 && mesh.is_border(mesh.opposite(mesh.next(inside))) &&
+         mesh.is_border(mesh.opposite(mesh.prev(inside)));
+}
+
+// An edge of the hole that has a length: the search must start there, as it takes a rim whose first
+// and last points are equal for one that repeats its first vertex.  None where all lie in one place.
+template <typename Points>
+Halfedge edge_with_length(const Mesh& mesh, const Points& points, const Hole& hole)
+{
+  Halfedge h = hole.last;
+  for(std::size_t i = 0; i < hole.edges; ++i, h = mesh.next(h))
+    if(get(points, mesh.source(h)) != get(points, mesh.target(h)))
+      return h;
+  return Mesh::null_halfedge();
+}
+
+// The points divided by a power of two, so that no product of coordinates overflows.
+Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
+{
+  double largest = 0.;
+  for(const Kernel::Point_3& p : mesh.points())
+    for(int c = 0; c < 3; ++c)
+      largest = std::max(largest, std::abs(p[c]));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const auto scaled = [exponent](double x) { return std::ldexp(x, -exponent); };
+  const auto result = mesh.add_property_map<Vertex, Kernel::Point_3>("v:scaled_point").first;
+  for(const Vertex v : mesh.vertices())
+  {
+    const Kernel::Point_3& p = mesh.point(v);
+    result[v] = {scaled(p.x()), scaled(p.y()), scaled(p.z())};
+  }
+  return result;
+}
+
+} // namespace
+
+Filled_holes fill_holes(Mesh& mesh, std::size_t most_edges)
+{
+  std::vector<Hole> holes = take_apart(mesh);
+  // Small ones first, lest a large one takes their time.
+  std::stable_sort(holes.begin(), holes.end(),
+                   [](const Hole& a, const Hole& b) { return a.edges < b.edges; });
+  auto points = scaled_points(mesh);
+  // Enough where half of the vertices lie on usual rims.
+  double steps = 1e7 + 500. * static_cast<double>(mesh.number_of_vertices());
+  const Patience patience(steps);
+  Filled_holes result;
+  for(const Hole& hole : holes)
+  {
+    if(hole.edges > most_edges)
+      continue;
+    std::vector<Mesh::Face_index> faces;
+    const Halfedge start = edge_with_length(mesh, points, hole);
+    if(start != Mesh::null_halfedge() && hole.edges >= 3 && hole.edges <= most_for_plane &&
+       !is_one_triangle(mesh, hole))
+      try
+      {
+        PMP::triangulate_hole(
+            mesh, start, std::back_inserter(faces),
+            CGAL::parameters::vertex_point_map(points)
+                .visitor(patience)
+                .use_2d_constrained_delaunay_triangulation(hole.edges > most_for_all_triangles)
+                .use_delaunay_triangulation(hole.edges <= most_for_delaunay && steps > 0.)
+                .do_not_use_cubic_algorithm(hole.edges > most_for_all_triangles || steps <= 0.));
+      }
+      catch(const Out_of_steps&)
+      {
+        steps = 0.;
+      }
+    ++(faces.empty() ? result.left : result.filled);
+  }
+  mesh.remove_property_map(points);
+  return result;
+}
+
+} // namespace program

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/Scanner.h"
+#include "repair/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+namespace program {
+
+namespace {
+
+using Plane_point = std::array<double, 2>;
+
+double cross(const Plane_point& a, const Plane_point& b, const Plane_point& c)
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+// The corners of a polygon in the plane that fits it best, of size about one.  Empty where it spans
+// no plane.
+std::vector<Plane_point> flatten(const std::vector<Point>& corners)
+{
+  const Point origin = corners[0];
+  double size = 0.;
+  std::vector<Point> p = corners;
+  // Half the coordinates: the difference of two huge ones must not overflow.
+  for(Point& x : p)
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      x[c] = x[c] / 2. - origin[c] / 2.;
+      size = std::max(size, std::abs(x[c]));
+    }
+  if(size == 0.)
+    return {};
+  for(Point& x : p)
+    for(double& c : x)
+      c /= size;
+
+  // Newell's normal: right for concave polygons and for those that are not planar.
+  Point normal = {0., 0., 0.};
+  for(std::size_t i = 0; i < p.size(); ++i)
+  {
+    const Point &a = p[i], &b = p[(i + 1) % p.size()];
+    for(std::size_t c = 0; c < 3; ++c)
+      normal[c] += a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+  }
+  std::size_t axis = 0;
+  for(std::size_t c = 1; c < 3; ++c)
+    if(std::abs(normal[c]) > std::abs(normal[axis]))
+      axis = c;
+  if(normal[axis] == 0.)
+    return {};
+  // Along the axis nearest to the normal: signs of areas are kept, and no rounding is added.
+  const double sign = normal[axis] > 0. ? 1. : -1.;
+  std::vector<Plane_point> flat(p.size());
+  for(std::size_t i = 0; i < p.size(); ++i)
+    flat[i] = {p[i][(axis + 1) % 3], sign * p[i][(axis + 2) % 3]};
+  return flat;
+}
+
+double squared_distance(const Plane_point& a, const Plane_point& b)
+{
+  return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+}
+
+bool contains(const Plane_point& a, const Plane_point& b, const Plane_point& c,
+              const Plane_point& p)
+{
+  return p != a && p != b && p != c && cross(a, b, p) >= 0. && cross(b, c, p) >= 0. &&
+         cross(c, a, p) >= 0.;
+}
+
+using Triangle = std::array<std::size_t, 3>;
+
+// Cuts ears off, one after another.  Always ends with n - 2 triangles: where no corner is an ear,
+// as in a polygon that crosses itself, the most convex one goes.
+std::vector<Triangle> cut_ears(const std::vector<Plane_point>& p)
+{
+  std::vector<Triangle> triangles;
+  std::vector<std::size_t> left(p.size());
+  for(std::size_t i = 0; i < left.size(); ++i)
+    left[i] = i;
+
+  std::size_t begin = 0;
+  while(left.size() > 3)
+  {
+    const std::size_t n = left.size();
+    const auto area = [&](std::size_t i)
+    { return cross(p[left[(i + n - 1) % n]], p[left[i]], p[left[(i + 1) % n]]); };
+    std::vector<std::size_t> reflex;
+    for(std::size_t i = 0; i < n; ++i)
+      if(area(i) <= 0.)
+        reflex.push_back(left[i]);
+
+    // Of a quadrilateral's two ears the one with the shorter cut; else the first after the last
+    // cut, so that a round polygon does not become a fan.
+    std::size_t ear = n, most_convex = 0;
+    double shortest = INFINITY;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const std::size_t i = (begin + k) % n;
+      if(area(i) > area(most_convex))
+        most_convex = i;
+      const Plane_point &a = p[left[(i + n - 1) % n]], &b = p[left[i]], &c = p[left[(i + 1) % n]];
+      if(area(i) <= 0. || std::any_of(reflex.begin(), reflex.end(),
+                                      [&](std::size_t r) { return contains(a, b, c, p[r]); }))
+        continue;
+      const double cut = squared_distance(a, c);
+      if(cut < shortest)
+      {
+        shortest = cut;
+        ear = i;
+      }
+      if(n > 4)
+        break;
+    }
+    if(ear == n)
+      ear = most_convex;
+    triangles.push_back({left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]});
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+    begin = (ear + 1) % left.size();
+  }
+  triangles.push_back({left[0], left[1], left[2]});
+  return triangles;
+}
+
+struct Hash
+{
+  std::size_t operator()(const std::array<std::uint32_t, 3>& triangle) const
+  {
+    std::uint64_t result = triangle[0];
+    for(const std::uint32_t corner : {triangle[1], triangle[2]})
+    {
+      result = (result ^ (result >> 29)) * 0xbf58476d1ce4e5b9u + corner;
+      result = (result ^ (result >> 32)) * 0x94d049bb133111ebu;
+    }
+    return static_cast<std::size_t>(result ^ (result >> 31));
+  }
+};
+
+// Keeps the first of triangles with the same corners in the same order.  Two that face opposite
+// ways may be a closed surface and stay.
+bool drop_copies(Surface_file& surface)
+{
+  std::unordered_set<std::array<std::uint32_t, 3>, Hash> seen;
+  seen.reserve(surface.number_of_polygons());
+  std::size_t kept = 0;
+  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
+  {
+    std::array<std::uint32_t, 3> triangle;
+    std::copy_n(surface.corners.begin() + static_cast<std::ptrdiff_t>(3 * f), 3, triangle.begin());
+    std::array<std::uint32_t, 3> turned = triangle;
+    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+    if(seen.insert(turned).second)
+      std::copy_n(triangle.begin(), 3,
+                  surface.corners.begin() + static_cast<std::ptrdiff_t>(3 * kept++));
+  }
+  const bool changed = kept != surface.number_of_polygons();
+  surface.corners.resize(3 * kept);
+  surface.first.resize(kept + 1);
+  return changed;
+}
+
+} // namespace
+
+bool triangulate(Surface_file& surface, const std::string& name)
+{
+  // Ears are searched in quadratic time: 10,000 corners take about a second.
+  constexpr std::size_t most_corners = 10000;
+  bool changed = false;
+  std::vector<std::uint32_t> corners, face;
+  corners.reserve(surface.corners.size());
+  std::vector<Point> points;
+  for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
+  {
+    face.assign(surface.corners.begin() + static_cast<std::ptrdiff_t>(surface.first[f]),
+                surface.corners.begin() + static_cast<std::ptrdiff_t>(surface.first[f + 1]));
+    const std::size_t degree = face.size();
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    while(face.size() > 1 && face.front() == face.back())
+      face.pop_back();
+    changed = changed || face.size() != 3 || degree != 3;
+    if(face.size() < 3)
+      continue;
+    if(face.size() == 3)
+    {
+      corners.insert(corners.end(), face.begin(), face.end());
+      continue;
+    }
+    if(face.size() > most_corners)
+      fail(name, "face " + std::to_string(f) + " has " + std::to_string(face.size()) +
+                     " corners, more than 10,000");
+    points.clear();
+    for(const std::uint32_t corner : face)
+      points.push_back(surface.points[corner]);
+    const std::vector<Plane_point> flat = flatten(points);
+    std::vector<Triangle> triangles;
+    if(!flat.empty())
+      triangles = cut_ears(flat);
+    else
+      for(std::size_t k = 2; k < face.size(); ++k)
+        triangles.push_back({0, k - 1, k});
+    for(const Triangle& t : triangles)
+      if(face[t[0]] != face[t[1]] && face[t[1]] != face[t[2]] && face[t[2]] != face[t[0]])
+        corners.insert(corners.end(), {face[t[0]], face[t[1]], face[t[2]]});
+  }
+  surface.corners = std::move(corners);
+  surface.first.resize(surface.corners.size() / 3 + 1);
+  for(std::size_t f = 0; f < surface.first.size(); ++f)
+    surface.first[f] = 3 * f;
+  const bool dropped = drop_copies(surface);
+  return changed || dropped;
+}
+
+} // namespace program

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CROSSINGS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CROSSINGS_H
+
+#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Pairs of triangles in space that meet elsewhere than in corners and sides that they share, by exact
+// predicates: sorted, the lower of each first.  One without area makes a pair with itself alone.
+// O(n log n + k) for k pairs whose boxes meet, until `most` pairs are found, which ends the search.
+// corners: #triangles by 3, of points
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<std::array<Index, 2>>
+crossing_triangles(const std::vector<Spatial>& points,
+                   const std::vector<std::array<Index, 3>>& corners, std::size_t most);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CROSSINGS_H

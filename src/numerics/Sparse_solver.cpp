@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/numerics/Sparse_solver.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include "numerics/blas.h"
+#include "numerics/supernodes.h"
+
+#include <Eigen/Sparse>
+#ifdef GEODESIC_PROCESSING_HAS_CHOLMOD
+#  include <Eigen/CholmodSupport>
+#else
+#  include <Eigen/SparseCholesky>
+#endif
+
+#include <mutex>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+#ifdef GEODESIC_PROCESSING_HAS_CHOLMOD
+
+namespace {
+
+// The state of one call, which threads could not share.  Meanwhile the calling thread opens no teams of
+// OpenMP, of which CHOLMOD asks for four threads whatever they are allowed to be: waiting for each other
+// on two busy processors took up to four tenths of the time.
+class Common : public cholmod_common
+{
+public:
+  Common()
+  {
+    cholmod_start(this);
+    print = 0; // it warns on standard output
+    supernodal = CHOLMOD_SUPERNODAL;
+    static auto* const levels = loaded<int()>("omp_get_max_active_levels");
+    if(levels)
+    {
+      m_levels = levels();
+      set_levels(0);
+    }
+  }
+  ~Common()
+  {
+    cholmod_finish(this);
+    if(m_levels > 0)
+      set_levels(m_levels);
+  }
+  Common(const Common&) = delete;
+
+private:
+  static void set_levels(int levels)
+  {
+    static auto* const set = loaded<void(int)>("omp_set_max_active_levels");
+    set(levels);
+  }
+
+  Blas_at_one_thread m_blas;
+  int m_levels = 0;
+};
+
+} // namespace
+
+struct Sparse_solver::Solver
+{
+  Solver(const Sparse_matrix& matrix, Elimination elimination)
+  {
+    Common common;
+    if(elimination == Elimination::sparse)
+    {
+      common.nmethods = 2; // the better of the two, or the one that is there
+      common.method[0].ordering = CHOLMOD_METIS;
+      common.method[1].ordering = CHOLMOD_AMD;
+      // Fewer and larger dense blocks than by default (4, 16, 48), with more zeros in them: a third less
+      // time from six thousand to forty thousand unknowns.
+      common.nrelax[0] = 16;
+      common.nrelax[1] = 48;
+      common.nrelax[2] = 96;
+    }
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+    factor = cholmod_analyze(&view, &common);
+  }
+  Solver(const Solver& other)
+  {
+    Common common;
+    factor = cholmod_copy_factor(other.factor, &common);
+  }
+  ~Solver()
+  {
+    Common common;
+    cholmod_free_factor(&factor, &common);
+  }
+
+  bool factorize(const Sparse_matrix& matrix)
+  {
+    Common common;
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+    return factor && cholmod_factorize(&view, factor, &common) && factor->minor == factor->n;
+  }
+
+  Vector solve(const Vector& right) const
+  {
+    Common common;
+    cholmod_dense view = Eigen::viewAsCholmod(right.const_cast_derived());
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, &view, &common);
+    if(!solution)
+      throw std::bad_alloc();
+    const Vector result = Vector::Map(static_cast<const double*>(solution->x), right.size());
+    cholmod_free_dense(&solution, &common);
+    return result;
+  }
+
+  void solve(Eigen::MatrixXd& columns) const
+  {
+    std::vector<double> space = take();
+    substitute(supernodes(), columns.data(), std::size_t(columns.cols()), space);
+    const std::lock_guard<std::mutex> lock(mutex);
+    idle.push_back(std::move(space));
+  }
+
+  Supernodes supernodes() const
+  {
+    const auto integers = [](const void* array) { return static_cast<const int*>(array); };
+    return {factor->n,
+            factor->nsuper,
+            integers(factor->Perm),
+            integers(factor->super),
+            integers(factor->pi),
+            integers(factor->px),
+            integers(factor->s),
+            static_cast<const double*>(factor->x)};
+  }
+
+  std::vector<double> take() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if(idle.empty())
+      return {};
+    std::vector<double> result = std::move(idle.back());
+    idle.pop_back();
+    return result;
+  }
+
+  mutable std::mutex mutex;
+  // Of calls that have ended: the system takes long to give that much memory each time.
+  mutable std::vector<std::vector<double>> idle;
+  cholmod_factor* factor = nullptr;
+};
+
+#else
+
+struct Sparse_solver::Solver
+{
+  Solver(const Sparse_matrix& matrix, Elimination) : pattern(matrix)
+  {
+    ldlt.analyzePattern(pattern);
+  }
+  Solver(const Solver& other) : Solver(other.pattern, Elimination::quick) {}
+
+  bool factorize(const Sparse_matrix& matrix)
+  {
+    ldlt.factorize(matrix);
+    return ldlt.info() == Eigen::Success && !(ldlt.vectorD().minCoeff() <= 0.);
+  }
+  Vector solve(const Vector& right) const { return ldlt.solve(right); }
+  void solve(Eigen::MatrixXd& columns) const { columns = ldlt.solve(columns).eval(); }
+
+  Sparse_matrix pattern; // Eigen's factorizations cannot be copied
+  Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> ldlt;
+};
+
+#endif
+
+Sparse_solver::Sparse_solver(const Sparse_matrix& matrix, Elimination elimination)
+    : m_solver(std::make_unique<Solver>(matrix, elimination))
+{
+  if(!factorize(matrix))
+    throw Unsupported_surface_error("A linear system of the surface could not be factorized.");
+}
+
+Sparse_solver::Sparse_solver(const Sparse_solver& other)
+    : m_solver(std::make_unique<Solver>(*other.m_solver))
+{}
+
+Sparse_solver::~Sparse_solver() = default;
+
+bool Sparse_solver::factorize(const Sparse_matrix& matrix)
+{
+  if(m_solver->factorize(matrix))
+    return true;
+  Sparse_matrix grown = matrix;
+  const Vector diagonal = matrix.diagonal();
+  for(const double growth : {1e-14, 1e-13, 1e-12})
+  {
+    grown.diagonal() = (1. + growth) * diagonal;
+    if(m_solver->factorize(grown))
+      return true;
+  }
+  return false;
+}
+
+Vector Sparse_solver::solve(const Vector& right) const { return m_solver->solve(right); }
+
+void Sparse_solver::solve_columns(Eigen::MatrixXd& columns) const { m_solver->solve(columns); }
+
+} // namespace CGAL::Geodesic_processing::internal

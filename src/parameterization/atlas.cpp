@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/parameterization/atlas.h>
+
+#include <CGAL/Geodesic_processing/internal/parameterization/injective.h>
+#include "parameterization/packing.h"
+#include "mesh/patches.h"
+#include "core/unfold.h"
+
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Discs for the triangles of no patch: those of components without a centre.  Returns the number of all.
+Index fill_up(const Glued_triangles& t, std::vector<Index>& patch, Index number)
+{
+  const Index given = number;
+  std::vector<Index> stack;
+  for(Index f = 0; f < patch.size(); ++f)
+  {
+    if(patch[f] != none)
+      continue;
+    patch[f] = number;
+    stack.push_back(f);
+    while(!stack.empty())
+    {
+      const Index from = stack.back();
+      stack.pop_back();
+      for(Index side = 3 * from; side < 3 * from + 3; ++side)
+        if(const Index twin = t.twin[side]; twin != none && patch[twin / 3] == none)
+        {
+          patch[twin / 3] = number;
+          stack.push_back(twin / 3);
+        }
+    }
+    ++number;
+  }
+  return number == given ? number : number + Index(split_into_discs(t, patch, number).size());
+}
+
+} // namespace
+
+Atlas make_atlas(std::shared_ptr<const Glued_triangles> triangles, const Front& front,
+                 std::shared_ptr<const std::vector<double>> slowness, const Atlas_options& options)
+{
+  const Glued_triangles& t = *triangles;
+  const std::function<bool(double)>& callback = options.tessellation.callback;
+  const auto part_of = [&](double from, double to) -> std::function<bool(double)>
+  {
+    if(!callback)
+      return {};
+    return [=](double done) { return callback(from + done * (to - from)); };
+  };
+
+  Atlas result;
+  Tessellation_options tessellation = options.tessellation;
+  tessellation.makes_discs = true;
+  tessellation.callback = part_of(0., 0.4);
+  Tessellation cells = tessellate(triangles, front, std::move(slowness), tessellation);
+  result.is_complete = cells.is_finished;
+  if(!result.is_complete)
+    return result;
+  result.chart = std::move(cells.labels);
+  const Index patches = fill_up(t, result.chart, Index(cells.centers.size()));
+
+  check_room(patches, options.texels, options.gutter);
+
+  Chart_options flattening = options.charts;
+  flattening.threads = tessellation.threads;
+  flattening.callback = part_of(0.4, 0.8);
+  const std::vector<Chart> charts = injective_charts(t, result.chart, patches, flattening);
+  result.is_complete = !charts.empty() || result.chart.empty();
+  if(!result.is_complete)
+    return result;
+  result.number_of_charts = charts.size();
+
+  std::vector<Outline> outlines;
+  for(const Chart& chart : charts)
+    outlines.push_back(outline(chart));
+  const Packing packing =
+      pack(outlines, options.texels, options.gutter, options.tessellation.threads);
+  result.texels_per_length = packing.scale;
+  result.coordinates.resize(t.corner.size());
+  for(Index i = 0; i < charts.size(); ++i)
+  {
+    Chart placed = charts[i];
+    for(Planar& p : placed.image)
+      p = (1. / double(options.texels)) * packing(i, p);
+    result.number_of_flips += number_of_flips(placed);
+    result.number_of_overlaps += meeting_sides(outline(placed)).has_value();
+    for(std::size_t f = 0; f < placed.triangles.size(); ++f)
+    {
+      std::array<Planar, 3> corners;
+      for(std::size_t k = 0; k < 3; ++k)
+        corners[k] = result.coordinates[3 * std::size_t(placed.triangles[f]) + k] =
+            placed.image[placed.shape.corner[3 * f + k]];
+      result.chart[placed.triangles[f]] = i;
+      result.coverage += cross(corners[1] - corners[0], corners[2] - corners[0]) / 2.;
+    }
+  }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,427 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameterization/packing.h"
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/parallel.h>
+#include "core/unfold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <string>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+using Word = std::uint64_t;
+
+// The grid has as many cells along a side, or as many more as there are charts for; no more than texels.
+constexpr std::size_t usual_cells = 512;
+constexpr std::size_t cells_of_a_chart = 8; // along a side, about
+
+constexpr std::size_t least_texels = 16, most_texels = 16384;
+
+// The search for a scale ends when it is known up to this factor.
+constexpr double precision = 1.01;
+
+// Areas that differ by less are equal.
+constexpr double rounding = 1e-9;
+
+// A chart smaller by this factor than the last one that tried all rows tries all rows.
+constexpr double smaller = 0.9;
+
+// Less than this part of the largest scale that areas allow is no room.
+constexpr double least_part = 1e-6;
+
+Outline hull(Outline points)
+{
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if(points.size() < 3)
+    return points;
+  Outline result;
+  // The lower half from left to right, and then the upper one back.
+  for(int half = 0; half < 2; ++half)
+  {
+    const std::size_t begin = result.size();
+    for(const Planar& p : points)
+    {
+      while(result.size() >= begin + 2 &&
+            !(cross(result.back() - result[result.size() - 2], p - result.back()) > 0.))
+        result.pop_back();
+      result.push_back(p);
+    }
+    result.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return result;
+}
+
+struct Box
+{
+  Planar low = {infinity, infinity}, high = {-infinity, -infinity};
+
+  void add(const Planar& p)
+  {
+    for(int axis = 0; axis < 2; ++axis)
+    {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  }
+  Planar size() const { return high - low; }
+};
+
+Box box_of(const Outline& outline, const Planar& direction)
+{
+  Box result;
+  for(const Planar& p : outline)
+    result.add(turned(p, direction));
+  return result;
+}
+
+// The direction in which the rectangle around an outline is the smallest: along a side of its hull.
+Planar upright(const Outline& outline)
+{
+  const Outline around = hull(outline);
+  Planar best = {1., 0.};
+  double least = infinity, longer = infinity;
+  for(std::size_t i = 0; i < around.size(); ++i)
+  {
+    const Planar side = around[(i + 1) % around.size()] - around[i];
+    if(!(norm(side) > 0.))
+      continue;
+    const Planar direction = (1. / norm(side)) * Planar{side[0], -side[1]},
+                 size = box_of(around, direction).size();
+    // Of equal ones the shortest.
+    const double area = size[0] * size[1], side_length = std::max(size[0], size[1]);
+    if(area < (1. - rounding) * least || (area < (1. + rounding) * least && side_length < longer))
+    {
+      least = area;
+      longer = side_length;
+      best = direction;
+    }
+  }
+  return best;
+}
+
+double area_of(const Outline& outline)
+{
+  double twice = 0.;
+  for(std::size_t i = 0; i < outline.size(); ++i)
+    twice += cross(outline[i] - outline[0], outline[(i + 1) % outline.size()] - outline[0]);
+  return std::abs(twice) / 2.;
+}
+
+// The cells that an outline and a margin around it touch, in runs.
+struct Silhouette
+{
+  struct Run
+  {
+    std::uint32_t row, begin, length;
+  };
+  std::vector<Run> runs; // row by row
+  std::size_t width = 0, height = 0;
+  std::vector<std::uint32_t> longest; // run, in each row
+};
+
+// outline  in cells, at least `margin` right of and above the origin
+Silhouette silhouette(const Outline& outline, double margin)
+{
+  Silhouette result;
+  Box box;
+  for(const Planar& p : outline)
+    box.add(p);
+  result.width = std::size_t(box.high[0] + margin) + 1;
+  result.height = std::size_t(box.high[1] + margin) + 1;
+  std::vector<bool> is_touched(result.width * result.height, false);
+  const auto column = [&](double x)
+  { return std::size_t(std::clamp(x, 0., double(result.width - 1))); };
+  std::vector<std::vector<double>> crossings(result.height);
+  for(std::size_t i = 0; i < outline.size(); ++i)
+  {
+    Planar p = outline[i], q = outline[(i + 1) % outline.size()];
+    if(p[1] > q[1])
+      std::swap(p, q);
+    const double slope = q[1] > p[1] ? (q[0] - p[0]) / (q[1] - p[1]) : 0.;
+    const auto at = [&](double y)
+    { return std::clamp(p[0] + slope * (y - p[1]), std::min(p[0], q[0]), std::max(p[0], q[0])); };
+    const auto first = std::size_t(std::max(0., p[1] - margin)),
+               last = std::min(result.height - 1, std::size_t(q[1] + margin));
+    for(std::size_t row = first; row <= last; ++row)
+    {
+      double from = p[0], to = q[0];
+      if(q[1] > p[1])
+      {
+        from = at(std::max(p[1], double(row) - margin));
+        to = at(std::min(q[1], double(row) + 1. + margin));
+      }
+      if(from > to)
+        std::swap(from, to);
+      for(std::size_t c = column(from - margin); c <= column(to + margin); ++c)
+        is_touched[row * result.width + c] = true;
+      if(const double middle = double(row) + 0.5; p[1] <= middle && middle < q[1])
+        crossings[row].push_back(at(middle));
+    }
+  }
+  result.longest.assign(result.height, 0);
+  for(std::size_t row = 0; row < result.height; ++row)
+  {
+    std::sort(crossings[row].begin(), crossings[row].end());
+    for(std::size_t i = 1; i < crossings[row].size(); i += 2)
+      for(std::size_t c = column(crossings[row][i - 1]); c < column(crossings[row][i]); ++c)
+        is_touched[row * result.width + c] = true;
+    for(std::size_t c = 0; c < result.width; ++c)
+      if(is_touched[row * result.width + c])
+      {
+        if(c == 0 || !is_touched[row * result.width + c - 1])
+          result.runs.push_back({std::uint32_t(row), std::uint32_t(c), 0});
+        result.longest[row] = std::max(result.longest[row], ++result.runs.back().length);
+      }
+  }
+  return result;
+}
+
+// Cells of a square that are taken.
+class Grid
+{
+public:
+  explicit Grid(std::size_t cells)
+      : m_cells(cells), m_words((cells + 63) / 64), m_taken(m_cells * m_words, 0),
+        m_longest(cells, std::uint32_t(cells)), m_blocked(m_words), m_row(m_words)
+  {
+    if(cells % 64 != 0) // cells beyond the last one
+      for(std::size_t row = 0; row < cells; ++row)
+        m_taken[row * m_words + m_words - 1] = ~Word(0) << (cells % 64);
+  }
+
+  // The lowest place from a row on and below another one, then the leftmost one.
+  std::optional<std::array<std::size_t, 2>> place(const Silhouette& shape, std::size_t from,
+                                                  std::size_t limit)
+  {
+    if(shape.width > m_cells)
+      return std::nullopt;
+    for(std::size_t row = from; row + shape.height <= std::min(limit, m_cells); ++row)
+      if(const auto column = place_in(shape, row))
+        return std::array<std::size_t, 2>{*column, row};
+    return std::nullopt;
+  }
+
+  void take(const Silhouette& shape, const std::array<std::size_t, 2>& at)
+  {
+    for(const auto& run : shape.runs)
+      for(std::size_t c = at[0] + run.begin, end = c + run.length; c < end; ++c)
+        m_taken[(at[1] + run.row) * m_words + c / 64] |= Word(1) << (c % 64);
+    for(std::size_t row = at[1]; row < at[1] + shape.height; ++row)
+    {
+      std::uint32_t free = 0, longest = 0;
+      for(std::size_t c = 0; c < m_cells; ++c)
+      {
+        free = m_taken[row * m_words + c / 64] >> (c % 64) & 1 ? 0 : free + 1;
+        longest = std::max(longest, free);
+      }
+      m_longest[row] = longest;
+    }
+  }
+
+private:
+  // m_row becomes what it is or what lies so many cells to the right.
+  void widen(std::size_t shift) { merge(m_row, m_row, shift); }
+
+  // Adds `from`, moved to the left, to `to`.
+  void merge(std::vector<Word>& to, const std::vector<Word>& from, std::size_t shift) const
+  {
+    const std::size_t words = shift / 64, bits = shift % 64;
+    for(std::size_t i = 0; i < m_words; ++i)
+    {
+      const std::size_t k = i + words;
+      const Word low = k < m_words ? from[k] : ~Word(0),
+                 high = k + 1 < m_words ? from[k + 1] : ~Word(0);
+      to[i] |= bits == 0 ? low : low >> bits | high << (64 - bits);
+    }
+  }
+
+  std::optional<std::size_t> place_in(const Silhouette& shape, std::size_t row)
+  {
+    for(std::size_t i = 0; i < shape.height; ++i)
+      if(m_longest[row + i] < shape.longest[i])
+        return std::nullopt;
+    std::fill(m_blocked.begin(), m_blocked.end(), Word(0));
+    for(const auto& run : shape.runs)
+    {
+      const auto begin = m_taken.begin() + std::ptrdiff_t((row + run.row) * m_words);
+      std::copy(begin, begin + std::ptrdiff_t(m_words), m_row.begin());
+      std::size_t covered = 1;
+      for(; 2 * covered <= run.length; covered *= 2)
+        widen(covered);
+      if(covered < run.length)
+        widen(run.length - covered);
+      merge(m_blocked, m_row, run.begin);
+      if(std::all_of(m_blocked.begin(), m_blocked.end(), [](Word w) { return w == ~Word(0); }))
+        return std::nullopt;
+    }
+    for(std::size_t c = 0; c + shape.width <= m_cells; ++c)
+      if(!(m_blocked[c / 64] >> (c % 64) & 1))
+        return c;
+    return std::nullopt;
+  }
+
+  std::size_t m_cells, m_words;
+  std::vector<Word> m_taken;            // rows of m_words
+  std::vector<std::uint32_t> m_longest; // free run, in each row
+  std::vector<Word> m_blocked, m_row;   // while a place is looked for
+};
+
+class Packer
+{
+public:
+  Packer(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter)
+      : m_outlines(outlines), m_texels(texels), m_margin(double(gutter) / 2.),
+        m_order(outlines.size()), m_size(outlines.size())
+  {
+    m_cells = usual_cells;
+    while(m_cells * m_cells <
+          cells_of_a_chart * cells_of_a_chart * std::max<std::size_t>(outlines.size(), 1))
+      m_cells *= 2;
+    m_cells = std::min(m_cells, texels);
+    for(std::size_t i = 0; i < outlines.size(); ++i)
+    {
+      m_directions.push_back(upright(outlines[i]));
+      const Planar size = box_of(outlines[i], m_directions.back()).size();
+      m_size[i] = std::max(size[0], size[1]);
+    }
+    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+    std::stable_sort(m_order.begin(), m_order.end(),
+                     [&](std::size_t i, std::size_t j) { return m_size[i] > m_size[j]; });
+  }
+
+  double cell() const { return double(m_texels) / double(m_cells); }
+
+  std::optional<Packing> at_scale(double scale) const
+  {
+    Packing result;
+    result.scale = scale;
+    result.directions.resize(m_outlines.size());
+    result.offsets.resize(m_outlines.size());
+    if(!m_order.empty() && !(scale * m_size[m_order.front()] < 2. * double(m_texels)))
+      return std::nullopt;
+    Grid grid(m_cells);
+    // One that is hardly smaller than another hardly goes below its place.
+    std::size_t from = 0;
+    double size = infinity; // of the last one that tried all rows
+    for(const std::size_t i : m_order)
+    {
+      if(m_size[i] < smaller * size)
+      {
+        from = 0;
+        size = m_size[i];
+      }
+      std::size_t limit = m_cells;
+      std::array<std::size_t, 2> best = {0, 0};
+      std::optional<Silhouette> chosen;
+      Planar direction = m_directions[i];
+      for(int quarter = 0; quarter < 4; ++quarter, direction = turned_left(direction))
+      {
+        const Planar low = box_of(m_outlines[i], direction).low;
+        Outline placed;
+        for(const Planar& p : m_outlines[i])
+          placed.push_back((1. / cell()) *
+                           (scale * (turned(p, direction) - low) + Planar{m_margin, m_margin}));
+        const Silhouette shape = silhouette(placed, m_margin / cell());
+        const auto at = grid.place(shape, from, limit);
+        if(!at || (chosen && (*at)[1] + shape.height == limit && (*at)[0] >= best[0]))
+          continue;
+        limit = (*at)[1] + shape.height;
+        best = *at;
+        chosen = shape;
+        result.directions[i] = direction;
+        result.offsets[i] = cell() * Planar{double(best[0]), double(best[1])} +
+                            Planar{m_margin, m_margin} - scale * low;
+      }
+      if(!chosen)
+        return std::nullopt;
+      grid.take(*chosen, best);
+      from = best[1];
+    }
+    return result;
+  }
+
+private:
+  const std::vector<Outline>& m_outlines;
+  std::size_t m_texels, m_cells;
+  double m_margin; // in texels
+  std::vector<Planar> m_directions;
+  std::vector<std::size_t> m_order;
+  std::vector<double> m_size; // the longer side of the rectangle
+};
+
+[[noreturn]] void throw_no_room(std::size_t number, std::size_t texels)
+{
+  throw Invalid_argument_error("There is no room for " + std::to_string(number) + " charts in " +
+                               std::to_string(texels) + " x " + std::to_string(texels) +
+                               " texels.");
+}
+
+} // namespace
+
+void check_room(std::size_t number_of_outlines, std::size_t texels, std::size_t gutter)
+{
+  if(texels < least_texels || texels > most_texels)
+    throw Invalid_argument_error("A texture has between " + std::to_string(least_texels) + " and " +
+                                 std::to_string(most_texels) + " texels along a side.");
+  if(gutter > texels)
+    throw Invalid_argument_error("The gutter is wider than the texture.");
+  // Half of the gutter around a point already is a square.
+  if(double(number_of_outlines) * double(gutter * gutter) > double(texels * texels))
+    throw_no_room(number_of_outlines, texels);
+}
+
+Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter,
+             unsigned threads)
+{
+  check_room(outlines.size(), texels, gutter);
+  const Packer packer(outlines, texels, gutter);
+  double area = 0.;
+  for(const Outline& outline : outlines)
+    area += area_of(outline);
+  if(!(area > 0.))
+  {
+    // Charts without any size.
+    if(auto found = packer.at_scale(1.))
+      return *found;
+    throw_no_room(outlines.size(), texels);
+  }
+
+  const double most = double(texels) / std::sqrt(area);
+  Packing best;
+  double low = 0.5 * most, high = most;
+  for(; low > least_part * most; high = low, low *= 0.5)
+    if(auto found = packer.at_scale(low))
+    {
+      best = std::move(*found);
+      break;
+    }
+  if(best.scale == 0.)
+    throw_no_room(outlines.size(), texels);
+  // Two scales at a time, whatever the number of threads.
+  while(high > precision * low)
+  {
+    std::array<std::optional<Packing>, 2> found;
+    const double step = (high - low) / 3.;
+    for_each_block(2, 1, threads,
+                   [&](std::size_t i, std::size_t, std::size_t)
+                   { found[i] = packer.at_scale(low + double(i + 1) * step); });
+    high = found[1] ? high : found[0] ? low + 2. * step : low + step;
+    for(auto& packing : found)
+      if(packing)
+        best = std::move(*packing);
+    low = best.scale;
+  }
+  return best;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

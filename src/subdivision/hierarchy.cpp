@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/subdivision/hierarchy.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+using Level = Subdivision::Level;
+
+// Four triangles that were one.
+struct Tile
+{
+  Index middle;
+  Triangle corners, midpoints;
+};
+
+class Tiling
+{
+public:
+  explicit Tiling(const Level& level)
+      : m_level(level), m_middle(level.triangles.size(), none),
+        m_role(level.number_of_vertices, Role::unknown), m_is_found(level.triangles.size(), false)
+  {}
+
+  // The tiles of all components; nothing when one of them has none.
+  std::optional<std::vector<Tile>> find()
+  {
+    std::vector<Tile> result;
+    for(Index f = 0; f < m_middle.size(); ++f)
+    {
+      if(m_middle[f] != none)
+        continue;
+      const std::size_t size = component(f);
+      std::vector<Tile> best;
+      std::array<Index, 4> middles = {f, none, none, none};
+      for(Index k = 0; k < 3; ++k)
+        if(const Index twin = m_level.twin[3 * f + k]; twin != none)
+          middles[k + 1] = twin / 3;
+      for(const Index middle : middles)
+      {
+        if(middle == none)
+          continue;
+        std::vector<Tile> tiles = grow(middle);
+        if(4 * tiles.size() == size && (best.empty() || rank(tiles) < rank(best)))
+          best = std::move(tiles);
+        forget();
+      }
+      if(best.empty())
+        return {};
+      grow(best.front().middle);
+      m_faces.clear();
+      m_vertices.clear();
+      result.insert(result.end(), best.begin(), best.end());
+    }
+    std::sort(result.begin(), result.end(),
+              [](const Tile& a, const Tile& b) { return a.middle < b.middle; });
+    return result;
+  }
+
+private:
+  enum class Role : std::uint8_t
+  {
+    unknown,
+    corner,
+    midpoint
+  };
+
+  std::size_t component(Index first)
+  {
+    std::vector<Index> stack = {first};
+    std::size_t number = 1;
+    m_is_found[first] = true;
+    while(!stack.empty())
+    {
+      const Index f = stack.back();
+      stack.pop_back();
+      for(Index side = 3 * f; side < 3 * f + 3; ++side)
+        if(const Index twin = m_level.twin[side]; twin != none && !m_is_found[twin / 3])
+        {
+          m_is_found[twin / 3] = true;
+          stack.push_back(twin / 3);
+          ++number;
+        }
+    }
+    return number;
+  }
+
+  static std::uint64_t rank(const std::vector<Tile>& tiles)
+  {
+    std::uint64_t result = 0;
+    for(const Tile& tile : tiles)
+      for(const Index v : tile.corners)
+        result += v;
+    return result;
+  }
+
+  bool claim(Index face, Index middle)
+  {
+    if(m_middle[face] != none)
+      return false;
+    m_middle[face] = middle;
+    m_faces.push_back(face);
+    return true;
+  }
+
+  bool claim(Index vertex, Role role)
+  {
+    if(m_role[vertex] == Role::unknown)
+    {
+      m_role[vertex] = role;
+      m_vertices.push_back(vertex);
+    }
+    return m_role[vertex] == role;
+  }
+
+  void forget()
+  {
+    for(const Index f : m_faces)
+      m_middle[f] = none;
+    for(const Index v : m_vertices)
+      m_role[v] = Role::unknown;
+    m_faces.clear();
+    m_vertices.clear();
+  }
+
+  // All tiles that follow from a middle one; none where they contradict each other.
+  std::vector<Tile> grow(Index first)
+  {
+    std::vector<Tile> result;
+    std::vector<Index> waiting = {first};
+    for(std::size_t i = 0; i < waiting.size(); ++i)
+    {
+      const Index middle = waiting[i];
+      if(m_middle[middle] == middle)
+        continue;
+      if(!claim(middle, middle))
+        return {};
+      const Triangle& t = m_level.triangles[middle];
+      Tile tile = {middle, {}, {t[2], t[0], t[1]}};
+      for(const Index v : t)
+        if(!claim(v, Role::midpoint))
+          return {};
+      for(Index k = 0; k < 3; ++k)
+      {
+        const Index inner = m_level.twin[3 * middle + (k + 1) % 3];
+        if(inner == none || !claim(inner / 3, middle))
+          return {};
+        const Index corner = tile.corners[k] = opposite(m_level, inner);
+        if(!claim(corner, Role::corner))
+          return {};
+        for(const Index outer : {next_side(inner), previous_side(inner)})
+        {
+          const Index twin = m_level.twin[outer];
+          if(twin == none)
+            continue;
+          // The side of the neighbour that does not meet the corner leads to its middle.
+          const Index across =
+              internal::corner(m_level, twin) == corner ? next_side(twin) : previous_side(twin);
+          const Index beyond = m_level.twin[across];
+          if(beyond == none || (m_middle[twin / 3] != none && m_middle[twin / 3] != beyond / 3))
+            return {};
+          waiting.push_back(beyond / 3);
+        }
+      }
+      result.push_back(tile);
+    }
+    return result;
+  }
+
+  const Level& m_level;
+  std::vector<Index> m_middle;            // #triangles: the middle of the tile that each belongs to
+  std::vector<Role> m_role;               // #vertices
+  std::vector<bool> m_is_found;           // #triangles: in a component that was counted
+  std::vector<Index> m_faces, m_vertices; // that were claimed
+};
+
+std::uint64_t key(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+
+using Midpoints = std::unordered_map<std::uint64_t, Index>;
+
+} // namespace
+
+Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number_of_vertices,
+                            unsigned most_levels)
+{
+  Subdivision level = subdivide(triangles, number_of_vertices, 0);
+  std::vector<bool> is_midpoint(number_of_vertices, false);
+  std::vector<Midpoints> midpoints; // of edges of each level, the coarsest last
+  while(midpoints.size() < most_levels && !level.finest().triangles.empty())
+  {
+    const auto tiles = Tiling(level.finest()).find();
+    if(!tiles)
+      break;
+    std::vector<Triangle> coarser;
+    Midpoints middles;
+    for(const Tile& tile : *tiles)
+    {
+      coarser.push_back(tile.corners);
+      for(int k = 0; k < 3; ++k)
+        middles[key(tile.corners[k], tile.corners[(k + 1) % 3])] = tile.midpoints[k];
+    }
+    Subdivision next;
+    try
+    {
+      next = subdivide(coarser, number_of_vertices, 0);
+    }
+    catch(const Invalid_argument_error&)
+    {
+      break; // two edges between the same vertices
+    }
+    for(const auto& [edge, middle] : middles)
+      is_midpoint[middle] = true;
+    midpoints.push_back(std::move(middles));
+    level = std::move(next);
+  }
+
+  Hierarchy result;
+  std::vector<Index> number(number_of_vertices, none);
+  for(Index v = 0; v < number_of_vertices; ++v)
+    if(!is_midpoint[v])
+    {
+      number[v] = Index(result.vertex.size());
+      result.vertex.push_back(v);
+    }
+  std::vector<Triangle> base = level.finest().triangles;
+  for(Triangle& t : base)
+    for(Index& v : t)
+      v = number[v];
+  result.subdivision = std::make_shared<Subdivision>(
+      subdivide(base, Index(result.vertex.size()), unsigned(midpoints.size())));
+  for(Index v = Index(result.vertex.size()); v < result.subdivision->number_of_vertices(); ++v)
+  {
+    const auto [a, b] = result.subdivision->parents[v];
+    while(v >= result.subdivision->levels[result.subdivision->levels.size() - midpoints.size()]
+                   .number_of_vertices)
+      midpoints.pop_back();
+    result.vertex.push_back(midpoints.back().at(key(result.vertex[a], result.vertex[b])));
+  }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

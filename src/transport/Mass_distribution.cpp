@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/transport/Mass_distribution.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include "transport/flat_refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// target += factor * source, where empty is zero.
+void add(Vector& target, double factor, const Vector& source)
+{
+  if(source.size() == 0)
+    return;
+  if(target.size() == 0)
+    target = Vector::Zero(source.size());
+  target += factor * source;
+}
+
+void add(Mass_distribution& target, double factor, const Mass_distribution& source)
+{
+  add(target.at_sites, factor, source.at_sites);
+  for(const auto& [location, mass] : source.at_locations)
+    target.at_locations.emplace_back(location, factor * mass);
+  add(target.density, factor, source.density);
+}
+
+} // namespace
+
+Vector masses_at_sites(const Glued_triangles& t, const std::vector<double>& area,
+                       const Mass_distribution& masses)
+{
+  Vector result = Vector::Zero(Eigen::Index(t.number_of_sites()));
+  add(result, 1., masses.at_sites);
+  for(const auto& [location, mass] : masses.at_locations)
+    if(location.triangle == none)
+      result[location.site] += mass;
+    else
+      for(std::size_t k = 0; k < 3; ++k)
+        result[t.corner[3 * location.triangle + k]] += mass * location.barycentric[k];
+  if(masses.density.size() > 0)
+    for(std::size_t f = 0; f < area.size(); ++f)
+    {
+      const Index* corner = &t.corner[3 * f];
+      const double part = t.scale * t.scale * area[f] / 12.;
+      const Vector& density = masses.density;
+      const double sum = density[corner[0]] + density[corner[1]] + density[corner[2]];
+      for(std::size_t k = 0; k < 3; ++k)
+        result[corner[k]] += part * (sum + density[corner[k]]);
+    }
+  return result;
+}
+
+Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& fine,
+                          const Mass_distribution& masses)
+{
+  Mass_distribution result;
+  if(masses.at_sites.size() > 0)
+  {
+    result.at_sites = Vector::Zero(Eigen::Index(fine.number_of_sites()));
+    result.at_sites.head(masses.at_sites.size()) = masses.at_sites;
+  }
+  for(const auto& [location, mass] : masses.at_locations)
+    result.at_locations.emplace_back(refined(location), mass);
+  if(masses.density.size() > 0)
+    result.density = refined(coarse, fine, masses.density);
+  return result;
+}
+
+Mass_distribution difference(const Glued_triangles& triangles, const std::vector<double>& area,
+                             const Mass_distribution& from, const Mass_distribution& to,
+                             bool do_normalize)
+{
+  Mass_distribution result;
+  std::array<double, 2> total{}, size{};
+  const std::array<const Mass_distribution*, 2> sides = {&from, &to};
+  for(std::size_t i = 0; i < 2; ++i)
+  {
+    const Vector mass = masses_at_sites(triangles, area, *sides[i]);
+    total[i] = mass.sum();
+    size[i] = mass.lpNorm<1>();
+    if(!std::isfinite(size[i]))
+      throw Invalid_argument_error("A mass is not a finite number.");
+  }
+  if(do_normalize)
+  {
+    for(const double sum : total)
+      if(!(sum > 0.))
+        throw Invalid_argument_error("Masses that sum to " + std::to_string(sum) +
+                                     " cannot be scaled so that they sum to one.");
+    add(result, 1. / total[1], to);
+    add(result, -1. / total[0], from);
+    return result;
+  }
+  if(std::abs(total[1] - total[0]) > 1e-9 * std::max(size[0], size[1]))
+    throw Invalid_argument_error("The masses sum to " + std::to_string(total[0]) +
+                                 " before and to " + std::to_string(total[1]) +
+                                 " after they are moved.");
+  add(result, 1., to);
+  add(result, -1., from);
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

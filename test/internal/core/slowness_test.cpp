@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/core/slowness.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+
+TEST(Slowness, is_one_over_the_speed)
+{
+  const auto slowness = slowness_of({1., 2., 0.25, 0., 1e-310});
+  EXPECT_EQ(slowness[0], 1.);
+  EXPECT_EQ(slowness[1], 0.5);
+  EXPECT_EQ(slowness[2], 4.);
+  EXPECT_EQ(slowness[3], infinity); // an obstacle
+  EXPECT_EQ(slowness[4], infinity); // slower than numbers can tell
+}
+
+TEST(Slowness, refuses_speeds_that_are_none)
+{
+  for(const double speed : {-1., -1e-300, infinity, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(slowness_of({1., speed}), Invalid_argument_error);
+}
+
+TEST(Slowness, of_a_triangle_is_the_mean_of_its_corners)
+{
+  const test::Glued_surface surface(test::square(1));
+  std::vector<double> slowness(4);
+  for(Index i = 0; i < 4; ++i)
+    slowness[surface.site(i)] = 1. + i;
+  slowness[surface.site(2)] = infinity; // the corner (0,1), of the face 0, 3, 2 alone
+  const auto mean = mean_of_corners(*surface.triangles(), slowness);
+  EXPECT_NEAR(mean[surface.triangle(0)], (1. + 2. + 4.) / 3., 1e-15); // a few roundings
+  EXPECT_EQ(mean[surface.triangle(1)], infinity);
+}
+
+} // namespace

@@ -1,0 +1,852 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/paths/straightest.h>
+#include "core/unfold.h"
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <numeric>
+#include <thread>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// Sums of some hundred lengths, and as many changes of coordinates.
+constexpr double rounding = 1e-12;
+
+std::vector<double> run(const Glued_surface& surface, const std::vector<internal::Source>& sources,
+                        const Front_limits& limits = {})
+{
+  Window_propagation windows(surface.triangles());
+  EXPECT_TRUE(windows.run(sources, limits));
+  return surface.distances(windows);
+}
+
+Triangulation scaled(Triangulation surface, double x, double y, double z)
+{
+  for(Point& p : surface.points)
+    p = {x * p[0], y * p[1], z * p[2]};
+  return surface;
+}
+
+// Hills and saddles over the unit square.
+Triangulation hills(std::size_t n, double height, unsigned seed = 1)
+{
+  return grid(
+      n, n,
+      [=](double u, double v) {
+        return Point{u, v, height * std::sin(7. * u) * std::cos(9. * v + u)};
+      },
+      0.24, seed);
+}
+
+// The unit square without the quarter beyond its centre; points there are of no triangle.
+Triangulation corner_room(std::size_t n, double jitter)
+{
+  Triangulation result = square(n, jitter);
+  const auto is_kept = [&](std::size_t f)
+  {
+    double u = 0., v = 0.;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Index point = result.corners[3 * f + k];
+      u += double(point % (n + 1)) / (3. * n);
+      v += double(point / (n + 1)) / (3. * n);
+    }
+    return u < 0.5 || v < 0.5;
+  };
+  std::vector<Index> corners;
+  for(std::size_t f = 0; 3 * f < result.corners.size(); ++f)
+    if(is_kept(f))
+      corners.insert(corners.end(), &result.corners[3 * f], &result.corners[3 * f] + 3);
+  result.corners = corners;
+  // The wall is straight.
+  for(Index i = 0; i < result.points.size(); ++i)
+  {
+    const std::size_t column = i % (n + 1), row = i / (n + 1);
+    if((2 * column == n && 2 * row >= n) || (2 * row == n && 2 * column >= n))
+      result.points[i] = {double(column) / n, double(row) / n, 0.};
+  }
+  return result;
+}
+
+TEST(Window_propagation, is_exact_on_flat_convex_surfaces)
+{
+  for(const double scale : {1., 1e-6, 1e6})
+    for(const double height : {1., 0.05, 20.})
+      for(const double jitter : {0., 0.24})
+      {
+        const Triangulation plane = scaled(square(30, jitter), scale, scale * height, scale);
+        const Glued_surface surface(plane);
+        for(const Index source : {0, 15 * 31 + 15, 30, 7 * 31 + 22, 28 * 31 + 3})
+        {
+          const auto d = run(surface, {surface.source(source)});
+          EXPECT_LT(largest_error(d, [&](Index i)
+                                  { return distance(plane.points[i], plane.points[source]); }),
+                    rounding * scale * std::max(1., height));
+        }
+      }
+}
+
+TEST(Window_propagation, knows_places_in_faces_and_on_sides_as_sources)
+{
+  const Triangulation plane = square(20, 0.24);
+  const Glued_surface surface(plane);
+  std::mt19937 random(1);
+  for(int i = 0; i < 10; ++i)
+  {
+    Location at = random_location(*surface.triangles(), random);
+    if(i % 2 == 1) // on a side
+      at.barycentric = {at.barycentric[0], 1. - at.barycentric[0], 0.};
+    const Point p = point_at(*surface.triangles(), at);
+    const auto d = run(surface, {surface.source(at)});
+    EXPECT_LT(largest_error(d, [&](Index j) { return distance(plane.points[j], p); }), rounding);
+  }
+}
+
+TEST(Window_propagation, is_exact_around_cones_and_saddles)
+{
+  constexpr Index n = 12, rings = 9;
+  for(const double total : {0.7, 2., 5., 2. * pi, 7., 9., 16.})
+  {
+    const Glued_surface surface(cone(n, rings, total));
+    const auto place = [&](Index i) -> std::pair<double, double> // radius, angle
+    {
+      return i == 0 ? std::pair(0., 0.)
+                    : std::pair(double((i - 1) / n + 1), total * ((i - 1) % n) / n);
+    };
+    for(const Index source : {Index(0), Index(1), Index(1 + 4 * n + 5), Index(1 + 8 * n + 11)})
+    {
+      const auto [a, angle] = place(source);
+      const auto d = run(surface, {surface.source(source)});
+      const double error =
+          largest_error(d,
+                        [&, a = a, angle = angle](Index i)
+                        {
+                          const auto [b, other] = place(i);
+                          return distance_on_cone(a, b, std::abs(angle - other), total);
+                        });
+      EXPECT_LT(error, rounding * rings) << total << " " << source;
+    }
+  }
+}
+
+TEST(Window_propagation, goes_around_a_wall)
+{
+  for(const double jitter : {0., 0.24})
+  {
+    const Triangulation room = corner_room(24, jitter);
+    const Glued_surface surface(room);
+    const Point corner = {0.5, 0.5, 0.};
+    for(const Index source : {Index(24), Index(24 + 25 * 7), Index(5), Index(12 + 25 * 12)})
+    {
+      const Point& p = room.points[source];
+      const auto d = run(surface, {surface.source(source)});
+      const double error = largest_error(d,
+                                         [&](Index i)
+                                         {
+                                           const Point& q = room.points[i];
+                                           if(q[0] > 0.5 + 1e-9 && q[1] > 0.5 + 1e-9)
+                                             return infinity;
+                                           // The corner is in the way when it lies left of the way from the right to the left.
+                                           const Point& a = p[0] - p[1] > q[0] - q[1] ? p : q;
+                                           const Point& b = p[0] - p[1] > q[0] - q[1] ? q : p;
+                                           const double turn = (b[0] - a[0]) * (corner[1] - a[1]) -
+                                                               (b[1] - a[1]) * (corner[0] - a[0]);
+                                           const bool is_beside = a[0] > 0.5 && b[1] > 0.5;
+                                           return is_beside && turn > 0.
+                                                      ? distance(a, corner) + distance(corner, b)
+                                                      : distance(a, b);
+                                         });
+      EXPECT_LT(error, rounding);
+    }
+  }
+}
+
+TEST(Window_propagation, lies_between_the_bounds_of_a_sphere)
+{
+  for(const unsigned level : {0u, 1u, 2u, 4u})
+  {
+    const Triangulation sphere = icosphere(level);
+    const Glued_surface surface(sphere);
+    double inner = 1.; // radius of the largest ball inside
+    for(std::size_t f = 0; f < sphere.corners.size(); f += 3)
+    {
+      const Point &p = sphere.points[sphere.corners[f]], &q = sphere.points[sphere.corners[f + 1]],
+                  &r = sphere.points[sphere.corners[f + 2]];
+      const Point u = {q[0] - p[0], q[1] - p[1], q[2] - p[2]},
+                  v = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+      const Point n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                       u[0] * v[1] - u[1] * v[0]};
+      inner = std::min(inner, std::abs(test::dot(n, p)) / std::sqrt(test::dot(n, n)));
+    }
+    for(const Index source : {Index(0), Index(surface.size() - 1)})
+    {
+      const auto d = run(surface, {surface.source(source)});
+      for(Index i = 0; i < surface.size(); ++i)
+      {
+        // The nearest point of a convex surface is never farther from another one's than these are;
+        // and from the centre its faces look larger by at most 1 / inner.
+        const double arc = great_circle(sphere.points[i], sphere.points[source]);
+        EXPECT_LE(d[i], arc * (1. + rounding));
+        EXPECT_GE(d[i], inner * arc * (1. - rounding));
+      }
+    }
+  }
+}
+
+TEST(Window_propagation, is_a_metric)
+{
+  for(const Triangulation& shape :
+      {shaken(icosphere(3), 0.05), hills(24, 0.2), scaled(shaken(icosphere(2), 0.1), 1., 1., 20.),
+       shaken(annulus(24, 6, 0.4, 1.), 0.03), tetrahedron(), one_triangle()})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    const Index sources[] = {0, surface.size() / 2, surface.size() - 1};
+    std::vector<std::vector<double>> d;
+    for(const Index source : sources)
+      d.push_back(run(surface, {surface.source(source)}));
+    for(int a = 0; a < 3; ++a)
+      for(int b = 0; b < 3; ++b)
+      {
+        const double there = d[a][sources[b]], back = d[b][sources[a]];
+        EXPECT_NEAR(there, back, rounding * (there + back));
+        for(Index i = 0; i < surface.size(); ++i)
+          EXPECT_LE(d[a][i], (there + d[b][i]) * (1. + rounding));
+      }
+    for(const auto& one : d)
+      for(Index side = 0; side < t.corner.size(); ++side)
+      {
+        const double from = one[surface.point_of_site(t.corner[side])],
+                     to = one[surface.point_of_site(t.corner[next_side(side)])];
+        EXPECT_LE(std::abs(from - to), t.length[side] * t.scale * (1. + rounding));
+      }
+  }
+}
+
+TEST(Window_propagation, several_sources_are_the_nearest_of_each)
+{
+  const Glued_surface surface(hills(24, 0.2));
+  const std::vector<Index> places = {0, 300, 301, 450, 620};
+  const std::vector<double> offsets = {0.1, -0.3, -0.25, 5., 0.};
+  std::vector<internal::Source> sources;
+  std::vector<std::vector<double>> single;
+  for(std::size_t i = 0; i < places.size(); ++i)
+  {
+    sources.push_back(surface.source(places[i], offsets[i]));
+    single.push_back(run(surface, {sources.back()}));
+  }
+  Window_propagation windows(surface.triangles());
+  for(const bool is_reversed : {false, true})
+  {
+    if(is_reversed)
+      std::reverse(sources.begin(), sources.end());
+    ASSERT_TRUE(windows.run(sources));
+    const auto d = surface.distances(windows);
+    for(Index i = 0; i < surface.size(); ++i)
+    {
+      double least = infinity;
+      for(const auto& one : single)
+        least = std::min(least, one[i]);
+      EXPECT_NEAR(d[i], least, rounding);
+      const Index source = windows.source(surface.site(i));
+      EXPECT_NEAR(single[is_reversed ? places.size() - 1 - source : source][i], least, rounding);
+      const Index before = windows.predecessor(surface.site(i));
+      if(before != none)
+      {
+        EXPECT_LT(windows.distance(before), windows.distance(surface.site(i)));
+      }
+    }
+    EXPECT_EQ(windows.predecessor(surface.site(300)), none);
+  }
+}
+
+TEST(Window_propagation, polylines_are_sources)
+{
+  const Triangulation plane = square(20, 0.24);
+  const Glued_surface surface(plane);
+  // Along sides: the lower border.
+  std::vector<Index> border(21);
+  std::iota(border.begin(), border.end(), 0);
+  EXPECT_LT(largest_error(run(surface, {surface.line(border, 0.5)}),
+                          [&](Index i) { return 0.5 + plane.points[i][1]; }),
+            rounding);
+  // Part of it, and a segment within a face.
+  EXPECT_LT(largest_error(
+                run(surface, {surface.line({border.begin() + 5, border.begin() + 9})}), [&](Index i)
+                { return distance_to_segment(plane.points[i], plane.points[5], plane.points[8]); }),
+            rounding);
+  for(const Index face : {0, 333, 500})
+  {
+    const Location begin = surface.in(face, {0.5, 0.3, 0.2}),
+                   end = surface.in(face, {0.1, 0.2, 0.7});
+    const Point p = point_at(*surface.triangles(), begin), q = point_at(*surface.triangles(), end);
+    EXPECT_LT(largest_error(run(surface, {internal::Source{{begin, end}, 0., 0}}),
+                            [&](Index i) { return distance_to_segment(plane.points[i], p, q); }),
+              rounding);
+  }
+}
+
+TEST(Window_propagation, a_limit_keeps_what_is_nearer)
+{
+  const Glued_surface surface(hills(30, 0.1));
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(480, -0.1)}));
+  const auto full = surface.distances(windows);
+  Front_limits limits;
+  limits.maximum_distance = 0.25 / surface.scale();
+  ASSERT_TRUE(windows.run({surface.source(480, -0.1)}, limits));
+  const auto part = surface.distances(windows);
+  std::size_t near = 0;
+  for(Index i = 0; i < surface.size(); ++i)
+  {
+    EXPECT_EQ(part[i], full[i] <= 0.25 ? full[i] : infinity);
+    near += full[i] <= 0.25;
+  }
+  EXPECT_EQ(windows.reached().size(), near);
+  for(const Index site : windows.reached())
+    EXPECT_LT(windows.distance(site), infinity);
+}
+
+TEST(Window_propagation, targets_have_their_distances)
+{
+  const Glued_surface surface(hills(30, 0.1));
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(480)}));
+  const auto full = surface.distances(windows);
+  Front_limits limits;
+  limits.targets = {surface.at(490), surface.at(500), surface.in(870, {0.2, 0.3, 0.5})};
+  ASSERT_TRUE(windows.run({surface.source(480)}, limits));
+  EXPECT_LT(windows.reached().size(), std::size_t(surface.size() * 3 / 4));
+  const auto part = surface.distances(windows);
+  for(const Index i : {490, 500})
+    EXPECT_EQ(part[i], full[i]);
+  for(Index i = 0; i < surface.size(); ++i)
+    EXPECT_TRUE(part[i] == full[i] || part[i] == infinity);
+}
+
+TEST(Window_propagation, a_cancelled_run_keeps_what_is_final)
+{
+  const Glued_surface surface(shaken(icosphere(5), 0.003));
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(0)}));
+  const auto full = surface.distances(windows);
+  int calls = 0;
+  Front_limits limits;
+  limits.callback = [&](double part)
+  {
+    EXPECT_GE(part, 0.);
+    EXPECT_LE(part, 1.);
+    return ++calls < 5;
+  };
+  EXPECT_FALSE(windows.run({surface.source(0)}, limits));
+  EXPECT_GT(windows.reached().size(), 0u);
+  EXPECT_LT(windows.reached().size(), std::size_t(surface.size()));
+  const auto part = surface.distances(windows);
+  for(Index i = 0; i < surface.size(); ++i)
+    EXPECT_TRUE(part[i] == full[i] || part[i] == infinity);
+  // Nothing of it is left in the next one.
+  ASSERT_TRUE(windows.run({surface.source(0)}));
+  EXPECT_EQ(surface.distances(windows), full);
+}
+
+TEST(Window_propagation, copies_run_at_the_same_time)
+{
+  const Glued_surface surface(hills(30, 0.1));
+  Window_propagation a(surface.triangles()), b(a);
+  const auto first = run(surface, {surface.source(0)}),
+             second = run(surface, {surface.source(900)});
+  std::thread other([&] { b.run({surface.source(900)}); });
+  a.run({surface.source(0)});
+  other.join();
+  EXPECT_EQ(surface.distances(a), first);
+  EXPECT_EQ(surface.distances(b), second);
+}
+
+TEST(Window_propagation, other_components_and_isolated_sites_are_not_reached)
+{
+  Triangulation shape = apart(icosphere(2), square(4));
+  shape.points.push_back({5., 5., 5.});
+  const Glued_surface surface(shape);
+  const auto d = run(surface, {surface.source(0)});
+  for(Index i = 0; i < surface.size(); ++i)
+    EXPECT_EQ(d[i] < infinity, i < icosphere(2).points.size());
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(surface.size() - 1, 2.)}));
+  EXPECT_EQ(windows.reached().size(), 1u);
+  EXPECT_EQ(surface.distances(windows).back(), 2.);
+}
+
+TEST(Window_propagation, knows_the_distance_of_every_place)
+{
+  const Triangulation plane = square(20, 0.24);
+  const Glued_surface flat(plane);
+  Window_propagation windows(flat.triangles());
+  std::mt19937 random(1);
+  const Location begin = flat.in(333, {0.5, 0.3, 0.2}), end = flat.in(333, {0.1, 0.2, 0.7});
+  const Point p = point_at(*flat.triangles(), begin), q = point_at(*flat.triangles(), end);
+  for(int i = 0; i < 20; ++i)
+  {
+    const Location at = random_location(*flat.triangles(), random);
+    const Point r = point_at(*flat.triangles(), at);
+    ASSERT_TRUE(windows.run({flat.source(100, 0.5)}));
+    EXPECT_NEAR(flat.scale() * windows.distance(at), 0.5 + distance(plane.points[100], r),
+                rounding);
+    ASSERT_TRUE(windows.run({flat.source(begin, -0.5)}));
+    EXPECT_NEAR(flat.scale() * windows.distance(at), -0.5 + distance(p, r), rounding);
+    ASSERT_TRUE(windows.run({internal::Source{{begin, end}, 0., 0}}));
+    EXPECT_NEAR(flat.scale() * windows.distance(at), distance_to_segment(r, p, q), rounding);
+  }
+  // The same as windows from there.
+  for(const Triangulation& shape :
+      {hills(24, 0.2), shaken(icosphere(3), 0.1), corner_room(12, 0.2)})
+  {
+    const Glued_surface surface(shape);
+    Window_propagation there(surface.triangles()), back(surface.triangles());
+    ASSERT_TRUE(there.run({surface.source(0), surface.source(surface.size() / 3, 0.1)}));
+    for(int i = 0; i < 20; ++i)
+    {
+      const Location at = random_location(*surface.triangles(), random);
+      ASSERT_TRUE(back.run({surface.source(at)}));
+      const double least =
+          std::min(back.distance(surface.site(0)),
+                   back.distance(surface.site(surface.size() / 3)) + 0.1 / surface.scale());
+      EXPECT_NEAR(there.distance(at), least, rounding);
+    }
+  }
+}
+
+TEST(Window_propagation, paths_are_as_long_as_their_distances)
+{
+  for(const Triangulation& shape : {square(16, 0.24), hills(24, 0.2), shaken(icosphere(3), 0.1),
+                                    corner_room(12, 0.2), cone(12, 6, 9.), square(12)})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    std::mt19937 random(1);
+    Window_propagation windows(surface.triangles());
+    const std::vector<std::vector<internal::Source>> queries = {
+        {surface.source(0)},
+        {surface.source(surface.size() / 3, 0.2), surface.source(random_location(t, random))},
+        {{{surface.in(7, {0.2, 0.2, 0.6}), surface.in(7, {0.1, 0.8, 0.1})}, 0., 0}}};
+    for(const auto& sources : queries)
+    {
+      ASSERT_TRUE(windows.run(sources));
+      for(int i = 0; i < 40; ++i)
+      {
+        const Location from =
+            i % 2 == 0 ? random_location(t, random) : surface.at(Index(random() % surface.size()));
+        const double expected = windows.distance(from);
+        const auto path = windows.path(from);
+        if(!(expected < infinity))
+        {
+          EXPECT_TRUE(path.empty());
+          continue;
+        }
+        ASSERT_FALSE(path.empty());
+        EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
+        // One of the sources is at its end.
+        double least = infinity;
+        for(const internal::Source& source : sources)
+        {
+          const Point end = point_at(t, path.back()), p = point_at(t, source.polyline.front()),
+                      q = point_at(t, source.polyline.back());
+          const double away = p == q ? distance(end, p) : distance_to_segment(end, p, q);
+          // A line that is traced turns by rounding at each side.
+          if(away < 1e-9)
+            least = std::min(least, source.offset);
+        }
+        EXPECT_NEAR(least + path_length(t, path), expected, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Window_propagation, paths_pass_the_sites_of_a_lattice)
+{
+  const std::size_t n = 200;
+  const Glued_surface surface(square(n));
+  Window_propagation windows(surface.triangles());
+  // Half of the lines from there to other sites meet sites on their way, after up to a hundred sides.
+  ASSERT_TRUE(windows.run({surface.source(Index((n + 1) * 192 + 121))}));
+  std::mt19937 random(1);
+  for(int i = 0; i < 200; ++i)
+  {
+    const Location from = surface.at(Index(random() % surface.size()));
+    const auto path = windows.path(from);
+    ASSERT_FALSE(path.empty());
+    const double expected = windows.distance(from);
+    EXPECT_NEAR(path_length(*surface.triangles(), path), expected, 1e-12 * expected);
+  }
+}
+
+TEST(Window_propagation, departures_are_where_straight_lines_arrive)
+{
+  // On convex surfaces, where no shortest path bends.
+  for(const Triangulation& shape : {square(16, 0.24), icosphere(3), cone(12, 6, 5.)})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    std::mt19937 random(1);
+    Window_propagation windows(surface.triangles());
+    for(const auto& source : {surface.source(surface.size() / 2, 0.5), surface.source(0),
+                              surface.source(random_location(t, random))})
+    {
+      ASSERT_TRUE(windows.run({source}));
+      for(int i = 0; i < 30; ++i)
+      {
+        const Location to = random_location(t, random);
+        const Departure departure = windows.departure(to);
+        EXPECT_NEAR(departure.length, windows.distance(to) - source.offset, rounding);
+        const auto line = straightest(t, departure.from, departure.angle, departure.length);
+        // The direction of the first part of the path, which may be short.
+        EXPECT_LT(distance(point_at(t, line.locations.back()), point_at(t, to)), 1e-8);
+      }
+    }
+  }
+}
+
+TEST(Window_propagation, departures_go_around_their_site)
+{
+  const Triangulation plane = square(16, 0.24);
+  const Glued_surface surface(plane);
+  const Glued_triangles& t = *surface.triangles();
+  const Index center = 8 * 17 + 8, site = surface.site(center);
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(center)}));
+  const auto direction = [&](const Point& p)
+  { return std::atan2(p[1] - plane.points[center][1], p[0] - plane.points[center][0]); };
+  const double first =
+      direction(plane.points[surface.point_of_site(t.corner[next_side(t.star[t.first[site]])])]);
+  std::mt19937 random(1);
+  for(int i = 0; i < 40; ++i)
+  {
+    const Location to = random_location(t, random);
+    const double turned = direction(point_at(t, to)) - first;
+    EXPECT_NEAR(windows.departure(to).polar_angle, turned < 0. ? turned + 2. * pi : turned, 1e-8);
+  }
+  EXPECT_EQ(windows.departure(surface.at(center)).length, 0.);
+}
+
+TEST(Window_propagation, departures_go_around_a_place_on_a_side)
+{
+  // Counterclockwise seen from above, from one direction along the side or the other.
+  const Triangulation plane = square(16, 0.24);
+  const Glued_surface surface(plane);
+  const Glued_triangles& t = *surface.triangles();
+  const Location on = surface.on(250, 1, 0.3);
+  const Index corner = 3 * on.triangle + 1;
+  const Point p = point_at(t, on), a = plane.points[surface.point_of_site(t.corner[corner])];
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(on)}));
+  double first = std::atan2(p[1] - a[1], p[0] - a[0]);
+  if(t.twin[corner] < corner)
+    first += pi;
+  std::mt19937 random(1);
+  for(int i = 0; i < 40; ++i)
+  {
+    const Location to = random_location(t, random);
+    const Point q = point_at(t, to);
+    const double turned = std::atan2(q[1] - p[1], q[0] - p[0]) - first;
+    EXPECT_NEAR(std::remainder(windows.departure(to).polar_angle - turned, 2. * pi), 0., 1e-8);
+  }
+}
+
+TEST(Window_propagation, polar_angles_of_sites_are_those_of_their_departures)
+{
+  // Flat with borders, convex, with saddles, with flat parts whose lines pass sites, and rough.
+  for(const Triangulation& shape :
+      {square(16, 0.24), icosphere(3), cone(12, 6, 5.), cone(12, 6, 7.5), torus(24, 12),
+       tetrahedron(), double_ring(3), shaken(icosphere(3), 0.05)})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    std::mt19937 random(1);
+    Window_propagation windows(surface.triangles());
+    for(const auto& source :
+        {surface.source(surface.size() / 2, 0.5), surface.source(0),
+         surface.source(surface.on(1, 1, 0.3)), surface.source(random_location(t, random))})
+    {
+      ASSERT_TRUE(windows.run({source}));
+      const Location from = cleaned(t, source.polyline.front());
+      double whole = 2. * pi; // once around
+      if(const Index site = site_of(t, from); site != none)
+      {
+        whole = 0.;
+        for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+          whole += interior_angle(t, t.star[i]);
+      }
+      for(const Index site : windows.reached())
+      {
+        const Departure known = windows.departure(at_site(t, site));
+        EXPECT_NEAR(known.length, windows.distance(site) - source.offset, rounding);
+        const double found = windows.polar_angle_of_departure(site);
+        // As of the directions of other tests.
+        EXPECT_NEAR(std::remainder(found - known.polar_angle, whole), 0., 1e-8);
+      }
+    }
+  }
+}
+
+// The lengths of all shortest paths, whether they are paths from one end to the other, and all apart.
+std::size_t number_of_paths(const Glued_surface& surface, const Window_propagation& windows,
+                            const Location& from, double offset = 0.)
+{
+  const Glued_triangles& t = *surface.triangles();
+  const double shortest = windows.distance(from) - offset;
+  const auto paths = windows.paths(from, 1e-9);
+  for(const auto& path : paths)
+  {
+    // The tolerance, and rounding.
+    EXPECT_NEAR(path_length(t, path), shortest, 2e-9 * shortest);
+    EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
+    for(const auto& other : paths)
+      EXPECT_EQ(&other == &path,
+                other.size() == path.size() && std::equal(path.begin(), path.end(), other.begin(),
+                                                          [&](const Location& p, const Location& q)
+                                                          { return is_same_point(t, p, q); }));
+  }
+  return paths.size();
+}
+
+// Each triangle cut into four, the surface unchanged; its own points come first.
+Triangulation cut(const Triangulation& surface)
+{
+  Triangulation result{surface.points, {}};
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b)
+  {
+    const auto [place, is_new] = middles.emplace(std::minmax(a, b), Index(result.points.size()));
+    if(is_new)
+    {
+      const Point &p = surface.points[a], &q = surface.points[b];
+      result.points.push_back({(p[0] + q[0]) / 2., (p[1] + q[1]) / 2., (p[2] + q[2]) / 2.});
+    }
+    return place->second;
+  };
+  for(std::size_t c = 0; c < surface.corners.size(); c += 3)
+  {
+    const Index *k = &surface.corners[c],
+                m[] = {middle(k[0], k[1]), middle(k[1], k[2]), middle(k[2], k[0])};
+    for(const Index corner :
+        {k[0], m[0], m[2], m[0], k[1], m[1], m[2], m[1], k[2], m[0], m[1], m[2]})
+      result.corners.push_back(corner);
+  }
+  return result;
+}
+
+TEST(Window_propagation, finds_all_shortest_paths_on_solids)
+{
+  const Triangulation octahedron{
+      {{1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}, {0., 0., 1.}, {0., 0., -1.}},
+      {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5}};
+  const Triangulation cube{{{0., 0., 0.},
+                            {1., 0., 0.},
+                            {1., 1., 0.},
+                            {0., 1., 0.},
+                            {0., 0., 1.},
+                            {1., 0., 1.},
+                            {1., 1., 1.},
+                            {0., 1., 1.}},
+                           {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                            1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7}};
+  // Down the middle of each of four faces, over each of six edges.
+  struct Case
+  {
+    Triangulation surface;
+    Index from, to;
+    std::size_t paths;
+    double length;
+  };
+  std::vector<Case> cases = {{octahedron, 4, 5, 4, std::sqrt(6.)}, {cube, 0, 6, 6, std::sqrt(5.)}};
+  for(int level = 0; level < 3; ++level)
+    for(Case& solid : cases)
+    {
+      const Glued_surface surface(solid.surface);
+      Window_propagation windows(surface.triangles());
+      ASSERT_TRUE(windows.run({surface.source(solid.from)}));
+      EXPECT_NEAR(surface.scale() * windows.distance(surface.site(solid.to)), solid.length,
+                  rounding);
+      EXPECT_EQ(number_of_paths(surface, windows, surface.at(solid.to)), solid.paths);
+      solid.surface = cut(solid.surface);
+    }
+}
+
+TEST(Window_propagation, finds_the_ways_around_a_hole_and_to_both_ends)
+{
+  // A square ring: up and down are equally long around its hole.
+  const std::size_t n = 12;
+  Triangulation ring = square(n);
+  std::vector<Index> corners;
+  for(std::size_t f = 0; 3 * f < ring.corners.size(); ++f)
+  {
+    const std::size_t column = f / 2 % n, row = f / 2 / n;
+    if(column < 4 || column >= 8 || row < 4 || row >= 8)
+      corners.insert(corners.end(), &ring.corners[3 * f], &ring.corners[3 * f] + 3);
+  }
+  ring.corners = corners;
+  const Glued_surface surface(ring);
+  const auto at = [&](std::size_t column, std::size_t row)
+  { return Index(column + (n + 1) * row); };
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(at(6, 0))}));
+  EXPECT_NEAR(surface.scale() * windows.distance(surface.site(at(6, 12))),
+              1. / 3. + 2. * std::hypot(1. / 6., 1. / 3.), rounding);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 12))), 2u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(5, 12))), 1u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 0))), 1u); // of one point
+  // Sources at places, on both sides of the hole; and two lines, each of which has one nearest point.
+  ASSERT_TRUE(windows.run({surface.source(at(0, 6)), surface.source(at(12, 6))}));
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 12))), 2u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 10))), 2u);
+  std::vector<Index> left, right;
+  for(std::size_t row = 0; row <= n; ++row)
+  {
+    left.push_back(at(0, row));
+    right.push_back(at(12, row));
+  }
+  ASSERT_TRUE(windows.run({surface.line(left), surface.line(right)}));
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 10))), 2u);
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(5, 10))), 1u);
+}
+
+TEST(Window_propagation, finds_one_shortest_path_off_the_cut_locus)
+{
+  // Random places are not on it, nor are vertices without a symmetry.  Around a pipe the places
+  // opposite to the source are.
+  for(const Triangulation& shape :
+      {square(12, 0.24), shaken(icosphere(3), 0.02), shaken(cone(12, 6, 5.), 0.02),
+       shaken(cone(12, 6, 8.), 0.02), hills(12, 0.2)})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    std::mt19937 random(1);
+    Window_propagation windows(surface.triangles());
+    for(const auto& source : {surface.source(surface.size() / 3), surface.source(0, 0.7),
+                              surface.source(random_location(t, random))})
+    {
+      ASSERT_TRUE(windows.run({source}));
+      for(int i = 0; i < 20; ++i)
+      {
+        EXPECT_EQ(number_of_paths(surface, windows, random_location(t, random), source.offset), 1u);
+        EXPECT_EQ(
+            number_of_paths(surface, windows, surface.at(random() % surface.size()), source.offset),
+            1u);
+      }
+    }
+  }
+  const Triangulation pipe = rings(
+      16, 8, [](double) { return 1.; }, [](double s) { return 2. * s; }, 0.);
+  const Glued_surface surface(pipe);
+  Window_propagation windows(surface.triangles());
+  ASSERT_TRUE(windows.run({surface.source(Index(16 * 2))}));
+  for(const Index ring : {0, 1, 3, 5, 8})
+  {
+    EXPECT_EQ(number_of_paths(surface, windows, surface.at(16 * ring + 8)), 2u);
+    EXPECT_EQ(number_of_paths(surface, windows, surface.at(16 * ring + 7)), 1u);
+  }
+}
+
+TEST(Window_propagation, passes_a_pinched_site)
+{
+  // Two squares that share the point at the end of one and the begin of the other.
+  Triangulation shape = square(8, 0.24), other = square(8, 0.24, 2);
+  const Index shared = Index(shape.points.size()) - 1, first = Index(shape.points.size());
+  for(const Point& p : other.points)
+    shape.points.push_back({1. + p[0], 1. + p[1], 0.});
+  for(const Index corner : other.corners)
+    shape.corners.push_back(corner == 0 ? shared : first + corner);
+  const Glued_surface surface(shape);
+  const auto d = run(surface, {surface.source(3)});
+  const Point pinch = {1., 1., 0.};
+  EXPECT_LT(largest_error(d,
+                          [&](Index i)
+                          {
+                            if(i == first) // of no triangle
+                              return infinity;
+                            return i < first ? distance(shape.points[i], shape.points[3])
+                                             : distance(pinch, shape.points[3]) +
+                                                   distance(pinch, shape.points[i]);
+                          }),
+            rounding);
+}
+
+TEST(Window_propagation, needles_and_sides_without_length_are_no_trouble)
+{
+  // A square squeezed to nothing in its middle, one that folds flat, coincident points, and a pillow
+  // without area.
+  Triangulation squeezed = square(12);
+  for(Point& p : squeezed.points)
+    p[0] = p[0] < 0.3 ? p[0] : p[0] < 0.6 ? 0.3 : p[0] < 0.9 ? 0.3 + 1e-13 * p[0] : p[0];
+  Triangulation flat = scaled(square(12, 0.24), 1., 0., 0.), point = scaled(square(6), 0., 0., 0.);
+  const Triangulation pillow{{{0., 0., 0.}, {1., 0., 0.}, {3., 0., 0.}}, {0, 1, 2, 0, 2, 1}};
+  const Triangulation thin{{{0., 0., 0.}, {1., 1e-9, 0.}, {3., 0., 0.}}, {0, 1, 2, 0, 2, 1}};
+  for(const Triangulation& shape : {squeezed, flat, point, pillow, thin})
+  {
+    const Glued_surface surface(shape);
+    const Glued_triangles& t = *surface.triangles();
+    for(const Index source : {Index(0), Index(surface.size() / 2)})
+    {
+      const auto d = run(surface, {surface.source(source)});
+      for(Index i = 0; i < surface.size(); ++i)
+      {
+        EXPECT_TRUE(std::isfinite(d[i]));
+        // Never shorter than in space.
+        EXPECT_GE(d[i], distance(shape.points[i], shape.points[source]) - rounding);
+      }
+      for(Index side = 0; side < t.corner.size(); ++side)
+        EXPECT_LE(d[surface.point_of_site(t.corner[side])],
+                  d[surface.point_of_site(t.corner[next_side(side)])] +
+                      t.length[side] * t.scale * (1. + rounding) + rounding);
+    }
+  }
+}
+
+TEST(Window_propagation, ends_on_needles_and_spikes)
+{
+  // Two faces on each other that a line crosses to and fro, and spikes a thousand times as high as
+  // wide, around which it winds.
+  const Triangulation pillow{{{0., 0., 0.}, {1., 1e-6, 0.}, {3., 0., 0.}}, {0, 1, 2, 0, 2, 1}};
+  const Triangulation spikes = grid(
+      24, 24,
+      [](double u, double v) {
+        return Point{u, v, 40. * std::sin(1e5 * u + 3e4 * v)};
+      },
+      0.24);
+  for(const Triangulation& shape : {pillow, spikes})
+  {
+    const Glued_surface surface(shape);
+    const Index a = 0, b = surface.size() / 2;
+    const double there = run(surface, {surface.source(a)})[b],
+                 back = run(surface, {surface.source(b)})[a];
+    EXPECT_NEAR(there, back, rounding * there);
+    EXPECT_GE(there, distance(shape.points[a], shape.points[b]) * (1. - rounding));
+  }
+}
+
+TEST(Window_propagation, refuses_clouds_and_speeds)
+{
+  auto cloud = std::make_shared<Glued_triangles>();
+  cloud->graph.first = {0};
+  EXPECT_THROW(Window_propagation{cloud}, Unsupported_surface_error);
+  const Glued_surface surface(square(2));
+  Window_propagation windows(surface.triangles());
+  Front_limits limits;
+  limits.slowness = std::make_shared<const std::vector<double>>(8, 1.);
+  EXPECT_THROW(windows.run({surface.source(0)}, limits), Unsupported_surface_error);
+}
+
+} // namespace

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/patches.h"
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// A label for each triangle by where its middle is.
+template <typename Label>
+std::vector<Index> by_middle(const Glued_surface& surface, const Label& label)
+{
+  const Glued_triangles& t = surface.t();
+  std::vector<Index> result;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    const Point p = point_at(t, {f, none, {1. / 3., 1. / 3., 1. / 3.}});
+    result.push_back(label(p));
+  }
+  return result;
+}
+
+TEST(Patches, go_with_two_corners_or_the_nearest_one)
+{
+  const Glued_surface surface(tetrahedron());
+  const Glued_triangles& t = surface.t();
+  const std::vector<double> distances = {0.3, 0.1, 0.2, 0.4};
+  const auto label_of = [&](const std::vector<Index>& labels, const std::set<Index>& corners)
+  {
+    const std::vector<Index> patch = patches(t, distances, labels);
+    for(Index f = 0; f < patch.size(); ++f)
+      if(std::set<Index>{t.corner[3 * f], t.corner[3 * f + 1], t.corner[3 * f + 2]} == corners)
+        return patch[f];
+    return none;
+  };
+  EXPECT_EQ(label_of({5, 5, 7, 8}, {0, 1, 2}), 5u);
+  EXPECT_EQ(label_of({5, 6, 5, 8}, {0, 1, 2}), 5u);
+  EXPECT_EQ(label_of({6, 5, 5, 8}, {0, 1, 2}), 5u);
+  EXPECT_EQ(label_of({5, 6, 7, 8}, {0, 1, 2}), 6u);
+  EXPECT_EQ(label_of({5, 6, 7, 8}, {0, 2, 3}), 7u);
+  EXPECT_EQ(label_of({5, none, 5, 8}, {0, 1, 2}), none);
+}
+
+TEST(Patches, discs_annuli_and_pieces)
+{
+  // Coordinates of the grid are whole numbers over 8.
+  const Glued_surface surface(square(8));
+  const auto count = [&](const auto& label, Index number)
+  {
+    const std::vector<bool> is_disc = are_discs(surface.t(), by_middle(surface, label), number);
+    return std::vector<bool>(is_disc.begin(), is_disc.end());
+  };
+  // All of it, and nothing at all.
+  EXPECT_EQ(count([](const Point&) { return Index(0); }, 1), std::vector<bool>({true}));
+  EXPECT_EQ(count([](const Point&) { return none; }, 1), std::vector<bool>({true}));
+  // A block in the middle and the annulus around.
+  const auto is_inside = [](double x) { return x > 0.25 && x < 0.75; };
+  EXPECT_EQ(count([&](const Point& p) { return Index(is_inside(p[0]) && is_inside(p[1])); }, 2),
+            std::vector<bool>({false, true}));
+  // A stripe between two pieces.
+  EXPECT_EQ(count([&](const Point& p) { return Index(is_inside(p[0])); }, 2),
+            std::vector<bool>({false, true}));
+  // Two blocks that meet in a corner alone.
+  EXPECT_EQ(count([&](const Point& p) { return Index((p[0] > 0.5) == (p[1] > 0.5)); }, 2),
+            std::vector<bool>({false, false}));
+
+  // Closed surfaces and tubes are none.
+  for(const Triangulation& closed : {icosphere(2), torus(12, 6), cylinder(8, 5, 1., 3.)})
+  {
+    const Glued_surface whole(closed);
+    EXPECT_FALSE(
+        are_discs(whole.t(), std::vector<Index>(whole.t().number_of_triangles(), 0), 1)[0]);
+  }
+  const Glued_surface sphere(icosphere(2));
+  const std::vector<bool> halves =
+      are_discs(sphere.t(), by_middle(sphere, [](const Point& p) { return Index(p[2] > 0.); }), 2);
+  EXPECT_TRUE(halves[0] && halves[1]);
+}
+
+TEST(Patches, islands_and_knots_go_to_their_neighbours)
+{
+  const Glued_surface surface(square(8));
+  // Left and right, and in each a block of the other one, which meets its own side nowhere.
+  std::vector<Index> patch =
+      by_middle(surface,
+                [](const Point& p)
+                {
+                  const bool is_block = p[1] > 0.5 && p[1] < 0.625 && std::abs(p[0] - 0.5) > 0.25;
+                  return Index((p[0] > 0.5) != is_block);
+                });
+  tidy(surface.t(), patch);
+  EXPECT_EQ(patch, by_middle(surface, [](const Point& p) { return Index(p[0] > 0.5); }));
+
+  // Three quarters and a block that touches the fourth in a corner.
+  const auto quarter = [](const Point& p) { return Index(p[0] > 0.5) + 2 * Index(p[1] > 0.5); };
+  std::vector<Index> tied = by_middle(
+      surface, [&](const Point& p)
+      { return p[0] > 0.5 && p[0] < 0.625 && p[1] > 0.375 && p[1] < 0.5 ? 2u : quarter(p); });
+  EXPECT_FALSE(are_discs(surface.t(), tied, 4)[2]);
+  tidy(surface.t(), tied);
+  EXPECT_TRUE(are_discs(surface.t(), tied, 4)[2]);
+  EXPECT_TRUE(are_discs(surface.t(), tied, 4)[1]);
+
+  // What has no neighbour stays as it is.
+  const Glued_surface two(apart(square(4), tetrahedron()));
+  std::vector<Index> same(two.t().number_of_triangles(), 0);
+  tidy(two.t(), same);
+  EXPECT_EQ(same, std::vector<Index>(same.size(), 0));
+}
+
+TEST(Patches, any_labels_are_tidied_and_split_into_discs)
+{
+  std::mt19937 random(3);
+  for(const Triangulation& mesh : {square(12), icosphere(3), torus(24, 12), cylinder(12, 9, 1., 3.),
+                                   apart(torus(12, 6), square(3)), double_ring()})
+  {
+    const Glued_surface surface(mesh);
+    const Glued_triangles& t = surface.t();
+    for(const Index number : {1u, 3u, 40u})
+    {
+      std::vector<Index> patch;
+      for(Index f = 0; f < t.number_of_triangles(); ++f)
+        patch.push_back(random() % number);
+      tidy(t, patch);
+      const std::vector<Index> before = patch;
+      const std::vector<Index> some = split_into_discs(t, patch, number);
+      const std::vector<bool> is_disc = are_discs(t, patch, Index(number + some.size()));
+      EXPECT_EQ(std::count(is_disc.begin(), is_disc.end(), false), 0);
+      for(std::size_t i = 0; i < some.size(); ++i)
+        EXPECT_EQ(patch[some[i]], number + i);
+      // New ones come out of one each.
+      std::map<Index, std::set<Index>> origins;
+      for(Index f = 0; f < patch.size(); ++f)
+        origins[patch[f]].insert(before[f]);
+      for(const auto& [label, from] : origins)
+        EXPECT_EQ(from.size(), 1u) << label;
+    }
+  }
+}
+
+TEST(Patches, halves_of_a_strip_meet_in_its_middle)
+{
+  const Glued_surface surface(grid(16, 1, [](double s, double t) -> Point { return {s, t, 0.}; }));
+  const Glued_triangles& t = surface.t();
+  const auto [first, second] = ends(t);
+  const auto middle = [&](Index f)
+  {
+    double x = 0.;
+    for(Index corner = 3 * f; corner < 3 * f + 3; ++corner)
+      x += t.point[t.corner[corner]][0] / 3.;
+    return x;
+  };
+  double low = middle(0), high = low;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    low = std::min(low, middle(f));
+    high = std::max(high, middle(f));
+  }
+  EXPECT_NEAR(std::abs(middle(first) - middle(second)), high - low, 1e-12);
+  const std::vector<Index> half = halves(t, first, second);
+  EXPECT_EQ(half[first], 0u);
+  EXPECT_EQ(half[second], 1u);
+  for(Index f = 0; f < half.size(); ++f)
+    if(std::abs(middle(f) - (low + high) / 2.) > 0.1 * (high - low))
+    {
+      EXPECT_EQ(half[f] == 0,
+                std::abs(middle(f) - middle(first)) < std::abs(middle(f) - middle(second)));
+    }
+}
+
+} // namespace

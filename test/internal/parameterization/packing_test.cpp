@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include "parameterization/packing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using CGAL::Geodesic_processing::Invalid_argument_error;
+
+// Polygons around points, of all sizes.
+std::vector<Outline> blobs(std::size_t number, double scale)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> radius(0.3, 1.);
+  std::vector<Outline> result(number);
+  for(Outline& outline : result)
+  {
+    const double size = scale * radius(random) * radius(random);
+    for(int i = 0; i < 12; ++i)
+    {
+      const double r = size * radius(random), angle = 2. * pi * i / 12.;
+      outline.push_back({r * std::cos(angle), 2. * r * std::sin(angle)});
+    }
+  }
+  return result;
+}
+
+double area(const Outline& outline)
+{
+  double twice = 0.;
+  for(std::size_t i = 0; i < outline.size(); ++i)
+    twice += cross(outline[i], outline[(i + 1) % outline.size()]);
+  return twice / 2.;
+}
+
+std::vector<Outline> placed(const std::vector<Outline>& outlines, const Packing& packing)
+{
+  std::vector<Outline> result(outlines.size());
+  for(std::size_t i = 0; i < outlines.size(); ++i)
+    for(const Planar& p : outlines[i])
+      result[i].push_back(packing(i, p));
+  return result;
+}
+
+double distance(const Planar& p, const Planar& a, const Planar& b)
+{
+  bool inside;
+  return norm(p - foot(p, a, b, inside));
+}
+
+bool contains(const Outline& outline, const Planar& p)
+{
+  bool result = false;
+  for(std::size_t i = 0; i < outline.size(); ++i)
+  {
+    const Planar &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if((a[1] > p[1]) != (b[1] > p[1]) && (cross(b - a, p - a) > 0.) == (b[1] > a[1]))
+      result = !result;
+  }
+  return result;
+}
+
+// Of disjoint polygons: the least distance of a corner of one from a side of the other.
+double gap(const Outline& a, const Outline& b)
+{
+  double result = infinity;
+  for(const auto& [p, q] : {std::make_pair(&a, &b), std::make_pair(&b, &a)})
+    for(const Planar& corner : *p)
+    {
+      if(contains(*q, corner))
+        return 0.;
+      for(std::size_t i = 0; i < q->size(); ++i)
+        result = std::min(result, distance(corner, (*q)[i], (*q)[(i + 1) % q->size()]));
+    }
+  return result;
+}
+
+TEST(packing, keeps_the_gutter_and_covers_most_of_the_square)
+{
+  constexpr std::size_t texels = 512, gutter = 6;
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const std::vector<Outline> outlines = blobs(60, scale);
+    const Packing packing = pack(outlines, texels, gutter, 1);
+    const std::vector<Outline> all = placed(outlines, packing);
+    double covered = 0.;
+    for(std::size_t i = 0; i < all.size(); ++i)
+    {
+      EXPECT_NEAR(norm(packing.directions[i]), 1., 1e-14);
+      covered += area(all[i]);
+      for(const Planar& p : all[i])
+        for(const double x : p)
+        {
+          EXPECT_GE(x, gutter / 2. - 1e-9); // a place in a cell is rounded
+          EXPECT_LE(x, texels - gutter / 2. + 1e-9);
+        }
+      for(std::size_t j = 0; j < i; ++j)
+        EXPECT_GE(gap(all[i], all[j]), gutter - 1e-9) << i << ' ' << j;
+    }
+    // These stars fill 64 % of their own rectangles on the average, and a twelfth is gutter.
+    EXPECT_GT(covered / (texels * texels), 0.4);
+  }
+}
+
+TEST(packing, one_rectangle_fills_what_it_can)
+{
+  const Packing packing = pack({{{0., 0.}, {2., 0.}, {2., 2.}, {0., 2.}}}, 256, 4, 1);
+  // Within a hundredth of 252 texels: the search ends there; cells are texels.
+  EXPECT_GT(2. * packing.scale, 0.98 * 252.);
+  EXPECT_LE(2. * packing.scale, 252.);
+}
+
+TEST(packing, small_ones_go_between_large_ones)
+{
+  // A frame that is open at one corner, and squares for its inside.
+  std::vector<Outline> outlines = {
+      {{0., 0.}, {10., 0.}, {10., 10.}, {0., 10.}, {0., 9.}, {9., 9.}, {9., 1.}, {0., 1.}}};
+  for(int i = 0; i < 9; ++i)
+    outlines.push_back({{0., 0.}, {2., 0.}, {2., 2.}, {0., 2.}});
+  const Packing packing = pack(outlines, 512, 2, 1);
+  const auto all = placed(outlines, packing);
+  // Were the frame's rectangle its own, squares would need a further strip of two.
+  EXPECT_GT(12. * packing.scale, 512. * 1.05);
+}
+
+TEST(packing, threads_change_nothing)
+{
+  const std::vector<Outline> outlines = blobs(40, 1.);
+  const Packing one = pack(outlines, 300, 3, 1), three = pack(outlines, 300, 3, 3);
+  EXPECT_EQ(one.scale, three.scale);
+  EXPECT_EQ(one.offsets, three.offsets);
+  EXPECT_EQ(one.directions, three.directions);
+}
+
+TEST(packing, says_when_there_is_no_room)
+{
+  EXPECT_THROW(pack(blobs(100, 1.), 32, 8, 1), Invalid_argument_error);
+  EXPECT_THROW(pack(blobs(1, 1.), 8, 2, 1), Invalid_argument_error);
+  // The same of charts that are points.
+  EXPECT_THROW(pack(std::vector<Outline>(200, Outline(3, Planar{0., 0.})), 16, 1, 1),
+               Invalid_argument_error);
+  EXPECT_THROW(pack(blobs(1, 1.), 20000, 2, 1), Invalid_argument_error);
+  EXPECT_THROW(pack(blobs(1, 1.), 64, 65, 1), Invalid_argument_error);
+  EXPECT_THROW(check_room(257, 32, 2), Invalid_argument_error);
+  check_room(256, 32, 2);
+  EXPECT_TRUE(pack({}, 64, 2, 1).offsets.empty());
+}
+
+} // namespace

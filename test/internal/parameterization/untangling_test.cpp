@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>
+
+#include <CGAL/Geodesic_processing/internal/parameterization/injective.h>
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::test;
+using namespace CGAL::Geodesic_processing::internal;
+
+// Where points lie, seen from above.
+std::vector<Planar> flat(const Glued_surface& surface, double scale = 1.)
+{
+  std::vector<Planar> image(surface.size());
+  for(Index i = 0; i < surface.size(); ++i)
+    image[surface.site(i)] = {scale * surface.point(i)[0], scale * surface.point(i)[1]};
+  return image;
+}
+
+double largest_move(const std::vector<Planar>& a, const std::vector<Planar>& b)
+{
+  double result = 0.;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    result = std::max(result, norm(a[i] - b[i]));
+  return result;
+}
+
+// Newton's method ends where a step takes a ten-thousandth off the energy, of which a triangle stretched by e has
+// 8 e^2 too much: the last step stretches no triangle in a hundred by more than a hundredth or so, of whose
+// sides moves are shares.
+constexpr double share_of_side = 0.05;
+
+TEST(untangling, puts_back_what_was_moved_out_of_a_plane_map)
+{
+  constexpr Index n = 40;
+  for(const double scale : {1e-6, 1., 1e6})
+    for(const Index moved : {20 * (n + 1) + 20, n + 2, 20 * (n + 1) + 1, Index(20)})
+    {
+      const Glued_surface surface(square(n, 0.25));
+      const std::vector<Planar> truth = flat(surface, scale);
+      std::vector<Planar> image = truth;
+      Planar& p = image[surface.site(moved)];
+      p = p + scale / double(n) * Planar{2.6, 1.7};
+      ASSERT_GT(number_of_flips(surface.t(), image), 0u);
+      untangle(surface.t(), image);
+      EXPECT_EQ(number_of_flips(surface.t(), image), 0u) << moved;
+      EXPECT_LT(largest_move(image, truth), share_of_side * scale / double(n)) << moved;
+    }
+}
+
+TEST(untangling, moves_nothing_far_away_and_nothing_that_is_sound)
+{
+  constexpr std::size_t n = 60;
+  const Glued_surface surface(square(n, 0.25));
+  std::vector<Planar> image = flat(surface);
+  for(Planar& p : image)
+    p = {p[0] + 0.1 * p[1] * p[1], 0.8 * p[1]}; // distorted
+  std::vector<Planar> before = image;
+  untangle(surface.t(), image);
+  EXPECT_EQ(image, before);
+
+  const Index moved = Index(30 * (n + 1) + 30);
+  image[surface.site(moved)][0] += 2.5 / double(n);
+  untangle(surface.t(), image);
+  EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
+  // Squares around what was flipped, in as many rings as are moved at most.
+  for(Index i = 0; i < surface.size(); ++i)
+  {
+    const int column = int(i % (n + 1)), row = int(i / (n + 1));
+    const bool is_far = std::max(std::abs(column - 30), std::abs(row - 30)) > 10;
+    EXPECT_TRUE(!is_far || image[surface.site(i)] == before[surface.site(i)]);
+  }
+}
+
+TEST(untangling, leaves_places_when_there_are_many)
+{
+  // 49 places, with more than 100 triangles about each, of which two passes move 3,000 each.
+  constexpr std::size_t n = 160, spacing = 20, most_moved = 2 * 3000;
+  const Glued_surface surface(square(n, 0.25));
+  std::vector<Planar> image = flat(surface);
+  for(std::size_t row = spacing; row < n; row += spacing)
+    for(std::size_t column = spacing; column < n; column += spacing)
+      image[surface.site(Index(row * (n + 1) + column))][0] += 2.5 / double(n);
+  const std::vector<Planar> before = image;
+  untangle(surface.t(), image);
+  EXPECT_GT(number_of_flips(surface.t(), image), 0u);
+  EXPECT_LT(number_of_flips(surface.t(), image), number_of_flips(surface.t(), before));
+  std::size_t moved = 0;
+  for(std::size_t c = 0; c < surface.t().corner.size(); c += 3)
+    moved += std::any_of(surface.t().corner.begin() + c, surface.t().corner.begin() + c + 3,
+                         [&](Index site) { return image[site] != before[site]; });
+  EXPECT_LE(moved, most_moved);
+}
+
+TEST(untangling, adds_no_flip)
+{
+  std::mt19937 random(7);
+  const Glued_surface surface(square(30, 0.25));
+  std::size_t solved = 0;
+  for(const double amount : {0.02, 0.05, 0.1, 0.3, 1.})
+    for(int round = 0; round < 3; ++round)
+    {
+      std::vector<Planar> image = flat(surface);
+      std::uniform_real_distribution<double> offset(-amount, amount);
+      for(int k = 0; k < 5; ++k)
+      {
+        Planar& p = image[random() % image.size()];
+        p = p + Planar{offset(random), offset(random)};
+      }
+      const std::size_t before = number_of_flips(surface.t(), image);
+      untangle(surface.t(), image);
+      const std::size_t after = number_of_flips(surface.t(), image);
+      EXPECT_LE(after, before);
+      solved += after == 0;
+    }
+  EXPECT_GE(solved, 12u); // of 15
+}
+
+// An inner site with four right angles twice has a map without flips that goes around it twice.
+TEST(untangling, does_not_wind_a_star_twice)
+{
+  constexpr std::size_t n = 24, rings = 14;
+  const Glued_surface surface(cone(n, rings, 4. * pi));
+  std::vector<Planar> image(surface.size());
+  for(Index i = 1; i < surface.size(); ++i)
+  {
+    const double angle = 4. * pi * double((i - 1) % n) / double(n),
+                 radius = double((i - 1) / n + 1);
+    image[surface.site(i)] = {radius * std::cos(angle), radius * std::sin(angle)};
+  }
+  image[surface.site(0)] = {0., 0.};
+  EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
+  image[surface.site(1 + 2 * n)][1] += 2.;
+  ASSERT_GT(number_of_flips(surface.t(), image), 0u);
+  const std::vector<Planar> before = image;
+  untangle(surface.t(), image);
+  EXPECT_EQ(image, before);
+}
+
+TEST(untangling, survives_maps_that_are_none)
+{
+  const Glued_surface surface(square(8));
+  for(const Planar& factor :
+      {Planar{0., 0.}, Planar{1., 0.}, Planar{1e200, -1e200}, Planar{1e-200, -1e-200}})
+  {
+    std::vector<Planar> image = flat(surface);
+    for(Planar& p : image)
+      p = {factor[0] * p[0], factor[1] * p[1]};
+    const std::size_t before = number_of_flips(surface.t(), image);
+    EXPECT_GT(before, 0u);
+    untangle(surface.t(), image);
+    EXPECT_LE(number_of_flips(surface.t(), image), before);
+    for(const Planar& p : image)
+      EXPECT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]));
+  }
+}
+
+TEST(untangling, faces_up)
+{
+  const Glued_surface surface(square(5));
+  const std::vector<Planar> truth = flat(surface);
+  std::vector<Planar> image = truth;
+  face_up(surface.t(), image);
+  EXPECT_EQ(image, truth);
+  for(Planar& p : image)
+    p[1] = -p[1];
+  face_up(surface.t(), image);
+  EXPECT_EQ(image, truth);
+}
+
+} // namespace

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paths/descent.h"
+
+#include "Glued_surface.h"
+#include "path_checks.h"
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+constexpr double rounding = 1e-12; // a few hundred roundings of lengths below 10
+
+// A field from distances in the caller's space.
+std::function<double(Index)> field(const Glued_surface& surface,
+                                   const std::function<double(const Point&)>& f)
+{
+  return [&surface, f](Index site)
+  { return f(surface.point(surface.point_of_site(site))) / surface.scale(); };
+}
+
+Source source_at(const Location& location, double offset = 0.)
+{
+  Source result;
+  result.polyline = {location};
+  result.offset = offset;
+  return result;
+}
+
+double value_at(const Glued_surface& surface, const std::function<double(Index)>& distance,
+                const Location& location)
+{
+  double sum = 0.;
+  for(Index k = 0; k < 3; ++k)
+    if(location.barycentric[k] > 0.)
+      sum += location.barycentric[k] * distance(surface.t().corner[3 * location.triangle + k]);
+  return sum;
+}
+
+TEST(Descent, follows_a_distance_to_its_source)
+{
+  std::size_t steps = 0, climbs = 0;
+  const Glued_surface surface(square(20, 0.25));
+  std::mt19937 random(1);
+  for(int i = 0; i < 200; ++i)
+  {
+    const Location to =
+        i % 2 == 0 ? surface.at(Index(random() % 441)) : random_location(surface.t(), random);
+    const Point center = point_at(surface.t(), to);
+    const auto distances = field(surface, [&](const Point& p) { return distance(p, center); });
+    const Descent descent(surface.t(), {source_at(to)});
+    const Location from = random_location(surface.t(), random);
+    const auto path = descent(from, distances);
+    EXPECT_EQ(path.source, 0u);
+    expect_path_on_surface(surface.t(), path.locations, from, to);
+    for(std::size_t k = 0; k + 2 < path.locations.size(); ++k)
+    {
+      ++steps;
+      climbs += !(value_at(surface, distances, path.locations[k + 1]) <
+                  value_at(surface, distances, path.locations[k]));
+    }
+    const double straight = distance(point_at(surface.t(), from), center) / surface.t().scale;
+    const auto taut = straighten(surface.t(), path.locations);
+    EXPECT_NEAR(taut.length, straight, rounding);
+    EXPECT_LE(taut.length, path_length(surface.t(), path.locations) + rounding);
+  }
+  // Interpolated over triangles that are not Delaunay, even exact distances have a few pits.
+  EXPECT_LE(100 * climbs, steps);
+}
+
+TEST(Descent, ends_at_the_source_that_explains_the_value)
+{
+  const Glued_surface surface(square(20, 0.25));
+  std::vector<Source> sources = {source_at(surface.at(0)), source_at(surface.at(440), 0.5)};
+  const Point p = {0., 0., 0.}, q = {1., 1., 0.};
+  const double scale = surface.t().scale;
+  const auto distances = field(surface, [&](const Point& x)
+                               { return std::min(distance(x, p), 0.5 * scale + distance(x, q)); });
+  const Descent descent(surface.t(), sources);
+  std::mt19937 random(2);
+  for(int i = 0; i < 100; ++i)
+  {
+    const Location from = random_location(surface.t(), random);
+    const Point x = point_at(surface.t(), from);
+    const double first = distance(x, p), second = 0.5 * scale + distance(x, q);
+    if(std::abs(first - second) > 0.2) // farther from the ridge than triangles are wide
+    {
+      const auto path = descent(from, distances);
+      EXPECT_EQ(path.source, first < second ? 0u : 1u);
+    }
+  }
+}
+
+TEST(Descent, ends_on_polylines)
+{
+  const Glued_surface surface(square(20, 0.25));
+  // The lower border.
+  Source border;
+  for(Index i = 0; i <= 20; ++i)
+    border.polyline.push_back(surface.at(i));
+  const Descent descent(surface.t(), {border});
+  const auto height = field(surface, [](const Point& p) { return p[1]; });
+  std::mt19937 random(3);
+  for(int i = 0; i < 100; ++i)
+  {
+    const Location from = random_location(surface.t(), random);
+    const auto path = descent(from, height);
+    ASSERT_FALSE(path.locations.empty());
+    const Point p = point_at(surface.t(), from), q = point_at(surface.t(), path.locations.back());
+    // The height is linear: straight down.
+    EXPECT_NEAR(q[1], 0., rounding);
+    EXPECT_NEAR(q[0], p[0], 1e-3); // steps go to corners that are nearer than 1e-4 of a side
+  }
+}
+
+TEST(Descent, starts_at_the_source_and_beside_it)
+{
+  const Glued_surface surface(square(6, 0.2));
+  std::mt19937 random(4);
+  Location to = random_location(surface.t(), random), from = to;
+  const Point center = point_at(surface.t(), to);
+  const auto distances = field(surface, [&](const Point& p) { return distance(p, center); });
+  const Descent descent(surface.t(), {source_at(to)});
+  EXPECT_EQ(descent(to, distances).locations.size(), 1u);
+  from.barycentric = {0.2, 0.3, 0.5};
+  const auto path = descent(from, distances);
+  EXPECT_EQ(path.locations.size(), 2u);
+  EXPECT_NEAR(path_length(surface.t(), path.locations) * surface.t().scale,
+              distance(center, point_at(surface.t(), from)), rounding);
+}
+
+TEST(Descent, never_turns_in_circles_whatever_the_field)
+{
+  for(unsigned seed = 1; seed <= 20; ++seed)
+  {
+    const Glued_surface surface(shaken(icosphere(2), 0.05, seed));
+    const Glued_triangles& t = surface.t();
+    std::mt19937 random(seed);
+    std::vector<double> values(t.number_of_sites());
+    for(double& value : values)
+      switch(seed % 4)
+      {
+      case 0:
+        value = 1.;
+        break; // flat
+      case 1:
+        value = double(random() % 3);
+        break; // steps
+      case 2:
+        value = 1e-300 * double(random() % 1000);
+        break;
+      default:
+        value = double(random());
+        break;
+      }
+    const Location to = random_location(t, random);
+    const Descent descent(t, {source_at(to)});
+    for(int i = 0; i < 20; ++i)
+    {
+      const Location from = random_location(t, random);
+      const auto path = descent(from, [&](Index site) { return values[site]; });
+      expect_path_on_surface(t, path.locations, from, to);
+      EXPECT_LT(path.locations.size(), 3 * t.number_of_sites());
+    }
+  }
+}
+
+TEST(Descent, begins_beside_what_was_not_reached)
+{
+  const Glued_surface surface(square(10));
+  const Point center = {0., 0., 0.};
+  const Descent descent(surface.t(), {source_at(surface.at(0))});
+  // Reached up to a distance of 0.5 only.
+  const auto distances =
+      field(surface, [&](const Point& p)
+            { return distance(p, center) < 0.5 ? distance(p, center) : infinity; });
+  const auto path = descent(surface.at(30), distances); // at (0.8, 0.2)
+  EXPECT_TRUE(path.locations.empty());
+  // In a triangle with a corner that was reached
+  for(Index f = 0; f < surface.t().number_of_triangles(); ++f)
+  {
+    int reached = 0;
+    for(Index k = 0; k < 3; ++k)
+      reached += std::isfinite(distances(surface.t().corner[3 * f + k]));
+    Location from;
+    from.triangle = f;
+    from.barycentric = {0.4, 0.3, 0.3};
+    const auto part = descent(from, distances);
+    if(reached > 0)
+      expect_path_on_surface(surface.t(), part.locations, from, surface.at(0));
+    else
+      EXPECT_TRUE(part.locations.empty());
+  }
+}
+
+TEST(Descent, says_when_there_is_no_way)
+{
+  Triangulation two = apart(square(4), icosphere(1));
+  two.points.push_back({5., 5., 5.}); // an isolated point
+  const Glued_surface surface(two);
+  const Index isolated = Index(two.points.size() - 1);
+  const auto constant = [](Index) { return 1.; };
+  const Descent descent(surface.t(), {source_at(surface.at(0)), source_at(surface.at(isolated))});
+  EXPECT_TRUE(descent(surface.at(30), constant).locations.empty());
+  EXPECT_TRUE(descent(surface.at(30), [](Index) { return infinity; }).locations.empty());
+  const auto self = descent(surface.at(isolated), constant);
+  EXPECT_EQ(self.locations.size(), 1u);
+  EXPECT_EQ(self.source, 1u);
+}
+
+TEST(Descent, climbs_out_of_a_pit)
+{
+  const Glued_surface surface(square(20, 0.2));
+  const Point center = {0.1, 0.1, 0.}, pit = {0.7, 0.6, 0.};
+  const auto distances =
+      field(surface, [&](const Point& p)
+            { return distance(p, center) - 2. * std::max(0., 0.2 - distance(p, pit)); });
+  const Location to = surface.at(2 + 21 * 2);
+  const Descent descent(surface.t(), {source_at(to)});
+  const Location from = surface.at(19 + 21 * 17);
+  const auto path = descent(from, distances);
+  expect_path_on_surface(surface.t(), path.locations, from, to);
+}
+
+} // namespace

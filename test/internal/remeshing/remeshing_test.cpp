@@ -1,0 +1,421 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/remeshing/remeshing.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/mesh/curves.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include "core/unfold.h"
+#include <CGAL/Geodesic_processing/internal/mesh/refinement.h>
+
+#include "Glued_surface.h"
+#include "topology.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+Remeshing remeshed(const Glued_surface& surface, std::size_t number, std::size_t relaxation = 0)
+{
+  Remeshing_goal goal;
+  goal.number = number;
+  goal.relaxation_steps = relaxation;
+  return remeshing(surface.triangles(), goal);
+}
+
+std::vector<Index> corners_of(const Remeshing& mesh)
+{
+  std::vector<Index> result;
+  for(const auto& f : mesh.triangles)
+    result.insert(result.end(), f.begin(), f.end());
+  return result;
+}
+
+std::vector<Point> points_of(const Glued_surface& surface, const Remeshing& mesh)
+{
+  std::vector<Point> result;
+  for(const Location& sample : mesh.samples)
+    result.push_back(coordinates(surface.t(), sample));
+  return result;
+}
+
+Point normal_of(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
+
+double area(const std::vector<Point>& points, const std::vector<Index>& corners)
+{
+  double result = 0.;
+  for(std::size_t f = 0; f < corners.size(); f += 3)
+    result +=
+        0.5 * norm(normal_of(points[corners[f]], points[corners[f + 1]], points[corners[f + 2]]));
+  return result;
+}
+
+// A surface like the one remeshed, each of whose points is a corner of a triangle, and lies on it.
+void expect_same_topology(const Glued_surface& surface, const Remeshing& mesh, std::size_t number)
+{
+  EXPECT_TRUE(mesh.is_finished);
+  EXPECT_GE(mesh.samples.size(), number);
+  const std::vector<Index> corners = corners_of(mesh);
+  EXPECT_EQ(topology(corners), topology(refinement(surface.triangles()).triangles->corner));
+  const std::set<Index> used(corners.begin(), corners.end());
+  EXPECT_EQ(used.size(), mesh.samples.size());
+  EXPECT_TRUE(used.empty() || *used.rbegin() + 1 == used.size());
+  for(const Location& sample : mesh.samples)
+  {
+    ASSERT_LT(sample.triangle, surface.t().number_of_triangles());
+    double sum = 0.;
+    for(const double b : sample.barycentric)
+    {
+      EXPECT_GE(b, 0.);
+      sum += b;
+    }
+    EXPECT_NEAR(sum, 1., 1e-15); // a rounding or two
+  }
+}
+
+TEST(Remeshing, keeps_topology_and_adds_what_that_takes)
+{
+  for(const Triangulation& surface :
+      {icosphere(4), torus(60, 24), cylinder(40, 60, 0.3, 3.), square(30, 0.2),
+       annulus(60, 10, 0.5, 1.), double_ring(4), apart(icosphere(3), square(9)), tetrahedron(),
+       apart(torus(30, 12), cylinder(20, 20, 1., 1.)), one_triangle(), cone(6, 5, 8.)})
+  {
+    const Glued_surface glued(surface);
+    for(const std::size_t number : {0u, 10u, 100u, 400u})
+      for(const std::size_t relaxation : {0u, 2u})
+      {
+        SCOPED_TRACE(std::to_string(surface.points.size()) + " points, " + std::to_string(number) +
+                     " samples");
+        expect_same_topology(glued, remeshed(glued, number, relaxation), number);
+      }
+  }
+}
+
+TEST(Remeshing, takes_as_many_as_are_asked_for_where_they_are_enough)
+{
+  for(const Triangulation& surface : {icosphere(4), square(40, 0.2), torus(60, 24)})
+    EXPECT_EQ(remeshed(Glued_surface(surface), 300).samples.size(), 300u);
+}
+
+TEST(Remeshing, can_be_finer_than_the_mesh)
+{
+  for(const Triangulation& surface : {icosphere(2), tetrahedron(), square(3), cone(6, 2, 8.)})
+  {
+    const Glued_surface glued(surface);
+    const Remeshing mesh = remeshed(glued, 1000);
+    expect_same_topology(glued, mesh, 1000);
+    EXPECT_LE(mesh.samples.size(), 1010u);
+  }
+}
+
+TEST(Remeshing, keeps_orientation)
+{
+  const Glued_surface surface(icosphere(4));
+  for(const std::size_t number : {50u, 300u})
+  {
+    const Remeshing mesh = remeshed(surface, number);
+    const std::vector<Point> points = points_of(surface, mesh);
+    for(const auto& f : mesh.triangles)
+    {
+      const Point &a = points[f[0]], &b = points[f[1]], &c = points[f[2]];
+      EXPECT_GT(dot(normal_of(a, b, c), a + b + c), 0.);
+    }
+  }
+}
+
+TEST(Remeshing, covers_a_square_to_its_corners)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+    for(const std::size_t relaxation : {0u, 3u})
+      for(const std::size_t number : {20u, 200u})
+      {
+        const Triangulation plane = scaled(square(30, 0.2), scale);
+        const Glued_surface surface(plane);
+        const Remeshing mesh = remeshed(surface, number, relaxation);
+        const std::vector<Point> points = points_of(surface, mesh);
+        double signed_area = 0.;
+        for(const auto& f : mesh.triangles)
+        {
+          const double here = 0.5 * normal_of(points[f[0]], points[f[1]], points[f[2]])[2];
+          EXPECT_GT(here, 0.);
+          signed_area += here;
+        }
+        // Sums of some hundred terms.
+        EXPECT_NEAR(signed_area, scale * scale, 1e-12 * scale * scale);
+      }
+}
+
+TEST(Remeshing, keeps_borders)
+{
+  const Glued_surface surface(cylinder(48, 48, 1., 1.));
+  for(const std::size_t number : {20u, 300u})
+  {
+    const Remeshing mesh = remeshed(surface, number);
+    const std::vector<Point> points = points_of(surface, mesh);
+    std::set<std::pair<Index, Index>> sides;
+    for(const auto& f : mesh.triangles)
+      for(int k = 0; k < 3; ++k)
+        sides.insert({f[k], f[(k + 1) % 3]});
+    std::size_t border = 0;
+    for(const auto& [a, b] : sides)
+      if(sides.count({b, a}) == 0)
+      {
+        ++border;
+        EXPECT_TRUE(points[a][2] == 0. || points[a][2] == 1.);
+        EXPECT_EQ(points[a][2], points[b][2]);
+      }
+    EXPECT_GE(border, 6u);
+  }
+}
+
+TEST(Remeshing, keeps_curves)
+{
+  const int size = 8;
+  const Glued_surface cube(blocks(size, size, size, [](int, int, int) { return true; }));
+  Remeshing_goal goal;
+  goal.is_curve = border_and_sharp_sides(cube.t(), 60.);
+  for(const std::size_t relaxation : {0u, 3u})
+    for(const std::size_t number : {8u, 100u, 400u})
+    {
+      goal.number = number;
+      goal.relaxation_steps = relaxation;
+      const Remeshing mesh = remeshing(cube.triangles(), goal);
+      expect_same_topology(cube, mesh, number);
+      // Each triangle lies in one of the six faces, so that together they are these: rounding alone.
+      const std::vector<Point> points = points_of(cube, mesh);
+      EXPECT_NEAR(area(points, corners_of(mesh)), 6. * size * size, 1e-9);
+      for(const auto& f : mesh.triangles)
+      {
+        std::size_t common = 0;
+        for(int k = 0; k < 3; ++k)
+          for(const double x : {0., double(size)})
+            common += std::all_of(f.begin(), f.end(),
+                                  [&](Index i) { return std::abs(points[i][k] - x) < 1e-12; });
+        EXPECT_EQ(common, 1u);
+      }
+    }
+}
+
+TEST(Remeshing, keeps_a_spacing_along_curves)
+{
+  const Glued_surface surface(square(12));
+  Remeshing_goal goal;
+  goal.number = 60;
+  goal.is_curve = border_and_sharp_sides(surface.t());
+  for(const double spacing : {0.02, 0.1, 1e300})
+  {
+    // At the lower side of the square; elsewhere it is left open.
+    goal.curve_spacing.assign(surface.t().corner.size(), 0.);
+    for(Index side = 0; side < goal.curve_spacing.size(); ++side)
+      if(goal.is_curve[side] &&
+         coordinates(surface.t(), {side / 3, none, on_side(side, 0.5)})[1] == 0.)
+        goal.curve_spacing[side] = spacing / surface.scale();
+    const Remeshing result = remeshing(surface.triangles(), goal);
+    std::vector<Index> corners;
+    for(const auto& f : result.triangles)
+      corners.insert(corners.end(), f.begin(), f.end());
+    EXPECT_EQ(topology(corners), (Topology{true, {{1, 1}}}));
+    if(spacing > 1.)
+      continue;              // more come, as other samples are nearer
+    std::vector<double> low; // up to roundings of numbers up to one
+    for(const Point& p : result.points)
+      if(p[1] < 1e-14)
+        low.push_back(p[0]);
+    std::sort(low.begin(), low.end());
+    const std::size_t steps = std::size_t(std::round(1. / spacing));
+    ASSERT_EQ(low.size(), steps + 1);
+    for(std::size_t i = 0; i <= steps; ++i)
+      EXPECT_NEAR(low[i], double(i) / double(steps), 1e-14);
+  }
+  goal.curve_spacing.assign(goal.curve_spacing.size(), 1e-12);
+  EXPECT_THROW(remeshing(surface.triangles(), goal),
+               CGAL::Geodesic_processing::Invalid_argument_error);
+}
+
+TEST(Remeshing, relaxes_to_even_triangles)
+{
+  const Glued_surface surface(icosphere(4));
+  const auto mean_of_least_angles = [&](std::size_t number, std::size_t relaxation)
+  {
+    const Remeshing mesh = remeshed(surface, number, relaxation);
+    const std::vector<Point> points = points_of(surface, mesh);
+    double sum = 0.;
+    for(const auto& f : mesh.triangles)
+    {
+      double least = pi;
+      for(int k = 0; k < 3; ++k)
+      {
+        const Point u = points[f[(k + 1) % 3]] - points[f[k]],
+                    v = points[f[(k + 2) % 3]] - points[f[k]];
+        least = std::min(least, std::atan2(norm(cross(u, v)), dot(u, v)));
+      }
+      sum += least;
+    }
+    return sum / double(mesh.triangles.size()) * 180. / pi;
+  };
+  const double at_first = mean_of_least_angles(200, 0), relaxed = mean_of_least_angles(200, 20);
+  EXPECT_GT(relaxed, at_first);
+  // A sphere of many cells comes to 53 or more; 60 is what is possible.
+  EXPECT_GT(relaxed, 50.);
+  // What moves between its neighbours at last leaves less to do for further steps.
+  EXPECT_GT(mean_of_least_angles(1000, 2), 50.);
+  EXPECT_GT(mean_of_least_angles(1000, 20), 52.5);
+}
+
+TEST(Remeshing, is_denser_where_it_is_slow)
+{
+  const Glued_surface surface(square(30, 0.2));
+  std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
+  for(Index f = 0; f < slowness.size(); ++f)
+    if(coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.5)
+      slowness[f] = 5.;
+  for(const std::size_t relaxation : {0u, 3u})
+  {
+    Remeshing_goal goal;
+    goal.number = 260;
+    goal.relaxation_steps = relaxation;
+    goal.slowness = std::make_shared<const std::vector<double>>(slowness);
+    const Remeshing mesh = remeshing(surface.triangles(), goal);
+    expect_same_topology(surface, mesh, 260);
+    const std::vector<Point> points = points_of(surface, mesh);
+    const auto left =
+        std::count_if(points.begin(), points.end(), [](const Point& p) { return p[0] < 0.5; });
+    // 25 parts of 26, and what the borders take: within a tenth.
+    EXPECT_NEAR(double(left), 250., 25.);
+  }
+}
+
+TEST(Remeshing, comes_as_near_as_it_is_to)
+{
+  for(const Triangulation& surface : {icosphere(4), double_ring(6), torus(60, 24)})
+    for(const double scale : {1e-6, 1.})
+    {
+      const Triangulation large = scaled(surface, scale);
+      const Glued_surface glued(large);
+      std::vector<std::size_t> numbers;
+      for(const double deviation : {0.1, 0.03, 0.01})
+      {
+        Remeshing_goal goal;
+        goal.number = 30;
+        goal.maximum_deviation = deviation * scale / glued.scale();
+        const Remeshing mesh = remeshing(glued.triangles(), goal);
+        expect_same_topology(glued, mesh, 30);
+        numbers.push_back(mesh.samples.size());
+        const std::vector<Point> points = points_of(glued, mesh);
+        for(const Point& p : large.points)
+        {
+          double least = infinity;
+          for(const auto& f : mesh.triangles)
+          {
+            const Point &a = points[f[0]], &b = points[f[1]], &c = points[f[2]];
+            const auto nearest = nearest_in_triangle(a, b, c, p);
+            least = std::min(least, distance(nearest[0] * a + nearest[1] * b + nearest[2] * c, p));
+          }
+          EXPECT_LE(least, deviation * scale * (1. + 1e-9)); // roundings
+        }
+      }
+      EXPECT_GT(numbers.back(), numbers.front());
+    }
+}
+
+TEST(Remeshing, keeps_first_samples)
+{
+  const Glued_surface surface(icosphere(3));
+  Remeshing_goal goal;
+  goal.number = 100;
+  goal.relaxation_steps = 3;
+  for(const Index i : {7u, 100u, 300u})
+    goal.first_samples.push_back(cleaned(surface.t(), surface.at(i)));
+  goal.first_samples.push_back(surface.in(11, {0.25, 0.25, 0.5}));
+  const Remeshing mesh = remeshing(surface.triangles(), goal);
+  expect_same_topology(surface, mesh, 100);
+  for(std::size_t i = 0; i < goal.first_samples.size(); ++i)
+    EXPECT_TRUE(is_same_point(surface.t(), mesh.samples[i], goal.first_samples[i]));
+  // The same one twice is one.
+  goal.first_samples.assign(2, goal.first_samples[0]);
+  EXPECT_EQ(remeshing(surface.triangles(), goal).samples.size(), 100u);
+}
+
+TEST(Remeshing, depends_on_the_seed_alone)
+{
+  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const auto with = [&](unsigned seed)
+  {
+    Remeshing_goal goal;
+    goal.number = 60;
+    goal.seed = seed;
+    const Remeshing mesh = remeshing(surface.triangles(), goal);
+    return std::pair(points_of(surface, mesh), mesh.triangles);
+  };
+  EXPECT_EQ(with(1), with(1));
+  EXPECT_NE(with(1), with(2));
+}
+
+TEST(Remeshing, of_what_is_degenerate_ends)
+{
+  // Points that coincide, triangles without area, two triangles of the same corners, a pinched site,
+  // isolated points, needles.
+  Triangulation flat = square(6);
+  for(Point& p : flat.points)
+    p[1] = 0.;
+  Triangulation one_point = icosphere(1);
+  for(Point& p : one_point.points)
+    p = {1., 2., 3.};
+  Triangulation lens = one_triangle();
+  lens.corners.insert(lens.corners.end(), {0, 2, 1});
+  Triangulation pinched = tetrahedron();
+  for(const Point& p : {Point{3., 1., 1.}, Point{3., 3., 1.}, Point{3., 1., 3.}})
+    pinched.points.push_back(p);
+  pinched.corners.insert(pinched.corners.end(), {0, 4, 5, 0, 5, 6, 0, 6, 4, 4, 6, 5});
+  Triangulation isolated = square(4);
+  isolated.points.push_back({9., 9., 9.});
+  const Triangulation needles = grid(3, 200,
+                                     [](double u, double v) {
+                                       return Point{1000. * u, v, 0.};
+                                     });
+  for(const Triangulation& surface : {flat, one_point, pinched, isolated, needles})
+    for(const std::size_t number : {0u, 10u, 200u})
+    {
+      SCOPED_TRACE(std::to_string(surface.points.size()) + " points, " + std::to_string(number) +
+                   " samples");
+      const Glued_surface glued(surface);
+      expect_same_topology(glued, remeshed(glued, number), 0);
+    }
+  for(const std::size_t number : {0u, 10u, 200u})
+    EXPECT_EQ(topology(corners_of(remeshed(Glued_surface(lens), number))),
+              (Topology{true, {{2, 0}}}));
+  EXPECT_TRUE(remeshed(Glued_surface({{{0., 0., 0.}}, {}}), 10).samples.empty());
+  EXPECT_TRUE(remeshed(Glued_surface(Triangulation()), 10).triangles.empty());
+}
+
+TEST(Remeshing, can_be_cancelled)
+{
+  const Glued_surface surface(icosphere(4));
+  Remeshing_goal goal;
+  goal.number = 200;
+  goal.relaxation_steps = 3;
+  double last = 0.;
+  bool rises = true;
+  goal.callback = [&](double done)
+  {
+    rises = rises && done >= last && done <= 1.;
+    last = done;
+    return true;
+  };
+  EXPECT_TRUE(remeshing(surface.triangles(), goal).is_finished);
+  EXPECT_TRUE(rises);
+  for(const double end : {0.1, 0.5, 0.85})
+  {
+    goal.callback = [&](double done) { return done < end; };
+    const Remeshing mesh = remeshing(surface.triangles(), goal);
+    EXPECT_FALSE(mesh.is_finished);
+    EXPECT_TRUE(mesh.triangles.empty());
+  }
+}
+
+} // namespace

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sampling/centroids.h"
+
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+
+#include "Glued_surface.h"
+#include "polygons.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// Of sums over some hundred triangles.
+constexpr double rounding = 1e-13;
+
+std::vector<Index> labels_of(const Glued_surface& surface, const std::vector<Location>& samples)
+{
+  Front front(surface.triangles(), Front_kind::euclidean);
+  std::vector<Source> sources;
+  for(const Location& sample : samples)
+    sources.push_back({{sample}, 0., 0});
+  front.run(sources);
+  std::vector<Index> result;
+  for(Index site = 0; site < surface.size(); ++site)
+    result.push_back(front.source(site));
+  return result;
+}
+
+std::vector<Location> centroids_of(const Glued_surface& surface, const std::vector<Index>& labels,
+                                   const std::vector<Location>& samples,
+                                   const std::vector<double>* slowness = nullptr, double way = 1.,
+                                   const std::vector<Spatial>& onward = {})
+{
+  return centroids(surface.t(), triangle_masses(surface.t(), slowness), labels, samples, slowness,
+                   way, onward);
+}
+
+Point moved(const Glued_surface& surface, const std::vector<Location>& samples, std::size_t i)
+{
+  return coordinates(surface.t(), centroids_of(surface, labels_of(surface, samples), samples)[i]);
+}
+
+TEST(Centroids, of_a_square_and_of_its_halves)
+{
+  for(const double scale : {1e-6, 1., 1e6})
+  {
+    const Triangulation plane = scaled(square(10, 0.2), scale);
+    const Glued_surface surface(plane);
+    EXPECT_LT(distance(moved(surface, {surface.at(0)}, 0), {scale / 2., scale / 2., 0.}),
+              rounding * scale);
+    // Divided by the middle, which crosses triangles.
+    const std::vector<Location> two = {surface.at(5 * 11), surface.at(5 * 11 + 10)};
+    EXPECT_LT(distance(moved(surface, two, 0), {scale / 4., scale / 2., 0.}), rounding * scale);
+    EXPECT_LT(distance(moved(surface, two, 1), {3. * scale / 4., scale / 2., 0.}),
+              rounding * scale);
+  }
+  // Quarters by both diagonals, which four cells meet in a site of: the centroid of a triangle.
+  const Glued_surface regular(square(10));
+  const std::vector<Location> four = {regular.at(5), regular.at(5 * 11), regular.at(5 * 11 + 10),
+                                      regular.at(115)};
+  EXPECT_LT(distance(moved(regular, four, 0), {0.5, 1. / 6., 0.}), rounding);
+}
+
+TEST(Centroids, divide_a_triangle_among_three)
+{
+  const Triangulation one{{{0., 0., 0.}, {1., 0.25, 0.}, {0.25, 0.75, 0.}}, {0, 1, 2}};
+  const Glued_surface surface(one);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.05, 1.);
+  for(int i = 0; i < 300; ++i)
+  {
+    std::vector<Location> samples;
+    std::vector<Point> places;
+    std::vector<Index> labels(3);
+    for(Index k = 0; k < 3; ++k)
+    {
+      // At first each near its corner, where they meet inside; then anywhere.
+      std::array<double, 3> b = {uniform(random), uniform(random), uniform(random)};
+      b[k] += i < 150 ? 2. : 0.;
+      const double sum = b[0] + b[1] + b[2];
+      samples.push_back({0, none, {b[0] / sum, b[1] / sum, b[2] / sum}});
+      places.push_back(coordinates(surface.t(), samples.back()));
+      labels[surface.t().corner[k]] = k;
+    }
+    const std::vector<Point> corners = {coordinates(surface.t(), {0, none, {1., 0., 0.}}),
+                                        coordinates(surface.t(), {0, none, {0., 1., 0.}}),
+                                        coordinates(surface.t(), {0, none, {0., 0., 1.}})};
+    const std::vector<Location> found = centroids_of(surface, labels, samples);
+    for(int k = 0; k < 3; ++k)
+    {
+      const std::vector<Point> cell =
+          nearer(nearer(corners, places[k], places[(k + 1) % 3]), places[k], places[(k + 2) % 3]);
+      // What others leave of it to the last one is a difference: small cells have larger roundings.
+      EXPECT_LT(distance(coordinates(surface.t(), found[k]), centroid(cell)), 1e-9);
+    }
+  }
+}
+
+TEST(Centroids, can_be_gone_beyond)
+{
+  const Glued_surface surface(square(10));
+  const std::vector<Index> labels(surface.size(), 0);
+  for(const double way : {0., 0.5, 1.5})
+    EXPECT_LT(distance(coordinates(surface.t(),
+                                   centroids_of(surface, labels, {surface.at(0)}, nullptr, way)[0]),
+                       {0.5 * way, 0.5 * way, 0.}),
+              rounding);
+  const Location found =
+      centroids_of(surface, labels, {surface.at(0)}, nullptr, 1., {{0.25, -0.125, 0.}})[0];
+  const double unit = surface.scale();
+  EXPECT_LT(distance(coordinates(surface.t(), found), {0.5 + 0.25 * unit, 0.5 - 0.125 * unit, 0.}),
+            rounding);
+}
+
+TEST(Centroids, lie_where_it_is_dense)
+{
+  const Glued_surface surface(square(10));
+  std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
+  for(Index f = 0; f < slowness.size(); ++f)
+    if(coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.5)
+      slowness[f] = 2.;
+  const std::vector<Index> labels(surface.size(), 0);
+  const Point p =
+      coordinates(surface.t(), centroids_of(surface, labels, {surface.at(0)}, &slowness)[0]);
+  // 16 times as much on the left.
+  EXPECT_NEAR(p[0], (16. * 0.25 + 0.75) / 17., rounding);
+  EXPECT_NEAR(p[1], 0.5, rounding);
+}
+
+TEST(Centroids, are_put_back_on_the_surface)
+{
+  const Triangulation sphere = icosphere(3);
+  const Glued_surface surface(sphere);
+  std::vector<Location> samples;
+  for(Index i = 0; i < 12; ++i)
+    samples.push_back(surface.at(i));
+  const std::vector<Location> found = centroids_of(surface, labels_of(surface, samples), samples);
+  ASSERT_EQ(found.size(), 12u);
+  for(Index i = 0; i < 12; ++i)
+  {
+    EXPECT_NE(found[i].triangle, none);
+    // The corners of an icosahedron are the centroids of their cells, but what is nearest to the
+    // centre of mass below is the foot on one of the triangles around: within a tenth of a side.
+    EXPECT_LT(distance(coordinates(surface.t(), found[i]), sphere.points[i]), 0.016);
+  }
+}
+
+TEST(Centroids, stay_where_there_is_no_area)
+{
+  // Two triangles without area beside one with it.
+  Triangulation surface{{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0.5, 0., 0.}, {2., 0., 0.}},
+                        {0, 1, 2, 1, 0, 3, 3, 4, 1}};
+  const Glued_surface glued(surface);
+  std::vector<Index> labels(5, 0);
+  labels[glued.site(4)] = 1;
+  labels[glued.site(3)] = 1;
+  const std::vector<Location> samples = {glued.at(0), glued.at(4)};
+  const std::vector<Location> found = centroids_of(glued, labels, samples);
+  for(const Location& location : found)
+    for(const double x : coordinates(glued.t(), location))
+      EXPECT_TRUE(std::isfinite(x));
+  // A cell that comes to no site, and sites of no cell.
+  EXPECT_EQ(centroids_of(glued, std::vector<Index>(5, none), samples)[1].barycentric,
+            cleaned(glued.t(), samples[1]).barycentric);
+}
+
+} // namespace

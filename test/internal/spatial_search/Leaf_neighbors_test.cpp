@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/spatial_search/Leaf_neighbors.h>
+
+#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+
+// As the tree finds them one by one, to the last digit.
+void expect_as_one_by_one(std::vector<Spatial> points, std::size_t k)
+{
+  std::vector<Index> order;
+  const Kd_tree tree(points, order);
+  Leaf_neighbors neighbors(points, tree, k);
+  ASSERT_EQ(neighbors.size(), std::min(k, points.size()));
+  std::vector<Kd_tree::Neighbor> expected;
+  std::size_t seen = 0;
+  for(Index i = 0, last; i < points.size(); i = last)
+  {
+    last = neighbors.leaf_end(i);
+    ASSERT_GT(last, i);
+    const auto& rows = neighbors.find(i, last);
+    ASSERT_EQ(rows.size(), (last - i) * neighbors.size());
+    for(Index j = i; j < last; ++j, ++seen)
+    {
+      tree.nearest(points, points[j], k, expected);
+      for(std::size_t m = 0; m < expected.size(); ++m)
+      {
+        const Kd_tree::Neighbor& found = rows[(j - i) * neighbors.size() + m];
+        ASSERT_EQ(found.point, expected[m].point) << j << " " << m << " of " << points.size();
+        ASSERT_EQ(found.squared_distance, expected[m].squared_distance);
+      }
+    }
+  }
+  EXPECT_EQ(seen, points.size());
+}
+
+std::vector<Spatial> sphere(std::size_t n, unsigned seed, double size = 1.)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<Spatial> result(n);
+  for(Spatial& p : result)
+    p = size * unit(Spatial{normal(random), normal(random), normal(random)});
+  return result;
+}
+
+TEST(Leaf_neighbors, are_those_of_the_tree)
+{
+  for(const std::size_t n : {0, 1, 2, 12, 13, 30, 100, 3000})
+    for(const std::size_t k : {0, 1, 2, 7, 21, 60, 200})
+      expect_as_one_by_one(sphere(n, 1), k);
+  for(const double size :
+      {1e-150, 1e-6, 1e6, 1e150}) // squares down to the smallest and up to the largest
+    expect_as_one_by_one(sphere(1000, 2, size), 21);
+}
+
+TEST(Leaf_neighbors, are_the_first_of_equal_ones)
+{
+  std::vector<Spatial> lattice;
+  for(int i = 0; i < 40; ++i)
+    for(int j = 0; j < 40; ++j)
+      lattice.push_back({0.5 * i, 0.5 * j, 0.});
+  expect_as_one_by_one(lattice, 21);
+  std::vector<Spatial> twice = lattice;
+  twice.insert(twice.end(), lattice.begin(), lattice.end());
+  expect_as_one_by_one(twice, 21);
+  expect_as_one_by_one(std::vector<Spatial>(500, {1., 2., 3.}),
+                       9); // more than are gone through at once
+}
+
+TEST(Leaf_neighbors, are_found_beside_points_far_away)
+{
+  std::vector<Spatial> points = sphere(3000, 3);
+  const std::vector<Spatial> far = sphere(300, 4, 1000.);
+  points.insert(points.end(), far.begin(), far.end());
+  points.push_back({1e12, 0., 0.});
+  expect_as_one_by_one(points, 21);
+}
+
+TEST(Leaf_neighbors, are_found_for_a_part_of_a_leaf)
+{
+  std::vector<Spatial> points = sphere(100, 5);
+  std::vector<Index> order;
+  const Kd_tree tree(points, order);
+  Leaf_neighbors neighbors(points, tree, 5);
+  const Index end = neighbors.leaf_end(0);
+  ASSERT_GT(end, 2);
+  const std::vector<Kd_tree::Neighbor> whole = neighbors.find(0, end);
+  const std::vector<Kd_tree::Neighbor>& part = neighbors.find(1, 2);
+  ASSERT_EQ(part.size(), 5);
+  for(std::size_t m = 0; m < 5; ++m)
+    EXPECT_EQ(part[m].point, whole[5 + m].point);
+}
+
+} // namespace

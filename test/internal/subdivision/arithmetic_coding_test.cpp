@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "subdivision/arithmetic_coding.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+
+struct Bits
+{
+  std::vector<bool> bits;
+  std::vector<std::uint8_t> bytes;
+};
+
+// In three contexts; every fifth bit in none.
+Bits random_bits(std::size_t number, double probability, unsigned seed)
+{
+  Bits result;
+  std::mt19937 random(seed);
+  std::bernoulli_distribution distribution(probability);
+  Bit_encoder encoder;
+  Bit_model models[3];
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    result.bits.push_back(distribution(random));
+    if(i % 5 == 4)
+      encoder.put(result.bits.back());
+    else
+      encoder.put(result.bits.back(), models[i % 3]);
+  }
+  result.bytes = encoder.finish();
+  return result;
+}
+
+// How many bits come back right before the decoder gives up.
+std::size_t right_bits(const Bits& of, std::size_t bytes, bool is_whole)
+{
+  Bit_decoder decoder(of.bytes.data(), bytes, is_whole);
+  Bit_model models[3];
+  for(std::size_t i = 0; i < of.bits.size(); ++i)
+  {
+    const bool bit = i % 5 == 4 ? decoder.get() : decoder.get(models[i % 3]);
+    if(decoder.is_exhausted())
+      return i;
+    EXPECT_EQ(bit, of.bits[i]);
+  }
+  return of.bits.size();
+}
+
+TEST(Arithmetic_coding, gives_back_what_was_put)
+{
+  for(const double probability : {0., 0.001, 0.2, 0.5, 0.97, 1.})
+    for(const std::size_t number : {0u, 1u, 7u, 100u, 20000u})
+    {
+      const Bits bits = random_bits(number, probability, unsigned(number));
+      EXPECT_EQ(right_bits(bits, bits.bytes.size(), true), number);
+    }
+}
+
+// Of a prefix no wrong bit, and more of a longer one.
+TEST(Arithmetic_coding, prefixes_tell_what_they_can)
+{
+  const Bits bits = random_bits(2000, 0.2, 1);
+  std::size_t last = 0;
+  for(std::size_t size = 0; size <= bits.bytes.size(); ++size)
+  {
+    const std::size_t known = right_bits(bits, size, false);
+    EXPECT_GE(known, last);
+    last = known;
+  }
+  EXPECT_GT(last, 1900u); // all but what the interval's last bytes hold
+}
+
+TEST(Arithmetic_coding, takes_little_more_than_the_entropy)
+{
+  for(const double p : {0.01, 0.1, 0.3})
+  {
+    std::mt19937 random(1);
+    std::bernoulli_distribution distribution(p);
+    Bit_encoder encoder;
+    Bit_model model;
+    const int n = 100000;
+    for(int i = 0; i < n; ++i)
+      encoder.put(distribution(random), model);
+    const double entropy = -(p * std::log2(p) + (1. - p) * std::log2(1. - p));
+    // A mean of the last 60 bits is uncertain: that costs about 1 / (2 * 60 ln 2) of a bit each.
+    EXPECT_LT(8. * double(encoder.finish().size()) / n, entropy + 0.015);
+  }
+}
+
+TEST(Arithmetic_coding, bounds_what_foreign_bytes_say)
+{
+  std::mt19937 random(1);
+  for(int i = 0; i < 100; ++i)
+  {
+    std::vector<std::uint8_t> bytes;
+    for(unsigned k = random() % 50; k > 0; --k)
+      bytes.push_back(std::uint8_t(random()));
+    Bit_decoder decoder(bytes.data(), bytes.size(), false);
+    Bit_model model;
+    std::size_t known = 0;
+    for(; !decoder.is_exhausted() && known < 100000; ++known)
+      decoder.get(model);
+    EXPECT_LT(known, 100000u);
+  }
+}
+
+} // namespace

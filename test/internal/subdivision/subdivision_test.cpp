@@ -1,0 +1,257 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+
+#include "subdivided.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// Closed, with borders, of two pieces, with a handle, with an isolated vertex.
+std::vector<Triangulation> surfaces()
+{
+  Triangulation two = tetrahedron();
+  const Index n = Index(two.points.size());
+  for(const Point& p : tetrahedron().points)
+    two.points.push_back(p);
+  for(const Index c : tetrahedron().corners)
+    two.corners.push_back(n + c);
+  two.points.push_back({9., 9., 9.});
+  return {one_triangle(), tetrahedron(), icosphere(0), square(3), annulus(5, 2, 1., 2.), two};
+}
+
+std::vector<Index> corners_of(const std::vector<Triangle>& triangles)
+{
+  std::vector<Index> result;
+  for(const Triangle& t : triangles)
+    result.insert(result.end(), t.begin(), t.end());
+  return result;
+}
+
+TEST(Subdivision, numbers_a_triangle_as_drawn)
+{
+  // Both levels by hand: midpoints of sides 0, 1, 2 are 3, 4, 5.
+  const Subdivision s = subdivided(one_triangle(), 1);
+  ASSERT_EQ(s.levels.size(), 2u);
+  EXPECT_EQ(s.levels[0].midpoint, (std::vector<Index>{3, 4, 5}));
+  EXPECT_EQ(s.levels[1].triangles,
+            (std::vector<Triangle>{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {4, 5, 3}}));
+  EXPECT_EQ(s.parents,
+            (std::vector<std::array<Index, 2>>{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}));
+}
+
+TEST(Subdivision, counts_are_eulers)
+{
+  for(const Triangulation& surface : surfaces())
+  {
+    const Subdivision s = subdivided(surface, 3);
+    for(std::size_t j = 0; j + 1 < s.levels.size(); ++j)
+    {
+      const Subdivision::Level &level = s.levels[j], &next = s.levels[j + 1];
+      std::size_t edges = 0;
+      for(Index side = 0; side < level.twin.size(); ++side)
+        edges += is_first_of_edge(level, side);
+      EXPECT_EQ(next.triangles.size(), 4 * level.triangles.size());
+      EXPECT_EQ(next.number_of_vertices, level.number_of_vertices + edges);
+    }
+    EXPECT_EQ(s.parents.size(), s.number_of_vertices());
+  }
+}
+
+// The gluing by rules is the one that a soup of the same triangles gets.
+TEST(Subdivision, twins_are_those_of_the_soup)
+{
+  for(const Triangulation& surface : surfaces())
+  {
+    const Subdivision s = subdivided(surface, 3);
+    for(const Subdivision::Level& level : s.levels)
+      EXPECT_EQ(level.twin, twins_of_soup(level.number_of_vertices, corners_of(level.triangles)));
+  }
+}
+
+TEST(Subdivision, levels_are_prefixes_and_midpoints_lie_between_their_parents)
+{
+  for(const Triangulation& surface : surfaces())
+  {
+    const Subdivision s = subdivided(surface, 3);
+    for(std::size_t j = 0; j < s.levels.size(); ++j)
+    {
+      const Subdivision::Level& level = s.levels[j];
+      for(const Index v : corners_of(level.triangles))
+        EXPECT_LT(v, level.number_of_vertices);
+      if(j + 1 == s.levels.size())
+        break;
+      for(Index side = 0; side < level.twin.size(); ++side)
+      {
+        const Index m = level.midpoint[side];
+        EXPECT_GE(m, level.number_of_vertices);
+        EXPECT_LT(m, s.levels[j + 1].number_of_vertices);
+        auto parents = s.parents[m], sides_ends = ends(level, side);
+        std::sort(parents.begin(), parents.end());
+        std::sort(sides_ends.begin(), sides_ends.end());
+        EXPECT_EQ(parents, sides_ends);
+      }
+      // Corner k of triangle f stays corner k of triangle 4f+k; child 3 is the middle.
+      for(Index f = 0; f < level.triangles.size(); ++f)
+        for(Index k = 0; k < 3; ++k)
+        {
+          EXPECT_EQ(s.levels[j + 1].triangles[4 * f + k][k], level.triangles[f][k]);
+          EXPECT_GE(s.levels[j + 1].triangles[4 * f + 3][k], level.number_of_vertices);
+        }
+    }
+  }
+}
+
+// A vertex has the same place whether it comes from its parents or from its base triangle.
+TEST(Subdivision, places_are_where_halving_leads)
+{
+  for(const Triangulation& surface : surfaces())
+  {
+    const unsigned times = 4;
+    const Subdivision s = subdivided(surface, times);
+    std::vector<Point> points = surface.points;
+    for(Index v = Index(points.size()); v < s.number_of_vertices(); ++v)
+    {
+      const Point &a = points[s.parents[v][0]], &b = points[s.parents[v][1]];
+      points.push_back({(a[0] + b[0]) / 2., (a[1] + b[1]) / 2., (a[2] + b[2]) / 2.});
+    }
+    const std::vector<Base_place> places = base_places(s);
+    std::vector<bool> is_used(s.number_of_vertices(), false);
+    for(const Index v : corners_of(s.finest().triangles))
+      is_used[v] = true;
+    for(Index v = 0; v < s.number_of_vertices(); ++v)
+    {
+      ASSERT_EQ(places[v].triangle != none, is_used[v]);
+      if(!is_used[v])
+        continue;
+      const auto& c = places[v].coordinates;
+      EXPECT_EQ(c[0] + c[1] + c[2], Index(1) << times);
+      for(int x = 0; x < 3; ++x)
+      {
+        double at = 0.;
+        for(int k = 0; k < 3; ++k)
+          at += c[k] / 16. * surface.points[s.levels[0].triangles[places[v].triangle][k]][x];
+        // Coordinates of at most 2: some roundings of sums of three.
+        EXPECT_NEAR(at, points[v][x], 1e-14);
+      }
+    }
+  }
+}
+
+TEST(Subdivision, refuses_what_is_no_surface)
+{
+  const auto refuses = [](const std::vector<Triangle>& triangles, Index n, unsigned times = 1)
+  {
+    EXPECT_THROW(subdivide(triangles, n, times), Invalid_argument_error);
+    EXPECT_THROW(subdivide_into_quads(triangles, n, times + 1), Invalid_argument_error);
+  };
+  refuses({{0, 1, 1}}, 2);
+  refuses({{0, 1, 3}}, 3);
+  refuses({{0, 1, 2}, {0, 1, 3}}, 4);            // not oriented alike
+  refuses({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5); // three at an edge
+  refuses({{0, 1, 2}}, 3, 15);
+  refuses({}, 3, 40);
+  EXPECT_THROW(subdivide_into_quads({{0, 1, 2}}, 3, 0), Invalid_argument_error);
+  EXPECT_EQ(subdivide({}, 3, 2).number_of_vertices(), 3u);
+  EXPECT_EQ(subdivide({{0, 1, 2}, {0, 2, 1}}, 3, 2).finest().triangles.size(), 32u); // a pillow
+}
+
+TEST(Subdivision, is_a_mesh_unless_it_pinches_inside)
+{
+  for(const Triangulation& surface : surfaces())
+    EXPECT_TRUE(is_mesh(subdivided(surface, 1).finest()));
+  EXPECT_TRUE(is_mesh(subdivide({{0, 1, 2}, {0, 3, 4}}, 5, 0).finest())); // two fans at 0
+  // Two tetrahedra, and a tetrahedron and a triangle, with vertex 0 in common.
+  const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  std::vector<Triangle> two = tetrahedron;
+  for(Triangle t : tetrahedron)
+  {
+    for(Index& v : t)
+      v += v > 0 ? 3 : 0;
+    two.push_back(t);
+  }
+  EXPECT_FALSE(is_mesh(subdivide(two, 7, 0).finest()));
+  std::vector<Triangle> kite = tetrahedron;
+  kite.push_back({0, 4, 5});
+  EXPECT_FALSE(is_mesh(subdivide(kite, 6, 1).finest()));
+}
+
+TEST(Subdivision_into_quads, counts_are_eulers_and_sides_meet_in_pairs)
+{
+  for(const Triangulation& surface : surfaces())
+  {
+    const std::vector<Triangle> triangles = triangles_of(surface);
+    const Subdivision s = subdivided(surface, 1);
+    const Quad_subdivision q = subdivide_into_quads(triangles, Index(surface.points.size()), 3);
+    ASSERT_EQ(q.levels.size(), 3u);
+    ASSERT_EQ(q.number_of_vertices[0], s.number_of_vertices() + triangles.size());
+    for(std::size_t j = 0; j < 3; ++j)
+    {
+      EXPECT_EQ(q.levels[j].size(), triangles.size() * 3 << (2 * j));
+      std::map<std::array<Index, 2>, int> sides;
+      for(const Quad& quad : q.levels[j])
+        for(int k = 0; k < 4; ++k)
+        {
+          EXPECT_LT(quad[k], q.number_of_vertices[j]);
+          EXPECT_EQ((++sides[{quad[k], quad[(k + 1) % 4]}]), 1); // one orientation
+        }
+      std::set<std::array<Index, 2>> edges;
+      for(const auto& [side, number] : sides)
+        edges.insert({std::min(side[0], side[1]), std::max(side[0], side[1])});
+      if(j == 2)
+        break;
+      EXPECT_EQ(q.number_of_vertices[j + 1],
+                q.number_of_vertices[j] + edges.size() + q.levels[j].size());
+    }
+    EXPECT_EQ(q.places.size(), q.number_of_vertices.back());
+    EXPECT_EQ(q.parents.size(), q.number_of_vertices.back());
+  }
+}
+
+TEST(Subdivision_into_quads, places_are_where_centres_lead)
+{
+  for(const Triangulation& surface : surfaces())
+  {
+    const std::vector<Triangle> triangles = triangles_of(surface);
+    const Quad_subdivision q = subdivide_into_quads(triangles, Index(surface.points.size()), 4);
+    const double denominator = 6. * 64.;
+    std::vector<Point> points = surface.points;
+    for(Index v = Index(points.size()); v < q.parents.size(); ++v)
+    {
+      Point p = {0., 0., 0.};
+      for(const Index parent : q.parents[v])
+        for(int x = 0; x < 3; ++x)
+          p[x] += points[parent][x] / double(q.parents[v].size());
+      points.push_back(p);
+    }
+    for(Index v = 0; v < q.parents.size(); ++v)
+    {
+      if(q.places[v].triangle == none)
+        continue;
+      const auto& c = q.places[v].coordinates;
+      EXPECT_EQ(c[0] + c[1] + c[2], Index(denominator));
+      for(int x = 0; x < 3; ++x)
+      {
+        double at = 0.;
+        for(int k = 0; k < 3; ++k)
+          at += c[k] / denominator * surface.points[triangles[q.places[v].triangle][k]][x];
+        EXPECT_NEAR(at, points[v][x], 1e-14); // as above
+      }
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include "Glued_surface.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// A unit of mass at each site.
+Masses units(Index n)
+{
+  Masses result(n, n);
+  result.setIdentity();
+  return result;
+}
+
+// By all functions and values of the Laplacian with nothing flowing through the border, as the paper
+// has it: the sum of (difference of a function / its value)^2.
+Matrix by_spectrum(const Operators& o)
+{
+  const Matrix laplacian(Sparse_matrix(Laplacian(o).matrix(o).selfadjointView<Eigen::Lower>()));
+  const Matrix mass = lumped_mass(o).asDiagonal();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(laplacian, mass);
+  const Eigen::Index n = laplacian.rows();
+  Matrix result = Matrix::Zero(n, n);
+  for(Eigen::Index k = 1; k < n; ++k)
+    for(Eigen::Index i = 0; i < n; ++i)
+      for(Eigen::Index j = 0; j < n; ++j)
+      {
+        const double difference = solver.eigenvectors()(i, k) - solver.eigenvectors()(j, k);
+        result(i, j) += std::pow(difference / solver.eigenvalues()[k], 2);
+      }
+  return result.cwiseSqrt();
+}
+
+TEST(Biharmonic, is_what_the_spectrum_says)
+{
+  for(const Triangulation& shape :
+      {shaken(icosphere(2), 0.03), square(8, 0.24), cylinder(9, 5, 1., 2.), torus(12, 8)})
+  {
+    const Glued_surface surface(shape);
+    const Biharmonic_distances distances(surface.t());
+    const Matrix expected = by_spectrum(operators(surface.t()));
+    const Matrix pairs = distances.all_pairs(units(surface.size()));
+    // Roots of differences of numbers of the order of one.
+    EXPECT_LT((pairs - expected).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_EQ(pairs, Matrix(pairs.transpose()));
+    for(const Index from : {0u, 17u})
+    {
+      const Vector all = distances.one_to_all(units(surface.size()).middleCols(from, 1), 1);
+      EXPECT_LT((all - expected.col(from)).cwiseAbs().maxCoeff(), 1e-6);
+    }
+  }
+}
+
+TEST(Biharmonic, is_infinite_between_components)
+{
+  const Glued_surface surface(apart(icosphere(1), torus(9, 6)));
+  const Index ball = surface.site(0), ring = surface.site(50);
+  const Biharmonic_distances distances(surface.t());
+  const Matrix pairs = distances.all_pairs(units(surface.size()));
+  EXPECT_EQ(pairs(ball, ring), infinity);
+  EXPECT_LT(pairs(ball, surface.site(1)), 1.);
+  const Vector all = distances.one_to_all(units(surface.size()).middleCols(ring, 1), 1);
+  EXPECT_EQ(all[ball], infinity);
+  EXPECT_EQ(all[ring], 0.);
+  EXPECT_NEAR(all[surface.site(51)], pairs(ring, surface.site(51)), 1e-6);
+}
+
+TEST(Biharmonic, does_not_depend_on_threads)
+{
+  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const Masses source = units(surface.size()).middleCols(5, 1);
+  EXPECT_EQ(Biharmonic_distances(surface.t()).one_to_all(source, 1),
+            Biharmonic_distances(surface.t()).one_to_all(source, 3));
+}
+
+TEST(Biharmonic, needs_an_area)
+{
+  const Glued_triangles nothing;
+  EXPECT_THROW(Biharmonic_distances{nothing}, Unsupported_surface_error);
+}
+
+} // namespace

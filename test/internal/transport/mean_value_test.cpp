@@ -1,0 +1,273 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/transport/mean_value.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include "Glued_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+Triangulation lumpy_ball() { return shaken(icosphere(2), 0.1); }
+Triangulation bent_blocks() // an L of cubes: neither convex nor shaken
+{
+  return blocks(3, 1, 3, [](int x, int, int z) { return x == 0 || z == 0; });
+}
+
+Spatial random_point(std::mt19937& random, double size)
+{
+  std::uniform_real_distribution<double> coordinate(-size, size);
+  return {coordinate(random), coordinate(random), coordinate(random)};
+}
+
+// How far the points times coordinates are from the point itself.
+double linear_error(const Glued_surface& surface, const Vector& coordinates, const Spatial& point)
+{
+  Spatial sum = {0., 0., 0.};
+  for(Index i = 0; i < surface.size(); ++i)
+    sum = sum + coordinates[surface.site(i)] * surface.point(i);
+  return norm(sum - point);
+}
+
+// The definition, as an integral over the triangles in place of directions, by the middles of 4^level parts
+// of each, extrapolated once.
+Vector by_quadrature(const Glued_surface& surface, const Triangulation& shape, const Spatial& point,
+                     int parts)
+{
+  Vector result = Vector::Zero(Eigen::Index(surface.size()));
+  for(std::size_t f = 0; f < shape.corners.size(); f += 3)
+  {
+    const Spatial a = shape.points[shape.corners[f]], b = shape.points[shape.corners[f + 1]],
+                  c = shape.points[shape.corners[f + 2]];
+    const Spatial part = 0.5 / (parts * parts) * cross(b - a, c - a);
+    const auto add = [&](double v, double w)
+    {
+      const std::array<double, 3> share = {1. - v - w, v, w};
+      const Spatial way = share[0] * a + share[1] * b + share[2] * c - point;
+      for(std::size_t k = 0; k < 3; ++k)
+        result[surface.site(shape.corners[f + k])] +=
+            share[k] * dot(part, way) / std::pow(dot(way, way), 2);
+    };
+    for(int i = 0; i < parts; ++i)
+      for(int j = 0; i + j < parts; ++j)
+      {
+        add((i + 1. / 3.) / parts, (j + 1. / 3.) / parts);
+        if(i + j + 1 < parts)
+          add((i + 2. / 3.) / parts, (j + 2. / 3.) / parts);
+      }
+  }
+  return result / result.sum();
+}
+
+TEST(mean_value, is_what_its_definition_says)
+{
+  for(const Triangulation& shape : {lumpy_ball(), bent_blocks()})
+  {
+    const Glued_surface surface(shape);
+    const Mean_value_coordinates coordinates(surface.triangles());
+    for(const Spatial& point :
+        {Spatial{0.4, 0.3, 0.35}, Spatial{-1.2, 0.4, 0.5}, Spatial{1.5, 1.4, 1.6}})
+    {
+      const int parts = 24;
+      const Vector coarse = by_quadrature(surface, shape, point, parts);
+      const Vector fine = by_quadrature(surface, shape, point, 2 * parts);
+      const Vector estimate = (4. * fine - coarse) / 3.; // the rule's order is two
+      // What the extrapolation leaves is far below what it took away.
+      const double error = 0.02 * (fine - coarse).lpNorm<Eigen::Infinity>() + 1e-9;
+      EXPECT_LT(error, 1e-4);
+      EXPECT_LT((coordinates(point) - estimate).lpNorm<Eigen::Infinity>(), error);
+    }
+  }
+}
+
+// Four points leave no choice, inside and outside.
+TEST(mean_value, is_barycentric_on_a_tetrahedron)
+{
+  const Glued_surface surface(tetrahedron());
+  const Mean_value_coordinates coordinates(surface.triangles());
+  std::mt19937 random(1);
+  for(int i = 0; i < 200; ++i)
+  {
+    const Spatial point = random_point(random, 4.);
+    const Vector found = coordinates(point);
+    for(Index k = 0; k < 4; ++k)
+    {
+      // Corners are of ones and minus ones, and sum to zero.
+      const double expected = 0.25 + 0.25 * dot(point, surface.point(k));
+      EXPECT_NEAR(found[surface.site(k)], expected, 1e-12);
+    }
+  }
+}
+
+TEST(mean_value, is_even_in_the_middle)
+{
+  const Glued_surface surface(icosphere(0));
+  const Vector found = Mean_value_coordinates(surface.triangles())({0., 0., 0.});
+  for(const double coordinate : found)
+    EXPECT_NEAR(coordinate, 1. / 12., 1e-15);
+}
+
+// Also in planes of its faces, on lines of its sides, and wherever rounding may hurt.
+TEST(mean_value, is_precise_for_linear_functions)
+{
+  for(const Triangulation& unit : {lumpy_ball(), bent_blocks()})
+    for(const double scale : {1e-6, 1., 1e6})
+    {
+      const Glued_surface surface(scaled(unit, scale));
+      const Mean_value_coordinates coordinates(surface.triangles());
+      std::mt19937 random(2);
+      const auto check = [&](const Spatial& point)
+      {
+        const Vector found = coordinates(point);
+        EXPECT_NEAR(found.sum(), 1., 1e-12);
+        // Bodies and points are some units large.
+        EXPECT_LT(linear_error(surface, found, point), 1e-11 * scale);
+      };
+      for(int i = 0; i < 50; ++i)
+      {
+        check(scale * random_point(random, 4.));
+        Spatial in_plane = scale * random_point(random, 4.);
+        in_plane[i % 3] = scale * (i % 2);
+        check(in_plane);
+        Spatial on_line = in_plane;
+        on_line[(i + 1) % 3] = scale;
+        check(on_line);
+        const Location place = random_location(surface.t(), random);
+        const Spatial way = random_point(random, 1.);
+        for(double near = 1.; near > 1e-16; near *= 0.1)
+          check(point_at(surface.t(), place) + near * scale * way);
+      }
+    }
+}
+
+TEST(mean_value, is_barycentric_on_the_surface)
+{
+  for(const Triangulation& shape : {lumpy_ball(), bent_blocks()})
+  {
+    const Glued_surface surface(shape);
+    const Mean_value_coordinates coordinates(surface.triangles());
+    for(Index i = 0; i < surface.size(); ++i)
+    {
+      const Vector found = coordinates(surface.point(i));
+      EXPECT_EQ(found[surface.site(i)], 1.);
+      EXPECT_EQ(found.cwiseAbs().sum(), 1.);
+    }
+    std::mt19937 random(3);
+    for(int i = 0; i < 100; ++i)
+    {
+      Location place = random_location(surface.t(), random);
+      if(i % 2 == 0) // on a side
+      {
+        place.barycentric[2] = 0.;
+        place.barycentric[0] = 1. - place.barycentric[1];
+      }
+      Vector found = coordinates(point_at(surface.t(), place));
+      for(std::size_t k = 0; k < 3; ++k)
+        found[surface.t().corner[3 * place.triangle + k]] -= place.barycentric[k];
+      // Of a coordinate near one, over sides of a tenth at least.
+      EXPECT_LT(found.lpNorm<Eigen::Infinity>(), 1e-14);
+    }
+  }
+}
+
+// As a function of the point, also across faces, sides and corners: sides are a tenth at least, so that
+// coordinates change by some tens of the way.
+TEST(mean_value, is_continuous)
+{
+  for(const Triangulation& shape : {lumpy_ball(), bent_blocks()})
+  {
+    const Glued_surface surface(shape);
+    const Mean_value_coordinates coordinates(surface.triangles());
+    std::mt19937 random(4);
+    for(int i = 0; i < 60; ++i)
+    {
+      Location place = random_location(surface.t(), random);
+      if(i % 3 > 0)
+        place.barycentric = {0.6, 0.4, 0.};
+      if(i % 3 > 1)
+        place.barycentric = {1., 0., 0.};
+      const Spatial on = point_at(surface.t(), place), way = random_point(random, 1.);
+      const Vector found = coordinates(on);
+      for(const double near : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13})
+        for(const double side : {-near, near})
+          EXPECT_LT((coordinates(on + side * way) - found).lpNorm<Eigen::Infinity>(),
+                    200. * near + 1e-9);
+    }
+  }
+}
+
+TEST(mean_value, is_positive_inside_of_convex_meshes)
+{
+  const Glued_surface surface(icosphere(2));
+  const Mean_value_coordinates coordinates(surface.triangles());
+  std::mt19937 random(5);
+  for(int i = 0; i < 50; ++i)
+    EXPECT_GT(coordinates(random_point(random, 0.5)).minCoeff(), 0.);
+  EXPECT_LT(coordinates({2., 0., 0.}).minCoeff(), 0.);
+}
+
+// Neither faces that look inside nor triangles without area make a difference.
+TEST(mean_value, does_not_ask_which_side_is_out)
+{
+  const Triangulation shape = lumpy_ball();
+  Triangulation turned = shape;
+  for(std::size_t f = 0; f < turned.corners.size(); f += 3)
+    std::swap(turned.corners[f], turned.corners[f + 1]);
+  const Glued_surface surface(shape), other(turned);
+  const Mean_value_coordinates coordinates(surface.triangles()), others(other.triangles());
+  std::mt19937 random(6);
+  for(int i = 0; i < 20; ++i)
+  {
+    const Spatial point = random_point(random, 2.);
+    const Vector a = coordinates(point), b = others(point);
+    for(Index k = 0; k < surface.size(); ++k)
+      EXPECT_NEAR(a[surface.site(k)], b[other.site(k)], 1e-12);
+  }
+}
+
+TEST(mean_value, takes_triangles_without_area)
+{
+  Triangulation shape = bent_blocks();
+  shape.points[1] = shape.points[0]; // a side of length zero
+  const Glued_surface surface(shape);
+  const Mean_value_coordinates coordinates(surface.triangles());
+  std::mt19937 random(7);
+  for(int i = 0; i < 50; ++i)
+  {
+    const Spatial point = random_point(random, 3.);
+    const Vector found = coordinates(point);
+    EXPECT_TRUE(found.allFinite());
+    EXPECT_LT(linear_error(surface, found, point), 1e-11);
+  }
+  EXPECT_LT(linear_error(surface, coordinates(shape.points[0]), shape.points[0]), 1e-15);
+}
+
+TEST(mean_value, refuses_what_encloses_nothing)
+{
+  EXPECT_THROW(Mean_value_coordinates(Glued_surface(square(3)).triangles()),
+               Unsupported_surface_error);
+  EXPECT_THROW(Mean_value_coordinates(Glued_surface({{{0., 0., 0.}}, {}}).triangles()),
+               Unsupported_surface_error);
+  const Glued_surface surface(lumpy_ball());
+  const Mean_value_coordinates coordinates(surface.triangles());
+  EXPECT_THROW(coordinates({0., infinity, 0.}), Invalid_argument_error);
+  EXPECT_THROW(coordinates({std::numeric_limits<double>::quiet_NaN(), 0., 0.}),
+               Invalid_argument_error);
+  EXPECT_THROW(coordinates({1e12, 0., 0.}), Unsupported_surface_error);
+  EXPECT_THROW(coordinates({1e300, 1e300, 0.}), Unsupported_surface_error);
+  // Two triangles, back to back.
+  const Glued_surface flat({{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {0, 1, 2, 0, 2, 1}});
+  EXPECT_THROW(Mean_value_coordinates(flat.triangles())({0.3, 0.3, 1.}), Unsupported_surface_error);
+}
+
+} // namespace
