@@ -5,12 +5,14 @@
 \ingroup PkgGeodesicProcessingConcepts
 \cgalConcept
 
-The concept `GeodesicDomain` describes what is measured along: sites (the vertices of a mesh, or the
-surfels of a cloud) and the arcs between them, each with a length.
+The concept `GeodesicDomain` describes a surface as a graph with edge lengths. Its vertices are the
+vertices of a mesh or the surfels of a cloud. This documentation calls both a vertex if the
+difference does not matter.
 
-A domain is made by `CGAL::Geodesic_processing::make_domain()`, cheap to copy (copies share the data)
-and never changes. It is the first argument of every function of this package, in place of the
-surface that it was made from.
+`CGAL::Geodesic_processing::make_domain()` computes a domain from a surface. A domain is immutable and
+can be copied at no cost, because copies share their data. It can be passed to a function instead of
+the surface. If a function must access the mesh itself, such as
+`CGAL::Geodesic_processing::texture_atlas()`, pass the mesh.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Geodesic_processing::Mesh_domain<TriangleMesh>`}
@@ -20,18 +22,21 @@ surface that it was made from.
 class GeodesicDomain
 {
 public:
-  /// the type of the mesh or the cloud.
+  /// The type of the mesh or the cloud.
   using Surface = unspecified_type;
-  /// the caller's descriptor of a site.
+  /// The descriptor of a vertex of the mesh, or the index of a surfel.
   using Site = unspecified_type;
-  /// a place anywhere on the surface.
+  /// The type of a point on the surface.
   using Location = unspecified_type;
 
-  /// returns the number of vertices or surfels.
+  /// Returns the number of vertices of the mesh, or of surfels of the cloud.
   std::size_t number_of_sites() const;
 
-  /// puts `values(i)`, for `i` from zero up to the number of sites, into `map` at the caller's
-  /// descriptor of the domain's i-th site.
+  /// Writes one value for each vertex to a property map.
+  ///
+  /// \param values a function that returns the value of the vertex with index `i`, for `i` from 0 to
+  ///        `number_of_sites()` - 1
+  /// \param map a writable property map whose key type is `Site`
   template <typename Values, typename WritablePropertyMap>
   void write(const Values& values, WritablePropertyMap map) const;
 };

@@ -5,24 +5,24 @@
 \ingroup PkgGeodesicProcessingConcepts
 \cgalConcept
 
-The concept `SurfelRange` describes a cloud of surfels: oriented disks, each with a centre, a unit
-normal and a radius.
+The concept `SurfelRange` describes a cloud of surfels. A surfel is an oriented disk with a center, a
+unit normal and a radius.
 
-It is a range of random access (`begin()`, `end()`, `size()`), whose elements are the keys of the
-maps that are passed as named parameters:
+A model is a random access range with `begin()`, `end()` and `size()`. Its elements are the keys of the
+property maps that are passed as named parameters:
 
-- `point_map`: a readable property map from the range's elements to `geom_traits::Point_3`. It has a
-  default where the range brings its own.
-- `normal_map`: a readable property map from the range's elements to `geom_traits::Vector_3`. Normals
-  need not have unit length.
-- `radius_map`: a readable property map from the range's elements to a floating point number. By
-  default radii follow from the distances to near surfels.
+- `point_map`: a readable property map whose values are 3D points. The default is the point map of a
+  `CGAL::Point_set_3`, or otherwise the identity.
+- `normal_map`: a readable property map whose values are 3D vectors. Normals can have any positive
+  length. This map must be passed, unless the range is a `CGAL::Point_set_3` with normals.
+- `radius_map`: a readable property map whose values are floating point numbers. If it is not passed,
+  radii are computed from the distances to neighboring surfels.
 
-A surfel is addressed in sources and results by its position in the range (`std::size_t`), except in
-a `CGAL::Point_set_3`, whose own indices and property maps are used.
+Sources and results use the position of a surfel in the range (`std::size_t`). If the range is a
+`CGAL::Point_set_3`, they use its own indices and property maps.
 
 \cgalHasModelsBegin
-\cgalHasModels{`CGAL::Point_set_3<Point, Vector>` with normals, for which no map need be passed}
+\cgalHasModels{`CGAL::Point_set_3<Point, Vector>` with normals, for which no map must be passed}
 \cgalHasModels{`std::vector<std::pair<Point, Vector>>` with `CGAL::First_of_pair_property_map` and
 `CGAL::Second_of_pair_property_map`}
 \cgalHasModelsEnd

@@ -5,12 +5,12 @@
 \ingroup PkgGeodesicProcessingConcepts
 \cgalConcept
 
-The concept `TriangulatedGeodesicDomain` describes a domain that has triangles between its sites, of
-which the lengths of the sides are known. Fronts and finite elements need no more.
+The concept `TriangulatedGeodesicDomain` describes a domain with triangles whose edge lengths are known.
+Fronts and finite elements require this concept.
 
-On a mesh each side has at most one twin, and the triangles form a surface. On a cloud they overlap,
-and each has a weight. What unfolds strips of triangles, such as
-`CGAL::Geodesic_processing::straightest_geodesic()`, needs a surface, and does not compile with a
+On a mesh, each halfedge has at most one twin, and the triangles form a surface. On a cloud, triangles
+overlap, and each has a weight. If a function must unfold strips of triangles, such as
+`CGAL::Geodesic_processing::straightest_geodesic()`, it requires a mesh and does not compile with a
 cloud.
 
 \cgalRefines{`GeodesicDomain`}
@@ -23,6 +23,7 @@ cloud.
 class TriangulatedGeodesicDomain
 {
 public:
-  /// returns the triangles, their gluing and the lengths of their sides: what algorithms work on.
+  /// Returns the surface arrays that all algorithms use: the triangles, the twin of each halfedge, and the
+  /// edge lengths.
   std::shared_ptr<const Triangles> triangles() const;
 };
