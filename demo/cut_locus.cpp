@@ -34,45 +34,45 @@ int main(int argc, char* argv[])
   GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
   solver.compute(Vertex(0));
   solver.write_distances(mesh.add_property_map<Vertex, double>("v:distance").first);
-  std::vector<GP::Geodesic_departure<Mesh>> ways;
+  std::vector<GP::Geodesic_departure<Mesh>> departures;
   for(Vertex v : mesh.vertices())
-    ways.push_back(solver.departure(v));
+    departures.push_back(solver.departure(v));
 
   // The ways to the ends of an edge set out much as in a plane, unless the cut locus lies between.
   std::vector<std::optional<Mesh::Point>> crossing(mesh.number_of_edges());
-  std::size_t crossed = 0;
+  std::size_t number_of_crossings = 0;
   for(Mesh::Edge_index e : mesh.edges())
   {
-    const auto &to_a = ways[mesh.vertex(e, 0)], &to_b = ways[mesh.vertex(e, 1)];
+    const auto &to_a = departures[mesh.vertex(e, 0)], &to_b = departures[mesh.vertex(e, 1)];
     const Mesh::Point a = mesh.point(mesh.vertex(e, 0)), b = mesh.point(mesh.vertex(e, 1));
-    const double apart = (to_a.direction - to_b.direction).squared_length();
+    const double squared_angle = (to_a.direction - to_b.direction).squared_length();
     const double shorter = (std::min)(to_a.length, to_b.length);
-    const double side = std::sqrt(CGAL::squared_distance(a, b));
-    if(side > 0. && apart * shorter * shorter > 25. * side * side)
+    const double edge_length = std::sqrt(CGAL::squared_distance(a, b));
+    if(edge_length > 0. && squared_angle * shorter * shorter > 25. * edge_length * edge_length)
     {
-      crossing[e] = a + 0.5 * (1. + (to_b.length - to_a.length) / side) * (b - a);
-      ++crossed;
+      crossing[e] = a + 0.5 * (1. + (to_b.length - to_a.length) / edge_length) * (b - a);
+      ++number_of_crossings;
     }
   }
   const std::size_t first = mesh.number_of_vertices();
   for(Mesh::Face_index f : mesh.faces())
   {
-    std::vector<Mesh::Point> ends;
+    std::vector<Mesh::Point> edge_crossings;
     for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
       if(const auto& p = crossing[mesh.edge(h)])
-        ends.push_back(*p);
+        edge_crossings.push_back(*p);
     // They meet where three do; a single one reaches to the middle of the face.
-    Kernel::Vector_3 middle = CGAL::NULL_VECTOR;
-    if(ends.size() == 1)
+    Kernel::Vector_3 center = CGAL::NULL_VECTOR;
+    if(edge_crossings.size() == 1)
       for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-        middle += (mesh.point(v) - CGAL::ORIGIN) / 3.;
+        center += (mesh.point(v) - CGAL::ORIGIN) / 3.;
     else
-      for(const Mesh::Point& end : ends)
-        middle += (end - CGAL::ORIGIN) / double(ends.size());
-    for(const Mesh::Point& end : ends)
+      for(const Mesh::Point& crossing_point : edge_crossings)
+        center += (crossing_point - CGAL::ORIGIN) / double(edge_crossings.size());
+    for(const Mesh::Point& crossing_point : edge_crossings)
     {
-      mesh.add_vertex(end);
-      mesh.add_vertex(CGAL::ORIGIN + middle);
+      mesh.add_vertex(crossing_point);
+      mesh.add_vertex(CGAL::ORIGIN + center);
     }
   }
   // The pieces of the line join the new vertices by twos.
@@ -84,7 +84,7 @@ int main(int argc, char* argv[])
                                            "\nproperty int vertex1\nproperty int vertex2\n");
   for(std::size_t i = 0; i < 2 * edges; ++i)
     text += std::to_string(first + i) + (i % 2 == 0 ? ' ' : '\n');
-  std::cout << "The cut locus crosses " << crossed << " of " << mesh.number_of_edges()
+  std::cout << "The cut locus crosses " << number_of_crossings << " of " << mesh.number_of_edges()
             << " edges.\n";
   return std::ofstream(argv[2]) << text ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -31,24 +31,24 @@ int main(int argc, char* argv[])
   const auto width = GP::parameters::width(0.1 * distance);
 
   // Side by side.
-  Mesh row;
-  row.add_property_map<Vertex, double>("v:likelihood", 0.);
+  Mesh output;
+  output.add_property_map<Vertex, double>("v:likelihood", 0.);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const Kernel::Vector_3 step(1.1 * (box.xmax() - box.xmin()), 0., 0.);
-  const auto show = [&](const char* name)
+  const auto append_copy = [&](const char* name)
   {
-    std::size_t likely = 0;
+    std::size_t number_of_likely_vertices = 0;
     for(Vertex v : mesh.vertices())
-      likely += likelihood[v] > 0.5;
-    std::cout << name << ": " << likely << " of " << num_vertices(mesh)
+      number_of_likely_vertices += likelihood[v] > 0.5;
+    std::cout << name << ": " << number_of_likely_vertices << " of " << num_vertices(mesh)
               << " vertices are more likely than a half\n";
-    row += mesh;
+    output += mesh;
     for(Vertex v : mesh.vertices())
       mesh.point(v) = mesh.point(v) + step;
   };
   GP::fuzzy_geodesic_by_distances(domain, p, q, likelihood, width);
-  show("By detours");
+  append_copy("By detours");
   GP::fuzzy_geodesic(domain, p, q, likelihood, width);
-  show("By a flow");
-  return CGAL::IO::write_polygon_mesh(argv[4], row) ? EXIT_SUCCESS : EXIT_FAILURE;
+  append_copy("By a flow");
+  return CGAL::IO::write_polygon_mesh(argv[4], output) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

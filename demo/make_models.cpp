@@ -20,22 +20,24 @@ using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
 // A tube along a curve that winds around a torus, closed in both directions.
-Mesh tube(int length, int girth)
+Mesh make_tube(int number_along, int number_around)
 {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> vertex;
-  for(int i = 0; i < length; ++i)
-    for(int j = 0; j < girth; ++j)
+  for(int i = 0; i < number_along; ++i)
+    for(int j = 0; j < number_around; ++j)
     {
-      const double t = 2. * CGAL_PI * i / length, a = 2. * CGAL_PI * j / girth;
+      const double t = 2. * CGAL_PI * i / number_along, a = 2. * CGAL_PI * j / number_around;
       const double r = 0.42 + 0.05 * std::sin(9. * t);
-      const double ring = 2. + std::cos(3. * t) + r * std::cos(a);
-      vertex.push_back(mesh.add_vertex(Point(ring * std::cos(2. * t), ring * std::sin(2. * t),
-                                             std::sin(3. * t) + r * std::sin(a))));
+      const double axis_distance = 2. + std::cos(3. * t) + r * std::cos(a);
+      vertex.push_back(
+          mesh.add_vertex(Point(axis_distance * std::cos(2. * t), axis_distance * std::sin(2. * t),
+                                std::sin(3. * t) + r * std::sin(a))));
     }
-  const auto at = [&](int i, int j) { return vertex[(i % length) * girth + j % girth]; };
-  for(int i = 0; i < length; ++i)
-    for(int j = 0; j < girth; ++j)
+  const auto at = [&](int i, int j)
+  { return vertex[(i % number_along) * number_around + j % number_around]; };
+  for(int i = 0; i < number_along; ++i)
+    for(int j = 0; j < number_around; ++j)
     {
       mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
       mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
@@ -53,7 +55,7 @@ bool write_plan(const std::string& file, int columns, int rows, const Is_floor& 
   Mesh mesh;
   std::vector<Mesh::Vertex_index> vertex((columns + 1) * (rows + 1));
   Vertex_map people = mesh.add_property_map<Mesh::Vertex_index, double>("v:people").first;
-  Vertex_map room = mesh.add_property_map<Mesh::Vertex_index, double>("v:room").first;
+  Vertex_map capacity = mesh.add_property_map<Mesh::Vertex_index, double>("v:room").first;
   mesh.add_property_map<Mesh::Vertex_index, double>("v:floor", 1.);
   const auto at = [&](int i, int j)
   {
@@ -61,7 +63,7 @@ bool write_plan(const std::string& file, int columns, int rows, const Is_floor& 
     if(v == Mesh::null_vertex())
     {
       v = mesh.add_vertex(Point(i, j, 0.));
-      mark(i, j, people[v], room[v]);
+      mark(i, j, people[v], capacity[v]);
     }
     return v;
   };
@@ -82,39 +84,39 @@ bool write_plan(const std::string& file, int columns, int rows, const Is_floor& 
 
 // A way from each place of a square lattice to each other one, by a random walk that goes back where it
 // cannot go on; passages are three cells wide, walls one.
-std::vector<bool> maze(int size, unsigned seed)
+std::vector<bool> make_maze(int size, unsigned seed)
 {
   const int cells = 4 * size + 1;
-  std::vector<bool> is_floor(cells * cells, false), is_seen(size * size, false);
+  std::vector<bool> is_floor(cells * cells, false), is_visited(size * size, false);
   const auto carve = [&](int i, int j, int width, int height)
   {
     for(int y = j; y < j + height; ++y)
       std::fill_n(is_floor.begin() + y * cells + i, width, true);
   };
   std::mt19937 random(seed);
-  std::vector<int> way = {0};
-  is_seen[0] = true;
-  while(!way.empty())
+  std::vector<int> path = {0};
+  is_visited[0] = true;
+  while(!path.empty())
   {
-    const int x = way.back() % size, y = way.back() / size;
+    const int x = path.back() % size, y = path.back() / size;
     carve(4 * x + 1, 4 * y + 1, 3, 3);
-    std::vector<int> next;
+    std::vector<int> neighbors;
     for(const int step : {-1, 1, -size, size})
-      if((step != -1 || x > 0) && (step != 1 || x < size - 1) && way.back() + step >= 0 &&
-         way.back() + step < size * size && !is_seen[way.back() + step])
-        next.push_back(way.back() + step);
-    if(next.empty())
+      if((step != -1 || x > 0) && (step != 1 || x < size - 1) && path.back() + step >= 0 &&
+         path.back() + step < size * size && !is_visited[path.back() + step])
+        neighbors.push_back(path.back() + step);
+    if(neighbors.empty())
     {
-      way.pop_back();
+      path.pop_back();
       continue;
     }
-    const int to = next[random() % next.size()], u = to % size, v = to / size;
+    const int to = neighbors[random() % neighbors.size()], u = to % size, v = to / size;
     if(v == y)
       carve(4 * (std::max)(x, u), 4 * y + 1, 1, 3);
     else
       carve(4 * x + 1, 4 * (std::max)(y, v), 3, 1);
-    is_seen[to] = true;
-    way.push_back(to);
+    is_visited[to] = true;
+    path.push_back(to);
   }
   return is_floor;
 }
@@ -122,16 +124,16 @@ std::vector<bool> maze(int size, unsigned seed)
 bool write_maze(const std::string& file)
 {
   const int size = 9, cells = 4 * size + 1;
-  const std::vector<bool> is_floor = maze(size, 7);
+  const std::vector<bool> is_floor = make_maze(size, 7);
   // From two places in the middle to the ends of the first row and of the last one.
   return write_plan(
       file, cells, cells, [&](int i, int j) { return is_floor[j * cells + i]; },
-      [&](int i, int j, double& people, double& room)
+      [&](int i, int j, double& people, double& capacity)
       {
         people = (i == 14 && j == 23) || (i == 22 && j == 10) ? 0.5 : 0.;
-        room = (i == 1 && j > 1 && j < 4) || (i == cells - 1 && j > cells - 4 && j < cells - 1)
-                   ? 1.
-                   : 0.;
+        capacity = (i == 1 && j > 1 && j < 4) || (i == cells - 1 && j > cells - 4 && j < cells - 1)
+                       ? 1.
+                       : 0.;
       });
 }
 
@@ -149,11 +151,11 @@ bool write_floor(const std::string& file)
         const bool is_between = i == 36 && (j == 5 || j == 6);
         return in_corridor || is_door || is_between || (!is_wall && j != 12 && j != 16);
       },
-      [&](int i, int j, double& people, double& room)
+      [&](int i, int j, double& people, double& capacity)
       {
         people = j < 13 || j > 16 ? 1. : 0.;
         const double all = 12. * 11. * 11.;
-        room = i == 0 ? all : i == columns ? all / 16. : 0.;
+        capacity = i == 0 ? all : i == columns ? all / 16. : 0.;
       });
 }
 
@@ -167,7 +169,7 @@ int main(int argc, char* argv[])
       120, 120, hills, [&](int i, int j) { return Point(i, j, height(i, j)); }, true);
 
   std::ofstream cloud(folder + "/scan.xyz"), noisy(folder + "/noisy.xyz");
-  const Mesh knot = tube(600, 40);
+  const Mesh knot = make_tube(600, 40);
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0., 0.02); // a third of the distance between points
   for(Mesh::Vertex_index v : knot.vertices())

@@ -53,7 +53,7 @@ fetch_models()
   return $status
 }
 
-$build/demo/make_models $models && $build/demo/make_picture $models/rings.png || exit 1
+$build/demo/make_models $models && $build/demo/make_test_image $models/rings.png || exit 1
 terrain=$models/hills.off knot=$models/knot.off rings=$models/rings.png
 knot_scan=$models/scan.xyz noisy_scan=$models/noisy.xyz
 
@@ -326,36 +326,36 @@ picture cloud-graph "Which surfels of a scan are joined: those whose spheres mee
 echo '</main><h2>The demo programs</h2><main>' >>$page
 program farthest_vertex "$animal" $build/farthest.ply
 program covering_radius "$animal" $build/covering.ply
-program attracted_samples "$part" $build/attracted.ply
-program two_speeds 170 $build/two_speeds.ply
+program curvature_adapted_sampling "$part" $build/attracted.ply
+program sampling_with_speed_map 170 $build/sampling_with_speed_map.ply
 for number in 30 170 680; do
   picture two-speeds-$number "The triangles of $number such samples." \
-    remesh $build/two_speeds.ply --number $number --speed speed
+    remesh $build/sampling_with_speed_map.ply --number $number --speed speed
 done
 picture three-fronts "Where do three fronts meet, of which two start in the slow half?" \
-  voronoi $build/two_speeds.ply --seeds 8000,10101,30000 --speed speed
-property=speed program chosen_places "$bunny" $build/chosen_places.ply
+  voronoi $build/sampling_with_speed_map.ply --seeds 8000,10101,30000 --speed speed
+property=speed program sampling_density "$bunny" $build/sampling_density.ply
 picture sample-chosen "Samples where a user wants them," \
-  sample $build/chosen_places.ply --number 1000 --speed speed
+  sample $build/sampling_density.ply --number 1000 --speed speed
 picture remesh-chosen "and small triangles." \
-  remesh $build/chosen_places.ply --number 1500 --lloyd 5 --speed speed
+  remesh $build/sampling_density.ply --number 1500 --lloyd 5 --speed speed
 program cut_locus "$bunny" $build/cut_locus.ply
-property=graticule program flat_globe $build/flat_globe.ply
-program from_spectral_to_geodesic "$small" 100 $build/from_spectral_to_geodesic.ply
-program noise_and_bending "$small" 100 $build/noise_and_bending.ply
-property=detour program detours "$small" 100 1500 $build/detours.ply
-property=density program between_six "$runner" $build/between_six.ply
+property=graticule program azimuthal_map $build/azimuthal_map.ply
+program distance_family "$small" 100 $build/distance_family.ply
+program robustness "$small" 100 $build/robustness.ply
+property=detour program detour_cost "$small" 100 1500 $build/detour_cost.ply
+property=density program barycenter_of_six_masses "$runner" $build/barycenter_of_six_masses.ply
 property=likelihood program fuzzy_geodesics "$small" 691 2278 $build/fuzzy_geodesics.ply
-property=none program parts_of_a_flow "$small" 100 1200 $build/parts_of_a_flow.ply
-as=parts_in_a_maze property=none program parts_of_a_flow $models/maze.ply 804 3 1223 \
-  $build/parts_in_a_maze.ply
-program methods_compared "$small"
-program mesh_or_cloud "$animal" $build/cloud.ply
-program nearest_of_many "$bear" $build/lands.ply
-program many_paths "$animal"
-program neighbourhoods "$animal"
+property=none program hodge_decomposition "$small" 100 1200 $build/hodge_decomposition.ply
+as=hodge_decomposition_maze property=none program hodge_decomposition $models/maze.ply 804 3 1223 \
+  $build/hodge_decomposition_maze.ply
+program compare_methods "$small"
+program mesh_vs_cloud "$animal" $build/cloud.ply
+program voronoi_areas "$bear" $build/lands.ply
+program path_queries "$animal"
+program neighborhood_queries "$animal"
 program remeshing "$animal" $build/remeshed.off
-property=share program shares_over_a_base "$animal" 100 $build/shares.ply
+property=share program barycentric_isolines "$animal" 100 $build/shares.ply
 picture base-distance "And how far is each from the nearest corner?" \
   info $build/shares.ply --property distance
 picture step-sample "A hundred places that cover a surface," sample "$animal" --number 100
@@ -363,9 +363,9 @@ picture step-voronoi "the cells of what is nearest to each," voronoi "$animal" -
 picture step-remesh "the triangles between their centres," remesh "$animal" --number 100
 picture step-semiregular "and each of these cut into four on the surface." \
   semiregular "$animal" --number 100 --levels 1
-program side_by_side $gallery/{distance,step-sample,step-voronoi,step-remesh,base}.png \
-  $gallery/{shares_over_a_base,step-semiregular,semiregular}.png $gallery/side_by_side.png
-program how_few_bits "$bunny" $build/levels.off
+program contact_sheet $gallery/{distance,step-sample,step-voronoi,step-remesh,base}.png \
+  $gallery/{barycentric_isolines,step-semiregular,semiregular}.png $gallery/contact_sheet.png
+program wavelet_bit_rate "$bunny" $build/levels.off
 for bits in 0.7 1 2 6; do
   picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits
 done

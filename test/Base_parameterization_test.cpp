@@ -16,7 +16,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
 template <typename AnyMesh>
-void expect_goes_there_and_back(const AnyMesh& mesh)
+void expect_round_trip(const AnyMesh& mesh)
 {
   const GP::Base_parameterization<AnyMesh> base(mesh, 30);
   EXPECT_GE(base.number_of_base_vertices(), 30u);
@@ -29,26 +29,26 @@ void expect_goes_there_and_back(const AnyMesh& mesh)
   }
   for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
   {
-    const GP::Base_location place = base(base.base_vertex(i));
-    double share = 0.;
+    const GP::Base_location base_location = base(base.base_vertex(i));
+    double weight = 0.;
     for(std::size_t k = 0; k < 3; ++k)
-      if(base.base_face(place.face)[k] == i)
-        share = place.barycentric[k];
+      if(base.base_face(base_location.face)[k] == i)
+        weight = base_location.barycentric[k];
     // But for the rounding of coordinates in a triangle that is cut into parts.
-    EXPECT_NEAR(share, 1., 1e-9);
+    EXPECT_NEAR(weight, 1., 1e-9);
   }
 }
 
-TEST(Base_parameterization, goes_there_and_back_on_any_mesh)
+TEST(Base_parameterization, round_trip_is_identity_on_all_mesh_types)
 {
-  expect_goes_there_and_back(mesh_of(icosphere(3)));
-  expect_goes_there_and_back(mesh_of(annulus(24, 8, 1., 3.)));
+  expect_round_trip(mesh_of(icosphere(3)));
+  expect_round_trip(mesh_of(annulus(24, 8, 1., 3.)));
   Numbered<CGAL::Polyhedron_3<Kernel>> polyhedron;
   fill(polyhedron, torus(24, 16));
-  expect_goes_there_and_back(polyhedron.mesh);
+  expect_round_trip(polyhedron.mesh);
 }
 
-TEST(Base_parameterization, has_other_coordinates_on_request)
+TEST(Base_parameterization, uses_requested_coordinates)
 {
   const Mesh mesh = mesh_of(icosphere(2));
   const auto with = [&](GP::Base_coordinates kind)
@@ -56,13 +56,13 @@ TEST(Base_parameterization, has_other_coordinates_on_request)
   const auto heron = with(GP::Base_coordinates::heron),
              uniform = with(GP::Base_coordinates::uniform);
   EXPECT_EQ(uniform.repaired_faces(), 0u);
-  bool differ = false;
+  bool is_different = false;
   for(const Vertex v : mesh.vertices())
-    differ = differ || heron(v).barycentric != uniform(v).barycentric;
-  EXPECT_TRUE(differ);
+    is_different = is_different || heron(v).barycentric != uniform(v).barycentric;
+  EXPECT_TRUE(is_different);
 }
 
-TEST(Base_parameterization, refuses_what_is_no_place)
+TEST(Base_parameterization, throws_on_invalid_locations)
 {
   const Mesh mesh = mesh_of(icosphere(2));
   const GP::Base_parameterization<Mesh> base(mesh, 20);

@@ -26,14 +26,14 @@ using namespace GP::test;
 using Vector_3 = Kernel::Vector_3;
 
 // Of the bounds, by default; distances between points on plane surfaces are exact within it.
-constexpr double gap = 1e-3;
+constexpr double relative_gap = 1e-3;
 
 double great_circle(const Kernel::Point_3& p, const Kernel::Point_3& q)
 {
   return 2. * std::asin(0.5 * std::sqrt(CGAL::squared_distance(p, q)));
 }
 
-TEST(Earth_movers_solver, takes_masses_of_all_kinds)
+TEST(Earth_movers_solver, accepts_all_kinds_of_masses)
 {
   Mesh mesh = mesh_of(square(10, 0.24));
   GP::Earth_movers_solver<Mesh> solver(mesh);
@@ -44,25 +44,28 @@ TEST(Earth_movers_solver, takes_masses_of_all_kinds)
     EXPECT_TRUE(cost.converged);
     EXPECT_LE(cost.lower, cost.value);
     EXPECT_LE(cost.value, cost.upper);
-    EXPECT_LE(cost.upper - cost.lower, gap * cost.upper);
+    EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
     EXPECT_LT(cost.residual, 1e-9); // rounding
     EXPECT_EQ(cost.upper_continuous, GP::internal::infinity);
     return cost.value;
   };
-  EXPECT_NEAR(value(corner, next), 1., gap);
-  const auto at_corner = location_of(0, {1., 0., 0.}), inside = location_of(0, {0.2, 0.4, 0.4});
+  EXPECT_NEAR(value(corner, next), 1., relative_gap);
+  const auto barycentric_at_corner = location_of(0, {1., 0., 0.}),
+             inside = location_of(0, {0.2, 0.4, 0.4});
   const auto point = [&](const auto& location)
   { return CGAL::Polygon_mesh_processing::construct_point(location, mesh); };
-  const double apart = std::sqrt(CGAL::squared_distance(point(at_corner), point(inside)));
-  EXPECT_NEAR(value(at_corner, inside), apart, gap * apart);
+  const double exact =
+      std::sqrt(CGAL::squared_distance(point(barycentric_at_corner), point(inside)));
+  EXPECT_NEAR(value(barycentric_at_corner, inside), exact, relative_gap * exact);
   const std::vector<Vertex> below = {corner, next};
   const std::set<Vertex> above = {Vertex(110), Vertex(120)};
-  EXPECT_NEAR(value(below, above), 1., gap); // half of a mass each
+  EXPECT_NEAR(value(below, above), 1., relative_gap); // half of a mass each
   auto left = vertex_map(mesh), right = vertex_map(mesh);
   left[corner] = 2.;
   left[next] = -1.; // a debt
   right[middle] = 1.;
-  EXPECT_NEAR(value(left, right), 1.5, 2. * gap); // one goes half as far as the one for the debt
+  EXPECT_NEAR(value(left, right), 1.5,
+              2. * relative_gap); // one goes half as far as the one for the debt
   const auto uniform =
       GP::mass_density(boost::make_function_property_map<Vertex>([](const Vertex&) { return 1.; }));
   EXPECT_EQ(solver.compute(uniform, uniform).value, 0.);
@@ -82,7 +85,7 @@ GP::Earth_movers_cost cost_on_sphere(double scale = 1.)
                         GP::parameters::do_bound_from_above(true));
 }
 
-TEST(Earth_movers_solver, takes_all_meshes_and_scales)
+TEST(Earth_movers_solver, accepts_all_meshes_and_scales)
 {
   const GP::Earth_movers_cost cost = cost_on_sphere<Mesh>();
   const Mesh mesh = mesh_of(icosphere(3));
@@ -103,7 +106,7 @@ TEST(Earth_movers_solver, takes_all_meshes_and_scales)
   }
 }
 
-TEST(Earth_movers_solver, measures_clouds)
+TEST(Earth_movers_solver, works_on_clouds)
 {
   const Surfels surfels = sphere_surfels(4);
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
@@ -129,15 +132,15 @@ TEST(Earth_movers_solver, measures_clouds)
       boost::make_iterator_property_map(flow.begin(), CGAL::Identity_property_map<std::size_t>()));
   solver.write_potential(boost::make_iterator_property_map(
       potential.begin(), CGAL::Identity_property_map<std::size_t>()));
-  double strongest = 0.;
+  double max_magnitude = 0.;
   for(std::size_t i = 0; i < surfels.size(); ++i)
   {
     const double size = std::sqrt(flow[i].squared_length());
     // Triangles of ten degrees lean by five.
     EXPECT_LE(std::abs(flow[i] * surfels[i].second), 0.1 * size);
-    strongest = std::max(strongest, size);
+    max_magnitude = std::max(max_magnitude, size);
   }
-  EXPECT_GT(strongest, 1.);
+  EXPECT_GT(max_magnitude, 1.);
   EXPECT_THROW(
       solver.compute(std::size_t(7), std::size_t(9), GP::parameters::do_bound_from_above(true)),
       GP::Unsupported_surface_error);
@@ -145,7 +148,7 @@ TEST(Earth_movers_solver, measures_clouds)
 
 TEST(Earth_movers_solver, writes_flow_and_potential)
 {
-  Mesh mesh = mesh_of(shaken(icosphere(3), 0.01));
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.01));
   const Vertex from(3), to(500);
   const auto flow = mesh.add_property_map<Face, Vector_3>().first;
   const auto potential = vertex_map(mesh);
@@ -178,7 +181,7 @@ TEST(Earth_movers_solver, writes_flow_and_potential)
   }
 }
 
-TEST(Earth_movers_solver, takes_speeds_and_metrics)
+TEST(Earth_movers_solver, respects_speeds_and_metrics)
 {
   Mesh mesh = mesh_of(square(12, 0.24));
   const Vertex from(0), to(168);
@@ -188,33 +191,34 @@ TEST(Earth_movers_solver, takes_speeds_and_metrics)
     return solver.compute(from, to).value;
   };
   const auto speed = mesh.add_property_map<Face, double>("f:speed", 0.5).first;
-  EXPECT_NEAR(value(GP::parameters::speed_map(speed)), 2. * std::sqrt(2.), 4. * gap);
+  EXPECT_NEAR(value(GP::parameters::speed_map(speed)), 2. * std::sqrt(2.), 4. * relative_gap);
   // x counts twice.
   const Eigen::Matrix3d longer = Eigen::Vector3d(4., 1., 1.).asDiagonal();
-  const auto of_faces = mesh.add_property_map<Face, Eigen::Matrix3d>("f:metric", longer).first;
-  const auto of_vertices = mesh.add_property_map<Vertex, Eigen::Matrix3d>("v:metric", longer).first;
-  EXPECT_NEAR(value(GP::parameters::metric_map(of_faces)), std::sqrt(5.), 3. * gap);
-  EXPECT_NEAR(value(GP::parameters::metric_map(of_vertices)), std::sqrt(5.), 3. * gap);
-  EXPECT_NEAR(value(GP::parameters::metric_map(of_faces).speed_map(speed)), 2. * std::sqrt(5.),
-              6. * gap);
-  of_faces[Face(17)] = Eigen::Vector3d(1., 0., 1.).asDiagonal();
-  EXPECT_THROW(value(GP::parameters::metric_map(of_faces)), GP::Invalid_argument_error);
+  const auto face_metric = mesh.add_property_map<Face, Eigen::Matrix3d>("f:metric", longer).first;
+  const auto vertex_metric =
+      mesh.add_property_map<Vertex, Eigen::Matrix3d>("v:metric", longer).first;
+  EXPECT_NEAR(value(GP::parameters::metric_map(face_metric)), std::sqrt(5.), 3. * relative_gap);
+  EXPECT_NEAR(value(GP::parameters::metric_map(vertex_metric)), std::sqrt(5.), 3. * relative_gap);
+  EXPECT_NEAR(value(GP::parameters::metric_map(face_metric).speed_map(speed)), 2. * std::sqrt(5.),
+              6. * relative_gap);
+  face_metric[Face(17)] = Eigen::Vector3d(1., 0., 1.).asDiagonal();
+  EXPECT_THROW(value(GP::parameters::metric_map(face_metric)), GP::Invalid_argument_error);
   speed[Face(17)] = -1.;
   EXPECT_THROW(value(GP::parameters::speed_map(speed)), GP::Invalid_argument_error);
 }
 
-TEST(Earth_movers_solver, has_other_methods)
+TEST(Earth_movers_solver, methods_agree)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(2), 0.03));
+  const Mesh mesh = mesh_of(jittered(icosphere(2), 0.03));
   GP::Earth_movers_solver<Mesh> solver(mesh);
   const double value = solver.compute(Vertex(0), Vertex(50)).value;
   const auto np = GP::parameters::tolerance(0.01);
-  const auto cold = solver.compute<GP::Alternating_directions>(Vertex(0), Vertex(50), np);
-  EXPECT_NEAR(cold.value, value, 0.01 * value);
-  const auto warm = solver.compute<GP::Alternating_directions>(Vertex(0), Vertex(50),
-                                                               np.do_start_from_last(true));
-  EXPECT_NEAR(warm.value, value, 0.01 * value);
-  EXPECT_LT(warm.iterations, cold.iterations);
+  const auto cold_start = solver.compute<GP::Alternating_directions>(Vertex(0), Vertex(50), np);
+  EXPECT_NEAR(cold_start.value, value, 0.01 * value);
+  const auto warm_start = solver.compute<GP::Alternating_directions>(Vertex(0), Vertex(50),
+                                                                     np.do_start_from_last(true));
+  EXPECT_NEAR(warm_start.value, value, 0.01 * value);
+  EXPECT_LT(warm_start.iterations, cold_start.iterations);
   EXPECT_NEAR(solver.compute<GP::Weiszfeld>(Vertex(0), Vertex(50), np).value, value, 0.01 * value);
   const auto stopped =
       solver.compute(Vertex(0), Vertex(50), GP::parameters::maximum_number_of_iterations(2));
@@ -227,16 +231,16 @@ TEST(Earth_movers_solver, can_be_cancelled)
   const Mesh mesh = mesh_of(icosphere(3));
   GP::Earth_movers_solver<Mesh> solver(mesh);
   unsigned calls = 0;
-  double before = 0.;
+  double last_fraction = 0.;
   const std::function<bool(double)> rising = [&](double fraction)
   {
-    EXPECT_GE(fraction, before);
-    before = fraction;
+    EXPECT_GE(fraction, last_fraction);
+    last_fraction = fraction;
     return true;
   };
   solver.compute(Vertex(0), Vertex(300), GP::parameters::callback(rising));
-  EXPECT_GT(before, 0.5);
-  EXPECT_LE(before, 1.);
+  EXPECT_GT(last_fraction, 0.5);
+  EXPECT_LE(last_fraction, 1.);
   const std::function<bool(double)> callback = [&](double) { return ++calls < 3; };
   const auto cost =
       solver.compute(Vertex(0), Vertex(300), GP::parameters::callback(callback).tolerance(1e-9));
@@ -245,9 +249,9 @@ TEST(Earth_movers_solver, can_be_cancelled)
   EXPECT_LE(cost.lower, cost.upper);
 }
 
-TEST(Earth_movers_solver, refuses_what_cannot_be_moved)
+TEST(Earth_movers_solver, throws_on_invalid_masses)
 {
-  Mesh mesh = mesh_of(apart(square(4), square(4)));
+  Mesh mesh = mesh_of(disjoint_union(square(4), square(4)));
   GP::Earth_movers_solver<Mesh> solver(mesh);
   EXPECT_THROW(solver.compute(Vertex(0), Vertex(30)), GP::Invalid_argument_error);
   EXPECT_THROW(solver.compute(Vertex(0), Vertex(99)), GP::Invalid_argument_error);
@@ -255,7 +259,8 @@ TEST(Earth_movers_solver, refuses_what_cannot_be_moved)
   const auto masses = vertex_map(mesh);
   masses[Vertex(4)] = 3.;
   EXPECT_THROW(solver.compute(masses, Vertex(3)), GP::Invalid_argument_error);
-  EXPECT_NEAR(solver.compute(masses, Vertex(0), GP::parameters::do_normalize(true)).value, 1., gap);
+  EXPECT_NEAR(solver.compute(masses, Vertex(0), GP::parameters::do_normalize(true)).value, 1.,
+              relative_gap);
   for(const double tolerance : {0., -1., std::nan("")})
     EXPECT_THROW(solver.compute(Vertex(0), Vertex(3), GP::parameters::tolerance(tolerance)),
                  GP::Invalid_argument_error);

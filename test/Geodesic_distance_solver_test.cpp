@@ -21,7 +21,7 @@ class Geodesic_distance_solver : public testing::Test
 public:
   using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
 
-  const Mesh mesh = mesh_of(shaken(icosphere(4), 0.01));
+  const Mesh mesh = mesh_of(jittered(icosphere(4), 0.01));
   const GP::Mesh_domain<Mesh> domain{mesh};
 
   std::vector<double> distances(const Solver& solver) const
@@ -37,7 +37,7 @@ using Methods =
     testing::Types<GP::Dijkstra, GP::Fast_marching, GP::Euclidean_front, GP::Exact, GP::Heat>;
 TYPED_TEST_SUITE(Geodesic_distance_solver, Methods);
 
-TYPED_TEST(Geodesic_distance_solver, gives_each_query_what_a_fresh_one_gives)
+TYPED_TEST(Geodesic_distance_solver, is_independent_of_previous_queries)
 {
   using Solver = typename TestFixture::Solver;
   Solver reused(this->domain);
@@ -62,7 +62,7 @@ TYPED_TEST(Geodesic_distance_solver, gives_each_query_what_a_fresh_one_gives)
   }
 }
 
-TYPED_TEST(Geodesic_distance_solver, has_copies_that_compute_at_the_same_time)
+TYPED_TEST(Geodesic_distance_solver, copies_compute_concurrently)
 {
   using Solver = typename TestFixture::Solver;
   Solver first(this->domain), expected = first;
@@ -76,7 +76,7 @@ TYPED_TEST(Geodesic_distance_solver, has_copies_that_compute_at_the_same_time)
   EXPECT_EQ(this->distances(second), this->distances(expected));
 }
 
-TYPED_TEST(Geodesic_distance_solver, writes_what_it_answers)
+TYPED_TEST(Geodesic_distance_solver, written_maps_match_queries)
 {
   using Solver = typename TestFixture::Solver;
   Mesh mesh = this->mesh;
@@ -106,7 +106,7 @@ TYPED_TEST(Geodesic_distance_solver, writes_what_it_answers)
   EXPECT_LT(reached.size(), mesh.number_of_vertices());
 }
 
-TYPED_TEST(Geodesic_distance_solver, is_right_at_targets)
+TYPED_TEST(Geodesic_distance_solver, distances_of_targets_match_full_run)
 {
   using Solver = typename TestFixture::Solver;
   Solver solver(this->domain), full(this->domain);
@@ -124,7 +124,7 @@ TYPED_TEST(Geodesic_distance_solver, is_right_at_targets)
   }
 }
 
-TYPED_TEST(Geodesic_distance_solver, keeps_its_limit_in_faces)
+TYPED_TEST(Geodesic_distance_solver, respects_maximum_distance_inside_faces)
 {
   using Solver = typename TestFixture::Solver;
   Solver solver(this->domain), full(this->domain);
@@ -133,20 +133,20 @@ TYPED_TEST(Geodesic_distance_solver, keeps_its_limit_in_faces)
   solver.compute(Vertex(3), GP::parameters::maximum_distance(0.5));
   for(int i = 0; i < 200; ++i)
   {
-    const auto place = random_location_of(this->mesh, random);
-    const double known = full.distance(place);
-    if(known > 0.5 + 1e-8) // the front's least gain
+    const auto location = random_location_of(this->mesh, random);
+    const double full_distance = full.distance(location);
+    if(full_distance > 0.5 + 1e-8) // the front's least gain
     {
-      EXPECT_EQ(solver.distance(place), infinity);
+      EXPECT_EQ(solver.distance(location), infinity);
     }
-    else if(known < 0.4) // inside, all corners are within the limit
+    else if(full_distance < 0.4) // inside, all corners are within the limit
     {
-      EXPECT_NEAR(solver.distance(place), known, 1e-8);
+      EXPECT_NEAR(solver.distance(location), full_distance, 1e-8);
     }
   }
 }
 
-TYPED_TEST(Geodesic_distance_solver, tells_that_it_was_cancelled)
+TYPED_TEST(Geodesic_distance_solver, reports_cancellation)
 {
   using Solver = typename TestFixture::Solver;
   Solver solver(this->domain);
@@ -159,7 +159,7 @@ TYPED_TEST(Geodesic_distance_solver, tells_that_it_was_cancelled)
   EXPECT_EQ(solver.reached().size(), this->mesh.number_of_vertices());
 }
 
-TYPED_TEST(Geodesic_distance_solver, has_continuous_distances)
+TYPED_TEST(Geodesic_distance_solver, distances_are_continuous)
 {
   using Solver = typename TestFixture::Solver;
   Solver solver(this->domain);
@@ -180,30 +180,31 @@ TYPED_TEST(Geodesic_distance_solver, has_continuous_distances)
       middle[(k + 2) % 3] = 0.;
       const auto opposite = this->mesh.opposite(h);
       const Face other = this->mesh.face(opposite);
-      std::array<double, 3> seen = {0.5, 0.5, 0.5};
+      std::array<double, 3> barycentric_in_other = {0.5, 0.5, 0.5};
       auto g = this->mesh.halfedge(other);
       for(int i = 0; i < 3; ++i, g = this->mesh.next(g))
         if(this->mesh.prev(g) == opposite)
-          seen[(i + 1) % 3] = 0.;
+          barycentric_in_other[(i + 1) % 3] = 0.;
       // Roundings of the same evaluations.
-      EXPECT_NEAR(solver.distance({f, middle}), solver.distance({other, seen}), 1e-12);
+      EXPECT_NEAR(solver.distance({f, middle}), solver.distance({other, barycentric_in_other}),
+                  1e-12);
     }
   }
 }
 
-TEST(Exact_geodesic_distance_solver, knows_all_shortest_paths)
+TEST(Exact_geodesic_distance_solver, finds_all_shortest_paths)
 {
   // Around a pipe, both ways to the place opposite.
   const Mesh mesh = mesh_of(cylinder(16, 8, 1., 2.));
   GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
   solver.compute(Vertex(16 * 3));
-  const auto both = solver.shortest_paths(Vertex(16 * 3 + 8));
-  ASSERT_EQ(both.size(), 2u);
-  const double half = 16. * std::sin(pi / 16.); // of the circumference of the polygon
-  for(const auto& path : both)
+  const auto both_paths = solver.shortest_paths(Vertex(16 * 3 + 8));
+  ASSERT_EQ(both_paths.size(), 2u);
+  const double half_circumference = 16. * std::sin(pi / 16.); // of the circumference of the polygon
+  for(const auto& path : both_paths)
   {
-    EXPECT_NEAR(path.length, half, 1e-12);
-    EXPECT_NEAR(path.front_distance, half, 1e-12);
+    EXPECT_NEAR(path.length, half_circumference, 1e-12);
+    EXPECT_NEAR(path.front_distance, half_circumference, 1e-12);
     EXPECT_LT(distance(to_array(path.points.front()), to_array(mesh.point(Vertex(16 * 3 + 8)))),
               1e-12);
     EXPECT_LT(distance(to_array(path.points.back()), to_array(mesh.point(Vertex(16 * 3)))), 1e-12);
@@ -212,18 +213,18 @@ TEST(Exact_geodesic_distance_solver, knows_all_shortest_paths)
   EXPECT_EQ(solver.shortest_paths(location_of(7, {0.2, 0.3, 0.5})).size(), 1u);
 }
 
-TEST(Exact_geodesic_distance_solver, knows_how_paths_depart)
+TEST(Exact_geodesic_distance_solver, departures_match_directions_in_plane)
 {
   const Triangulation plane = square(16, 0.24);
   const Mesh mesh = mesh_of(plane);
   GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
   std::mt19937 random(1);
-  const auto place = location_of(300, {0.2, 0.3, 0.5});
-  const std::vector<GP::Source<Mesh>> sources = {{Vertex(8 * 17 + 8)}, {place, 0.3}};
+  const auto location = location_of(300, {0.2, 0.3, 0.5});
+  const std::vector<GP::Source<Mesh>> sources = {{Vertex(8 * 17 + 8)}, {location, 0.3}};
   for(const auto& source : sources)
   {
     solver.compute(source);
-    const Point from = source.offset() == 0. ? plane.points[8 * 17 + 8] : point_of(mesh, place);
+    const Point from = source.offset() == 0. ? plane.points[8 * 17 + 8] : point_of(mesh, location);
     const double first = solver.departure(Vertex(0)).polar_angle -
                          std::atan2(plane.points[0][1] - from[1], plane.points[0][0] - from[0]);
     for(int i = 0; i < 20; ++i)
@@ -243,9 +244,9 @@ TEST(Exact_geodesic_distance_solver, knows_how_paths_depart)
     }
   }
   solver.compute(Vertex(0), GP::parameters::maximum_distance(0.1));
-  const auto none = solver.departure(Vertex(200));
-  EXPECT_EQ(none.length, infinity);
-  EXPECT_EQ(none.direction, CGAL::NULL_VECTOR);
+  const auto unreachable = solver.departure(Vertex(200));
+  EXPECT_EQ(unreachable.length, infinity);
+  EXPECT_EQ(unreachable.direction, CGAL::NULL_VECTOR);
 }
 
 } // namespace

@@ -18,9 +18,9 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 // Sums of some tens of lengths.
-constexpr double rounding = 1e-12;
+constexpr double round_off = 1e-12;
 
-TEST(Geodesic_path_finder, finds_straight_lines_in_a_plane)
+TEST(Geodesic_path_finder, is_straight_in_plane)
 {
   const Triangulation plane = square(10, 0.24);
   Numbered<Surface_mesh> mesh;
@@ -32,16 +32,16 @@ TEST(Geodesic_path_finder, finds_straight_lines_in_a_plane)
     const Index a = Index(random() % plane.points.size()), f = Index(random() % 200);
     const auto to = location_in(mesh, plane, f, {0.2, 0.3, 0.5});
     const auto path = finder(mesh.vertices[a], to);
-    const double truth = distance(plane.points[a], point_of(mesh.mesh, to));
-    EXPECT_NEAR(path.length, truth, rounding);
+    const double expected = distance(plane.points[a], point_of(mesh.mesh, to));
+    EXPECT_NEAR(path.length, expected, round_off);
     EXPECT_EQ(path.front_distance, path.length);
     ASSERT_EQ(path.points.size(), path.locations.size());
-    EXPECT_LT(distance(to_array(path.points.front()), plane.points[a]), rounding);
-    EXPECT_LT(distance(to_array(path.points.back()), point_of(mesh.mesh, to)), rounding);
+    EXPECT_LT(distance(to_array(path.points.front()), plane.points[a]), round_off);
+    EXPECT_LT(distance(to_array(path.points.back()), point_of(mesh.mesh, to)), round_off);
   }
 }
 
-TEST(Geodesic_path_finder, finds_one_point_where_both_ends_are)
+TEST(Geodesic_path_finder, is_single_point_from_vertex_to_itself)
 {
   Numbered<Surface_mesh> mesh;
   fill(mesh, tetrahedron());
@@ -51,10 +51,10 @@ TEST(Geodesic_path_finder, finds_one_point_where_both_ends_are)
   EXPECT_EQ(path.length, 0.);
 }
 
-TEST(Geodesic_path_finder, finds_nothing_between_components)
+TEST(Geodesic_path_finder, is_empty_between_components)
 {
   Numbered<Surface_mesh> mesh;
-  fill(mesh, apart(tetrahedron(), square(2)));
+  fill(mesh, disjoint_union(tetrahedron(), square(2)));
   Geodesic_path_finder<Surface_mesh> finder(mesh.mesh);
   const auto path = finder(mesh.vertices[0], mesh.vertices[8]);
   EXPECT_TRUE(path.empty());
@@ -62,9 +62,9 @@ TEST(Geodesic_path_finder, finds_nothing_between_components)
   EXPECT_EQ(path.front_distance, internal::infinity);
 }
 
-TEST(Geodesic_path_finder, finds_no_shorter_paths_with_landmarks)
+TEST(Geodesic_path_finder, finds_equally_short_paths_with_landmarks)
 {
-  const Triangulation sphere = shaken(icosphere(3), 0.02);
+  const Triangulation sphere = jittered(icosphere(3), 0.02);
   Numbered<Surface_mesh> mesh;
   fill(mesh, sphere);
   Geodesic_path_finder<Surface_mesh> plain(mesh.mesh), guided(plain);
@@ -74,11 +74,11 @@ TEST(Geodesic_path_finder, finds_no_shorter_paths_with_landmarks)
     const double expected = plain(mesh.vertices[0], mesh.vertices[to]).length;
     // Both are locally shortest; of two equal chains either may be taken, on either side of a bump.
     EXPECT_NEAR(guided(mesh.vertices[0], mesh.vertices[to]).length, expected, 0.02 * expected);
-    EXPECT_GE(expected, distance(sphere.points[0], sphere.points[to]) - rounding);
+    EXPECT_GE(expected, distance(sphere.points[0], sphere.points[to]) - round_off);
   }
 }
 
-TEST(Geodesic_path_finder, refuses_locations_outside_of_faces)
+TEST(Geodesic_path_finder, throws_on_locations_outside_faces)
 {
   Numbered<Surface_mesh> mesh;
   fill(mesh, square(2));

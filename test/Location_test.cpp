@@ -21,7 +21,7 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Point_set = CGAL::Point_set_3<Kernel::Point_3>;
 using Points = std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
 
-TEST(Location, tells_meshes_from_clouds)
+TEST(Location, distinguishes_meshes_from_clouds)
 {
   EXPECT_FALSE(GP::internal::Is_cloud<Mesh>::value);
   EXPECT_FALSE(GP::internal::Is_cloud<Polyhedron>::value);
@@ -29,7 +29,7 @@ TEST(Location, tells_meshes_from_clouds)
   EXPECT_TRUE(GP::internal::Is_cloud<Points>::value);
 }
 
-TEST(Location, is_that_of_cgal_on_meshes)
+TEST(Location, is_face_location_on_meshes)
 {
   EXPECT_TRUE((std::is_same_v<GP::Location<Mesh>,
                               CGAL::Polygon_mesh_processing::Face_location<Mesh, double>>));
@@ -37,7 +37,7 @@ TEST(Location, is_that_of_cgal_on_meshes)
                               CGAL::Polygon_mesh_processing::Face_location<Polyhedron, double>>));
 }
 
-TEST(Location, is_a_surfel_and_an_offset_on_clouds)
+TEST(Location, is_surfel_and_offset_on_clouds)
 {
   EXPECT_TRUE((std::is_same_v<decltype(GP::Location<Point_set>::surfel), Point_set::Index>));
   EXPECT_TRUE((std::is_same_v<decltype(GP::Location<Points>::surfel), std::size_t>));

@@ -31,28 +31,28 @@ void expect_domain(const Triangulation& surface, double tolerance)
   Numbered<Mesh> mesh;
   fill(mesh, surface);
   const Mesh_domain<Mesh> domain(mesh.mesh);
-  const internal::Glued_triangles& t = *domain.triangles();
-  ASSERT_EQ(domain.number_of_sites(), surface.points.size());
+  const internal::Surface_arrays& t = *domain.triangles();
+  ASSERT_EQ(domain.number_of_vertices(), surface.points.size());
   ASSERT_EQ(t.number_of_triangles(), mesh.faces.size());
-  std::size_t sides_on_border = 0;
+  std::size_t boundary_halfedges = 0;
   for(const internal::Index twin : t.twin)
-    sides_on_border += twin == none;
-  std::size_t border_halfedges = 0;
+    boundary_halfedges += twin == none;
+  std::size_t bgl_border_halfedges = 0;
   for(const auto h : halfedges(mesh.mesh))
-    border_halfedges += CGAL::is_border(h, mesh.mesh);
-  EXPECT_EQ(sides_on_border, border_halfedges);
+    bgl_border_halfedges += CGAL::is_border(h, mesh.mesh);
+  EXPECT_EQ(boundary_halfedges, bgl_border_halfedges);
   for(std::size_t i = 0; i < surface.points.size(); ++i)
   {
-    const auto site = domain.index(mesh.vertices[i]);
-    EXPECT_EQ(domain.site(site), mesh.vertices[i]);
+    const auto vertex = domain.index(mesh.vertices[i]);
+    EXPECT_EQ(domain.vertex(vertex), mesh.vertices[i]);
     EXPECT_LT(
-        distance(to_array(domain.point(domain.inner_site(mesh.vertices[i]))), surface.points[i]),
+        distance(to_array(domain.point(domain.inner_vertex(mesh.vertices[i]))), surface.points[i]),
         tolerance);
   }
   std::mt19937 random(1);
   for(std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
-    const test::Location local = random_location(t, random);
+    const test::Surface_location local = random_location(t, random);
     const auto location = location_in(mesh, surface, f, local.barycentric);
     const auto inner = domain.inner(location);
     EXPECT_EQ(domain.face(inner.triangle), mesh.faces[f]);
@@ -67,28 +67,28 @@ void expect_domain(const Triangulation& surface, double tolerance)
 
 const Triangulation& shapes(int i)
 {
-  static const std::vector<Triangulation> all = {one_triangle(), square(7, 0.24),
-                                                 shaken(icosphere(2), 0.03), annulus(12, 3, 1., 2.),
-                                                 apart(square(3), tetrahedron())};
+  static const std::vector<Triangulation> all = {
+      one_triangle(), square(7, 0.24), jittered(icosphere(2), 0.03), annulus(12, 3, 1., 2.),
+      disjoint_union(square(3), tetrahedron())};
   return all[i];
 }
 
 // Roundings of coordinates below 4.
 constexpr double rounding = 1e-14;
 
-TEST(Mesh_domain, is_the_surface_mesh)
+TEST(Mesh_domain, represents_surface_mesh)
 {
   for(int i = 0; i < 5; ++i)
     expect_domain<Surface_mesh>(shapes(i), rounding);
 }
 
-TEST(Mesh_domain, is_the_polyhedron)
+TEST(Mesh_domain, represents_polyhedron)
 {
   for(int i = 0; i < 5; ++i)
     expect_domain<CGAL::Polyhedron_3<Kernel>>(shapes(i), rounding);
 }
 
-TEST(Mesh_domain, takes_kernels_with_exact_and_with_short_numbers)
+TEST(Mesh_domain, accepts_exact_and_single_precision_kernels)
 {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   for(int i = 0; i < 5; ++i)
@@ -100,7 +100,7 @@ TEST(Mesh_domain, takes_kernels_with_exact_and_with_short_numbers)
 }
 
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-TEST(Mesh_domain, is_the_mesh_of_openmesh)
+TEST(Mesh_domain, represents_openmesh)
 {
   // Single precision.
   for(int i = 0; i < 5; ++i)
@@ -108,7 +108,7 @@ TEST(Mesh_domain, is_the_mesh_of_openmesh)
 }
 #endif
 
-TEST(Mesh_domain, skips_what_was_removed)
+TEST(Mesh_domain, skips_removed_elements)
 {
   Numbered<Surface_mesh> mesh;
   const Triangulation shape = square(6, 0.24);
@@ -118,15 +118,15 @@ TEST(Mesh_domain, skips_what_was_removed)
   mesh.mesh.remove_vertex(mesh.mesh.add_vertex(Kernel::Point_3(0., 0., 0.)));
   ASSERT_TRUE(mesh.mesh.has_garbage());
   const Mesh_domain<Surface_mesh> domain(mesh.mesh);
-  EXPECT_EQ(domain.number_of_sites(), mesh.mesh.number_of_vertices());
+  EXPECT_EQ(domain.number_of_vertices(), mesh.mesh.number_of_vertices());
   EXPECT_EQ(domain.triangles()->number_of_triangles(), 68u);
   for(const auto vertex : mesh.mesh.vertices())
-    EXPECT_EQ(domain.site(domain.index(vertex)), vertex);
+    EXPECT_EQ(domain.vertex(domain.index(vertex)), vertex);
   for(const auto face : mesh.mesh.faces())
     EXPECT_EQ(domain.face(domain.triangle(face)), face);
 }
 
-TEST(Mesh_domain, reads_the_points_that_it_is_given)
+TEST(Mesh_domain, reads_vertex_point_map)
 {
   Numbered<Surface_mesh> mesh;
   fill(mesh, square(4));
@@ -138,11 +138,12 @@ TEST(Mesh_domain, reads_the_points_that_it_is_given)
   }
   const Mesh_domain<Surface_mesh> domain(mesh.mesh, CGAL::parameters::vertex_point_map(points));
   for(const auto vertex : mesh.mesh.vertices())
-    EXPECT_LT(distance(to_array(domain.point(domain.inner_site(vertex))), to_array(points[vertex])),
-              rounding);
+    EXPECT_LT(
+        distance(to_array(domain.point(domain.inner_vertex(vertex))), to_array(points[vertex])),
+        rounding);
 }
 
-TEST(Mesh_domain, writes_values_where_they_belong)
+TEST(Mesh_domain, writes_values_to_matching_vertices)
 {
   Numbered<Surface_mesh> mesh;
   fill(mesh, icosphere(2));
@@ -159,16 +160,16 @@ std::size_t bytes(const std::vector<T>& values)
   return values.capacity() * sizeof(T);
 }
 
-TEST(Mesh_domain, takes_at_most_200_bytes_per_vertex)
+TEST(Mesh_domain, uses_at_most_200_bytes_per_vertex)
 {
   Numbered<Surface_mesh> mesh;
   fill(mesh, icosphere(5));
   const Mesh_domain<Surface_mesh> domain(mesh.mesh);
-  const internal::Glued_triangles& t = *domain.triangles();
-  const std::size_t triangles = bytes(t.corner) + bytes(t.twin) + bytes(t.length) + bytes(t.first) +
-                                bytes(t.star) + bytes(t.weight) + bytes(t.graph.first) +
-                                bytes(t.graph.target) + bytes(t.graph.length) + bytes(t.point) +
-                                bytes(t.normal);
+  const internal::Surface_arrays& t = *domain.triangles();
+  const std::size_t triangles = bytes(t.corner) + bytes(t.twin) + bytes(t.length) +
+                                bytes(t.ring_begin) + bytes(t.ring) + bytes(t.weight) +
+                                bytes(t.graph.begin) + bytes(t.graph.target) +
+                                bytes(t.graph.length) + bytes(t.point) + bytes(t.normal);
   // Both ways between descriptors and numbers, of 4 bytes each.
   const std::size_t descriptors = 8 * (num_vertices(mesh.mesh) + num_faces(mesh.mesh));
   EXPECT_LE(triangles + descriptors, 200 * num_vertices(mesh.mesh));
@@ -182,17 +183,17 @@ TEST(Mesh_domain, outlives_the_mesh)
     fill(mesh, square(4));
     domain = std::make_unique<Mesh_domain<Surface_mesh>>(mesh.mesh);
   }
-  EXPECT_EQ(domain->index(domain->site(7)), 7u);
+  EXPECT_EQ(domain->index(domain->vertex(7)), 7u);
 }
 
-TEST(Mesh_domain, refuses_faces_that_are_not_triangles)
+TEST(Mesh_domain, throws_on_nontriangular_faces)
 {
   Surface_mesh quads;
   CGAL::make_grid(3, 3, quads);
   EXPECT_THROW((Mesh_domain<Surface_mesh>(quads)), Unsupported_surface_error);
 }
 
-TEST(Mesh_domain, refuses_coordinates_that_are_not_finite)
+TEST(Mesh_domain, throws_on_nonfinite_coordinates)
 {
   for(const double bad :
       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
@@ -204,7 +205,7 @@ TEST(Mesh_domain, refuses_coordinates_that_are_not_finite)
   }
 }
 
-TEST(Mesh_domain, refuses_locations_outside_of_faces)
+TEST(Mesh_domain, throws_on_invalid_locations)
 {
   Numbered<Surface_mesh> mesh;
   fill(mesh, tetrahedron());
@@ -219,19 +220,19 @@ TEST(Mesh_domain, refuses_locations_outside_of_faces)
   using Face = Surface_mesh::Face_index;
   using Vertex = Surface_mesh::Vertex_index;
   EXPECT_THROW(domain.inner(Location{Face(1000), {1., 0., 0.}}), Invalid_argument_error);
-  EXPECT_THROW(domain.inner_site(Vertex(1000)), Invalid_argument_error);
+  EXPECT_THROW(domain.inner_vertex(Vertex(1000)), Invalid_argument_error);
   const Surface_mesh nothing;
-  EXPECT_THROW(Mesh_domain<Surface_mesh>(nothing).inner_site(Vertex(0)), Invalid_argument_error);
+  EXPECT_THROW(Mesh_domain<Surface_mesh>(nothing).inner_vertex(Vertex(0)), Invalid_argument_error);
   EXPECT_THROW(Mesh_domain<Surface_mesh>(nothing).inner(Location{Face(0), {1., 0., 0.}}),
                Invalid_argument_error);
   // What rounding does is mended.
   EXPECT_NO_THROW(domain.inner(Location{mesh.faces[0], {0.5, 0.5 + 1e-12, -1e-12}}));
 }
 
-TEST(Mesh_domain, takes_an_empty_mesh)
+TEST(Mesh_domain, accepts_empty_mesh)
 {
   const Mesh_domain<Surface_mesh> domain{Surface_mesh()};
-  EXPECT_EQ(domain.number_of_sites(), 0u);
+  EXPECT_EQ(domain.number_of_vertices(), 0u);
 }
 
 } // namespace

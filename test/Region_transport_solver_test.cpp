@@ -22,12 +22,12 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
 // Of the bounds, by default.
-constexpr double gap = 1e-3;
+constexpr double relative_gap = 1e-3;
 
 // The unit square in 12 by 12 cells: vertex 13 * row + column.
 Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
 
-TEST(Region_transport_solver, goes_to_the_nearest_place)
+TEST(Region_transport_solver, finds_nearest_exit)
 {
   const Mesh mesh = mesh_of(square(12));
   const std::vector<Vertex> exits = {at(0, 0), at(12, 9)};
@@ -37,32 +37,33 @@ TEST(Region_transport_solver, goes_to_the_nearest_place)
     const GP::Earth_movers_cost cost = solver.compute(from);
     EXPECT_TRUE(cost.converged);
     EXPECT_LE(cost.lower, cost.value);
-    EXPECT_LE(cost.upper - cost.lower, gap * cost.upper);
+    EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
     return cost.value;
   };
-  EXPECT_NEAR(value(at(3, 0)), 0.25, 0.25 * gap);
-  EXPECT_NEAR(solver.arrival(exits[0]), 1., gap); // less what strays
-  EXPECT_NEAR(solver.potential(at(3, 0)), -0.25, 0.25 * gap);
-  EXPECT_NEAR(value(at(12, 0)), 0.75, 0.75 * gap);
-  EXPECT_NEAR(solver.arrival(exits[1]), 1., gap);
+  EXPECT_NEAR(value(at(3, 0)), 0.25, 0.25 * relative_gap);
+  EXPECT_NEAR(solver.arrival(exits[0]), 1., relative_gap); // less what strays
+  EXPECT_NEAR(solver.potential(at(3, 0)), -0.25, 0.25 * relative_gap);
+  EXPECT_NEAR(value(at(12, 0)), 0.75, 0.75 * relative_gap);
+  EXPECT_NEAR(solver.arrival(exits[1]), 1., relative_gap);
   EXPECT_EQ(solver.arrival(at(5, 5)), 0.);
-  EXPECT_NEAR(value(std::vector<Vertex>{at(3, 0), at(12, 0)}), 0.5, 0.5 * gap); // half a mass each
-  EXPECT_NEAR(solver.arrival(exits[0]), 0.5, gap);                              // what strays
+  EXPECT_NEAR(value(std::vector<Vertex>{at(3, 0), at(12, 0)}), 0.5,
+              0.5 * relative_gap);                          // half a mass each
+  EXPECT_NEAR(solver.arrival(exits[0]), 0.5, relative_gap); // what strays
   EXPECT_EQ(solver.compute(exits[1]).value, 0.);
   EXPECT_NEAR(solver.arrival(exits[1]), 1., 1e-9);
 }
 
 // To the border: sides between its vertices are as good as they are.
-TEST(Region_transport_solver, takes_borders)
+TEST(Region_transport_solver, accepts_border_sources)
 {
   Mesh mesh = mesh_of(square(12));
   std::vector<GP::Source<Mesh>> border;
   GP::border_sources(mesh, std::back_inserter(border));
   GP::Region_transport_solver<Mesh> solver(mesh, border);
   const double middle = solver.compute(at(6, 6)).value;
-  EXPECT_LE(middle, 0.5 * (1. + gap));
+  EXPECT_LE(middle, 0.5 * (1. + relative_gap));
   EXPECT_GE(middle, 0.5 - 0.5 / 24.); // where ways are equally short a part of a side is lost
-  EXPECT_NEAR(solver.compute(at(2, 7)).value, 1. / 6., gap / 6.);
+  EXPECT_NEAR(solver.compute(at(2, 7)).value, 1. / 6., relative_gap / 6.);
   auto arrivals = vertex_map(mesh);
   solver.write_arrivals(arrivals);
   double sum = 0.;
@@ -73,7 +74,7 @@ TEST(Region_transport_solver, takes_borders)
 
 // The surface as any mesh, of any size; the cost from vertex 0 to a ring of vertices.
 template <typename AnyMesh>
-double cost_to_ring(double scale = 1.)
+double cost_to_great_circle(double scale = 1.)
 {
   const Triangulation shape = icosphere(3);
   Numbered<AnyMesh> sphere;
@@ -88,19 +89,20 @@ double cost_to_ring(double scale = 1.)
   return solver.compute(sphere.vertices[0]).value;
 }
 
-TEST(Region_transport_solver, takes_all_meshes_and_scales)
+TEST(Region_transport_solver, accepts_all_meshes_and_scales)
 {
-  const double value = cost_to_ring<Mesh>();
+  const double value = cost_to_great_circle<Mesh>();
   EXPECT_NEAR(value, 0.5 * std::acos(-1.), 0.06); // the ring is as wide as that
-  EXPECT_EQ(cost_to_ring<CGAL::Polyhedron_3<Kernel>>(), value);
+  EXPECT_EQ(cost_to_great_circle<CGAL::Polyhedron_3<Kernel>>(), value);
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-  EXPECT_NEAR(cost_to_ring<OpenMesh::TriMesh_ArrayKernelT<>>(), value, 1e-5); // single precision
+  EXPECT_NEAR(cost_to_great_circle<OpenMesh::TriMesh_ArrayKernelT<>>(), value,
+              1e-5); // single precision
 #endif
   for(const double scale : {1e-6, 1e6})
-    EXPECT_NEAR(cost_to_ring<Mesh>(scale), scale * value, 1e-9 * scale);
+    EXPECT_NEAR(cost_to_great_circle<Mesh>(scale), scale * value, 1e-9 * scale);
 }
 
-TEST(Region_transport_solver, takes_clouds)
+TEST(Region_transport_solver, works_on_clouds)
 {
   const Surfels surfels = sphere_surfels(4);
   CGAL::Point_set_3<Kernel::Point_3> cloud(true);
@@ -122,35 +124,36 @@ void expect_limits(double size)
 {
   Numbered<AnyMesh> square;
   fill(square, scaled(GP::test::square(12), size));
-  const auto site = [&](Mesh::size_type column, Mesh::size_type row)
+  const auto vertex_at = [&](Mesh::size_type column, Mesh::size_type row)
   { return square.vertices[at(column, row).idx()]; };
   using Source = GP::Source<AnyMesh>;
-  const std::vector<Source> exits = {Source(site(12, 6)), Source(site(0, 6)), Source(site(8, 6))};
+  const std::vector<Source> exits = {Source(vertex_at(12, 6)), Source(vertex_at(0, 6)),
+                                     Source(vertex_at(8, 6))};
   const std::vector<double> capacities = {1., 0.4, 0.25};
   GP::Region_transport_solver<AnyMesh> solver(
       square.mesh, exits, GP::parameters::capacities(capacities).number_of_refinements(0u));
-  const GP::Earth_movers_cost cost = solver.compute(site(5, 6));
+  const GP::Earth_movers_cost cost = solver.compute(vertex_at(5, 6));
   EXPECT_TRUE(cost.converged);
   EXPECT_LE(cost.iterations, 30);
   const double exact = size * (0.25 * 3. + 0.4 * 5. + 0.35 * 7.) / 12.;
-  EXPECT_NEAR(cost.value, exact, gap * exact);
-  EXPECT_NEAR(solver.arrival(site(8, 6)), 0.25, 0.01); // what strays
-  EXPECT_NEAR(solver.arrival(site(0, 6)), 0.4, 0.01);
-  EXPECT_NEAR(solver.arrival(site(12, 6)), 0.35, 0.01);
-  EXPECT_LE(solver.arrival(site(8, 6)), 0.25 * (1. + 1e-6));
+  EXPECT_NEAR(cost.value, exact, relative_gap * exact);
+  EXPECT_NEAR(solver.arrival(vertex_at(8, 6)), 0.25, 0.01); // what strays
+  EXPECT_NEAR(solver.arrival(vertex_at(0, 6)), 0.4, 0.01);
+  EXPECT_NEAR(solver.arrival(vertex_at(12, 6)), 0.35, 0.01);
+  EXPECT_LE(solver.arrival(vertex_at(8, 6)), 0.25 * (1. + 1e-6));
   // One more mass goes to the last exit.
-  EXPECT_NEAR(solver.potential(site(5, 6)), -size * 7. / 12., 0.01 * size);
+  EXPECT_NEAR(solver.potential(vertex_at(5, 6)), -size * 7. / 12., 0.01 * size);
 
-  GP::Region_transport_solver<AnyMesh> spreading(
+  GP::Region_transport_solver<AnyMesh> spreading_solver(
       square.mesh, exits,
       GP::parameters::spreading_weight(1e3 * size * size * size).number_of_refinements(0u));
-  spreading.compute(site(5, 6));
+  spreading_solver.compute(vertex_at(5, 6));
   // The areas are as 1 to 1 to 2.
-  EXPECT_NEAR(spreading.arrival(site(8, 6)), 0.5, 1e-3);
-  EXPECT_NEAR(spreading.arrival(site(0, 6)), 0.25, 1e-3);
+  EXPECT_NEAR(spreading_solver.arrival(vertex_at(8, 6)), 0.5, 1e-3);
+  EXPECT_NEAR(spreading_solver.arrival(vertex_at(0, 6)), 0.25, 1e-3);
 }
 
-TEST(Region_transport_solver, has_limits)
+TEST(Region_transport_solver, respects_limits)
 {
   for(const double size : {1e-6, 1., 1e6})
     expect_limits<Mesh>(size);
@@ -161,7 +164,7 @@ TEST(Region_transport_solver, has_limits)
 }
 
 // What arrives in faces is told of their vertices, in parts whose mean is there; and each exit has its room.
-TEST(Region_transport_solver, reaches_places_in_faces)
+TEST(Region_transport_solver, accepts_locations_in_faces)
 {
   const Mesh mesh = mesh_of(square(8, 0.2));
   const auto left = location_of(10, {0.3, 0.3, 0.4}), right = location_of(100, {0.2, 0.5, 0.3});
@@ -184,20 +187,22 @@ TEST(Region_transport_solver, reaches_places_in_faces)
   EXPECT_NEAR(mass, 1., 1e-9);
   EXPECT_NEAR(x, point(left).x(), 1e-9);
   EXPECT_NEAR(y, point(left).y(), 1e-9);
-  Solver both(mesh, std::vector{left, right},
-              GP::parameters::capacities(std::vector<double>{0.25, 1.}).number_of_refinements(0u));
-  const double least = std::min(to_left, to_right), most = std::max(to_left, to_right);
-  const double exact = to_left < to_right ? 0.25 * least + 0.75 * most : least;
-  EXPECT_NEAR(both.compute(from).value, exact, 0.03); // a part of an edge where masses part
+  Solver with_capacities(
+      mesh, std::vector{left, right},
+      GP::parameters::capacities(std::vector<double>{0.25, 1.}).number_of_refinements(0u));
+  const double nearest = std::min(to_left, to_right), farthest = std::max(to_left, to_right);
+  const double exact = to_left < to_right ? 0.25 * nearest + 0.75 * farthest : nearest;
+  EXPECT_NEAR(with_capacities.compute(from).value, exact,
+              0.03); // a part of an edge where masses part
   // Its lines end there.
   const GP::Streamline<Mesh> line = one.streamlines()(from);
   ASSERT_FALSE(line.empty());
   EXPECT_LT(std::sqrt(CGAL::squared_distance(line.points.back(), point(left))), 0.2); // an edge
 }
 
-TEST(Region_transport_solver, refuses_what_is_no_region)
+TEST(Region_transport_solver, throws_on_invalid_region)
 {
-  const Mesh mesh = mesh_of(apart(square(4), square(4)));
+  const Mesh mesh = mesh_of(disjoint_union(square(4), square(4)));
   using Solver = GP::Region_transport_solver<Mesh>;
   EXPECT_THROW(Solver(mesh, std::vector<Vertex>()), GP::Invalid_argument_error);
   EXPECT_THROW(Solver(mesh, Vertex(99)), GP::Invalid_argument_error);

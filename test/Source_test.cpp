@@ -23,19 +23,19 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Source = GP::Source<Mesh>;
 
-TEST(Source, is_made_of_a_site_a_location_or_a_polyline)
+TEST(Source, is_constructed_from_vertex_location_or_polyline)
 {
   const Mesh::Vertex_index vertex(3);
   const GP::Location<Mesh> location(Mesh::Face_index(2), {0.25, 0.25, 0.5});
-  const Source site(vertex), place(location, 0.25, 3),
+  const Source vertex_source(vertex), location_source(location, 0.25, 3),
       line(Source::Polyline{location, location}, -1.);
-  EXPECT_EQ(std::get<Mesh::Vertex_index>(site.place()), vertex);
-  EXPECT_EQ(site.offset(), 0.);
-  EXPECT_EQ(site.label(17), 17u); // its position
-  EXPECT_EQ(std::get<Source::Polyline>(place.place()), Source::Polyline{location});
-  EXPECT_EQ(place.offset(), 0.25);
-  EXPECT_EQ(place.label(17), 3u);
-  EXPECT_EQ(std::get<Source::Polyline>(line.place()).size(), 2u);
+  EXPECT_EQ(std::get<Mesh::Vertex_index>(vertex_source.location()), vertex);
+  EXPECT_EQ(vertex_source.offset(), 0.);
+  EXPECT_EQ(vertex_source.label(17), 17u); // its position
+  EXPECT_EQ(std::get<Source::Polyline>(place.location()), Source::Polyline{location});
+  EXPECT_EQ(location_source.offset(), 0.25);
+  EXPECT_EQ(location_source.label(17), 3u);
+  EXPECT_EQ(std::get<Source::Polyline>(line.location()).size(), 2u);
   EXPECT_EQ(line.offset(), -1.);
 }
 
@@ -50,7 +50,7 @@ void expect_border_sources()
   ASSERT_EQ(sources.size(), 2u);
   for(const auto& border : sources)
   {
-    const auto& line = std::get<1>(border.place());
+    const auto& line = std::get<1>(border.location());
     ASSERT_EQ(line.size(), 13u);
     EXPECT_EQ(line.front(), line.back());
     const double radius = distance(point_of(mesh.mesh, line[0]), {0., 0., 0.});
@@ -62,26 +62,27 @@ void expect_border_sources()
       EXPECT_NEAR(distance(p, q), 2. * radius * std::sin(GP::test::pi / 12.), 1e-12);
       // The next one lies in a common face: of one half-edge on the border.
       const Point middle = {0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.};
-      bool is_side = false;
+      bool is_edge_midpoint = false;
       for(const auto h : halfedges(mesh.mesh))
         if(CGAL::is_border(h, mesh.mesh))
         {
           const Point a = to_array(get(CGAL::vertex_point, mesh.mesh, source(h, mesh.mesh))),
                       b = to_array(get(CGAL::vertex_point, mesh.mesh, target(h, mesh.mesh)));
-          is_side |= distance({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.}, middle) < 1e-12;
+          is_edge_midpoint |=
+              distance({0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.}, middle) < 1e-12;
         }
-      EXPECT_TRUE(is_side);
+      EXPECT_TRUE(is_edge_midpoint);
     }
   }
 }
 
-TEST(Source, of_each_border_is_a_closed_polyline)
+TEST(Source, boundary_sources_are_closed_polylines)
 {
   expect_border_sources<Mesh>();
   expect_border_sources<CGAL::Polyhedron_3<Kernel>>();
 }
 
-TEST(Source, of_a_closed_surface_has_no_border)
+TEST(Source, closed_surface_has_no_boundary_sources)
 {
   Numbered<Mesh> mesh;
   fill(mesh, tetrahedron());
@@ -90,7 +91,7 @@ TEST(Source, of_a_closed_surface_has_no_border)
   EXPECT_TRUE(sources.empty());
 }
 
-TEST(Source, cannot_be_what_is_no_place)
+TEST(Source, throws_on_invalid_sources)
 {
   Numbered<Mesh> mesh;
   fill(mesh, square(2));

@@ -7,7 +7,7 @@
 
 #include <CGAL/Point_set_3.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
 // Of sums of some ten lengths.
-constexpr double rounding = 1e-9;
+constexpr double round_off = 1e-9;
 
 double length_between(const Kernel::Point_3& p, const Kernel::Point_3& q)
 {
@@ -33,11 +33,11 @@ double length_between(const Kernel::Point_3& p, const Kernel::Point_3& q)
 }
 
 // What falls off from a point of a mesh.
-auto blob(const Mesh& mesh, const Kernel::Point_3& middle, double width)
+auto gaussian(const Mesh& mesh, const Kernel::Point_3& center, double width)
 {
   return GP::mass_density(boost::make_function_property_map<Vertex>(
-      [&mesh, middle, width](Vertex v) {
-        return std::exp(-0.5 * CGAL::squared_distance(mesh.point(v), middle) / (width * width));
+      [&mesh, center, width](Vertex v) {
+        return std::exp(-0.5 * CGAL::squared_distance(mesh.point(v), center) / (width * width));
       }));
 }
 
@@ -49,45 +49,45 @@ void expect_line(const Line& line)
   double length = 0.;
   for(std::size_t i = 1; i < line.points.size(); ++i)
     length += length_between(line.points[i - 1], line.points[i]);
-  EXPECT_NEAR(line.length, length, rounding);
+  EXPECT_NEAR(line.length, length, round_off);
 }
 
 // In the plane lines are straight, and as long as the potential says.
-TEST(Streamline_tracer, goes_straight_in_the_plane)
+TEST(Streamline_tracer, is_straight_in_plane)
 {
   const Mesh mesh = mesh_of(square(24, 0.2));
   GP::Earth_movers_solver<Mesh> solver(mesh);
   const auto distance =
-      solver.compute(blob(mesh, {0.25, 0.3, 0.}, 0.06), blob(mesh, {0.75, 0.6, 0.}, 0.06),
+      solver.compute(gaussian(mesh, {0.25, 0.3, 0.}, 0.06), gaussian(mesh, {0.75, 0.6, 0.}, 0.06),
                      GP::parameters::do_normalize(true));
   const auto trace = solver.streamlines();
   std::vector<GP::Streamline<Mesh>> lines;
   trace(200, std::back_inserter(lines));
   ASSERT_EQ(lines.size(), 200u);
-  double sum = 0., bent = 0.;
+  double sum = 0., traced_length = 0.;
   for(const auto& line : lines)
   {
     expect_line(line);
     EXPECT_TRUE(line.has_arrived);
-    EXPECT_NEAR(line.length, length_between(line.points.front(), line.points.back()), rounding);
-    EXPECT_LE(line.front_distance, line.length + rounding);
+    EXPECT_NEAR(line.length, length_between(line.points.front(), line.points.back()), round_off);
+    EXPECT_LE(line.front_distance, line.length + round_off);
     sum += line.length / 200.;
   }
   // The assignment costs as much as the masses do: within 2 %.
   EXPECT_NEAR(sum, distance.value, 0.02 * distance.value);
 
   // As they are traced they have the same ends, and are a little longer: 1 % in the mean.
-  const auto trace_bent = solver.streamlines(GP::parameters::do_straighten(false));
-  std::vector<GP::Streamline<Mesh>> bent_lines;
-  trace_bent(200, std::back_inserter(bent_lines));
+  const auto trace_unshortened = solver.streamlines(GP::parameters::do_straighten(false));
+  std::vector<GP::Streamline<Mesh>> unshortened_lines;
+  trace_unshortened(200, std::back_inserter(unshortened_lines));
   for(std::size_t i = 0; i < lines.size(); ++i)
   {
-    expect_line(bent_lines[i]);
-    EXPECT_EQ(bent_lines[i].locations.back(), lines[i].locations.back());
-    EXPECT_GE(bent_lines[i].length, lines[i].length - rounding);
-    bent += bent_lines[i].length / 200.;
+    expect_line(unshortened_lines[i]);
+    EXPECT_EQ(unshortened_lines[i].locations.back(), lines[i].locations.back());
+    EXPECT_GE(unshortened_lines[i].length, lines[i].length - round_off);
+    traced_length += unshortened_lines[i].length / 200.;
   }
-  EXPECT_LE(bent, 1.01 * sum);
+  EXPECT_LE(traced_length, 1.01 * sum);
 }
 
 // On a sphere they are great circles, which are longer by less than 1 % than the chords of 2,562 vertices.
@@ -96,8 +96,8 @@ TEST(Streamline_tracer, follows_great_circles)
   const Mesh mesh = mesh_of(icosphere(4));
   GP::Earth_movers_solver<Mesh> solver(mesh);
   const Kernel::Point_3 p = mesh.point(Vertex(5)), q = mesh.point(Vertex(1200));
-  const auto distance =
-      solver.compute(blob(mesh, p, 0.15), blob(mesh, q, 0.15), GP::parameters::do_normalize(true));
+  const auto distance = solver.compute(gaussian(mesh, p, 0.15), gaussian(mesh, q, 0.15),
+                                       GP::parameters::do_normalize(true));
   std::vector<GP::Streamline<Mesh>> lines;
   solver.streamlines()(200, std::back_inserter(lines));
   double cost = 0.;
@@ -113,7 +113,7 @@ TEST(Streamline_tracer, follows_great_circles)
 }
 
 // Around a cylinder, unrolled: a seed goes to the point mass.
-TEST(Streamline_tracer, ends_at_points)
+TEST(Streamline_tracer, ends_at_point_masses)
 {
   const Mesh mesh = mesh_of(cylinder(36, 16, 1., 2.));
   GP::Earth_movers_solver<Mesh> solver(mesh);
@@ -127,7 +127,7 @@ TEST(Streamline_tracer, ends_at_points)
   GP::Geodesic_distance_solver<Mesh, GP::Exact> exact(mesh);
   exact.compute(from);
   EXPECT_NEAR(line.length, exact.distance(to), 0.01 * exact.distance(to));
-  EXPECT_GE(line.length, line.front_distance - rounding);
+  EXPECT_GE(line.length, line.front_distance - round_off);
   const auto end = trace.destination(from);
   EXPECT_EQ(GP::make_domain(mesh).point(GP::make_domain(mesh).inner(end)), mesh.point(to));
 
@@ -144,25 +144,26 @@ TEST(Streamline_tracer, ends_at_points)
   EXPECT_EQ(trace(from).points, line.points);
 }
 
-TEST(Streamline_tracer, leads_to_regions)
+TEST(Streamline_tracer, ends_in_region)
 {
   const Mesh mesh = mesh_of(square(16));
   const std::vector<Vertex> exits = {Vertex(0), Vertex(17 * 17 - 1)};
   GP::Region_transport_solver<Mesh> solver(mesh, exits);
-  const std::vector<Vertex> people = {Vertex(17 * 3 + 5), Vertex(17 * 12 + 9)};
-  solver.compute(people);
+  const std::vector<Vertex> starts = {Vertex(17 * 3 + 5), Vertex(17 * 12 + 9)};
+  solver.compute(starts);
   const auto trace = solver.streamlines();
   for(std::size_t i = 0; i < 2; ++i)
   {
-    const auto line = trace(people[i]);
+    const auto line = trace(starts[i]);
     EXPECT_TRUE(line.has_arrived);
     EXPECT_EQ(line.points.back(), mesh.point(exits[i]));
-    EXPECT_NEAR(line.length, length_between(mesh.point(people[i]), mesh.point(exits[i])), rounding);
+    EXPECT_NEAR(line.length, length_between(mesh.point(starts[i]), mesh.point(exits[i])),
+                round_off);
   }
 }
 
 // Where speeds differ, the quickest way is not straight.
-TEST(Streamline_tracer, keeps_bends_where_speeds_differ)
+TEST(Streamline_tracer, is_not_shortened_if_speeds_differ)
 {
   Mesh mesh = mesh_of(square(16));
   auto speed = mesh.add_property_map<Face, double>("f:speed", 1.).first;
@@ -179,7 +180,7 @@ TEST(Streamline_tracer, keeps_bends_where_speeds_differ)
   EXPECT_GE(highest, 0.5); // through what is quick
 }
 
-TEST(Streamline_tracer, takes_clouds)
+TEST(Streamline_tracer, works_on_clouds)
 {
   const Surfels surfels = sphere_surfels(4);
   using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
@@ -204,7 +205,7 @@ TEST(Streamline_tracer, takes_clouds)
   }
 }
 
-TEST(Streamline_tracer, follows_nothing_where_nothing_moves)
+TEST(Streamline_tracer, zero_flow_gives_trivial_lines)
 {
   const Mesh mesh = mesh_of(square(4));
   GP::Earth_movers_solver<Mesh> solver(mesh);
@@ -214,8 +215,8 @@ TEST(Streamline_tracer, follows_nothing_where_nothing_moves)
   EXPECT_EQ(trace(Vertex(3)).length, 0.);
   EXPECT_EQ(trace(Vertex(9)).length, 0.);
   EXPECT_THROW(trace(Vertex(99)), GP::Invalid_argument_error);
-  const auto none = boost::make_function_property_map<Vertex>([](Vertex) { return 0.; });
-  solver.compute(none, none);
+  const auto zero_masses = boost::make_function_property_map<Vertex>([](Vertex) { return 0.; });
+  solver.compute(zero_masses, zero_masses);
   std::vector<GP::Streamline<Mesh>> lines;
   solver.streamlines()(5, std::back_inserter(lines));
   EXPECT_TRUE(lines.empty());

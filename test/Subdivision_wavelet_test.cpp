@@ -9,7 +9,7 @@
 
 #include "Mesh_of.h"
 #include "openmesh.h"
-#include "subdivided.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -56,10 +56,11 @@ void expect_identity(const Triangulation& surface, double size)
       ASSERT_NEAR(get(points, numbered.vertices[i])[k], surface.points[i][k], 1e-12 * size);
 }
 
-TEST(Subdivision_wavelet, of_every_mesh_is_an_identity)
+TEST(Subdivision_wavelet, reconstructs_all_mesh_types)
 {
   for(const double scale : {1e-6, 1., 1e6})
-    for(Triangulation surface : {finest(icosphere(0), 3, onto_bumps), finest(square(3, 0.2), 2)})
+    for(Triangulation surface :
+        {finest(icosphere(0), 3, onto_bumpy_sphere), finest(square(3, 0.2), 2)})
     {
       for(Point& p : surface.points)
         for(double& x : p)
@@ -73,9 +74,9 @@ TEST(Subdivision_wavelet, of_every_mesh_is_an_identity)
     }
 }
 
-TEST(Subdivision_wavelet, knows_its_levels)
+TEST(Subdivision_wavelet, reports_levels)
 {
-  const Mesh mesh = mesh_of(finest(icosphere(0), 3, onto_bumps));
+  const Mesh mesh = mesh_of(finest(icosphere(0), 3, onto_bumpy_sphere));
   const GP::Subdivision_wavelet<Mesh> wavelet(mesh);
   ASSERT_EQ(wavelet.number_of_levels(), 3u);
   for(std::size_t j = 0; j <= 3; ++j) // 10 4^j + 2
@@ -94,48 +95,48 @@ TEST(Subdivision_wavelet, knows_its_levels)
 }
 
 // Numbers, colours and places, in any order of the vertices.
-TEST(Subdivision_wavelet, takes_values_of_any_kind)
+TEST(Subdivision_wavelet, supports_scalars_and_arrays)
 {
-  Triangulation surface = finest(icosphere(0), 2, onto_bumps);
-  std::vector<Index> number(surface.points.size());
-  std::iota(number.begin(), number.end(), 0u);
-  std::shuffle(number.begin(), number.end(), std::mt19937(1));
+  Triangulation surface = finest(icosphere(0), 2, onto_bumpy_sphere);
+  std::vector<Index> permutation(surface.points.size());
+  std::iota(permutation.begin(), permutation.end(), 0u);
+  std::shuffle(permutation.begin(), permutation.end(), std::mt19937(1));
   std::vector<Point> points(surface.points.size());
   for(std::size_t i = 0; i < points.size(); ++i)
-    points[number[i]] = surface.points[i];
+    points[permutation[i]] = surface.points[i];
   surface.points = points;
   for(Index& c : surface.corners)
-    c = number[c];
+    c = permutation[c];
   Mesh mesh = mesh_of(surface);
   const auto scalar = vertex_map<double>(mesh);
-  const auto colour = vertex_map<std::array<double, 4>>(mesh);
+  const auto color = vertex_map<std::array<double, 4>>(mesh);
   for(const Vertex v : mesh.vertices())
   {
     const auto p = mesh.point(v);
     scalar[v] = p.x() * p.y();
-    colour[v] = {p.x(), p.y() * p.z(), 1., scalar[v]};
+    color[v] = {p.x(), p.y() * p.z(), 1., scalar[v]};
   }
   const auto scalar_before = values(mesh, scalar);
   for(const auto prediction : {GP::Wavelet_prediction::linear, GP::Wavelet_prediction::butterfly})
-    for(const bool is_updating : {false, true})
+    for(const bool use_update : {false, true})
     {
       const GP::Subdivision_wavelet<Mesh> wavelet(
-          mesh, wavelet_prediction(prediction).do_update(is_updating));
-      const auto of_scalar = wavelet.analyze(scalar), of_colour = wavelet.analyze(colour);
-      EXPECT_EQ(of_colour.number_of_channels, 4u);
+          mesh, wavelet_prediction(prediction).do_update(use_update));
+      const auto scalar_details = wavelet.analyze(scalar), color_details = wavelet.analyze(color);
+      EXPECT_EQ(color_details.number_of_channels, 4u);
       for(std::size_t i = 0; i < wavelet.number_of_vertices(); ++i)
-        EXPECT_NEAR(of_colour.values[4 * i + 3], of_scalar.values[i], 1e-12);
+        EXPECT_NEAR(color_details.values[4 * i + 3], scalar_details.values[i], 1e-12);
       for(const Vertex v : mesh.vertices())
         scalar[v] = 0.;
-      wavelet.synthesize(of_scalar, scalar);
+      wavelet.synthesize(scalar_details, scalar);
       for(const Vertex v : mesh.vertices())
         EXPECT_NEAR(scalar[v], scalar_before[std::size_t(v)], 1e-12);
-      EXPECT_THROW(wavelet.synthesize(of_colour, scalar), GP::Invalid_argument_error);
+      EXPECT_THROW(wavelet.synthesize(color_details, scalar), GP::Invalid_argument_error);
       EXPECT_THROW(wavelet.analyze(scalar, do_use_frames(true)), GP::Invalid_argument_error);
     }
 }
 
-TEST(Subdivision_wavelet, keeps_the_mean_with_updates)
+TEST(Subdivision_wavelet, updates_preserve_mean)
 {
   // A closed surface without corners of odd shapes: the regular torus, where every vertex weighs alike.
   const std::size_t n = 6;
@@ -160,9 +161,9 @@ TEST(Subdivision_wavelet, keeps_the_mean_with_updates)
   EXPECT_NEAR(coarse, fine, 1e-12 * 36.);
 }
 
-TEST(Subdivision_wavelet, fewer_details_are_a_larger_error)
+TEST(Subdivision_wavelet, error_decreases_with_number_of_details)
 {
-  Mesh mesh = mesh_of(finest(icosphere(0), 4, onto_bumps));
+  Mesh mesh = mesh_of(finest(icosphere(0), 4, onto_bumpy_sphere));
   const GP::Subdivision_wavelet<Mesh> wavelet(mesh);
   const auto details = wavelet.analyze(mesh.points(), do_use_frames(true));
   std::vector<Point> before;
@@ -184,7 +185,7 @@ TEST(Subdivision_wavelet, fewer_details_are_a_larger_error)
   EXPECT_LT(last, 0.3); // what an icosahedron misses of a sphere with bumps
 }
 
-TEST(Subdivision_wavelet, says_what_is_wrong)
+TEST(Subdivision_wavelet, throws_on_invalid_input)
 {
   using Wavelet = GP::Subdivision_wavelet<Mesh>;
   EXPECT_THROW(Wavelet(mesh_of(icosphere(0))), GP::Unsupported_surface_error);
@@ -211,9 +212,9 @@ TEST(Subdivision_wavelet, says_what_is_wrong)
   EXPECT_THROW(wavelet.analyze(mesh.points()), GP::Invalid_argument_error);
 }
 
-TEST(Subdivision_wavelet, bears_pieces_and_isolated_vertices)
+TEST(Subdivision_wavelet, supports_components_and_isolated_vertices)
 {
-  Triangulation surface = finest(icosphere(0), 2, onto_bumps);
+  Triangulation surface = finest(icosphere(0), 2, onto_bumpy_sphere);
   const Index n = Index(surface.points.size());
   const Triangulation other = finest(one_triangle(), 3);
   surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());
@@ -230,9 +231,10 @@ TEST(Subdivision_wavelet, bears_pieces_and_isolated_vertices)
   ASSERT_EQ(decoded.number_of_vertices(), mesh.number_of_vertices());
   for(std::size_t i = 0; i < wavelet.number_of_vertices(); ++i)
   {
-    const auto gap = decoded.point(Vertex(Mesh::size_type(i))) - mesh.point(wavelet.vertex(i));
+    const auto difference =
+        decoded.point(Vertex(Mesh::size_type(i))) - mesh.point(wavelet.vertex(i));
     // 24 planes of numbers below 16 times 7.
-    EXPECT_LT(std::sqrt(gap.squared_length()), 112. * std::ldexp(1., -20));
+    EXPECT_LT(std::sqrt(difference.squared_length()), 112. * std::ldexp(1., -20));
   }
 }
 

@@ -57,13 +57,13 @@ void expect_paths(const Triangulation& shape, double scale)
   }
 }
 
-TEST(Surface_path, is_what_it_says_at_any_scale)
+TEST(Surface_path, is_consistent_at_any_scale)
 {
   for(const double scale : {1., 1e-8, 1e8})
-    expect_paths(shaken(icosphere(3), 0.02), scale);
+    expect_paths(jittered(icosphere(3), 0.02), scale);
 }
 
-TEST(Surface_path, is_exact_in_a_plane)
+TEST(Surface_path, is_straight_in_plane)
 {
   const Triangulation plane = square(12, 0.2);
   Numbered<Surface_mesh> mesh;
@@ -76,7 +76,7 @@ TEST(Surface_path, is_exact_in_a_plane)
 TEST(Surface_path, is_empty_between_components)
 {
   Numbered<Surface_mesh> mesh;
-  fill(mesh, apart(tetrahedron(), square(2)));
+  fill(mesh, disjoint_union(tetrahedron(), square(2)));
   const auto path = geodesic_path(mesh.mesh, mesh.vertices[6], mesh.vertices[0]);
   EXPECT_TRUE(path.empty());
   EXPECT_EQ(path.length, 0.);

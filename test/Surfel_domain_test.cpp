@@ -29,32 +29,32 @@ Point_set point_set_of(const Surfels& surfels)
   return result;
 }
 
-TEST(Surfel_domain, is_the_range)
+TEST(Surfel_domain, represents_range)
 {
   const Surfels surfels = sphere_surfels(3);
   const GP::Surfel_domain<Surfels> domain(surfels, maps);
-  ASSERT_EQ(domain.number_of_sites(), surfels.size());
+  ASSERT_EQ(domain.number_of_vertices(), surfels.size());
   for(std::size_t i = 0; i < surfels.size(); ++i)
   {
-    EXPECT_EQ(domain.site(domain.index(i)), i);
-    EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_site(i)), surfels[i].first),
+    EXPECT_EQ(domain.vertex(domain.index(i)), i);
+    EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_vertex(i)), surfels[i].first),
               1e-28); // roundings of coordinates near 1, squared
   }
 }
 
-TEST(Surfel_domain, is_the_point_set)
+TEST(Surfel_domain, represents_point_set)
 {
   const Surfels surfels = sphere_surfels(3);
   Point_set points = point_set_of(surfels);
   const GP::Surfel_domain<Point_set> domain(points);
-  ASSERT_EQ(domain.number_of_sites(), surfels.size());
+  ASSERT_EQ(domain.number_of_vertices(), surfels.size());
   EXPECT_EQ(domain.triangles()->length,
             GP::Surfel_domain<Surfels>(surfels, maps).triangles()->length);
   auto map = points.add_property_map<double>("value").first;
   domain.write([](GP::internal::Index i) { return 2. * i; }, map);
   for(const auto& index : points)
   {
-    EXPECT_EQ(domain.site(domain.index(index)), index);
+    EXPECT_EQ(domain.vertex(domain.index(index)), index);
     EXPECT_EQ(map[index], 2. * domain.index(index));
   }
 }
@@ -66,18 +66,18 @@ TEST(Surfel_domain, skips_removed_points)
     points.remove(points.begin() + i);
   ASSERT_TRUE(points.has_garbage());
   const GP::Surfel_domain<Point_set> domain(points);
-  EXPECT_EQ(domain.number_of_sites(), points.size());
+  EXPECT_EQ(domain.number_of_vertices(), points.size());
   for(const auto& index : points)
   {
-    EXPECT_EQ(domain.site(domain.index(index)), index);
-    EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_site(index)), points.point(index)),
+    EXPECT_EQ(domain.vertex(domain.index(index)), index);
+    EXPECT_LT(CGAL::squared_distance(domain.point(domain.inner_vertex(index)), points.point(index)),
               1e-28);
   }
   for(auto removed = points.garbage_begin(); removed != points.garbage_end(); ++removed)
-    EXPECT_THROW(domain.inner_site(*removed), GP::Invalid_argument_error);
+    EXPECT_THROW(domain.inner_vertex(*removed), GP::Invalid_argument_error);
 }
 
-TEST(Surfel_domain, reads_the_maps_that_it_is_given)
+TEST(Surfel_domain, reads_named_property_maps)
 {
   // Points and normals apart, of an exact kernel, with radii that join nothing.
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -95,13 +95,13 @@ TEST(Surfel_domain, reads_the_maps_that_it_is_given)
                       .normal_map(CGAL::make_property_map(normals));
   const GP::Surfel_domain<std::vector<std::size_t>> domain(range, np),
       apart(range, np.radius_map(CGAL::make_property_map(radii)));
-  EXPECT_EQ(domain.number_of_sites(), 900u);
+  EXPECT_EQ(domain.number_of_vertices(), 900u);
   EXPECT_GT(domain.triangles()->number_of_triangles(), 1600u);
   EXPECT_EQ(apart.triangles()->number_of_triangles(), 0u);
   EXPECT_TRUE(apart.triangles()->graph.target.empty());
 }
 
-TEST(Surfel_domain, keeps_locations)
+TEST(Surfel_domain, locations_round_trip)
 {
   const Surfels surfels = flat_surfels(2000);
   const GP::Surfel_domain<Surfels> domain(surfels, maps);
@@ -122,7 +122,7 @@ TEST(Surfel_domain, keeps_locations)
   }
 }
 
-TEST(Surfel_domain, gives_the_same_for_any_number_of_threads)
+TEST(Surfel_domain, result_is_independent_of_threads)
 {
   const Surfels surfels = sphere_surfels(4);
   const auto one = GP::Surfel_domain<Surfels>(surfels, maps).triangles(),
@@ -138,22 +138,22 @@ std::size_t bytes_of(const std::vector<T>& values)
   return values.capacity() * sizeof(T);
 }
 
-TEST(Surfel_domain, takes_some_hundred_bytes_per_surfel)
+TEST(Surfel_domain, uses_at_most_700_bytes_per_surfel)
 {
   const Surfels surfels = sphere_surfels(5);
   const GP::Surfel_domain<Surfels> domain(surfels, maps);
   const auto& t = *domain.triangles();
   const auto& s = domain.surfels();
   const std::size_t bytes =
-      bytes_of(t.corner) + bytes_of(t.twin) + bytes_of(t.length) + bytes_of(t.first) +
-      bytes_of(t.star) + bytes_of(t.weight) + bytes_of(t.graph.first) + bytes_of(t.graph.target) +
+      bytes_of(t.corner) + bytes_of(t.twin) + bytes_of(t.length) + bytes_of(t.ring_begin) +
+      bytes_of(t.ring) + bytes_of(t.weight) + bytes_of(t.graph.begin) + bytes_of(t.graph.target) +
       bytes_of(t.graph.length) + bytes_of(t.point) + bytes_of(t.normal) + bytes_of(s.radius) +
-      bytes_of(s.site_of_surfel) + bytes_of(s.surfel_of_site);
+      bytes_of(s.internal_vertex) + bytes_of(s.caller_vertex);
   // What its documentation says, with the tree of points and indices.
   EXPECT_LE(bytes, 700 * surfels.size());
 }
 
-TEST(Surfel_domain, refuses_what_cannot_be_used)
+TEST(Surfel_domain, throws_on_invalid_input)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Point_set without_normals;
@@ -176,15 +176,15 @@ TEST(Surfel_domain, refuses_what_cannot_be_used)
                  GP::Invalid_argument_error);
   }
   const auto domain = domain_of(surfels);
-  EXPECT_THROW(domain.inner_site(20), GP::Invalid_argument_error);
+  EXPECT_THROW(domain.inner_vertex(20), GP::Invalid_argument_error);
   EXPECT_THROW(domain.inner({20, {0., 0.}}), GP::Invalid_argument_error);
   EXPECT_THROW(domain.inner({3, {nan, 0.}}), GP::Invalid_argument_error);
 }
 
-TEST(Surfel_domain, takes_an_empty_cloud_and_single_surfels)
+TEST(Surfel_domain, accepts_empty_cloud_and_single_surfels)
 {
-  EXPECT_EQ(GP::Surfel_domain<Surfels>(Surfels(), maps).number_of_sites(), 0u);
-  EXPECT_EQ(GP::Surfel_domain<Surfels>(flat_surfels(1), maps).number_of_sites(), 1u);
+  EXPECT_EQ(GP::Surfel_domain<Surfels>(Surfels(), maps).number_of_vertices(), 0u);
+  EXPECT_EQ(GP::Surfel_domain<Surfels>(flat_surfels(1), maps).number_of_vertices(), 1u);
 }
 
 } // namespace

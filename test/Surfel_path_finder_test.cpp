@@ -33,17 +33,17 @@ double great_circle(const Kernel::Point_3& p, const Kernel::Point_3& q)
   return 2. * std::asin(std::min(1., 0.5 * std::sqrt(CGAL::squared_distance(p, q))));
 }
 
-TEST(Surfel_path_finder, finds_great_circles_in_a_range)
+TEST(Surfel_path_finder, finds_great_circles)
 {
   const Surfels surfels = sphere_surfels(3);
-  GP::Surfel_path_finder<Surfels> find(surfels, maps);
-  EXPECT_EQ(find.number_of_surfels(), surfels.size());
-  EXPECT_EQ(find.number_of_components(), 1u);
+  GP::Surfel_path_finder<Surfels> finder(surfels, maps);
+  EXPECT_EQ(finder.number_of_surfels(), surfels.size());
+  EXPECT_EQ(finder.number_of_components(), 1u);
   for(std::size_t to = 1; to < surfels.size(); to += 37)
   {
-    const auto path = find(std::size_t(0), to);
-    const double truth = great_circle(surfels[0].first, surfels[to].first);
-    EXPECT_NEAR(path.front_distance, truth, 1e-8); // fourth order in steps of a hundredth
+    const auto path = finder(std::size_t(0), to);
+    const double expected = great_circle(surfels[0].first, surfels[to].first);
+    EXPECT_NEAR(path.front_distance, expected, 1e-8); // fourth order in steps of a hundredth
     EXPECT_LE(path.length, path.front_distance * (1. + 1e-12));
     EXPECT_LE(path.front_distance, path.start_length * (1. + 1e-12));
     ASSERT_EQ(path.points.size(), path.locations.size());
@@ -57,105 +57,109 @@ TEST(Surfel_path_finder, finds_great_circles_in_a_range)
   }
 }
 
-TEST(Surfel_path_finder, names_the_nearest_surfel_of_each_point)
+TEST(Surfel_path_finder, locations_refer_to_nearest_surfels)
 {
   const Surfels surfels = sphere_surfels(3);
-  GP::Surfel_path_finder<Surfels> find(surfels, maps);
-  const auto path = find(std::size_t(3), std::size_t(500));
+  GP::Surfel_path_finder<Surfels> finder(surfels, maps);
+  const auto path = finder(std::size_t(3), std::size_t(500));
   for(std::size_t i = 0; i < path.points.size(); ++i)
   {
     const auto& [surfel, offset] = path.locations[i];
-    const auto& [centre, normal] = surfels[surfel];
-    double least = std::numeric_limits<double>::infinity();
-    for(const auto& [other, ignored] : surfels)
-      least = std::min(least, CGAL::squared_distance(other, path.points[i]));
+    const auto& [center, normal] = surfels[surfel];
+    double min_squared_distance = std::numeric_limits<double>::infinity();
+    for(const auto& [other, other_normal] : surfels)
+      min_squared_distance =
+          std::min(min_squared_distance, CGAL::squared_distance(other, path.points[i]));
     // Two may be equally near.
-    EXPECT_LE(CGAL::squared_distance(centre, path.points[i]), least * (1. + 1e-9));
+    EXPECT_LE(CGAL::squared_distance(center, path.points[i]), min_squared_distance * (1. + 1e-9));
     // The offsets are the way along the surfel's plane.
-    const double along = offset[0] * offset[0] + offset[1] * offset[1];
-    const double across = (path.points[i] - centre) * normal / std::sqrt(normal.squared_length());
-    EXPECT_NEAR(along + across * across, CGAL::squared_distance(centre, path.points[i]), 1e-14);
+    const double tangential_square = offset[0] * offset[0] + offset[1] * offset[1];
+    const double normal_component =
+        (path.points[i] - center) * normal / std::sqrt(normal.squared_length());
+    EXPECT_NEAR(tangential_square + normal_component * normal_component,
+                CGAL::squared_distance(center, path.points[i]), 1e-14);
   }
 }
 
-TEST(Surfel_path_finder, takes_point_sets)
+TEST(Surfel_path_finder, accepts_point_sets)
 {
   const Surfels surfels = sphere_surfels(2);
   Point_set points(true);
   for(const auto& [p, n] : surfels)
     points.insert({p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()});
   points.remove(points.begin() + 5);
-  GP::Surfel_path_finder<Point_set> find(points);
-  const auto path = find(*points.begin(), *(points.begin() + 17));
+  GP::Surfel_path_finder<Point_set> finder(points);
+  const auto path = finder(*points.begin(), *(points.begin() + 17));
   EXPECT_EQ(path.locations.back().surfel, *(points.begin() + 17));
   EXPECT_EQ(path.points.back(), points.point(*(points.begin() + 17)));
-  EXPECT_THROW(find(*points.begin(), Point_set::Index(1u << 20)), GP::Invalid_argument_error);
+  EXPECT_THROW(finder(*points.begin(), Point_set::Index(1u << 20)), GP::Invalid_argument_error);
 }
 
-TEST(Surfel_path_finder, joins_locations)
+TEST(Surfel_path_finder, connects_locations)
 {
   const Surfels surfels = flat_surfels(2000);
-  GP::Surfel_path_finder<Surfels> find(surfels, maps);
+  GP::Surfel_path_finder<Surfels> finder(surfels, maps);
   using Location = GP::Surfel_path_finder<Surfels>::Location;
   const auto& p = surfels[1].first;
   const auto& q = surfels[2].first;
   // Normals are those of the plane, whose tangents have an origin and two axes.
-  const auto path = find(Location{1, {0.003, 0.}}, Location{2, {0., 0.004}});
+  const auto path = finder(Location{1, {0.003, 0.}}, Location{2, {0., 0.004}});
   const double direct = std::sqrt(CGAL::squared_distance(p, q));
   EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.front(), p)), 0.003, 1e-12);
   EXPECT_NEAR(std::sqrt(CGAL::squared_distance(path.points.back(), q)), 0.004, 1e-12);
   EXPECT_NEAR(path.front_distance,
               std::sqrt(CGAL::squared_distance(path.points.front(), path.points.back())), 1e-9);
   EXPECT_NEAR(path.front_distance, direct, 0.007 * (1. + 1e-12));
-  EXPECT_THROW(find(Location{1, {std::nan(""), 0.}}, Location{2, {0., 0.}}),
+  EXPECT_THROW(finder(Location{1, {std::nan(""), 0.}}, Location{2, {0., 0.}}),
                GP::Invalid_argument_error);
 }
 
 TEST(Surfel_path_finder, locates_points)
 {
   const Surfels surfels = flat_surfels(2000);
-  GP::Surfel_path_finder<Surfels> find(surfels, maps);
+  GP::Surfel_path_finder<Surfels> finder(surfels, maps);
   const Kernel::Point_3 from(0.21, 0.34, 0.), to(0.81, 0.72, 0.);
-  const auto path = find(find.locate(from), find.locate(to));
+  const auto path = finder(finder.locate(from), finder.locate(to));
   EXPECT_LT(CGAL::squared_distance(path.points.front(), from), 1e-24);
   EXPECT_LT(CGAL::squared_distance(path.points.back(), to), 1e-24);
-  const auto above = find.locate(surfels[7].first + Kernel::Vector_3(0., 0., 3.));
+  const auto above = finder.locate(surfels[7].first + Kernel::Vector_3(0., 0., 3.));
   EXPECT_EQ(above.surfel, 7u);
   EXPECT_NEAR(std::hypot(above.offset[0], above.offset[1]), 0., 1e-12);
-  EXPECT_THROW(find.locate(Kernel::Point_3(std::nan(""), 0., 0.)), GP::Invalid_argument_error);
-  const Surfels nothing;
-  GP::Surfel_path_finder<Surfels> nowhere(nothing, maps);
-  EXPECT_THROW(nowhere.locate(from), GP::Invalid_argument_error);
+  EXPECT_THROW(finder.locate(Kernel::Point_3(std::nan(""), 0., 0.)), GP::Invalid_argument_error);
+  const Surfels no_surfels;
+  GP::Surfel_path_finder<Surfels> empty_finder(no_surfels, maps);
+  EXPECT_THROW(empty_finder.locate(from), GP::Invalid_argument_error);
 }
 
-TEST(Surfel_path_finder, finds_like_paths_by_all_methods)
+TEST(Surfel_path_finder, agrees_between_methods)
 {
   const Surfels surfels = sphere_surfels(4);
-  const double truth = great_circle(surfels[0].first, surfels[1000].first);
+  const double expected = great_circle(surfels[0].first, surfels[1000].first);
   for(const auto method :
       {GP::Surfel_path_method::projected_quadrics, GP::Surfel_path_method::projected_spheres,
        GP::Surfel_path_method::projected_planes, GP::Surfel_path_method::spheres,
        GP::Surfel_path_method::robust_spheres, GP::Surfel_path_method::planes,
        GP::Surfel_path_method::disks})
   {
-    GP::Surfel_path_finder<Surfels> find(surfels, maps.surfel_path_method(method)
-                                                      .node_weight(0.7)
-                                                      .segment_weight(0.7)
-                                                      .number_of_control_points(60));
+    GP::Surfel_path_finder<Surfels> finder(surfels, maps.surfel_path_method(method)
+                                                        .node_weight(0.7)
+                                                        .segment_weight(0.7)
+                                                        .number_of_control_points(60));
     // A disk's middle touches the sphere, 2500 of which are of a radius of 0.06: 0.1 % of the radius.
-    EXPECT_NEAR(find(std::size_t(0), std::size_t(1000)).front_distance, truth, 4e-3 * truth);
+    EXPECT_NEAR(finder(std::size_t(0), std::size_t(1000)).front_distance, expected,
+                4e-3 * expected);
   }
 }
 
-TEST(Surfel_path_finder, finds_the_same_from_all_searches)
+TEST(Surfel_path_finder, agrees_between_search_methods)
 {
   const Surfels surfels = flat_surfels(1000);
   double expected = 0.;
   for(const auto search : {GP::Surfel_search::dijkstra, GP::Surfel_search::bidirectional,
                            GP::Surfel_search::a_star, GP::Surfel_search::coarse_to_fine})
   {
-    GP::Surfel_path_finder<Surfels> find(surfels, maps.surfel_search(search));
-    const double found = find(std::size_t(0), std::size_t(700)).front_distance;
+    GP::Surfel_path_finder<Surfels> finder(surfels, maps.surfel_search(search));
+    const double found = finder(std::size_t(0), std::size_t(700)).front_distance;
     if(expected == 0.)
       expected = found;
     EXPECT_EQ(found, expected);
@@ -183,42 +187,44 @@ Point_set scan(const std::string& name)
 // Checks random paths, and calls visit(path): no point of them may be farther from the nearest surfel than
 // the 95th percentile of the spacing there.
 template <typename Visit>
-void expect_near_surfels(const Point_set& points, int number, const Visit& visit)
+void expect_path_points_near_surfels(const Point_set& points, int number_of_paths,
+                                     const Visit& visit)
 {
-  std::vector<GP::internal::Spatial> place;
+  std::vector<GP::internal::Vec3> points_of_cloud;
   std::vector<GP::internal::Index> order;
   for(const auto& index : points)
-    place.push_back({points.point(index).x(), points.point(index).y(), points.point(index).z()});
-  const GP::internal::Kd_tree tree(place, order);
-  std::vector<GP::internal::Kd_tree::Neighbor> near;
+    points_of_cloud.push_back(
+        {points.point(index).x(), points.point(index).y(), points.point(index).z()});
+  const GP::internal::Kd_tree tree(points_of_cloud, order);
+  std::vector<GP::internal::Kd_tree::Neighbor> neighbors;
   // As far as the sixth neighbour, as many as a surfel of an even cloud has.
   std::vector<double> spacing;
-  for(const auto& p : place)
+  for(const auto& p : points_of_cloud)
   {
-    tree.nearest(place, p, 7, near);
-    spacing.push_back(std::sqrt(near.back().squared_distance));
+    tree.nearest(points_of_cloud, p, 7, neighbors);
+    spacing.push_back(std::sqrt(neighbors.back().squared_distance));
   }
-  GP::Surfel_path_finder<Point_set> find(points, GP::parameters::threads(2));
+  GP::Surfel_path_finder<Point_set> finder(points, GP::parameters::threads(2));
   std::mt19937 random(1);
-  for(int i = 0; i < number; ++i)
+  for(int i = 0; i < number_of_paths; ++i)
   {
-    const auto path = find(*(points.begin() + random() % points.size()),
-                           *(points.begin() + random() % points.size()));
+    const auto path = finder(*(points.begin() + random() % points.size()),
+                             *(points.begin() + random() % points.size()));
     EXPECT_LE(path.front_distance, path.start_length * (1. + 1e-12));
     for(const auto& p : path.points)
     {
-      tree.nearest(place, {p.x(), p.y(), p.z()}, 60, near);
-      std::vector<double> there;
-      for(const auto& neighbor : near)
-        there.push_back(spacing[neighbor.point]);
-      std::nth_element(there.begin(), there.begin() + 57, there.end());
-      EXPECT_LE(std::sqrt(near.front().squared_distance), there[57]);
+      tree.nearest(points_of_cloud, {p.x(), p.y(), p.z()}, 60, neighbors);
+      std::vector<double> spacings;
+      for(const auto& neighbor : neighbors)
+        spacings.push_back(spacing[neighbor.point]);
+      std::nth_element(spacings.begin(), spacings.begin() + 57, spacings.end());
+      EXPECT_LE(std::sqrt(neighbors.front().squared_distance), spacings[57]);
     }
     visit(path);
   }
 }
 
-TEST(Surfel_path_finder, stays_on_the_surfels_of_scans)
+TEST(Surfel_path_finder, stays_near_surfels_of_scans)
 {
   for(const std::string name :
       {"bunny_scan_bun000_40k.ply", "ball_31k.ply", "kitten_normals_5k.xyz"})
@@ -227,21 +233,21 @@ TEST(Surfel_path_finder, stays_on_the_surfels_of_scans)
     const Point_set points = scan(name);
     if(points.empty())
       GTEST_SKIP() << no_models;
-    expect_near_surfels(points, 25,
-                        [&](const auto& path)
-                        {
-                          // From one surfel to the next the surface turns, but not to its other side.
-                          for(std::size_t k = 1; k < path.points.size(); ++k)
-                          {
-                            EXPECT_GT(points.normal(path.locations[k - 1].surfel) *
-                                          points.normal(path.locations[k].surfel),
-                                      0.);
-                          }
-                        });
+    expect_path_points_near_surfels(points, 25,
+                                    [&](const auto& path)
+                                    {
+                                      // From one surfel to the next the surface turns, but not to its other side.
+                                      for(std::size_t k = 1; k < path.points.size(); ++k)
+                                      {
+                                        EXPECT_GT(points.normal(path.locations[k - 1].surfel) *
+                                                      points.normal(path.locations[k].surfel),
+                                                  0.);
+                                      }
+                                    });
   }
 }
 
-TEST(Surfel_path_finder, stays_near_the_surfels_of_uneven_scans)
+TEST(Surfel_path_finder, stays_near_surfels_of_uneven_scans)
 {
   // From the air and of a quarry, with much noise, from one place with densities in the ratio of hundreds,
   // and with holes.
@@ -252,48 +258,48 @@ TEST(Surfel_path_finder, stays_near_the_surfels_of_uneven_scans)
     const Point_set points = scan(name);
     if(points.empty())
       GTEST_SKIP() << no_models;
-    expect_near_surfels(points, 20, [](const auto&) {});
+    expect_path_points_near_surfels(points, 20, [](const auto&) {});
   }
 }
 
-TEST(Surfel_path_finder, finds_great_circles_below_much_noise)
+TEST(Surfel_path_finder, is_robust_to_strong_noise)
 {
   // Points off a unit sphere by 1.7 times their spacing, and normals by 18 degrees in the median.
   const Point_set points = scan("sphere_21k_normals.ply");
   if(points.empty())
     GTEST_SKIP() << no_models;
-  GP::Surfel_path_finder<Point_set> find(points);
-  EXPECT_GT(find.noise(), 0.5);
+  GP::Surfel_path_finder<Point_set> finder(points);
+  EXPECT_GT(finder.noise(), 0.5);
   std::mt19937 random(1);
   double sum = 0.;
-  constexpr int number = 30;
-  for(int i = 0; i < number; ++i)
+  constexpr int number_of_paths = 30;
+  for(int i = 0; i < number_of_paths; ++i)
   {
     const auto from = *(points.begin() + random() % points.size()),
                to = *(points.begin() + random() % points.size());
     const auto direction = [&](const auto& surfel)
     {
-      const auto v = find.point(surfel) - CGAL::ORIGIN;
+      const auto v = finder.point(surfel) - CGAL::ORIGIN;
       return v / std::sqrt(v.squared_length());
     };
-    const double truth = std::acos(direction(from) * direction(to));
-    sum += std::pow(find(from, to).front_distance / truth - 1., 2);
+    const double expected = std::acos(direction(from) * direction(to));
+    sum += std::pow(finder(from, to).front_distance / expected - 1., 2);
   }
   // The ends are off by 0.005 of the radius, of distances of 1.6 in the mean, but 0.4 for some.
-  EXPECT_LT(std::sqrt(sum / number), 0.01);
+  EXPECT_LT(std::sqrt(sum / number_of_paths), 0.01);
 }
 
-TEST(Surfel_path_finder, shares_what_is_prepared)
+TEST(Surfel_path_finder, copies_share_fitted_cloud)
 {
   const Surfels surfels = sphere_surfels(2);
-  GP::Surfel_path_finder<Surfels> find(
+  GP::Surfel_path_finder<Surfels> finder(
       surfels,
       maps.surfel_graph(GP::Surfel_graph::nearest).threads(2).surfel_noise(GP::Surfel_noise::kept));
-  auto copy = find;
-  EXPECT_EQ(&copy.kernel().prepared()->cloud(), &find.kernel().prepared()->cloud());
+  auto copy = finder;
+  EXPECT_EQ(&copy.kernel().fitted_cloud()->cloud(), &finder.kernel().fitted_cloud()->cloud());
   EXPECT_EQ(copy(std::size_t(1), std::size_t(90)).length,
-            find(std::size_t(1), std::size_t(90)).length);
-  EXPECT_EQ(find.noise(), 0.);
+            finder(std::size_t(1), std::size_t(90)).length);
+  EXPECT_EQ(finder.noise(), 0.);
 }
 
 } // namespace

@@ -23,13 +23,13 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
 // Of the bounds, by default.
-constexpr double gap = 0.01;
+constexpr double relative_gap = 0.01;
 const double pi = std::acos(-1.);
 
 // The unit square in 12 by 12 cells: vertex 13 * row + column.
 Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
 
-TEST(Transport_barycenter_solver, finds_the_middle_of_two_points)
+TEST(Transport_barycenter_solver, finds_midpoint_of_two_points)
 {
   const Mesh mesh = mesh_of(square(12));
   GP::Transport_barycenter_solver<Mesh> solver(mesh);
@@ -37,7 +37,7 @@ TEST(Transport_barycenter_solver, finds_the_middle_of_two_points)
   const GP::Transport_barycenter_cost cost = solver.compute(points);
   const double exact = 0.5 * (std::pow(8. / 12., 2) + std::pow(6. / 12., 2)); // d^2 / 2
   EXPECT_TRUE(cost.converged);
-  EXPECT_GE(cost.lower, (1. - gap) * cost.upper);
+  EXPECT_GE(cost.lower, (1. - relative_gap) * cost.upper);
   EXPECT_LE(cost.lower, exact * (1. + 1e-9));
   EXPECT_GE(cost.upper, exact * (1. - 1e-9));
   EXPECT_EQ(cost.value, 0.5 * (cost.lower + cost.upper));
@@ -53,14 +53,14 @@ TEST(Transport_barycenter_solver, finds_the_middle_of_two_points)
   // A weight w of the other costs w / (1 + w) d^2, at that part of the way.
   const auto cost_for = [&](const auto& weights)
   { return solver.compute(points, GP::parameters::weights(weights)); };
-  const GP::Transport_barycenter_cost pulled = cost_for(std::vector<double>{1., 3.});
-  EXPECT_LE(pulled.lower, 0.75 * 2. * exact * (1. + 1e-9));
-  EXPECT_GE(pulled.upper, 0.75 * 2. * exact * (1. - 1e-9));
+  const GP::Transport_barycenter_cost weighted = cost_for(std::vector<double>{1., 3.});
+  EXPECT_LE(weighted.lower, 0.75 * 2. * exact * (1. + 1e-9));
+  EXPECT_GE(weighted.upper, 0.75 * 2. * exact * (1. - 1e-9));
   EXPECT_EQ(cost_for(std::array<int, 2>{0, 5}).value, 0.);
   EXPECT_NEAR(solver.mass(points[1]), 1., 1e-9);
 }
 
-TEST(Transport_barycenter_solver, takes_masses_of_all_kinds)
+TEST(Transport_barycenter_solver, accepts_all_kinds_of_masses)
 {
   Mesh mesh = mesh_of(square(12, 0.2));
   GP::Transport_barycenter_solver<Mesh> solver(mesh, GP::parameters::number_of_refinements(0u));
@@ -91,9 +91,9 @@ TEST(Transport_barycenter_solver, takes_masses_of_all_kinds)
   }
   EXPECT_NEAR(sum, 3., 1e-9); // the square has an area of one
   // A location in a face is a mass at its corners.
-  const std::vector<std::pair<Face, std::array<double, 3>>> places = {
+  const std::vector<std::pair<Face, std::array<double, 3>>> locations = {
       location_of(0, {0.2, 0.3, 0.5}), location_of(100, {1., 0., 0.})};
-  EXPECT_TRUE(solver.compute(places).converged);
+  EXPECT_TRUE(solver.compute(locations).converged);
 }
 
 // The cost of three points on any mesh, of any size.
@@ -108,7 +108,7 @@ double cost_on_sphere(double scale = 1.)
   return solver.compute(points).value;
 }
 
-TEST(Transport_barycenter_solver, takes_all_meshes_and_scales)
+TEST(Transport_barycenter_solver, accepts_all_meshes_and_scales)
 {
   const double value = cost_on_sphere<Mesh>();
   EXPECT_EQ(cost_on_sphere<CGAL::Polyhedron_3<Kernel>>(), value);
@@ -119,9 +119,9 @@ TEST(Transport_barycenter_solver, takes_all_meshes_and_scales)
     EXPECT_NEAR(cost_on_sphere<Mesh>(scale), scale * scale * value, 1e-6 * scale * scale);
 }
 
-TEST(Transport_barycenter_solver, loses_less_when_refined)
+TEST(Transport_barycenter_solver, error_decreases_under_refinement)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(2), 0.05));
+  const Mesh mesh = mesh_of(jittered(icosphere(2), 0.05));
   const std::vector<Vertex> points = {Vertex(0), Vertex(101)};
   const auto value = [&](unsigned refinements)
   {
@@ -142,7 +142,7 @@ TEST(Transport_barycenter_solver, loses_less_when_refined)
   EXPECT_NEAR(value(1), exact, 0.01 * exact);
 }
 
-TEST(Transport_barycenter_solver, takes_clouds)
+TEST(Transport_barycenter_solver, works_on_clouds)
 {
   const Surfels surfels = sphere_surfels(4);
   CGAL::Point_set_3<Kernel::Point_3> cloud(true);
@@ -156,7 +156,7 @@ TEST(Transport_barycenter_solver, takes_clouds)
   const auto p = cloud.point(Index(0)), q = cloud.point(Index(700));
   const double d = std::acos((p - CGAL::ORIGIN) * (q - CGAL::ORIGIN));
   // Each distance is short by up to half a percent there, its square by up to one.
-  EXPECT_NEAR(cost.value, 0.5 * d * d, 0.5 * d * d * (0.5 * gap + 0.01));
+  EXPECT_NEAR(cost.value, 0.5 * d * d, 0.5 * d * d * (0.5 * relative_gap + 0.01));
   double sum = 0.;
   for(const Index& i : cloud)
     sum += solver.mass(i);
@@ -164,7 +164,7 @@ TEST(Transport_barycenter_solver, takes_clouds)
 }
 
 // Twice as fast is half as far, and a wall is gone around.
-TEST(Transport_barycenter_solver, takes_speeds)
+TEST(Transport_barycenter_solver, respects_speeds)
 {
   Mesh mesh = mesh_of(square(12));
   const std::vector<Vertex> points = {at(2, 6), at(10, 6)};
@@ -176,7 +176,7 @@ TEST(Transport_barycenter_solver, takes_speeds)
         .value;
   };
   const double exact = 0.25 * 0.5 * std::pow(8. / 12., 2);
-  EXPECT_NEAR(value(), exact, gap * exact);
+  EXPECT_NEAR(value(), exact, relative_gap * exact);
   for(const Face f : faces(mesh)) // but for the upper sixth
   {
     const auto h = mesh.halfedge(f);
@@ -185,9 +185,11 @@ TEST(Transport_barycenter_solver, takes_speeds)
     if(c.x() > 0.5 && c.x() < 7. / 12. && c.y() < 10. / 12.)
       speed[f] = 0.;
   }
-  const double way = std::hypot(4., 4.) + 1. + std::hypot(3., 4.); // around the wall's corners
-  const double around = 0.25 * 0.5 * std::pow(way / 12., 2);
-  EXPECT_NEAR(value(), around, 0.02 * around); // at corners a part of a side is lost
+  const double path_length =
+      std::hypot(4., 4.) + 1. + std::hypot(3., 4.); // around the wall's corners
+  const double exact_around_wall = 0.25 * 0.5 * std::pow(path_length / 12., 2);
+  EXPECT_NEAR(value(), exact_around_wall,
+              0.02 * exact_around_wall); // at corners a part of a side is lost
 }
 
 // The integral of a flow in the plane is the way of the masses' middle, however fast they are; that of its
@@ -204,13 +206,13 @@ TEST(Transport_barycenter_solver, writes_flows)
         mesh, GP::parameters::number_of_refinements(refinements).speed_map(speed));
     EXPECT_THROW(solver.write_flow(0, flow), GP::Invalid_argument_error);
     const auto cost = solver.compute(points);
-    Kernel::Vector_3 middle(0., 0., 0.);
+    Kernel::Vector_3 center_of_mass(0., 0., 0.);
     for(const Vertex v : vertices(mesh))
-      middle = middle + solver.mass(v) * (mesh.point(v) - CGAL::ORIGIN);
+      center_of_mass = center_of_mass + solver.mass(v) * (mesh.point(v) - CGAL::ORIGIN);
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       solver.write_flow(i, flow);
-      Kernel::Vector_3 way(0., 0., 0.);
+      Kernel::Vector_3 flow_integral(0., 0., 0.);
       double length = 0.;
       for(const Face f : faces(mesh))
       {
@@ -218,11 +220,12 @@ TEST(Transport_barycenter_solver, writes_flows)
         const double area =
             std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
                                          mesh.point(mesh.target(mesh.next(h)))));
-        way = way + area * flow[f];
+        flow_integral = flow_integral + area * flow[f];
         length += area * std::sqrt(flow[f].squared_length());
       }
-      const Kernel::Vector_3 rest = mesh.point(points[i]) - CGAL::ORIGIN - middle - way;
-      EXPECT_LT(std::sqrt(rest.squared_length()), 1e-9); // rounding
+      const Kernel::Vector_3 difference =
+          mesh.point(points[i]) - CGAL::ORIGIN - center_of_mass - flow_integral;
+      EXPECT_LT(std::sqrt(difference.squared_length()), 1e-9); // rounding
       EXPECT_LE(0.5 * length, cost.distances[i] * (1. + 1e-9));
       if(refinements == 0)
       {
@@ -233,15 +236,15 @@ TEST(Transport_barycenter_solver, writes_flows)
   }
 }
 
-TEST(Transport_barycenter_solver, goes_on_and_can_be_cancelled)
+TEST(Transport_barycenter_solver, warm_start_and_cancellation)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   const std::vector<Vertex> points = {Vertex(0), Vertex(200), Vertex(300)};
   GP::Transport_barycenter_solver<Mesh> solver(mesh);
   const auto cost = solver.compute(points);
-  const auto again = solver.compute(points, GP::parameters::do_start_from_last(true));
-  EXPECT_LT(again.iterations, cost.iterations);
-  EXPECT_TRUE(again.converged);
+  const auto warm_started = solver.compute(points, GP::parameters::do_start_from_last(true));
+  EXPECT_LT(warm_started.iterations, cost.iterations);
+  EXPECT_TRUE(warm_started.converged);
   EXPECT_THROW(
       solver.compute(std::vector<Vertex>{Vertex(0)}, GP::parameters::do_start_from_last(true)),
       GP::Invalid_argument_error);
@@ -251,46 +254,47 @@ TEST(Transport_barycenter_solver, goes_on_and_can_be_cancelled)
   EXPECT_EQ(cancelled.iterations, 0u);
   EXPECT_LE(cancelled.lower, cost.upper);
   EXPECT_GE(cancelled.upper, cost.lower);
-  const auto few = solver.compute(points, GP::parameters::maximum_number_of_iterations(10u));
-  EXPECT_EQ(few.iterations, 10u);
-  EXPECT_FALSE(few.converged);
+  const auto few_iterations =
+      solver.compute(points, GP::parameters::maximum_number_of_iterations(10u));
+  EXPECT_EQ(few_iterations.iterations, 10u);
+  EXPECT_FALSE(few_iterations.converged);
 }
 
-TEST(Transport_barycenter_solver, refuses_what_has_no_barycenter)
+TEST(Transport_barycenter_solver, throws_on_invalid_input)
 {
   Mesh mesh = mesh_of(tetrahedron());
   GP::Transport_barycenter_solver<Mesh> solver(mesh);
   const std::vector<Vertex> points = {Vertex(0), Vertex(1)};
   using Error = GP::Invalid_argument_error;
-  const auto refuses = [&](const auto& masses, const auto& np)
+  const auto expect_throws = [&](const auto& masses, const auto& np)
   { EXPECT_THROW(solver.compute(masses, np), Error); };
-  const auto no = GP::parameters::tolerance(0.01);
-  refuses(std::vector<Vertex>{}, no);
-  refuses(std::vector<Vertex>{Vertex(0), Vertex(4)}, no);
-  refuses(std::vector<std::vector<Vertex>>{{Vertex(0)}, {}}, no);
-  refuses(points, GP::parameters::tolerance(0.));
+  const auto valid_options = GP::parameters::tolerance(0.01);
+  expect_throws(std::vector<Vertex>{}, valid_options);
+  expect_throws(std::vector<Vertex>{Vertex(0), Vertex(4)}, valid_options);
+  expect_throws(std::vector<std::vector<Vertex>>{{Vertex(0)}, {}}, valid_options);
+  expect_throws(points, GP::parameters::tolerance(0.));
   for(const auto& weights : std::vector<std::vector<double>>{{1.},
                                                              {1., 2., 3.},
                                                              {1., -1.},
                                                              {0., 0.},
                                                              {1., std::nan("")},
                                                              {1., GP::internal::infinity}})
-    refuses(points, GP::parameters::weights(weights));
+    expect_throws(points, GP::parameters::weights(weights));
   auto one = vertex_map(mesh), other = vertex_map(mesh);
   const std::vector<decltype(one)> both = {one, other};
-  const auto refuses_mass = [&](double first, double second, bool do_normalize)
+  const auto expect_throws_for_masses = [&](double first, double second, bool do_normalize)
   {
     one[Vertex(0)] = first;
     other[Vertex(1)] = second;
-    refuses(both, GP::parameters::do_normalize(do_normalize));
+    expect_throws(both, GP::parameters::do_normalize(do_normalize));
   };
-  refuses_mass(1., 2., false);
-  refuses_mass(0., 0., false);
-  refuses_mass(0., 1., true);
-  refuses_mass(-1., -1., true);
-  refuses_mass(std::nan(""), 1., false);
-  refuses_mass(std::nan(""), 1., true);
-  refuses_mass(std::numeric_limits<double>::infinity(), 1., true);
+  expect_throws_for_masses(1., 2., false);
+  expect_throws_for_masses(0., 0., false);
+  expect_throws_for_masses(0., 1., true);
+  expect_throws_for_masses(-1., -1., true);
+  expect_throws_for_masses(std::nan(""), 1., false);
+  expect_throws_for_masses(std::nan(""), 1., true);
+  expect_throws_for_masses(std::numeric_limits<double>::infinity(), 1., true);
 }
 
 } // namespace

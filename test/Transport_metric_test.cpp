@@ -29,8 +29,9 @@ Point_set point_set_of(const Surfels& surfels)
 }
 
 // That pairs, matrices and maps say the same, on a domain and some of its places.
-template <typename Domain, typename Place>
-void expect_one_metric(const Domain& domain, const std::vector<Place>& places)
+template <typename Domain, typename Vertex_or_location>
+void expect_consistent_metric(const Domain& domain,
+                              const std::vector<Vertex_or_location>& locations)
 {
   using Metric = GP::Transport_metric<typename Domain::Surface>;
   for(const std::size_t k : {0, 12})
@@ -38,21 +39,21 @@ void expect_one_metric(const Domain& domain, const std::vector<Place>& places)
     const Metric metric(domain, k);
     EXPECT_GE(metric.basis_size(), k);
     const double tolerance = 1e-3;
-    const Eigen::MatrixXd d = metric.distance_matrix(places, tolerance);
-    ASSERT_EQ(d.rows(), Eigen::Index(places.size()));
+    const Eigen::MatrixXd d = metric.distance_matrix(locations, tolerance);
+    ASSERT_EQ(d.rows(), Eigen::Index(locations.size()));
     EXPECT_EQ(d, Eigen::MatrixXd(d.transpose()));
-    EXPECT_EQ(d, (metric.template distance_matrix<CGAL::Parallel_tag>(places, tolerance,
+    EXPECT_EQ(d, (metric.template distance_matrix<CGAL::Parallel_tag>(locations, tolerance,
                                                                       GP::parameters::threads(3))));
     for(Eigen::Index i = 0; i < d.rows(); ++i)
       for(Eigen::Index j = 0; j < d.cols(); ++j)
       {
         const GP::Earth_movers_cost cost =
-            metric.cost(places[i], places[j], GP::parameters::tolerance(tolerance));
+            metric.cost(locations[i], locations[j], GP::parameters::tolerance(tolerance));
         EXPECT_TRUE(cost.converged);
         EXPECT_LE(cost.upper - cost.lower, tolerance * cost.upper);
         EXPECT_LT(cost.residual, 1e-9); // of some hundred unknowns
-        EXPECT_EQ(metric.distance(places[i], places[j], tolerance), cost.value);
-        EXPECT_EQ(metric.distance(places[j], places[i], tolerance), cost.value);
+        EXPECT_EQ(metric.distance(locations[i], locations[j], tolerance), cost.value);
+        EXPECT_EQ(metric.distance(locations[j], locations[i], tolerance), cost.value);
         EXPECT_EQ(i == j, cost.upper == 0.);
         // Fields in float without a basis, another order of sums with one.
         EXPECT_NEAR(d(i, j), cost.value, (k == 0 ? 1e-5 : tolerance) * cost.upper);
@@ -61,59 +62,59 @@ void expect_one_metric(const Domain& domain, const std::vector<Place>& places)
 }
 
 // The same from all sites as by pairs.
-template <typename Surface, typename Map, typename Site>
-void expect_the_same_map(const GP::Transport_metric<Surface>& metric, Map map,
-                         const std::vector<Site>& sites)
+template <typename Surface, typename Map, typename Key>
+void expect_map_matches_pairs(const GP::Transport_metric<Surface>& metric, Map map,
+                              const std::vector<Key>& keys)
 {
-  ASSERT_TRUE(metric.write_distances(sites[0], map));
-  EXPECT_EQ(get(map, sites[0]), 0.);
+  ASSERT_TRUE(metric.write_distances(keys[0], map));
+  EXPECT_EQ(get(map, keys[0]), 0.);
   double sum = 0.;
-  for(std::size_t i = 1; i < sites.size(); ++i)
+  for(std::size_t i = 1; i < keys.size(); ++i)
   {
-    const GP::Earth_movers_cost cost = metric.cost(sites[0], sites[i]);
-    EXPECT_GE(get(map, sites[i]), cost.lower * (1. - 1e-6)); // sums of floats
-    sum += get(map, sites[i]) / cost.upper - 1.;
+    const GP::Earth_movers_cost cost = metric.cost(keys[0], keys[i]);
+    EXPECT_GE(get(map, keys[i]), cost.lower * (1. - 1e-6)); // sums of floats
+    sum += get(map, keys[i]) / cost.upper - 1.;
   }
-  EXPECT_LT(sum / double(sites.size()), 0.01);
-  const std::vector<double> before = {get(map, sites[1]), get(map, sites.back())};
-  metric.template write_distances<CGAL::Parallel_tag>(sites[0], map, GP::parameters::threads(3));
-  EXPECT_EQ(get(map, sites[1]), before[0]);
-  EXPECT_EQ(get(map, sites.back()), before[1]);
+  EXPECT_LT(sum / double(keys.size()), 0.01);
+  const std::vector<double> previous_upper = {get(map, keys[1]), get(map, keys.back())};
+  metric.template write_distances<CGAL::Parallel_tag>(keys[0], map, GP::parameters::threads(3));
+  EXPECT_EQ(get(map, keys[1]), previous_upper[0]);
+  EXPECT_EQ(get(map, keys.back()), previous_upper[1]);
 }
 
-TEST(Transport_metric, is_one_on_meshes_and_clouds)
+TEST(Transport_metric, is_consistent_on_meshes_and_clouds)
 {
-  const Triangulation sphere = shaken(icosphere(2), 0.03);
+  const Triangulation sphere = jittered(icosphere(2), 0.03);
   Mesh mesh = mesh_of(sphere);
   const std::vector<Vertex> vertices = {Vertex(0), Vertex(5), Vertex(100), Vertex(77)};
-  expect_one_metric(GP::make_domain(mesh), vertices);
+  expect_consistent_metric(GP::make_domain(mesh), vertices);
   std::mt19937 random(1);
   std::vector<GP::Location<Mesh>> locations;
   for(int i = 0; i < 4; ++i)
     locations.push_back(random_location_of(mesh, random));
-  expect_one_metric(GP::make_domain(mesh), locations);
+  expect_consistent_metric(GP::make_domain(mesh), locations);
 
   Numbered<CGAL::Polyhedron_3<Kernel>> polyhedron;
   fill(polyhedron, sphere);
-  expect_one_metric(GP::make_domain(polyhedron.mesh),
-                    std::vector{polyhedron.vertices[0], polyhedron.vertices[100]});
+  expect_consistent_metric(GP::make_domain(polyhedron.mesh),
+                           std::vector{polyhedron.vertices[0], polyhedron.vertices[100]});
 
   const Point_set cloud = point_set_of(sphere_surfels(2));
   const std::vector<Point_set::Index> surfels = {*cloud.begin(), *(cloud.begin() + 60),
                                                  *(cloud.begin() + 130)};
-  expect_one_metric(GP::make_domain(cloud), surfels);
-  expect_one_metric(GP::make_domain(cloud),
-                    std::vector<GP::Location<Point_set>>{{surfels[0], {0.01, 0.02}},
-                                                         {surfels[1], {0., 0.}},
-                                                         {surfels[2], {-0.01, 0.}}});
+  expect_consistent_metric(GP::make_domain(cloud), surfels);
+  expect_consistent_metric(GP::make_domain(cloud),
+                           std::vector<GP::Location<Point_set>>{{surfels[0], {0.01, 0.02}},
+                                                                {surfels[1], {0., 0.}},
+                                                                {surfels[2], {-0.01, 0.}}});
 }
 
-TEST(Transport_metric, writes_maps_of_meshes_and_clouds)
+TEST(Transport_metric, distance_map_matches_pairs)
 {
-  const Triangulation sphere = shaken(icosphere(3), 0.02);
+  const Triangulation sphere = jittered(icosphere(3), 0.02);
   Mesh mesh = mesh_of(sphere);
   Point_set cloud = point_set_of(sphere_surfels(3));
-  auto of_surfels = cloud.add_property_map<double>("distance", 0.).first;
+  auto surfel_distances = cloud.add_property_map<double>("distance", 0.).first;
   std::vector<Vertex> vertices;
   std::vector<Point_set::Index> surfels;
   for(std::size_t i = 3; i < 640; i += 40)
@@ -123,13 +124,13 @@ TEST(Transport_metric, writes_maps_of_meshes_and_clouds)
   }
   for(const std::size_t k : {0, 12})
   {
-    expect_the_same_map(GP::Transport_metric<Mesh>(mesh, k), vertex_map(mesh), vertices);
-    expect_the_same_map(GP::Transport_metric<Point_set>(cloud, k), of_surfels, surfels);
+    expect_map_matches_pairs(GP::Transport_metric<Mesh>(mesh, k), vertex_map(mesh), vertices);
+    expect_map_matches_pairs(GP::Transport_metric<Point_set>(cloud, k), surfel_distances, surfels);
   }
 }
 
 // Distances scale with the surface; powers of two leave the digits alone, others round coordinates.
-TEST(Transport_metric, does_not_depend_on_the_unit)
+TEST(Transport_metric, is_unit_invariant)
 {
   const Triangulation shape = torus(20, 10);
   const Mesh mesh = mesh_of(shape);
@@ -137,13 +138,13 @@ TEST(Transport_metric, does_not_depend_on_the_unit)
     for(const std::size_t k : {0, 12})
     {
       const Mesh other = mesh_of(scaled(shape, scale));
-      const GP::Transport_metric<Mesh> metric(mesh, k), of_other(other, k);
-      EXPECT_EQ(metric.basis_size(), of_other.basis_size());
+      const GP::Transport_metric<Mesh> metric(mesh, k), other_metric(other, k);
+      EXPECT_EQ(metric.basis_size(), other_metric.basis_size());
       for(const std::size_t i : {7, 50, 111})
       {
         const Vertex to{Mesh::size_type(i)};
         const double expected = scale * metric.distance(Vertex(0), to, 1e-5);
-        EXPECT_NEAR(of_other.distance(Vertex(0), to, 1e-5), expected, 2e-5 * expected);
+        EXPECT_NEAR(other_metric.distance(Vertex(0), to, 1e-5), expected, 2e-5 * expected);
       }
     }
 }
@@ -165,18 +166,18 @@ Triangulation rolled_sheet(std::size_t columns, std::size_t rows, double angle)
               });
 }
 
-TEST(Transport_metric, does_not_know_how_the_surface_is_bent)
+TEST(Transport_metric, is_isometry_invariant)
 {
   const Mesh flat = mesh_of(rolled_sheet(24, 8, 0.)), rolled = mesh_of(rolled_sheet(24, 8, 4.));
   for(const std::size_t k : {0, 12})
   {
-    const GP::Transport_metric<Mesh> metric(flat, k), of_rolled(rolled, k);
-    EXPECT_EQ(metric.basis_size(), of_rolled.basis_size());
+    const GP::Transport_metric<Mesh> metric(flat, k), rolled_metric(rolled, k);
+    EXPECT_EQ(metric.basis_size(), rolled_metric.basis_size());
     for(const std::size_t i : {7, 50, 111, 224})
     {
       const Vertex to{Mesh::size_type(i)};
       const GP::Earth_movers_cost expected = metric.cost(Vertex(0), to),
-                                  found = of_rolled.cost(Vertex(0), to);
+                                  found = rolled_metric.cost(Vertex(0), to);
       // Coordinates are rounded, and eigenfunctions found up to some digits.
       EXPECT_LE(found.lower, expected.upper * (1. + 1e-6));
       EXPECT_LE(expected.lower, found.upper * (1. + 1e-6));
@@ -184,30 +185,31 @@ TEST(Transport_metric, does_not_know_how_the_surface_is_bent)
   }
 }
 
-TEST(Transport_metric, comes_down_towards_geodesic_distances)
+TEST(Transport_metric, decreases_towards_geodesic_distance)
 {
   const Mesh mesh = mesh_of(square(20, 0.24));
   const auto domain = GP::make_domain(mesh);
   const Vertex p(Mesh::size_type(0)), q(Mesh::size_type(440));
   for(const GP::Transport_flow flow : {GP::Transport_flow::gradient, GP::Transport_flow::balanced})
   {
-    double before = infinity;
+    double previous_upper = infinity;
     for(const std::size_t k : {0, 5, 50, 200})
     {
       const GP::Transport_metric<Mesh> metric(domain, k, flow);
       EXPECT_EQ(metric.flow(), flow);
       const GP::Earth_movers_cost cost = metric.cost(p, q);
-      EXPECT_LE(cost.lower, before);
-      before = cost.upper;
+      EXPECT_LE(cost.lower, previous_upper);
+      previous_upper = cost.upper;
     }
     // The paper's measure of points stays that much above however large the basis is.
-    EXPECT_LT(before, 1.26 * std::sqrt(2.));
-    EXPECT_GT(before, 0.99 * std::sqrt(2.)); // what masses in triangles around points may gain
+    EXPECT_LT(previous_upper, 1.26 * std::sqrt(2.));
+    EXPECT_GT(previous_upper,
+              0.99 * std::sqrt(2.)); // what masses in triangles around points may gain
   }
 }
 
 // What is measured is the flow that is written: of masses everywhere, per area or not, and of places.
-TEST(Transport_metric, moves_all_kinds_of_masses)
+TEST(Transport_metric, accepts_all_kinds_of_masses)
 {
   Mesh mesh = mesh_of(square(12, 0.24));
   auto low = mesh.add_property_map<Vertex, double>("low", 0.).first;
@@ -250,22 +252,23 @@ TEST(Transport_metric, moves_all_kinds_of_masses)
   }
 }
 
-TEST(Transport_metric, keeps_bounds_when_it_is_stopped)
+TEST(Transport_metric, bounds_hold_if_stopped)
 {
   const Mesh mesh = mesh_of(icosphere(2));
   const GP::Transport_metric<Mesh> metric(mesh, 20);
-  int asked = 0;
-  const std::function<bool(double)> stop = [&asked](double) { return ++asked < 9; };
-  const GP::Earth_movers_cost early =
+  int number_of_calls = 0;
+  const std::function<bool(double)> stop = [&number_of_calls](double)
+  { return ++number_of_calls < 9; };
+  const GP::Earth_movers_cost stopped =
       metric.cost(Vertex(0), Vertex(70), GP::parameters::callback(stop).tolerance(1e-6));
-  const GP::Earth_movers_cost late =
+  const GP::Earth_movers_cost complete =
       metric.cost(Vertex(0), Vertex(70), GP::parameters::tolerance(1e-6));
-  EXPECT_EQ(asked, 9);
-  EXPECT_EQ(early.iterations, 8u);
-  EXPECT_FALSE(early.converged);
-  EXPECT_TRUE(late.converged);
-  EXPECT_LE(early.lower, late.upper);
-  EXPECT_LE(late.lower, early.upper);
+  EXPECT_EQ(number_of_calls, 9);
+  EXPECT_EQ(stopped.iterations, 8u);
+  EXPECT_FALSE(stopped.converged);
+  EXPECT_TRUE(complete.converged);
+  EXPECT_LE(stopped.lower, complete.upper);
+  EXPECT_LE(complete.lower, stopped.upper);
   EXPECT_FALSE(metric
                    .cost(Vertex(0), Vertex(70),
                          GP::parameters::maximum_number_of_iterations(4u).tolerance(1e-6))
@@ -274,7 +277,7 @@ TEST(Transport_metric, keeps_bounds_when_it_is_stopped)
 
 TEST(Transport_metric, is_infinite_between_components)
 {
-  Mesh mesh = mesh_of(apart(icosphere(1), torus(9, 6)));
+  Mesh mesh = mesh_of(disjoint_union(icosphere(1), torus(9, 6)));
   const Vertex ball(Mesh::size_type(0)), ring(Mesh::size_type(50));
   for(const std::size_t k : {0, 5})
   {
@@ -299,7 +302,7 @@ TEST(Transport_metric, can_be_cancelled)
   EXPECT_EQ(metric.distance_matrix(std::vector{Vertex(0), Vertex(1)}, 1e-3, cancel).size(), 0);
 }
 
-TEST(Transport_metric, refuses_what_is_not_on_the_surface)
+TEST(Transport_metric, throws_on_invalid_location)
 {
   const Mesh mesh = mesh_of(icosphere(1));
   const GP::Transport_metric<Mesh> metric(mesh);

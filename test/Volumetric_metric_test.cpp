@@ -28,10 +28,10 @@ using Metric = GP::Volumetric_metric<Mesh>;
 using Point_3 = Kernel::Point_3;
 
 // Of the bounds, by default.
-constexpr double gap = 1e-3;
+constexpr double relative_gap = 1e-3;
 
 // Two long rooms side by side, joined at one end: a U of cubes.
-Triangulation bent_hall()
+Triangulation u_shaped_room()
 {
   return blocks(3, 2, 8, [](int x, int, int z) { return x != 1 || z == 0; });
 }
@@ -49,14 +49,14 @@ std::vector<Point_3> random_points(std::size_t number, double size, unsigned see
   return result;
 }
 
-double straight(const Point_3& p, const Point_3& q)
+double euclidean_distance(const Point_3& p, const Point_3& q)
 {
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
-TEST(Volumetric_metric, is_the_distance_on_the_surface_there)
+TEST(Volumetric_metric, equals_transport_distance_on_surface)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
   const auto np = GP::parameters::number_of_refinements(2u);
   const Metric metric(mesh, np);
   GP::Earth_movers_solver<Mesh> solver(mesh, np);
@@ -73,9 +73,9 @@ TEST(Volumetric_metric, is_the_distance_on_the_surface_there)
   }
 }
 
-TEST(Volumetric_metric, is_a_metric_above_the_straight_distance)
+TEST(Volumetric_metric, is_metric_above_euclidean_distance)
 {
-  for(const Triangulation& shape : {icosphere(2), bent_hall()})
+  for(const Triangulation& shape : {icosphere(2), u_shaped_room()})
   {
     const Metric metric(mesh_of(shape), GP::parameters::number_of_refinements(0u));
     const std::vector<Point_3> points = random_points(7, 2.5);
@@ -86,10 +86,10 @@ TEST(Volumetric_metric, is_a_metric_above_the_straight_distance)
         d[i].push_back(metric.cost(points[i], points[j]));
         const GP::Earth_movers_cost& cost = d[i][j];
         EXPECT_TRUE(cost.converged);
-        EXPECT_LE(cost.upper - cost.lower, gap * cost.upper);
-        EXPECT_GE(cost.lower, straight(points[i], points[j]));
+        EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
+        EXPECT_GE(cost.lower, euclidean_distance(points[i], points[j]));
         EXPECT_EQ(i == j, cost.upper == 0.);
-        EXPECT_NEAR(cost.value, d[std::min(i, j)][std::max(i, j)].value, gap * cost.upper);
+        EXPECT_NEAR(cost.value, d[std::min(i, j)][std::max(i, j)].value, relative_gap * cost.upper);
       }
     for(std::size_t i = 0; i < points.size(); ++i)
       for(std::size_t j = 0; j < points.size(); ++j)
@@ -99,18 +99,18 @@ TEST(Volumetric_metric, is_a_metric_above_the_straight_distance)
 }
 
 // In a slab whose sides are far away, along it; nothing is in the way there.
-TEST(Volumetric_metric, is_straight_between_parallel_planes)
+TEST(Volumetric_metric, is_euclidean_between_parallel_planes)
 {
   const Mesh mesh = mesh_of(blocks(20, 20, 1, [](int, int, int) { return true; }));
   const Metric metric(mesh);
   const double d = metric.distance(Point_3(5., 10., 0.5), Point_3(15., 10., 0.5));
-  EXPECT_GE(d, 10. * (1. - gap));
+  EXPECT_GE(d, 10. * (1. - relative_gap));
   EXPECT_LE(d, 10.1); // the last percent is what masses near to each other must go around
 }
 
-TEST(Volumetric_metric, goes_around_walls)
+TEST(Volumetric_metric, avoids_walls)
 {
-  const Metric metric(mesh_of(bent_hall()));
+  const Metric metric(mesh_of(u_shaped_room()));
   const Point_3 end(0.5, 1., 7.5), other_end(2.5, 1., 7.5);
   const double inside = metric.distance(end, other_end);
   EXPECT_GT(inside, 2. * 6.5 + 1.); // down one room and up the other
@@ -118,7 +118,7 @@ TEST(Volumetric_metric, goes_around_walls)
 }
 
 // Positive coordinates are masses that need not go farther than any two places are apart.
-TEST(Volumetric_metric, is_at_most_the_diameter_inside_of_convex_meshes)
+TEST(Volumetric_metric, is_at_most_diameter_inside_convex_meshes)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   const Metric metric(mesh);
@@ -128,34 +128,34 @@ TEST(Volumetric_metric, is_at_most_the_diameter_inside_of_convex_meshes)
       EXPECT_LE(metric.cost(p, q).lower, std::acos(-1.));
 }
 
-TEST(Volumetric_metric, takes_scales)
+TEST(Volumetric_metric, is_unit_invariant)
 {
   const Point_3 p(0.1, 0.3, -0.2), q(1., 2., 0.);
   const double value = Metric(mesh_of(icosphere(2))).distance(p, q);
   for(const double scale : {1e-6, 1e6})
   {
-    const CGAL::Aff_transformation_3<Kernel> larger(CGAL::SCALING, scale);
+    const CGAL::Aff_transformation_3<Kernel> scaling(CGAL::SCALING, scale);
     const Metric metric(mesh_of(scaled(icosphere(2), scale)));
-    EXPECT_NEAR(metric.distance(larger(p), larger(q)), scale * value, 1e-9 * scale);
+    EXPECT_NEAR(metric.distance(scaling(p), scaling(q)), scale * value, 1e-9 * scale);
   }
 }
 
-TEST(Volumetric_metric, has_potential_and_flow)
+TEST(Volumetric_metric, writes_potential_and_flow)
 {
   Mesh mesh = mesh_of(icosphere(3));
   const Metric metric(mesh, GP::parameters::number_of_refinements(0u));
   const auto potential = vertex_map(mesh);
-  const auto before = vertex_map(mesh), after = vertex_map(mesh);
+  const auto coordinates_of_p = vertex_map(mesh), coordinates_of_q = vertex_map(mesh);
   const auto flow = mesh.add_property_map<Face, Kernel::Vector_3>().first;
   const Point_3 p(0.1, 0.3, -0.2), q(-0.4, 0.1, 0.5);
   const GP::Earth_movers_cost cost = metric.cost(
       p, q, GP::parameters::potential_map(potential).flow_map(flow).do_bound_from_above(true));
-  GP::mean_value_coordinates(mesh, p, before);
-  GP::mean_value_coordinates(mesh, q, after);
-  double proven = 0.;
+  GP::mean_value_coordinates(mesh, p, coordinates_of_p);
+  GP::mean_value_coordinates(mesh, q, coordinates_of_q);
+  double dual_value = 0.;
   for(const Vertex v : mesh.vertices())
-    proven += potential[v] * (after[v] - before[v]);
-  EXPECT_NEAR(std::max(proven, straight(p, q)), cost.lower, 1e-12);
+    dual_value += potential[v] * (coordinates_of_q[v] - coordinates_of_p[v]);
+  EXPECT_NEAR(std::max(dual_value, euclidean_distance(p, q)), cost.lower, 1e-12);
   EXPECT_GE(cost.upper_continuous, cost.upper * (1. - 1e-9));
   // On either side a mass of one is gathered in vertices: half an edge of 0.16 at most.
   EXPECT_LE(cost.upper_continuous, cost.upper + 0.16);
@@ -170,9 +170,9 @@ TEST(Volumetric_metric, has_potential_and_flow)
   EXPECT_NEAR(length, cost.upper, 1e-9);
 }
 
-TEST(Volumetric_metric, knows_many_within_a_percent)
+TEST(Volumetric_metric, one_to_many_error_is_below_one_percent)
 {
-  const Metric metric(mesh_of(bent_hall()));
+  const Metric metric(mesh_of(u_shaped_room()));
   const Point_3 from(0.5, 1., 7.5);
   const std::vector<Point_3> to = random_points(60, 5.);
   const auto found = metric.costs(from, to);
@@ -185,7 +185,7 @@ TEST(Volumetric_metric, knows_many_within_a_percent)
     if(i % 6 == 0)
     {
       const double value = metric.distance(from, to[i]);
-      EXPECT_NEAR(found[i].value, value, (0.01 + gap) * value);
+      EXPECT_NEAR(found[i].value, value, (0.01 + relative_gap) * value);
     }
   }
   EXPECT_TRUE(
@@ -193,7 +193,7 @@ TEST(Volumetric_metric, knows_many_within_a_percent)
 }
 
 // Lengths of a path, and that no segment of it meets the surface.
-double length_of(const std::vector<Point_3>& path, const Mesh& mesh)
+double length_of_path(const std::vector<Point_3>& path, const Mesh& mesh)
 {
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
   const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(faces(mesh).begin(),
@@ -202,36 +202,36 @@ double length_of(const std::vector<Point_3>& path, const Mesh& mesh)
   for(std::size_t i = 1; i < path.size(); ++i)
   {
     EXPECT_FALSE(tree.do_intersect(Kernel::Segment_3(path[i - 1], path[i])));
-    result += straight(path[i - 1], path[i]);
+    result += euclidean_distance(path[i - 1], path[i]);
   }
   return result;
 }
 
-TEST(Volumetric_metric, has_paths_that_stay_inside)
+TEST(Volumetric_metric, paths_stay_inside)
 {
-  const Mesh mesh = mesh_of(bent_hall());
+  const Mesh mesh = mesh_of(u_shaped_room());
   const Metric metric(mesh, GP::parameters::number_of_refinements(0u));
   const Point_3 end(0.5, 1., 7.5), other_end(2.5, 1., 7.5);
   std::vector<Point_3> path;
   ASSERT_TRUE(metric.write_path(end, other_end, std::back_inserter(path)));
   EXPECT_EQ(path.front(), end);
   EXPECT_EQ(path.back(), other_end);
-  const double length = length_of(path, mesh);
+  const double length = length_of_path(path, mesh);
   EXPECT_GT(length, 2. * 6.5 + 1.); // around the wall between the rooms
   EXPECT_LT(length, 18.);
 }
 
-TEST(Volumetric_metric, has_paths_outside)
+TEST(Volumetric_metric, finds_paths_outside)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   const Metric metric(mesh, GP::parameters::number_of_refinements(0u));
   std::vector<Point_3> path;
   ASSERT_TRUE(
       metric.write_path(Point_3(1.5, 0.1, 0.2), Point_3(-1.5, 0., 0.), std::back_inserter(path)));
-  EXPECT_LT(length_of(path, mesh), 6.);
+  EXPECT_LT(length_of_path(path, mesh), 6.);
 }
 
-TEST(Volumetric_metric, refuses_what_it_cannot_measure)
+TEST(Volumetric_metric, throws_on_invalid_input)
 {
   EXPECT_THROW(Metric(mesh_of(square(3))), GP::Unsupported_surface_error);
   const Mesh mesh = mesh_of(icosphere(1));

@@ -33,27 +33,28 @@ struct Baked
   {
     atlas = GP::texture_atlas(mesh, 8, uv, GP::parameters::texture_size(size).gutter_width(gutter));
     texels = GP::bake_atlas(
-        mesh, uv, size, [&](const auto& place) { return color(mesh, place); },
+        mesh, uv, size, [&](const auto& location) { return color(mesh, location); },
         GP::parameters::gutter_width(gutter).background(GP::Decal_color{0., 0., 1., 1.}));
   }
 
   // Between the middles of four texels.
-  GP::Decal_color lookup(const UV& place) const
+  GP::Decal_color lookup(const UV& texture_point) const
   {
-    const double x = place[0] * double(size) - 0.5, y = place[1] * double(size) - 0.5;
+    const double x = texture_point[0] * double(size) - 0.5,
+                 y = texture_point[1] * double(size) - 0.5;
     const double i = std::floor(x), j = std::floor(y);
     GP::Decal_color result = {0., 0., 0., 0.};
     for(const int right : {0, 1})
       for(const int up : {0, 1})
       {
-        const double share = (right ? x - i : i + 1. - x) * (up ? y - j : j + 1. - y);
+        const double weight = (right ? x - i : i + 1. - x) * (up ? y - j : j + 1. - y);
         for(std::size_t c = 0; c < 4; ++c)
-          result[c] += share * texels[std::size_t(j + up) * size + std::size_t(i + right)][c];
+          result[c] += weight * texels[std::size_t(j + up) * size + std::size_t(i + right)][c];
       }
     return result;
   }
 
-  UV place_of(const std::pair<Face, std::array<double, 3>>& location) const
+  UV uv_of(const std::pair<Face, std::array<double, 3>>& location) const
   {
     const auto h = mesh.halfedge(location.first);
     const auto& b = location.second;
@@ -62,19 +63,19 @@ struct Baked
   }
 };
 
-double height(const Mesh& mesh, const std::pair<Face, std::array<double, 3>>& place)
+double height(const Mesh& mesh, const std::pair<Face, std::array<double, 3>>& location)
 {
-  auto h = mesh.halfedge(place.first);
+  auto h = mesh.halfedge(location.first);
   double result = 0.;
-  for(const double share : place.second)
+  for(const double weight : location.second)
   {
-    result += share * mesh.point(mesh.source(h)).z();
+    result += weight * mesh.point(mesh.source(h)).z();
     h = mesh.next(h);
   }
   return result;
 }
 
-TEST(bake_atlas, the_background_is_seen_nowhere)
+TEST(bake_atlas, background_is_not_sampled)
 {
   for(const std::size_t gutter : {3u, 8u})
   {
@@ -85,12 +86,12 @@ TEST(bake_atlas, the_background_is_seen_nowhere)
     std::mt19937 random(1);
     for(int i = 0; i < 5000; ++i)
     {
-      auto place = random_location_of(baked.mesh, random);
+      auto location = random_location_of(baked.mesh, random);
       if(i % 2 == 0) // at seams, among others: on an edge
-        place.second = {place.second[0], 1. - place.second[0], 0.};
-      const GP::Decal_color seen = baked.lookup(baked.place_of(place));
-      EXPECT_NEAR(seen[0], 1., 1e-12);
-      EXPECT_NEAR(seen[2], 0., 1e-12);
+        location.second = {location.second[0], 1. - location.second[0], 0.};
+      const GP::Decal_color color = baked.lookup(baked.uv_of(location));
+      EXPECT_NEAR(color[0], 1., 1e-12);
+      EXPECT_NEAR(color[2], 0., 1e-12);
     }
     // But it is there.
     EXPECT_GT(std::count(baked.texels.begin(), baked.texels.end(), GP::Decal_color{0., 0., 1., 1.}),
@@ -98,26 +99,26 @@ TEST(bake_atlas, the_background_is_seen_nowhere)
   }
 }
 
-TEST(bake_atlas, colours_are_where_they_are_on_the_surface)
+TEST(bake_atlas, colors_match_surface_positions)
 {
   const Baked baked(icosphere(3), 4,
-                    [](const Mesh& mesh, const auto& place) {
-                      return GP::Decal_color{height(mesh, place), 0., 0., 1.};
+                    [](const Mesh& mesh, const auto& location) {
+                      return GP::Decal_color{height(mesh, location), 0., 0., 1.};
                     });
   ASSERT_TRUE(baked.atlas.is_injective());
   std::mt19937 random(2);
-  double most = 0.;
+  double max_error = 0.;
   for(int i = 0; i < 5000; ++i)
   {
-    const auto place = random_location_of(baked.mesh, random);
-    most = std::max(most,
-                    std::abs(baked.lookup(baked.place_of(place))[0] - height(baked.mesh, place)));
+    const auto location = random_location_of(baked.mesh, random);
+    max_error = std::max(
+        max_error, std::abs(baked.lookup(baked.uv_of(location))[0] - height(baked.mesh, location)));
   }
   // The four texels show places within two of their diagonals, and charts shrink no length to less than half.
-  EXPECT_LT(most, 2. * 2. * std::sqrt(2.) / baked.atlas.texels_per_length);
+  EXPECT_LT(max_error, 2. * 2. * std::sqrt(2.) / baked.atlas.texels_per_length);
 }
 
-TEST(bake_atlas, bad_sizes)
+TEST(bake_atlas, throws_on_invalid_size)
 {
   Mesh mesh = mesh_of(one_triangle());
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, UV>("h:uv").first;
@@ -126,7 +127,7 @@ TEST(bake_atlas, bad_sizes)
   EXPECT_THROW(GP::bake_atlas(mesh, uv, 20000, white), GP::Invalid_argument_error);
 }
 
-TEST(bake_atlas, refuses_faces_that_are_no_triangles)
+TEST(bake_atlas, throws_on_non_triangular_faces)
 {
   Mesh mesh;
   CGAL::make_quad(Kernel::Point_3(0., 0., 0.), Kernel::Point_3(1., 0., 0.),

@@ -34,16 +34,16 @@ corners_of(typename boost::graph_traits<TriangleMesh>::face_descriptor face,
 
 // All of a decal, to compare.
 template <typename Surface>
-auto numbers(const GP::Decal<Surface>& decal)
+auto flattened(const GP::Decal<Surface>& decal)
 {
   std::vector<double> result;
-  for(const auto& [site, place] : decal.sites)
-    result.insert(result.end(), {double(std::size_t(site)), place[0], place[1]});
-  for(const auto& [face, places] : decal.faces)
+  for(const auto& [vertex, uv] : decal.vertices)
+    result.insert(result.end(), {double(std::size_t(vertex)), uv[0], uv[1]});
+  for(const auto& [face, uvs] : decal.faces)
   {
     result.push_back(double(std::size_t(face)));
-    for(const auto& place : places)
-      result.insert(result.end(), place.begin(), place.end());
+    for(const auto& uv : uvs)
+      result.insert(result.end(), uv.begin(), uv.end());
   }
   return result;
 }
@@ -52,32 +52,32 @@ auto numbers(const GP::Decal<Surface>& decal)
 // point of the rectangle.  A sample of points may miss one of which the rectangle has a tiny part.
 void expect_flat(const Mesh& mesh, const GP::Decal<Mesh>& decal, double width, double height)
 {
-  const auto place_of = [&](const Vector_3& way) -> Decal_coordinates {
-    return {0.5 + way * decal.frame.u / width, 0.5 + way * decal.frame.v / height};
+  const auto uv_of = [&](const Vector_3& offset) -> Decal_coordinates {
+    return {0.5 + offset * decal.frame.u / width, 0.5 + offset * decal.frame.v / height};
   };
-  const auto way_to = [&](Vertex v) { return mesh.point(v) - decal.frame.origin; };
-  const auto expect_at = [&](Vertex v, const Decal_coordinates& place)
+  const auto offset_to = [&](Vertex v) { return mesh.point(v) - decal.frame.origin; };
+  const auto expect_at = [&](Vertex v, const Decal_coordinates& uv)
   {
     // What Logarithmic_map is exact to on a plane, 1e-12 of the extent, in widths.
-    EXPECT_NEAR(place[0], place_of(way_to(v))[0], 1e-11);
-    EXPECT_NEAR(place[1], place_of(way_to(v))[1], 1e-11);
+    EXPECT_NEAR(uv[0], uv_of(offset_to(v))[0], 1e-11);
+    EXPECT_NEAR(uv[1], uv_of(offset_to(v))[1], 1e-11);
   };
-  const auto is_inside = [](const Decal_coordinates& place)
-  { return place[0] > 0. && place[0] < 1. && place[1] > 0. && place[1] < 1.; };
+  const auto is_inside = [](const Decal_coordinates& uv)
+  { return uv[0] > 0. && uv[0] < 1. && uv[1] > 0. && uv[1] < 1.; };
 
   std::set<Face> covered;
-  for(const auto& [face, places] : decal.faces)
+  for(const auto& [face, uvs] : decal.faces)
   {
     EXPECT_TRUE(covered.insert(face).second);
     for(std::size_t k = 0; k < 3; ++k)
-      expect_at(corners_of(face, mesh)[k], places[k]);
+      expect_at(corners_of(face, mesh)[k], uvs[k]);
   }
-  for(const auto& [vertex, place] : decal.sites)
-    expect_at(vertex, place);
-  std::size_t inside = 0, certain = 0;
+  for(const auto& [vertex, uv] : decal.vertices)
+    expect_at(vertex, uv);
+  std::size_t inside = 0, number_certain = 0;
   for(const Vertex v : mesh.vertices())
-    inside += is_inside(place_of(way_to(v)));
-  EXPECT_EQ(inside, decal.sites.size());
+    inside += is_inside(uv_of(offset_to(v)));
+  EXPECT_EQ(inside, decal.vertices.size());
   for(const Face f : mesh.faces())
   {
     const auto corners = corners_of(f, mesh);
@@ -86,20 +86,20 @@ void expect_flat(const Mesh& mesh, const GP::Decal<Mesh>& decal, double width, d
     for(int i = 0; i <= steps; ++i)
       for(int j = 0; i + j <= steps; ++j)
         has_point =
-            has_point || is_inside(place_of((double(i) / steps) * way_to(corners[0]) +
-                                            (double(j) / steps) * way_to(corners[1]) +
-                                            (1. - double(i + j) / steps) * way_to(corners[2])));
-    certain += has_point;
+            has_point || is_inside(uv_of((double(i) / steps) * offset_to(corners[0]) +
+                                         (double(j) / steps) * offset_to(corners[1]) +
+                                         (1. - double(i + j) / steps) * offset_to(corners[2])));
+    number_certain += has_point;
     if(has_point)
     {
       EXPECT_EQ(covered.count(f), 1u);
     }
   }
-  EXPECT_LE(certain, covered.size());
-  EXPECT_GE(certain + 3, covered.size());
+  EXPECT_LE(number_certain, covered.size());
+  EXPECT_GE(number_certain + 3, covered.size());
 }
 
-TEST(decal, lies_flat_on_a_plane)
+TEST(decal, is_exact_on_a_plane)
 {
   for(const double factor : {1., 1e-6, 1e6})
   {
@@ -114,7 +114,7 @@ TEST(decal, lies_flat_on_a_plane)
   }
 }
 
-TEST(decal, reaches_into_faces_much_larger_than_those_at_its_middle)
+TEST(decal, covers_faces_larger_than_those_at_center)
 {
   // Columns are from 5e-5 to 0.6 wide, rows 0.04 high: at the middle one cannot see how far away the
   // corners of the last columns are.
@@ -126,13 +126,13 @@ TEST(decal, reaches_into_faces_much_larger_than_those_at_its_middle)
       Vertex(25 * 12 + 12), 2., 0.1, GP::parameters::up_direction(Vector_3(0., 1., 0.)));
   expect_flat(mesh, decal, 2., 0.1);
   double farthest = 0.;
-  for(const auto& [face, places] : decal.faces)
-    for(const auto& place : places)
-      farthest = std::max(farthest, place[0]);
+  for(const auto& [face, uvs] : decal.faces)
+    for(const auto& uv : uvs)
+      farthest = std::max(farthest, uv[0]);
   EXPECT_GT(farthest, 1.03); // more than that longest side beyond the rectangle
 }
 
-TEST(decal, keeps_distances_and_directions_on_a_sphere)
+TEST(decal, preserves_distances_and_directions_on_a_sphere)
 {
   const Mesh mesh = mesh_of(icosphere(5));
   GP::Decal_placer<Mesh> placer(mesh);
@@ -150,39 +150,40 @@ TEST(decal, keeps_distances_and_directions_on_a_sphere)
   // Tangent vectors are off by 0.1 % of at most 0.6 in the mean, and by a few times as much at worst.
   const double tolerance = 0.004;
   std::set<Face> covered;
-  for(const auto& [face, places] : decal.faces)
+  for(const auto& [face, uvs] : decal.faces)
   {
     covered.insert(face);
     for(std::size_t k = 0; k < 3; ++k)
     {
-      const auto truth = tangent(corners_of(face, mesh)[k]);
-      EXPECT_NEAR((places[k][0] - 0.5) * width, truth[0], tolerance);
-      EXPECT_NEAR((places[k][1] - 0.5) * height, truth[1], tolerance);
+      const auto expected = tangent(corners_of(face, mesh)[k]);
+      EXPECT_NEAR((uvs[k][0] - 0.5) * width, expected[0], tolerance);
+      EXPECT_NEAR((uvs[k][1] - 0.5) * height, expected[1], tolerance);
     }
   }
   // A face with a corner in the rectangle is there, if by more than the tolerance; one that is on one
   // side of it is not.
-  std::size_t certain = 0;
+  std::size_t number_certain = 0;
   for(const Face f : mesh.faces())
   {
     bool has_corner = false, is_on_one_side = false;
     for(const int c : {0, 1})
     {
-      const double half = (c == 0 ? width : height) / 2.;
+      const double half_size = (c == 0 ? width : height) / 2.;
       double low = 1e9, high = -1e9;
       for(const Vertex v : corners_of(f, mesh))
       {
         low = std::min(low, tangent(v)[c]);
         high = std::max(high, tangent(v)[c]);
       }
-      is_on_one_side = is_on_one_side || low > half + tolerance || high < -half - tolerance;
+      is_on_one_side =
+          is_on_one_side || low > half_size + tolerance || high < -half_size - tolerance;
     }
     for(const Vertex v : corners_of(f, mesh))
       has_corner = has_corner || (std::abs(tangent(v)[0]) < width / 2. - tolerance &&
                                   std::abs(tangent(v)[1]) < height / 2. - tolerance);
     if(has_corner)
     {
-      ++certain;
+      ++number_certain;
       EXPECT_EQ(covered.count(f), 1u);
     }
     if(is_on_one_side)
@@ -190,10 +191,10 @@ TEST(decal, keeps_distances_and_directions_on_a_sphere)
       EXPECT_EQ(covered.count(f), 0u);
     }
   }
-  EXPECT_GT(certain, 500u);
+  EXPECT_GT(number_certain, 500u);
 }
 
-TEST(decal, a_moved_one_is_like_a_new_one)
+TEST(decal, placer_is_reusable)
 {
   const Mesh mesh = mesh_of(icosphere(4));
   GP::Decal_placer<Mesh> placer(mesh);
@@ -202,8 +203,8 @@ TEST(decal, a_moved_one_is_like_a_new_one)
     GP::Decal_placer<Mesh> fresh(placer.domain());
     const double size = vertex == 100 ? 2. : 0.3;
     const auto np = GP::parameters::up_direction(Vector_3(0.1, 0.2, 1.));
-    EXPECT_EQ(numbers(placer.place(Vertex(vertex), size, 0.5, np)),
-              numbers(fresh.place(Vertex(vertex), size, 0.5, np)));
+    EXPECT_EQ(flattened(placer.place(Vertex(vertex), size, 0.5, np)),
+              flattened(fresh.place(Vertex(vertex), size, 0.5, np)));
   }
 }
 
@@ -214,22 +215,22 @@ TEST(decal, may_be_smaller_than_a_face)
   const auto small = placer.place(location_of(9, {0.3, 0.3, 0.4}), 1e-3, 1e-3);
   ASSERT_EQ(small.faces.size(), 1u);
   EXPECT_EQ(small.faces[0].face, Face(9));
-  EXPECT_TRUE(small.sites.empty());
+  EXPECT_TRUE(small.vertices.empty());
   // On a side, around a vertex.
   EXPECT_EQ(placer.place(location_of(9, {0.5, 0., 0.5}), 1e-3, 1e-3).faces.size(), 2u);
   EXPECT_EQ(placer.place(Vertex(12), 1e-3, 1e-3).faces.size(), degree(Vertex(12), mesh));
 }
 
-TEST(decal, ends_at_a_border)
+TEST(decal, ends_at_boundary)
 {
   const Mesh mesh = mesh_of(square(10));
   GP::Decal_placer<Mesh> placer(mesh);
   // All of the square, seen from its corner.
   EXPECT_EQ(placer.place(Vertex(0), 5., 5.).faces.size(), num_faces(mesh));
-  EXPECT_EQ(placer.place(Vertex(0), 5., 5.).sites.size(), num_vertices(mesh));
+  EXPECT_EQ(placer.place(Vertex(0), 5., 5.).vertices.size(), num_vertices(mesh));
 }
 
-TEST(decal, meets_itself_behind_a_cylinder)
+TEST(decal, has_seam_behind_a_cylinder)
 {
   // As wide as two and a half turns, and ten of the rows of faces high.
   const Mesh mesh = mesh_of(cylinder(60, 30, 1., 6.));
@@ -238,18 +239,18 @@ TEST(decal, meets_itself_behind_a_cylinder)
   const auto decal =
       placer.place(Vertex(60 * 15), width, 2., GP::parameters::up_direction(Vector_3(0., 0., 1.)));
   std::set<Face> covered;
-  for(const auto& [face, places] : decal.faces)
+  for(const auto& [face, uvs] : decal.faces)
   {
     covered.insert(face);
-    for(const auto& place : places) // faces at the seam are beyond it by a part of them
-      EXPECT_LE(std::abs(place[0] - 0.5) * width, CGAL_PI + side);
+    for(const auto& uv : uvs) // faces at the seam are beyond it by a part of them
+      EXPECT_LE(std::abs(uv[0] - 0.5) * width, CGAL_PI + side);
     for(int k = 0; k < 3; ++k) // none is stretched over the seam
-      EXPECT_LT(std::abs(places[k][0] - places[(k + 1) % 3][0]) * width, 1.01 * side);
+      EXPECT_LT(std::abs(uvs[k][0] - uvs[(k + 1) % 3][0]) * width, 1.01 * side);
   }
   EXPECT_GE(covered.size(), 10u * 2u * 60u); // no hole
 }
 
-TEST(decal, colours_are_put_over_one_another)
+TEST(decal, composites_colors)
 {
   Mesh mesh = mesh_of(square(10));
   GP::Decal_placer<Mesh> placer(mesh);
@@ -288,7 +289,7 @@ TEST(decal, colours_are_put_over_one_another)
   }
 }
 
-TEST(decal, a_baked_texture_has_the_colours_of_the_images)
+TEST(decal, baked_texture_matches_images)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   GP::Decal_placer<Mesh> placer(mesh);
@@ -299,10 +300,10 @@ TEST(decal, a_baked_texture_has_the_colours_of_the_images)
                                                      {placer.place(Vertex(20), 0.7, 0.5), glass}};
   const auto texture = GP::bake_decals(layers, 6, {0.5, 0.5, 0.5, 1.});
   ASSERT_EQ(texture.texels.size(), texture.width * texture.height);
-  const auto at = [&](const Decal_coordinates& place)
+  const auto at = [&](const Decal_coordinates& uv)
   {
-    const double x = place[0] * double(texture.width) - 0.5 + 1e-9,
-                 y = place[1] * double(texture.height) - 0.5 + 1e-9;
+    const double x = uv[0] * double(texture.width) - 0.5 + 1e-9,
+                 y = uv[1] * double(texture.height) - 0.5 + 1e-9;
     return texture.texels[std::size_t(y) * texture.width + std::size_t(x)];
   };
   EXPECT_EQ(at(texture.background), (Decal_color{0.5, 0.5, 0.5, 1.}));
@@ -315,14 +316,14 @@ TEST(decal, a_baked_texture_has_the_colours_of_the_images)
       Decal_color expected = {0.5, 0.5, 0.5, 1.};
       bool is_sure = true;
       for(const auto& layer : layers)
-        for(const auto& one : layer.decal.faces)
-          if(one.face == face)
+        for(const auto& decal_face : layer.decal.faces)
+          if(decal_face.face == face)
           {
-            const auto& p = one.coordinates[k];
+            const auto& p = decal_face.coordinates[k];
             const double beyond = std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)) - 0.5;
             is_sure = is_sure && std::abs(beyond) > 1e-9;
             if(beyond < 0.)
-              expected = GP::internal::over(layer.image(p), expected);
+              expected = GP::internal::blend_over(layer.image(p), expected);
           }
       if(is_sure)
       {
@@ -332,12 +333,13 @@ TEST(decal, a_baked_texture_has_the_colours_of_the_images)
       }
     }
   }
-  std::set<Face> either;
+  std::set<Face> any_covered;
   for(const auto& layer : layers)
-    for(const auto& one : layer.decal.faces)
-      either.insert(one.face);
-  EXPECT_EQ(covered, either);
-  EXPECT_LT(either.size(), layers[0].decal.faces.size() + layers[1].decal.faces.size()); // overlap
+    for(const auto& decal_face : layer.decal.faces)
+      any_covered.insert(decal_face.face);
+  EXPECT_EQ(covered, any_covered);
+  EXPECT_LT(any_covered.size(),
+            layers[0].decal.faces.size() + layers[1].decal.faces.size()); // overlap
   EXPECT_THROW(GP::bake_decals(layers, 0), GP::Invalid_argument_error);
   EXPECT_EQ(GP::bake_decals<Mesh>({}, 3).faces.size(), 0u);
 }
@@ -354,11 +356,11 @@ std::array<std::size_t, 3> counts_on_sphere()
                  GP::parameters::up_direction(
                      typename GP::Decal_placer<TriangleMesh>::Domain::Vector_3(0.1f, 0.3f, 1.f)));
   const GP::Decal_image red = [](const Decal_coordinates&) { return Decal_color{1., 0., 0., 1.}; };
-  return {decal.faces.size(), decal.sites.size(),
+  return {decal.faces.size(), decal.vertices.size(),
           GP::bake_decals<TriangleMesh>({{decal, red}}, 2).faces.size()};
 }
 
-TEST(decal, takes_any_mesh)
+TEST(decal, supports_all_mesh_types)
 {
   const auto counts = counts_on_sphere<Mesh>();
   EXPECT_GT(counts[0], 20u);
@@ -369,7 +371,7 @@ TEST(decal, takes_any_mesh)
 #endif
 }
 
-TEST(decal, lies_on_the_surfels_of_a_cloud)
+TEST(decal, covers_surfels_of_a_cloud)
 {
   CGAL::Point_set_3<Kernel::Point_3> cloud;
   cloud.add_normal_map();
@@ -380,12 +382,12 @@ TEST(decal, lies_on_the_surfels_of_a_cloud)
   GP::Decal_placer<CGAL::Point_set_3<Kernel::Point_3>> placer(cloud);
   const auto decal = placer.place(*(cloud.begin() + 10 * 21 + 10), 0.44, 0.28,
                                   GP::parameters::up_direction(Vector_3(0., 1., 0.)));
-  EXPECT_EQ(decal.sites.size(), 9u * 5u);
-  for(const auto& [surfel, place] : decal.sites)
+  EXPECT_EQ(decal.vertices.size(), 9u * 5u);
+  for(const auto& [surfel, uv] : decal.vertices)
   {
     // Chords of fronts on clouds: the error is 1 % of the distance at most.
-    EXPECT_NEAR((place[0] - 0.5) * 0.44, cloud.point(surfel).x() - 0.5, 0.003);
-    EXPECT_NEAR((place[1] - 0.5) * 0.28, cloud.point(surfel).y() - 0.5, 0.003);
+    EXPECT_NEAR((uv[0] - 0.5) * 0.44, cloud.point(surfel).x() - 0.5, 0.003);
+    EXPECT_NEAR((uv[1] - 0.5) * 0.28, cloud.point(surfel).y() - 0.5, 0.003);
   }
   GP::composite_decal(
       decal,
@@ -396,19 +398,19 @@ TEST(decal, lies_on_the_surfels_of_a_cloud)
   std::size_t painted = 0;
   for(const auto& surfel : cloud)
     painted += colors[surfel] == std::array<double, 3>{1., 0.5, 0.5};
-  EXPECT_EQ(painted, decal.sites.size());
+  EXPECT_EQ(painted, decal.vertices.size());
 }
 
-TEST(decal, refuses_what_makes_no_sense)
+TEST(decal, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(square(3));
   GP::Decal_placer<Mesh> placer(mesh);
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinite = std::numeric_limits<double>::infinity();
-  for(const double wrong : {0., -1., nan, infinite})
+  for(const double invalid : {0., -1., nan, infinite})
   {
-    EXPECT_THROW(placer.place(Vertex(5), wrong, 1.), GP::Invalid_argument_error);
-    EXPECT_THROW(placer.place(Vertex(5), 1., wrong), GP::Invalid_argument_error);
+    EXPECT_THROW(placer.place(Vertex(5), invalid, 1.), GP::Invalid_argument_error);
+    EXPECT_THROW(placer.place(Vertex(5), 1., invalid), GP::Invalid_argument_error);
   }
   EXPECT_THROW(placer.place(Vertex(99), 1., 1.), GP::Invalid_argument_error);
   EXPECT_THROW(placer.place(Vertex(5), 1., 1., GP::parameters::up_direction(Vector_3(0., 0., 1.))),

@@ -8,7 +8,7 @@
 
 #include "Mesh_of.h"
 #include "openmesh.h"
-#include "subdivided.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -55,9 +55,9 @@ void expect_the_same(const Bytes& bytes, const Mesh& mesh)
   }
 }
 
-TEST(decode_wavelets, makes_any_mesh)
+TEST(decode_wavelets, supports_all_mesh_types)
 {
-  const Mesh mesh = mesh_of(finest(icosphere(0), 3, onto_bumps));
+  const Mesh mesh = mesh_of(finest(icosphere(0), 3, onto_bumpy_sphere));
   const Bytes bytes = stream_of(mesh);
   expect_the_same<Mesh>(bytes, mesh);
   expect_the_same<CGAL::Polyhedron_3<Kernel>>(bytes, mesh);
@@ -67,7 +67,7 @@ TEST(decode_wavelets, makes_any_mesh)
 }
 
 // Where vertices pinch and there are borders as well.
-TEST(decode_wavelets, makes_surfaces_that_touch_themselves)
+TEST(decode_wavelets, supports_pinched_boundary_vertices)
 {
   const Triangulation bow = {
       {{0., 0., 0.}, {1., 0., 0.}, {1., 1., 0.}, {-1., 0., 0.}, {-1., -1., 0.}},
@@ -80,7 +80,7 @@ TEST(decode_wavelets, makes_surfaces_that_touch_themselves)
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(decoded));
 }
 
-TEST(decode_wavelets, of_what_was_decoded_is_the_same)
+TEST(decode_wavelets, is_idempotent)
 {
   const Mesh mesh = mesh_of(finest(square(2), 3));
   Mesh once, twice;
@@ -89,9 +89,9 @@ TEST(decode_wavelets, of_what_was_decoded_is_the_same)
   EXPECT_LT(root_mean_square(once, twice), 1e-6); // 24 planes of numbers below 8
 }
 
-TEST(decode_wavelets, survives_cuts_and_flips)
+TEST(decode_wavelets, handles_truncated_and_damaged_streams)
 {
-  const Mesh mesh = mesh_of(finest(tetrahedron(), 2, onto_bumps));
+  const Mesh mesh = mesh_of(finest(tetrahedron(), 2, onto_bumpy_sphere));
   const Bytes bytes = stream_of(mesh, 10);
   std::size_t meshes = 0;
   for(std::size_t i = 0; i < bytes.size(); ++i)
@@ -120,9 +120,9 @@ TEST(decode_wavelets, survives_cuts_and_flips)
   EXPECT_GT(meshes, bytes.size()); // most of the bytes are planes
 }
 
-TEST(decode_wavelets, refuses_other_streams)
+TEST(decode_wavelets, throws_on_invalid_streams)
 {
-  Mesh mesh = mesh_of(finest(icosphere(0), 2, onto_bumps)), decoded;
+  Mesh mesh = mesh_of(finest(icosphere(0), 2, onto_bumpy_sphere)), decoded;
   const Bytes bytes = stream_of(mesh);
   EXPECT_THROW(GP::decode_wavelets(bytes, decoded,
                                    GP::parameters::maximum_number_of_vertices(std::size_t(161))),

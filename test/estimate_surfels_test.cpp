@@ -26,7 +26,7 @@ Point_set sphere_points()
   return points;
 }
 
-TEST(estimate_surfels, makes_a_sphere_of_points)
+TEST(estimate_surfels, estimates_sphere_normals_and_radii)
 {
   Point_set points = sphere_points();
   EXPECT_EQ(GP::estimate_surfels(points), 0u);
@@ -64,7 +64,7 @@ TEST(estimate_surfels, removes_outliers)
     EXPECT_EQ(far.count(index), 0u);
 }
 
-TEST(estimate_surfels, writes_to_the_maps_of_a_range)
+TEST(estimate_surfels, writes_property_maps_of_range)
 {
   Surfels surfels = flat_surfels(500);
   const Surfels given = surfels;
@@ -81,7 +81,7 @@ TEST(estimate_surfels, writes_to_the_maps_of_a_range)
   }
 }
 
-TEST(estimate_surfels, refuses_what_makes_no_surfels)
+TEST(estimate_surfels, throws_on_invalid_input)
 {
   Point_set few;
   few.insert({0., 0., 0.});

@@ -10,7 +10,7 @@ namespace {
 
 using namespace CGAL::Geodesic_processing;
 
-TEST(Exceptions, are_runtime_errors_that_carry_a_sentence)
+TEST(Exceptions, are_runtime_errors_with_message)
 {
   try
   {

@@ -16,11 +16,11 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Vector_3 = Kernel::Vector_3;
 
-TEST(exponential_map, leads_to_the_vertices_of_the_logarithmic_map)
+TEST(exponential_map, inverts_logarithmic_map)
 {
   // The part of the vertices to which exponentials of logarithms lead.  Rounding grows with the number of
   // faces on the way.
-  const auto part_found_again = [](const Mesh& mesh, Vertex base, double radius)
+  const auto fraction_recovered = [](const Mesh& mesh, Vertex base, double radius)
   {
     std::size_t number = 0;
     GP::Logarithmic_map<Mesh, GP::Exact> map(mesh);
@@ -28,32 +28,32 @@ TEST(exponential_map, leads_to_the_vertices_of_the_logarithmic_map)
     map.compute(base, np.maximum_distance(radius));
     for(const Vertex v : map.reached())
     {
-      const auto there = GP::exponential_map(map.domain(), base, map(v), np);
-      const auto p = CGAL::Polygon_mesh_processing::construct_point(there, mesh);
+      const auto image = GP::exponential_map(map.domain(), base, map(v), np);
+      const auto p = CGAL::Polygon_mesh_processing::construct_point(image, mesh);
       number += std::sqrt(CGAL::squared_distance(p, mesh.point(v))) < 1e-9 * radius;
     }
     return double(number) / double(map.reached().size());
   };
-  EXPECT_EQ(part_found_again(mesh_of(icosphere(4)), Vertex(7), 1.5), 1.);
-  EXPECT_EQ(part_found_again(mesh_of(square(20, 0.25)), Vertex(220), 0.7), 1.);
+  EXPECT_EQ(fraction_recovered(mesh_of(icosphere(4)), Vertex(7), 1.5), 1.);
+  EXPECT_EQ(fraction_recovered(mesh_of(square(20, 0.25)), Vertex(220), 0.7), 1.);
   if(Mesh mesh; read_model("meshes/elephant_2k8.off", mesh))
   {
     // Where a shortest path bends at a saddle vertex, the straightest one leaves it: to one in eighty.
-    EXPECT_GT(part_found_again(mesh, Vertex(100), 0.1), 0.95);
+    EXPECT_GT(fraction_recovered(mesh, Vertex(100), 0.1), 0.95);
   }
 }
 
-TEST(exponential_map, ends_at_a_border)
+TEST(exponential_map, ends_at_boundary)
 {
   const Mesh mesh = mesh_of(square(4));
-  const auto there = GP::exponential_map(mesh, Vertex(6), {0., 10.},
+  const auto image = GP::exponential_map(mesh, Vertex(6), {0., 10.},
                                          GP::parameters::up_direction(Vector_3(0., 1., 0.)));
-  const auto p = CGAL::Polygon_mesh_processing::construct_point(there, mesh);
+  const auto p = CGAL::Polygon_mesh_processing::construct_point(image, mesh);
   EXPECT_NEAR(p.x(), mesh.point(Vertex(6)).x(), 1e-12);
   EXPECT_NEAR(p.y(), 1., 1e-12);
 }
 
-TEST(exponential_map, refuses_what_makes_no_sense)
+TEST(exponential_map, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(square(4));
   EXPECT_THROW(GP::exponential_map(mesh, Vertex(6), {std::nan(""), 0.}),

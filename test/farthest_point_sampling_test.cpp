@@ -8,7 +8,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Samples sampled(const Mesh& mesh, std::size_t number)
   return samples;
 }
 
-TEST(Farthest_point_sampling, begins_with_the_corners_of_a_square)
+TEST(Farthest_point_sampling, starts_at_square_corners)
 {
   const Mesh mesh = mesh_of(square(20, 0.2));
   std::set<Point> corners;
@@ -43,7 +43,7 @@ TEST(Farthest_point_sampling, begins_with_the_corners_of_a_square)
   EXPECT_EQ(corners, (std::set<Point>{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {1., 1., 0.}}));
 }
 
-TEST(Farthest_point_sampling, is_antipodal_on_a_sphere)
+TEST(Farthest_point_sampling, second_sample_on_sphere_is_antipodal)
 {
   const Mesh mesh = mesh_of(icosphere(4));
   const Samples samples = sampled(mesh, 2);
@@ -52,38 +52,38 @@ TEST(Farthest_point_sampling, is_antipodal_on_a_sphere)
   EXPECT_LT(distance(point_of(mesh, samples[0]), -1. * point_of(mesh, samples[1])), 0.0812);
 }
 
-TEST(Farthest_point_sampling, covers_and_packs)
+TEST(Farthest_point_sampling, samples_cover_and_are_separated)
 {
   Mesh mesh = mesh_of(square(30, 0.2));
-  std::vector<Vertex> sites;
+  std::vector<Vertex> sampled_vertices;
   Radii radii;
   auto label = vertex_map<std::size_t>(mesh);
-  GP::farthest_site_sampling(mesh, 60, std::back_inserter(sites),
-                             GP::parameters::covering_radius_output(std::back_inserter(radii))
-                                 .random_seed(3)
-                                 .source_label_map(label));
-  ASSERT_EQ(sites.size(), 60u);
+  GP::farthest_vertex_sampling(mesh, 60, std::back_inserter(sampled_vertices),
+                               GP::parameters::covering_radius_output(std::back_inserter(radii))
+                                   .random_seed(3)
+                                   .source_label_map(label));
+  ASSERT_EQ(sampled_vertices.size(), 60u);
   ASSERT_EQ(radii.size(), 60u);
   EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
   // Where cells meet a distance may be too long by some thousandths of a side.
   const double error = 0.01 / 30.;
-  const auto between = [&](Vertex a, Vertex b)
+  const auto vertex_distance = [&](Vertex a, Vertex b)
   { return std::sqrt(CGAL::squared_distance(mesh.point(a), mesh.point(b))); };
   for(std::size_t i = 1; i < 60; ++i)
     for(std::size_t j = 0; j < i; ++j)
-      EXPECT_GE(between(sites[i], sites[j]), radii[i - 1] - error);
+      EXPECT_GE(vertex_distance(sampled_vertices[i], sampled_vertices[j]), radii[i - 1] - error);
   for(const Vertex v : mesh.vertices())
   {
     double nearest = GP::internal::infinity;
-    for(const Vertex site : sites)
-      nearest = std::min(nearest, between(site, v));
+    for(const Vertex sampled_vertex : sampled_vertices)
+      nearest = std::min(nearest, vertex_distance(sampled_vertex, v));
     EXPECT_LE(nearest, radii.back() + error);
     ASSERT_LT(get(label, v), 60u);
-    EXPECT_LE(between(sites[get(label, v)], v), nearest + error);
+    EXPECT_LE(vertex_distance(sampled_vertices[get(label, v)], v), nearest + error);
   }
 }
 
-TEST(Farthest_point_sampling, stops_at_a_covering_radius)
+TEST(Farthest_point_sampling, stops_at_covering_radius)
 {
   const Mesh mesh = mesh_of(square(20, 0.2));
   Samples samples;
@@ -99,7 +99,7 @@ TEST(Farthest_point_sampling, stops_at_a_covering_radius)
   EXPECT_LT(samples.size(), 1.15 * 1.15 / (pi * 0.075 * 0.075));
 }
 
-TEST(Farthest_point_sampling, goes_on_from_first_samples)
+TEST(Farthest_point_sampling, continues_from_first_samples)
 {
   Mesh mesh = mesh_of(square(20, 0.2));
   Samples samples;
@@ -122,7 +122,7 @@ TEST(Farthest_point_sampling, goes_on_from_first_samples)
   EXPECT_EQ(two, one);
 }
 
-TEST(Farthest_point_sampling, is_denser_where_it_is_slow)
+TEST(Farthest_point_sampling, density_follows_speed)
 {
   Mesh mesh = mesh_of(square(30, 0.2));
   const auto speed = mesh.add_property_map<Face, double>("f:speed", 1.).first;
@@ -139,9 +139,9 @@ TEST(Farthest_point_sampling, is_denser_where_it_is_slow)
   EXPECT_NEAR(double(left), 100., 10.);
 }
 
-TEST(Farthest_point_sampling, depends_on_seed_and_method_only)
+TEST(Farthest_point_sampling, is_deterministic_for_seed_and_method)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
   const auto with = [&](unsigned seed)
   {
     Samples samples;
@@ -152,26 +152,26 @@ TEST(Farthest_point_sampling, depends_on_seed_and_method_only)
   EXPECT_EQ(with(1), with(1));
   EXPECT_NE(with(1), with(2));
   EXPECT_EQ(with(0), sampled(mesh, 20));
-  std::vector<Vertex> chains, straight;
-  GP::farthest_site_sampling<GP::Dijkstra>(mesh, 20, std::back_inserter(chains));
-  GP::farthest_site_sampling<GP::Fast_marching>(mesh, 20, std::back_inserter(straight));
-  EXPECT_EQ(chains.size(), 20u);
-  EXPECT_EQ(straight.size(), 20u);
-  EXPECT_NE(chains, straight);
+  std::vector<Vertex> graph_samples, front_samples;
+  GP::farthest_vertex_sampling<GP::Dijkstra>(mesh, 20, std::back_inserter(graph_samples));
+  GP::farthest_vertex_sampling<GP::Fast_marching>(mesh, 20, std::back_inserter(front_samples));
+  EXPECT_EQ(graph_samples.size(), 20u);
+  EXPECT_EQ(front_samples.size(), 20u);
+  EXPECT_NE(graph_samples, front_samples);
 }
 
-TEST(Farthest_point_sampling, does_not_depend_on_scale)
+TEST(Farthest_point_sampling, is_scale_invariant)
 {
   for(const double scale : {1e-6, 1e6})
   {
     const Triangulation plane = square(20, 0.2);
     const Mesh mesh = mesh_of(plane), large = mesh_of(scaled(plane, scale));
     Radii radii, large_radii;
-    std::vector<Vertex> sites;
-    GP::farthest_site_sampling(mesh, 30, std::back_inserter(sites),
-                               GP::parameters::covering_radius_output(std::back_inserter(radii)));
-    GP::farthest_site_sampling(
-        large, 30, std::back_inserter(sites),
+    std::vector<Vertex> sampled_vertices;
+    GP::farthest_vertex_sampling(mesh, 30, std::back_inserter(sampled_vertices),
+                                 GP::parameters::covering_radius_output(std::back_inserter(radii)));
+    GP::farthest_vertex_sampling(
+        large, 30, std::back_inserter(sampled_vertices),
         GP::parameters::covering_radius_output(std::back_inserter(large_radii)));
     // Rounding may choose another of two sites that are as far; radii differ by no more than it.
     for(std::size_t i = 0; i < 30; ++i)
@@ -179,22 +179,22 @@ TEST(Farthest_point_sampling, does_not_depend_on_scale)
   }
 }
 
-TEST(Farthest_point_sampling, reaches_components_and_leaves_out_isolated_vertices)
+TEST(Farthest_point_sampling, covers_components_and_skips_isolated_vertices)
 {
-  Triangulation parts = apart(icosphere(2), apart(square(4), tetrahedron()));
-  parts.points.push_back({5., 5., 5.});
-  const Mesh mesh = mesh_of(parts);
-  std::vector<Vertex> sites;
+  Triangulation components = disjoint_union(icosphere(2), disjoint_union(square(4), tetrahedron()));
+  components.points.push_back({5., 5., 5.});
+  const Mesh mesh = mesh_of(components);
+  std::vector<Vertex> sampled_vertices;
   Radii radii;
-  GP::farthest_site_sampling(mesh, all, std::back_inserter(sites),
-                             GP::parameters::covering_radius_output(std::back_inserter(radii)));
-  EXPECT_EQ(sites.size(), parts.points.size() - 1);
+  GP::farthest_vertex_sampling(mesh, all, std::back_inserter(sampled_vertices),
+                               GP::parameters::covering_radius_output(std::back_inserter(radii)));
+  EXPECT_EQ(sampled_vertices.size(), components.points.size() - 1);
   EXPECT_EQ(radii[1], GP::internal::infinity);
   EXPECT_LT(radii[2], GP::internal::infinity);
   EXPECT_EQ(radii.back(), 0.);
 }
 
-TEST(Farthest_point_sampling, takes_other_meshes_and_domains)
+TEST(Farthest_point_sampling, accepts_polyhedron_and_domain)
 {
   using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
   Polyhedron polyhedron;
@@ -209,7 +209,7 @@ TEST(Farthest_point_sampling, takes_other_meshes_and_domains)
   EXPECT_EQ(again, sampled(mesh, 9));
 }
 
-TEST(Farthest_point_sampling, of_a_cloud_is_of_surfels)
+TEST(Farthest_point_sampling, samples_surfels_of_a_cloud)
 {
   const Surfels surfels = sphere_surfels(4);
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
@@ -241,21 +241,21 @@ TEST(Farthest_point_sampling, of_a_cloud_is_of_surfels)
   CGAL::Point_set_3<Kernel::Point_3> set(true);
   for(const auto& [p, n] : surfels)
     set.insert(p, n);
-  std::vector<std::size_t> sites;
-  GP::farthest_site_sampling(set, 50, std::back_inserter(sites));
+  std::vector<std::size_t> sampled_vertices;
+  GP::farthest_vertex_sampling(set, 50, std::back_inserter(sampled_vertices));
   for(std::size_t i = 0; i < 50; ++i)
-    EXPECT_EQ(sites[i], samples[i].surfel);
+    EXPECT_EQ(sampled_vertices[i], samples[i].surfel);
 }
 
-TEST(Farthest_point_sampling, of_a_cloud_leaves_out_surfels_without_neighbors)
+TEST(Farthest_point_sampling, skips_surfels_without_neighbors)
 {
   Surfels surfels = flat_surfels(500);
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
   const auto sampled = [&]
   {
-    std::vector<std::size_t> sites;
-    GP::farthest_site_sampling(surfels, 20, std::back_inserter(sites), maps);
-    return sites;
+    std::vector<std::size_t> sampled_vertices;
+    GP::farthest_vertex_sampling(surfels, 20, std::back_inserter(sampled_vertices), maps);
+    return sampled_vertices;
   };
   const std::vector<std::size_t> without = sampled();
   surfels.push_back({{0.5, 0.5, 3.}, {0., 0., 1.}});
@@ -269,40 +269,41 @@ TEST(Farthest_point_sampling, of_a_cloud_leaves_out_surfels_without_neighbors)
   EXPECT_EQ(with.size(), 20u);
 }
 
-TEST(Farthest_point_sampling, of_a_cloud_is_seeded_chosen_and_weighted)
+TEST(Farthest_point_sampling, cloud_sampling_uses_seed_first_samples_and_speed)
 {
   const Surfels surfels = flat_surfels(3000);
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
   const auto with = [&](const auto& np)
   {
-    std::vector<std::size_t> sites;
-    GP::farthest_site_sampling(surfels, 100, std::back_inserter(sites), np);
-    return sites;
+    std::vector<std::size_t> sampled_vertices;
+    GP::farthest_vertex_sampling(surfels, 100, std::back_inserter(sampled_vertices), np);
+    return sampled_vertices;
   };
   EXPECT_EQ(with(maps.random_seed(1u)), with(maps.random_seed(1u)));
   EXPECT_NE(with(maps.random_seed(1u)), with(maps.random_seed(2u)));
 
   const auto x = [&](std::size_t i) { return surfels[i].first.x(); };
   const auto leftmost = [&](std::size_t i, std::size_t j) { return x(i) < x(j); };
-  std::vector<std::size_t> all_sites(surfels.size());
-  std::iota(all_sites.begin(), all_sites.end(), 0);
-  const std::size_t chosen = *std::min_element(all_sites.begin(), all_sites.end(), leftmost);
+  std::vector<std::size_t> all_surfels(surfels.size());
+  std::iota(all_surfels.begin(), all_surfels.end(), 0);
+  const std::size_t first_sample =
+      *std::min_element(all_surfels.begin(), all_surfels.end(), leftmost);
   Radii radii;
   std::vector<double> speed;
-  for(const std::size_t i : all_sites)
+  for(const std::size_t i : all_surfels)
     speed.push_back(x(i) < 0.5 ? 0.2 : 1.);
-  const auto sites = with(maps.first_samples(chosen)
-                              .speed_map(CGAL::make_property_map(speed))
-                              .covering_radius_output(std::back_inserter(radii)));
-  EXPECT_EQ(std::count(sites.begin(), sites.end(), chosen), 0);
+  const auto sampled_vertices = with(maps.first_samples(first_sample)
+                                         .speed_map(CGAL::make_property_map(speed))
+                                         .covering_radius_output(std::back_inserter(radii)));
+  EXPECT_EQ(std::count(sampled_vertices.begin(), sampled_vertices.end(), first_sample), 0);
   EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
   // 25 parts of 26, and what the borders take: within a tenth.
-  const auto left =
-      std::count_if(sites.begin(), sites.end(), [&](std::size_t i) { return x(i) < 0.5; });
+  const auto left = std::count_if(sampled_vertices.begin(), sampled_vertices.end(),
+                                  [&](std::size_t i) { return x(i) < 0.5; });
   EXPECT_NEAR(double(left), 96., 10.);
 }
 
-TEST(Farthest_point_sampling, says_what_it_cannot_use)
+TEST(Farthest_point_sampling, throws_on_invalid_arguments)
 {
   const Mesh mesh = mesh_of(square(4));
   Samples samples;

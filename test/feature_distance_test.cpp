@@ -25,39 +25,40 @@ using namespace GP::test;
 // Never above the exact distance, and in the mean below by no more than a hundredth of the largest one and
 // what points lose: a part of the edges around them.
 template <typename Feature>
-void expect_below_exact(Mesh& mesh, const Feature& feature, double lost_at_points = 0.)
+void expect_lower_bound_of_exact(Mesh& mesh, const Feature& feature,
+                                 double tolerance_at_points = 0.)
 {
   auto found = vertex_map(mesh), exact = mesh.add_property_map<Vertex, double>("v:exact").first;
   const GP::Earth_movers_cost cost = GP::feature_distance(mesh, feature, found);
   EXPECT_TRUE(cost.converged);
   GP::geodesic_distances<GP::Exact>(mesh, feature, exact);
-  double largest = 0., loss = 0.;
+  double largest = 0., mean_difference = 0.;
   for(const Vertex v : vertices(mesh))
   {
     EXPECT_LE(found[v], exact[v] * (1. + 1e-9)); // rounding
     EXPECT_GE(found[v], 0.);
     largest = std::max(largest, exact[v]);
-    loss += (exact[v] - found[v]) / double(num_vertices(mesh));
+    mean_difference += (exact[v] - found[v]) / double(num_vertices(mesh));
   }
-  EXPECT_LT(loss, 0.01 * largest + lost_at_points);
+  EXPECT_LT(mean_difference, 0.01 * largest + tolerance_at_points);
 }
 
-TEST(Feature_distance, is_that_of_curves_and_borders)
+TEST(Feature_distance, is_accurate_for_curves_and_boundary)
 {
   Mesh plane = mesh_of(square(20, 0.24));
-  std::vector<GP::Source<Mesh>> border;
-  GP::border_sources(plane, std::back_inserter(border));
-  expect_below_exact(plane, border);
+  std::vector<GP::Source<Mesh>> boundary_sources;
+  GP::border_sources(plane, std::back_inserter(boundary_sources));
+  expect_lower_bound_of_exact(plane, boundary_sources);
 
   Mesh ring = mesh_of(torus(60, 30)); // of rings of 30 vertices
   std::vector<Vertex> curve;
   for(Mesh::size_type i = 0; i < 30; ++i)
     curve.push_back(Vertex(i));
-  expect_below_exact(ring, curve);
+  expect_lower_bound_of_exact(ring, curve);
 }
 
 // On an interval with features at 0 and 0.3: fixed masses there would make it wrong by 0.3.
-TEST(Feature_distance, has_no_offsets)
+TEST(Feature_distance, is_zero_on_every_feature)
 {
   Mesh mesh = mesh_of(square(20));
   std::vector<Vertex> lines;
@@ -78,7 +79,7 @@ using Location = GP::Source<Mesh>::Location;
 
 // Where a function that is linear in each face is zero: a source for each face.
 template <typename Function>
-std::vector<GP::Source<Mesh>> zeros(const Mesh& mesh, const Function& function)
+std::vector<GP::Source<Mesh>> zero_set(const Mesh& mesh, const Function& function)
 {
   std::vector<GP::Source<Mesh>> result;
   for(const Face f : faces(mesh))
@@ -104,7 +105,7 @@ std::vector<GP::Source<Mesh>> zeros(const Mesh& mesh, const Function& function)
 }
 
 // In the plane, through faces at any angle: the distance is linear on both sides.
-TEST(Feature_distance, is_that_of_straight_lines)
+TEST(Feature_distance, is_exact_for_straight_lines)
 {
   for(const double scale : {1., 1e-6, 1e6})
     for(const double angle : {0.2, 1.1, 1.9, 2.8})
@@ -115,7 +116,7 @@ TEST(Feature_distance, is_that_of_straight_lines)
       { return c * (p.x() - 0.52 * scale) + s * (p.y() - 0.47 * scale); };
       auto found = vertex_map(mesh);
       const GP::Earth_movers_cost cost =
-          GP::feature_distance(mesh, zeros(mesh, height), found,
+          GP::feature_distance(mesh, zero_set(mesh, height), found,
                                GP::parameters::tolerance(1e-8).number_of_refinements(0u));
       EXPECT_TRUE(cost.converged);
       for(const Vertex v : vertices(mesh))
@@ -123,32 +124,33 @@ TEST(Feature_distance, is_that_of_straight_lines)
     }
 }
 
-TEST(Feature_distance, is_that_of_places_and_paths_in_faces)
+TEST(Feature_distance, is_accurate_for_locations_and_paths_in_faces)
 {
-  Mesh plane = mesh_of(square(16, 0.24)), ball = mesh_of(shaken(icosphere(3), 0.02));
+  Mesh plane = mesh_of(square(16, 0.24)), ball = mesh_of(jittered(icosphere(3), 0.02));
   const Location inside(Face(100), {0.2, 0.5, 0.3}), other(Face(300), {0.6, 0.1, 0.3});
   for(Mesh* mesh : {&plane, &ball})
   {
-    const double lost = mesh == &plane ? 0.02 : 0.04; // a third of an edge
-    expect_below_exact(*mesh, inside, lost);
-    expect_below_exact(*mesh, std::vector<Location>{inside, other, {Face(100), {0.7, 0.1, 0.2}}},
-                       lost);
+    const double tolerance_at_points = mesh == &plane ? 0.02 : 0.04; // a third of an edge
+    expect_lower_bound_of_exact(*mesh, inside, tolerance_at_points);
+    expect_lower_bound_of_exact(*mesh,
+                                std::vector<Location>{inside, other, {Face(100), {0.7, 0.1, 0.2}}},
+                                tolerance_at_points);
     const auto path = GP::Geodesic_path_finder<Mesh>(*mesh)(inside, other);
-    expect_below_exact(*mesh, GP::Source<Mesh>(path.locations), lost);
+    expect_lower_bound_of_exact(*mesh, GP::Source<Mesh>(path.locations), tolerance_at_points);
     // Beside vertices.
-    expect_below_exact(*mesh,
-                       std::vector<GP::Source<Mesh>>{GP::Source<Mesh>(path.locations),
-                                                     GP::Source<Mesh>(Vertex(11))},
-                       lost);
+    expect_lower_bound_of_exact(*mesh,
+                                std::vector<GP::Source<Mesh>>{GP::Source<Mesh>(path.locations),
+                                                              GP::Source<Mesh>(Vertex(11))},
+                                tolerance_at_points);
   }
 }
 
-TEST(Feature_distance, is_that_of_a_circle_of_latitude)
+TEST(Feature_distance, is_accurate_for_circle_of_latitude)
 {
   Mesh mesh = mesh_of(icosphere(4));
   const double height = 0.3;
-  const auto circle = zeros(mesh, [&](const Kernel::Point_3& p) { return p.z() - height; });
-  expect_below_exact(mesh, circle);
+  const auto circle = zero_set(mesh, [&](const Kernel::Point_3& p) { return p.z() - height; });
+  expect_lower_bound_of_exact(mesh, circle);
   auto found = vertex_map(mesh);
   GP::feature_distance(mesh, circle, found);
   for(const Vertex v : vertices(mesh))
@@ -160,14 +162,14 @@ TEST(Feature_distance, is_that_of_a_circle_of_latitude)
 }
 
 // A speed is one of the parts of faces as well.
-TEST(Feature_distance, of_curves_takes_speeds)
+TEST(Feature_distance, accepts_speeds)
 {
   Mesh mesh = mesh_of(square(12, 0.24));
   const auto speed = mesh.add_property_map<Face, double>("speed", 2.).first;
   auto found = vertex_map(mesh);
   GP::feature_distance(
-      mesh, zeros(mesh, [](const Kernel::Point_3& p) { return p.x() + 0.3 * p.y() - 0.61; }), found,
-      GP::parameters::speed_map(speed).tolerance(1e-8));
+      mesh, zero_set(mesh, [](const Kernel::Point_3& p) { return p.x() + 0.3 * p.y() - 0.61; }),
+      found, GP::parameters::speed_map(speed).tolerance(1e-8));
   for(const Vertex v : vertices(mesh))
     EXPECT_NEAR(found[v],
                 0.5 * std::abs(mesh.point(v).x() + 0.3 * mesh.point(v).y() - 0.61) /
@@ -175,7 +177,7 @@ TEST(Feature_distance, of_curves_takes_speeds)
                 1e-5);
 }
 
-TEST(Feature_distance, is_that_of_clouds)
+TEST(Feature_distance, accepts_point_sets)
 {
   const Surfels surfels = sphere_surfels(4);
   CGAL::Point_set_3<Kernel::Point_3> cloud(true);
@@ -183,40 +185,40 @@ TEST(Feature_distance, is_that_of_clouds)
     cloud.insert(point, normal);
   auto found = cloud.add_property_map<double>("distance", 0.).first;
   GP::feature_distance(cloud, *cloud.begin(), found);
-  double loss = 0.;
+  double mean_difference = 0.;
   for(const auto& i : cloud)
-    loss += (2. * std::asin(0.5 * std::sqrt(CGAL::squared_distance(cloud.point(*cloud.begin()),
-                                                                   cloud.point(i)))) -
-             found[i]) /
-            double(cloud.size());
+    mean_difference += (2. * std::asin(0.5 * std::sqrt(CGAL::squared_distance(
+                                                 cloud.point(*cloud.begin()), cloud.point(i)))) -
+                        found[i]) /
+                       double(cloud.size());
   // A part of a side, 0.06, around the point.
-  EXPECT_LT(std::abs(loss), 0.03);
+  EXPECT_LT(std::abs(mean_difference), 0.03);
   // A place beside a surfel is in no triangle of its own.
-  const GP::Surfel_location<decltype(cloud)::Index> beside{*cloud.begin(), {0.01, 0.}};
-  EXPECT_THROW(GP::feature_distance(cloud, beside, found), GP::Invalid_argument_error);
+  const GP::Surfel_location<decltype(cloud)::Index> next_to_surfel{*cloud.begin(), {0.01, 0.}};
+  EXPECT_THROW(GP::feature_distance(cloud, next_to_surfel, found), GP::Invalid_argument_error);
 }
 
-TEST(Feature_distance, is_infinite_where_no_way_leads)
+TEST(Feature_distance, is_infinite_if_unreachable)
 {
-  Mesh mesh = mesh_of(apart(square(4), square(4)));
-  const Vertex alone = mesh.add_vertex(Kernel::Point_3(0., 0., 9.));
+  Mesh mesh = mesh_of(disjoint_union(square(4), square(4)));
+  const Vertex isolated = mesh.add_vertex(Kernel::Point_3(0., 0., 9.));
   auto found = vertex_map(mesh);
   EXPECT_TRUE(GP::feature_distance(mesh, Vertex(0), found).converged);
   EXPECT_NEAR(found[Vertex(4)], 1., 0.05); // a part of a side
   EXPECT_EQ(found[Vertex(30)], infinity);
-  EXPECT_EQ(found[alone], infinity);
-  GP::feature_distance(mesh, std::vector<Vertex>{Vertex(0), Vertex(25), alone}, found);
+  EXPECT_EQ(found[isolated], infinity);
+  GP::feature_distance(mesh, std::vector<Vertex>{Vertex(0), Vertex(25), isolated}, found);
   EXPECT_NEAR(found[Vertex(29)], 1., 0.05);
-  EXPECT_EQ(found[alone], 0.);
+  EXPECT_EQ(found[isolated], 0.);
   // Behind a wall.
   Mesh plane = mesh_of(square(4));
   const auto speed = plane.add_property_map<Vertex, double>("speed", 1.).first;
   for(Mesh::size_type row = 0; row < 5; ++row)
     for(const Mesh::size_type column : {1, 2})
       speed[Vertex(5 * row + column)] = 0.;
-  auto behind = vertex_map(plane);
-  GP::feature_distance(plane, Vertex(0), behind, GP::parameters::speed_map(speed));
-  EXPECT_EQ(behind[Vertex(4)], infinity);
+  auto behind_obstacle = vertex_map(plane);
+  GP::feature_distance(plane, Vertex(0), behind_obstacle, GP::parameters::speed_map(speed));
+  EXPECT_EQ(behind_obstacle[Vertex(4)], infinity);
 }
 
 } // namespace

@@ -18,14 +18,14 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
 // In the plane a blob moves as a whole: midway as much flows as the blob is wide there.
-TEST(fuzzy_geodesic, is_as_wide_as_the_blobs)
+TEST(fuzzy_geodesic, width_matches_gaussian_densities)
 {
   Mesh mesh = mesh_of(square(60));
-  const auto at = [](unsigned i, unsigned j) { return Vertex(61 * j + i); };
+  const auto vertex_at = [](unsigned i, unsigned j) { return Vertex(61 * j + i); };
   auto likelihood = vertex_map(mesh);
   const double width = 0.07;
-  const GP::Earth_movers_cost cost =
-      GP::fuzzy_geodesic(mesh, at(15, 30), at(45, 30), likelihood, GP::parameters::width(width));
+  const GP::Earth_movers_cost cost = GP::fuzzy_geodesic(mesh, vertex_at(15, 30), vertex_at(45, 30),
+                                                        likelihood, GP::parameters::width(width));
   EXPECT_NEAR(cost.value, 0.5, 0.001); // the gap; fronts are exact in the plane
   double largest = 0.;
   for(const Vertex v : mesh.vertices())
@@ -38,32 +38,34 @@ TEST(fuzzy_geodesic, is_as_wide_as_the_blobs)
   {
     const double y = (double(j) - 30.) / 60. / width;
     // Of flows that cost up to 0.1 % more than the best.
-    EXPECT_NEAR(likelihood[at(30, j)], std::exp(-0.5 * y * y), 0.05);
+    EXPECT_NEAR(likelihood[vertex_at(30, j)], std::exp(-0.5 * y * y), 0.05);
   }
-  EXPECT_LT(likelihood[at(30, 2)], 0.01);
-  EXPECT_LT(likelihood[at(2, 30)], 0.05);
+  EXPECT_LT(likelihood[vertex_at(30, 2)], 0.01);
+  EXPECT_LT(likelihood[vertex_at(2, 30)], 0.05);
 }
 
 // Where two ways are equally short, both are likely; where one is shorter, that alone.
-TEST(fuzzy_geodesic, tells_ways_around_a_hole)
+TEST(fuzzy_geodesic, distinguishes_paths_around_hole)
 {
   Mesh mesh = mesh_of(cylinder(48, 20, 1., 2.));
-  const auto at = [](unsigned around, unsigned ring) { return Vertex(48 * ring + around); };
+  const auto vertex_at = [](unsigned column, unsigned ring) { return Vertex(48 * ring + column); };
   auto likelihood = vertex_map(mesh), by_distances = vertex_map(mesh);
-  GP::fuzzy_geodesic(mesh, at(0, 10), at(24, 10), likelihood);
-  GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, at(0, 10), at(24, 10), by_distances);
-  EXPECT_NEAR(likelihood[at(12, 10)], likelihood[at(36, 10)], 0.1);
-  EXPECT_GT(likelihood[at(12, 10)], 0.4);
-  EXPECT_NEAR(by_distances[at(12, 10)], 1., 1e-9);
-  GP::fuzzy_geodesic(mesh, at(0, 10), at(18, 10), likelihood);
-  GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, at(0, 10), at(18, 10), by_distances);
-  EXPECT_GT(likelihood[at(9, 10)], 0.5);
-  EXPECT_LT(likelihood[at(33, 10)], 0.01);
-  EXPECT_NEAR(by_distances[at(9, 10)], 1., 1e-9);
-  EXPECT_LT(by_distances[at(33, 10)], 0.01);
+  GP::fuzzy_geodesic(mesh, vertex_at(0, 10), vertex_at(24, 10), likelihood);
+  GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, vertex_at(0, 10), vertex_at(24, 10),
+                                             by_distances);
+  EXPECT_NEAR(likelihood[vertex_at(12, 10)], likelihood[vertex_at(36, 10)], 0.1);
+  EXPECT_GT(likelihood[vertex_at(12, 10)], 0.4);
+  EXPECT_NEAR(by_distances[vertex_at(12, 10)], 1., 1e-9);
+  GP::fuzzy_geodesic(mesh, vertex_at(0, 10), vertex_at(18, 10), likelihood);
+  GP::fuzzy_geodesic_by_distances<GP::Exact>(mesh, vertex_at(0, 10), vertex_at(18, 10),
+                                             by_distances);
+  EXPECT_GT(likelihood[vertex_at(9, 10)], 0.5);
+  EXPECT_LT(likelihood[vertex_at(33, 10)], 0.01);
+  EXPECT_NEAR(by_distances[vertex_at(9, 10)], 1., 1e-9);
+  EXPECT_LT(by_distances[vertex_at(33, 10)], 0.01);
 }
 
-TEST(fuzzy_geodesic, by_distances_tells_the_detour)
+TEST(fuzzy_geodesic, by_distances_measures_detour)
 {
   Mesh mesh = mesh_of(square(20, 0.2));
   const Vertex p(70), q(300);
@@ -76,7 +78,7 @@ TEST(fuzzy_geodesic, by_distances_tells_the_detour)
                 1e-9); // rounding
 }
 
-TEST(fuzzy_geodesic, takes_clouds)
+TEST(fuzzy_geodesic, accepts_point_sets)
 {
   const Surfels surfels = sphere_surfels(4);
   using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
@@ -87,7 +89,7 @@ TEST(fuzzy_geodesic, takes_clouds)
   const Cloud::Index p(3), q(900);
   const auto a = cloud.point(p), b = cloud.point(q);
   const auto middle = CGAL::midpoint(a, b) - CGAL::ORIGIN;
-  const auto expect_ridge = [&](double least)
+  const auto expect_ridge_along_geodesic = [&](double min_likelihood)
   {
     for(const auto& i : cloud)
     {
@@ -95,7 +97,7 @@ TEST(fuzzy_geodesic, takes_clouds)
       const double cosine = x * middle / std::sqrt(middle * middle);
       if(cosine > 0.995)
       {
-        EXPECT_GT(likelihood[i], least);
+        EXPECT_GT(likelihood[i], min_likelihood);
       }
       if(cosine < -0.5)
       {
@@ -105,14 +107,14 @@ TEST(fuzzy_geodesic, takes_clouds)
   };
   const double width = 0.15; // two sides
   GP::fuzzy_geodesic(cloud, p, q, likelihood, GP::parameters::width(width));
-  expect_ridge(0.5); // within 0.1 of the way
+  expect_ridge_along_geodesic(0.5); // within 0.1 of the way
   GP::fuzzy_geodesic_by_distances(cloud, p, q, likelihood, GP::parameters::width(width));
-  expect_ridge(0.8);
+  expect_ridge_along_geodesic(0.8);
 }
 
-TEST(fuzzy_geodesic, refuses_what_has_no_way)
+TEST(fuzzy_geodesic, throws_if_not_connected)
 {
-  Mesh mesh = mesh_of(apart(square(4), square(4)));
+  Mesh mesh = mesh_of(disjoint_union(square(4), square(4)));
   auto likelihood = vertex_map(mesh);
   EXPECT_THROW(GP::fuzzy_geodesic(mesh, Vertex(3), Vertex(3), likelihood),
                GP::Invalid_argument_error);

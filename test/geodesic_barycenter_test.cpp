@@ -24,24 +24,24 @@ using namespace GP::test;
 Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
 
 // In the plane the centroid, wherever it is a vertex.
-TEST(Geodesic_barycenter, is_the_centroid_in_the_plane)
+TEST(Geodesic_barycenter, matches_centroid_in_plane)
 {
   const Mesh mesh = mesh_of(square(12));
   const std::vector<Vertex> corners = {at(0, 0), at(12, 0), at(0, 12), at(12, 12)};
-  const auto middle = GP::geodesic_barycenter(mesh, corners);
-  EXPECT_EQ(middle.site, at(6, 6));
-  EXPECT_NEAR(middle.value, 4. * 0.5, 1e-9);
+  const auto center = GP::geodesic_barycenter(mesh, corners);
+  EXPECT_EQ(center.vertex, at(6, 6));
+  EXPECT_NEAR(center.value, 4. * 0.5, 1e-9);
   const std::vector<double> weights = {3., 1., 1., 1.};
   const auto pulled =
       GP::geodesic_barycenter<GP::Exact>(mesh, corners, GP::parameters::weights(weights));
-  EXPECT_EQ(pulled.site, at(4, 4));
+  EXPECT_EQ(pulled.vertex, at(4, 4));
   EXPECT_NEAR(pulled.value, (3. * 32. + 2. * 80. + 128.) / 144., 1e-9);
-  EXPECT_EQ(GP::geodesic_barycenter(mesh, std::vector<Vertex>{at(3, 4)}).site, at(3, 4));
+  EXPECT_EQ(GP::geodesic_barycenter(mesh, std::vector<Vertex>{at(3, 4)}).vertex, at(3, 4));
   // A location counts as well as a site, and one without weight not at all.
-  const std::vector<std::pair<Face, std::array<double, 3>>> places = {
+  const std::vector<std::pair<Face, std::array<double, 3>>> locations = {
       location_of(0, {1., 0., 0.}), location_of(100, {0.2, 0.3, 0.5})};
   const auto all =
-      GP::geodesic_barycenter(mesh, places, GP::parameters::weights(std::array<int, 2>{1, 0}));
+      GP::geodesic_barycenter(mesh, locations, GP::parameters::weights(std::array<int, 2>{1, 0}));
   EXPECT_NEAR(all.value, 0., 1e-9);
 }
 
@@ -54,21 +54,21 @@ GP::Geodesic_barycenter<std::size_t> on_sphere(double scale = 1.)
   const std::vector<typename boost::graph_traits<AnyMesh>::vertex_descriptor> points = {
       v[0], v[50], v[101], v[300]};
   const auto found = GP::geodesic_barycenter(sphere.mesh, points);
-  return {std::size_t(std::find(v.begin(), v.end(), found.site) - v.begin()), found.value};
+  return {std::size_t(std::find(v.begin(), v.end(), found.vertex) - v.begin()), found.value};
 }
 
-TEST(Geodesic_barycenter, takes_all_meshes_and_scales)
+TEST(Geodesic_barycenter, accepts_all_mesh_types_and_scales)
 {
   const auto found = on_sphere<Mesh>();
-  EXPECT_EQ(on_sphere<CGAL::Polyhedron_3<Kernel>>().site, found.site);
+  EXPECT_EQ(on_sphere<CGAL::Polyhedron_3<Kernel>>().vertex, found.vertex);
   for(const double scale : {1e-6, 1e6})
   {
-    EXPECT_EQ(on_sphere<Mesh>(scale).site, found.site);
+    EXPECT_EQ(on_sphere<Mesh>(scale).vertex, found.vertex);
     EXPECT_NEAR(on_sphere<Mesh>(scale).value / scale / scale, found.value, 1e-9);
   }
 }
 
-TEST(Geodesic_barycenter, is_the_least_of_what_it_writes)
+TEST(Geodesic_barycenter, minimizes_objective_map)
 {
   const Surfels surfels = sphere_surfels(4);
   CGAL::Point_set_3<Kernel::Point_3> cloud(true);
@@ -91,13 +91,13 @@ TEST(Geodesic_barycenter, is_the_least_of_what_it_writes)
     EXPECT_EQ(sum[i], expected[i]);
     EXPECT_GE(sum[i], found.value);
   }
-  EXPECT_EQ(sum[found.site], found.value);
+  EXPECT_EQ(sum[found.vertex], found.value);
 }
 
-TEST(Geodesic_barycenter, refuses_what_has_none)
+TEST(Geodesic_barycenter, throws_if_no_barycenter_exists)
 {
   const Mesh one = mesh_of(icosphere(1)),
-             two = mesh_of(apart(icosphere(1), scaled(icosphere(1), 3.)));
+             two = mesh_of(disjoint_union(icosphere(1), scaled(icosphere(1), 3.)));
   using Error = GP::Invalid_argument_error;
   EXPECT_THROW(GP::geodesic_barycenter(one, std::vector<Vertex>{}), Error);
   const std::vector<Vertex> points = {Vertex(0), Vertex(42)};
@@ -108,7 +108,7 @@ TEST(Geodesic_barycenter, refuses_what_has_none)
     EXPECT_THROW(GP::geodesic_barycenter(two, points, GP::parameters::weights(weights)), Error);
   EXPECT_EQ(
       GP::geodesic_barycenter(two, points, GP::parameters::weights(std::vector<double>{1., 0.}))
-          .site,
+          .vertex,
       Vertex(0));
 }
 

@@ -18,7 +18,7 @@ namespace GP = CGAL::Geodesic_processing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace GP::test;
 
-TEST(geodesic_base_mesh, divides_the_mesh_into_discs)
+TEST(geodesic_base_mesh, regions_are_disks)
 {
   for(const Triangulation& surface : {icosphere(3), torus(24, 16), annulus(24, 8, 1., 3.)})
   {
@@ -45,14 +45,14 @@ TEST(geodesic_base_mesh, divides_the_mesh_into_discs)
     for(const auto e : divided.edges())
       is_between[e] = !divided.is_border(e) && base_face[divided.face(divided.halfedge(e, 0))] !=
                                                    base_face[divided.face(divided.halfedge(e, 1))];
-    const auto piece = divided.add_property_map<Face, std::size_t>("f:piece").first;
-    EXPECT_EQ(PMP::connected_components(divided, piece,
+    const auto component = divided.add_property_map<Face, std::size_t>("f:piece").first;
+    EXPECT_EQ(PMP::connected_components(divided, component,
                                         CGAL::parameters::edge_is_constrained_map(is_between)),
               num_faces(base));
   }
 }
 
-TEST(geodesic_base_mesh, adds_nothing_when_cancelled)
+TEST(geodesic_base_mesh, writes_nothing_when_cancelled)
 {
   const std::function<bool(double)> cancel = [](double) { return false; };
   Mesh base, divided;
@@ -63,7 +63,7 @@ TEST(geodesic_base_mesh, adds_nothing_when_cancelled)
   EXPECT_EQ(num_vertices(base) + num_vertices(divided), 0u);
 }
 
-TEST(geodesic_base_mesh, refuses_a_mesh_without_triangles)
+TEST(geodesic_base_mesh, throws_without_triangles)
 {
   Mesh base, divided;
   const auto base_face = divided.add_property_map<Face, Face>("f:base").first;

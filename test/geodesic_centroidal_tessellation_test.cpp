@@ -24,7 +24,7 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-const std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+const std::size_t no_label = std::numeric_limits<std::size_t>::max();
 
 // The corners of the faces of each cell.
 std::map<std::size_t, std::vector<Index>> patches(const Triangulation& surface,
@@ -51,7 +51,7 @@ std::vector<std::size_t> labels(const Numbered<Surface>& surface, std::size_t nu
 }
 
 template <typename Surface>
-void expect_discs(const Triangulation& triangulation, std::size_t number)
+void expect_disks(const Triangulation& triangulation, std::size_t number)
 {
   Numbered<Surface> surface;
   fill(surface, triangulation);
@@ -60,42 +60,42 @@ void expect_discs(const Triangulation& triangulation, std::size_t number)
   const auto label = labels(
       surface, number,
       GP::parameters::do_make_discs(true).energy_output(std::back_inserter(energies)), cells);
-  const Topology disc = {true, {{1, 1}}};
+  const Topology disk = {true, {{1, 1}}};
   const auto found = patches(triangulation, label);
   EXPECT_EQ(found.size(), cells);
   EXPECT_GE(cells, number);
   for(const auto& [cell, corners] : found)
   {
     EXPECT_LT(cell, cells);
-    EXPECT_EQ(topology(corners), disc) << cell;
+    EXPECT_EQ(topology(corners), disk) << cell;
   }
   EXPECT_TRUE(std::is_sorted(energies.rbegin(), energies.rend()));
 }
 
 using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 
-TEST(Geodesic_centroidal_tessellation, is_of_discs_on_all_meshes)
+TEST(Geodesic_centroidal_tessellation, patches_are_disks_on_all_mesh_types)
 {
   for(const std::size_t number : {1, 4, 20})
     for(const Triangulation& surface :
-        {icosphere(3), shaken(torus(24, 12), 0.02), cylinder(16, 9, 1., 3.), square(12, 0.2)})
+        {icosphere(3), jittered(torus(24, 12), 0.02), cylinder(16, 9, 1., 3.), square(12, 0.2)})
     {
-      expect_discs<Mesh>(surface, number);
-      expect_discs<Polyhedron>(surface, number);
+      expect_disks<Mesh>(surface, number);
+      expect_disks<Polyhedron>(surface, number);
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-      expect_discs<OpenMesh::TriMesh_ArrayKernelT<>>(surface, number);
+      expect_disks<OpenMesh::TriMesh_ArrayKernelT<>>(surface, number);
 #endif
     }
 }
 
-TEST(Geodesic_centroidal_tessellation, does_not_depend_on_the_scale)
+TEST(Geodesic_centroidal_tessellation, is_scale_invariant)
 {
   std::vector<std::size_t> first;
   double energy = 0.;
   for(const double scale : {1., 0x1p-20, 0x1p20})
   {
     Numbered<Mesh> surface;
-    fill(surface, scaled(shaken(icosphere(3), 0.03), scale));
+    fill(surface, scaled(jittered(icosphere(3), 0.03), scale));
     std::vector<double> energies;
     std::size_t cells = 0;
     const auto label =
@@ -112,7 +112,7 @@ TEST(Geodesic_centroidal_tessellation, does_not_depend_on_the_scale)
   }
 }
 
-TEST(Geodesic_centroidal_tessellation, faces_belong_to_the_nearest_centre)
+TEST(Geodesic_centroidal_tessellation, faces_belong_to_nearest_center)
 {
   Mesh mesh = mesh_of(icosphere(4));
   const auto label = mesh.add_property_map<Face, std::size_t>("f:label").first;
@@ -126,19 +126,20 @@ TEST(Geodesic_centroidal_tessellation, faces_belong_to_the_nearest_centre)
   {
     ASSERT_LT(get(label, f), 12u);
     const Point p = point_of(mesh, GP::Location<Mesh>(f, {1. / 3., 1. / 3., 1. / 3.}));
-    std::vector<double> far;
+    std::vector<double> distances;
     for(const auto& center : centers)
-      far.push_back(distance(p, point_of(mesh, center)));
+      distances.push_back(distance(p, point_of(mesh, center)));
     // The longest side of this icosphere: faces go with their corners.
-    EXPECT_LT(far[get(label, f)], *std::min_element(far.begin(), far.end()) + 0.0812);
+    EXPECT_LT(distances[get(label, f)],
+              *std::min_element(distances.begin(), distances.end()) + 0.0812);
     area[get(label, f)] += 1. / double(mesh.number_of_faces());
   }
   // Of a dozen even cells; farthest points begin with parts that differ by a factor of two.
-  for(const double part : area)
-    EXPECT_NEAR(part, 1. / 12., 0.25 / 12.);
+  for(const double fraction : area)
+    EXPECT_NEAR(fraction, 1. / 12., 0.25 / 12.);
 }
 
-TEST(Geodesic_centroidal_tessellation, of_surfels_with_threads)
+TEST(Geodesic_centroidal_tessellation, cloud_result_is_independent_of_threads)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   CGAL::Point_set_3<Kernel::Point_3> cloud;
@@ -149,7 +150,7 @@ TEST(Geodesic_centroidal_tessellation, of_surfels_with_threads)
   std::vector<std::vector<std::size_t>> found;
   for(const unsigned threads : {1u, 2u})
   {
-    const auto label = cloud.add_property_map<std::size_t>("label", nowhere).first;
+    const auto label = cloud.add_property_map<std::size_t>("label", no_label).first;
     const std::size_t cells =
         GP::geodesic_centroidal_tessellation<GP::Euclidean_front, CGAL::Parallel_tag>(
             cloud, 20, label, GP::parameters::threads(threads));
@@ -162,7 +163,7 @@ TEST(Geodesic_centroidal_tessellation, of_surfels_with_threads)
   EXPECT_EQ(std::set<std::size_t>(found[0].begin(), found[0].end()).size(), 20u);
 }
 
-TEST(Geodesic_centroidal_tessellation, takes_other_fronts_speeds_and_limits)
+TEST(Geodesic_centroidal_tessellation, respects_method_speed_and_iteration_limit)
 {
   Mesh mesh = mesh_of(square(20, 0.2));
   const auto label = mesh.add_property_map<Face, std::size_t>("f:label").first;
@@ -186,13 +187,13 @@ TEST(Geodesic_centroidal_tessellation, takes_other_fronts_speeds_and_limits)
   EXPECT_THROW(GP::geodesic_centroidal_tessellation(mesh, 0, label), GP::Invalid_argument_error);
   // More than there are vertices: as many as are apart.
   Mesh small = mesh_of(tetrahedron());
-  const auto of_face = small.add_property_map<Face, std::size_t>("f:label").first;
-  const std::size_t cells = GP::geodesic_centroidal_tessellation(small, 100, of_face);
+  const auto small_label = small.add_property_map<Face, std::size_t>("f:label").first;
+  const std::size_t cells = GP::geodesic_centroidal_tessellation(small, 100, small_label);
   EXPECT_LE(cells, 4u);
   EXPECT_GE(cells, 1u);
 }
 
-TEST(Geodesic_centroidal_tessellation, of_real_models_is_of_discs)
+TEST(Geodesic_centroidal_tessellation, patches_are_disks_on_real_models)
 {
   // One component each; the rotor has tubes, the shark's borders are holes.
   for(const char* const name : {"fandisk_6k5", "rotor_2k4", "mech_holes_shark_5k", "elephant_2k8"})
@@ -200,7 +201,7 @@ TEST(Geodesic_centroidal_tessellation, of_real_models_is_of_discs)
     const std::string file = model(std::string("meshes/") + name + ".off");
     if(file.empty())
       GTEST_SKIP() << no_models;
-    expect_discs<Mesh>(read_off(file), 30);
+    expect_disks<Mesh>(read_off(file), 30);
   }
 }
 

@@ -12,7 +12,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "Mesh_of.h"
 #include "openmesh.h"
 #include "topology.h"
@@ -64,7 +64,7 @@ void expect_remeshes_sphere()
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, makes_any_mesh)
+TEST(Geodesic_delaunay_remeshing, writes_all_mesh_types)
 {
   expect_remeshes_sphere<Mesh>();
   expect_remeshes_sphere<CGAL::Polyhedron_3<Kernel>>();
@@ -73,7 +73,7 @@ TEST(Geodesic_delaunay_remeshing, makes_any_mesh)
 #endif
 }
 
-TEST(Geodesic_delaunay_remeshing, takes_any_mesh_and_domains)
+TEST(Geodesic_delaunay_remeshing, accepts_polyhedron_and_domain)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   Polyhedron polyhedron;
@@ -89,7 +89,7 @@ TEST(Geodesic_delaunay_remeshing, takes_any_mesh_and_domains)
   EXPECT_EQ(corners_of(again), corners_of(output));
 }
 
-TEST(Geodesic_delaunay_remeshing, adds_what_it_takes_or_says_so)
+TEST(Geodesic_delaunay_remeshing, adds_samples_or_throws)
 {
   const Mesh torus_mesh = mesh_of(torus(40, 16));
   Mesh output;
@@ -101,16 +101,16 @@ TEST(Geodesic_delaunay_remeshing, adds_what_it_takes_or_says_so)
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 0}}}));
 
   Mesh none;
-  const auto strictly = GP::parameters::too_few_samples(GP::Too_few_samples::are_wrong);
-  EXPECT_THROW(GP::geodesic_delaunay_remeshing(torus_mesh, 5, none, strictly),
+  const auto throwing = GP::parameters::too_few_samples(GP::Too_few_samples::are_wrong);
+  EXPECT_THROW(GP::geodesic_delaunay_remeshing(torus_mesh, 5, none, throwing),
                GP::Invalid_argument_error);
   EXPECT_TRUE(is_empty(none));
-  EXPECT_EQ(GP::geodesic_delaunay_remeshing(torus_mesh, 200, none, strictly).added, 0u);
+  EXPECT_EQ(GP::geodesic_delaunay_remeshing(torus_mesh, 200, none, throwing).added, 0u);
   // As few as it takes are never too few.
-  EXPECT_GE(GP::geodesic_delaunay_remeshing(torus_mesh, 0, none, strictly).added, 7u);
+  EXPECT_GE(GP::geodesic_delaunay_remeshing(torus_mesh, 0, none, throwing).added, 7u);
 }
 
-TEST(Geodesic_delaunay_remeshing, says_how_many_samples_it_takes)
+TEST(Geodesic_delaunay_remeshing, error_reports_required_number_of_samples)
 {
   const Mesh torus_mesh = mesh_of(torus(40, 16));
   const auto near = GP::parameters::maximum_deviation(0.05);
@@ -132,7 +132,7 @@ TEST(Geodesic_delaunay_remeshing, says_how_many_samples_it_takes)
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, tells_where_vertices_lie)
+TEST(Geodesic_delaunay_remeshing, writes_vertex_locations)
 {
   const Mesh plane = mesh_of(square(20, 0.2));
   Mesh output;
@@ -147,7 +147,7 @@ TEST(Geodesic_delaunay_remeshing, tells_where_vertices_lie)
   EXPECT_NEAR(area, 1., 1e-12); // a sum of 150 terms
 }
 
-TEST(Geodesic_delaunay_remeshing, traces_edges)
+TEST(Geodesic_delaunay_remeshing, writes_edge_paths)
 {
   const Mesh sphere = mesh_of(icosphere(4));
   Mesh output;
@@ -193,10 +193,10 @@ double length_of_sharp_edges(const Mesh& mesh)
   return result;
 }
 
-TEST(Geodesic_delaunay_remeshing, keeps_sharp_edges)
+TEST(Geodesic_delaunay_remeshing, preserves_sharp_edges)
 {
   const int size = 6;
-  const Mesh ring = mesh_of(double_ring(size));
+  const Mesh ring = mesh_of(double_torus(size));
   for(const std::size_t number : {50u, 300u, 2000u})
   {
     Mesh output;
@@ -208,18 +208,18 @@ TEST(Geodesic_delaunay_remeshing, keeps_sharp_edges)
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, keeps_constrained_edges)
+TEST(Geodesic_delaunay_remeshing, preserves_constrained_edges)
 {
   Mesh plane = mesh_of(square(20));
   const auto is_kept =
       plane.add_property_map<boost::graph_traits<Mesh>::edge_descriptor, bool>("e:kept", false)
           .first;
   // The middle line from side to side.
-  const auto is_in_the_middle = [&](const Point& p) { return std::abs(p[1] - 0.5) < 1e-12; };
+  const auto is_on_center_line = [&](const Point& p) { return std::abs(p[1] - 0.5) < 1e-12; };
   for(const auto e : plane.edges())
     put(is_kept, e,
-        is_in_the_middle(to_array(plane.point(source(e, plane)))) &&
-            is_in_the_middle(to_array(plane.point(target(e, plane)))));
+        is_on_center_line(to_array(plane.point(source(e, plane)))) &&
+            is_on_center_line(to_array(plane.point(target(e, plane)))));
   for(const std::size_t number : {20u, 100u, 500u})
   {
     Mesh output;
@@ -228,14 +228,14 @@ TEST(Geodesic_delaunay_remeshing, keeps_constrained_edges)
         GP::parameters::edge_is_constrained_map(is_kept).number_of_relaxation_steps(2));
     double length = 0.;
     for(const auto e : output.edges())
-      if(is_in_the_middle(to_array(output.point(source(e, output)))) &&
-         is_in_the_middle(to_array(output.point(target(e, output)))))
+      if(is_on_center_line(to_array(output.point(source(e, output)))) &&
+         is_on_center_line(to_array(output.point(target(e, output)))))
         length += PMP::edge_length(e, output);
     EXPECT_NEAR(length, 1., 1e-12); // a sum of some ten terms
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, takes_a_spacing_for_each_curve)
+TEST(Geodesic_delaunay_remeshing, respects_feature_spacing)
 {
   // The lower rim in 80 steps, the upper one in 30.
   Mesh pipe = mesh_of(cylinder(40, 20, 1., 3.)), output;
@@ -294,7 +294,7 @@ void expect_reconstructs_sphere(const Cloud& cloud, const Normals& np)
     EXPECT_GE(path.length, 0.98 * PMP::edge_length(e, output)); // ends are up to 0.012 off
 }
 
-TEST(Geodesic_delaunay_remeshing, reconstructs_a_cloud)
+TEST(Geodesic_delaunay_remeshing, reconstructs_surface_from_cloud)
 {
   const Surfels surfels = sphere_surfels(3);
   expect_reconstructs_sphere(
@@ -329,7 +329,7 @@ TEST(Geodesic_delaunay_remeshing, reconstructs_a_cloud)
                GP::Unsupported_surface_error);
 }
 
-TEST(Geodesic_delaunay_remeshing, comes_as_near_as_it_is_to)
+TEST(Geodesic_delaunay_remeshing, respects_maximum_deviation)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
@@ -344,46 +344,47 @@ TEST(Geodesic_delaunay_remeshing, comes_as_near_as_it_is_to)
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, comes_as_near_from_both_sides)
+TEST(Geodesic_delaunay_remeshing, deviation_is_symmetric)
 {
   // A square with a round hole: between few vertices there faces cover parts of it, and all of the input.
   Triangulation plate = annulus(80, 10, 0.5, 1.);
   for(Point& p : plate.points)
   {
     const double radius = distance(p, {0., 0., 0.});
-    const double wide = radius / std::max(std::abs(p[0]), std::abs(p[1])), part = 2. * radius - 1.;
+    const double scale_to_square = radius / std::max(std::abs(p[0]), std::abs(p[1])),
+                 blend = 2. * radius - 1.;
     for(double& x : p)
-      x *= (0.5 * (1. - part) + wide * part) / radius;
+      x *= (0.5 * (1. - blend) + scale_to_square * blend) / radius;
   }
   for(const double scale : {1e-6, 1., 1e6})
   {
     const Mesh mesh = mesh_of(scaled(plate, scale));
-    const auto deviation_there = [&](const Mesh& output)
+    const auto input_to_output = [&](const Mesh& output)
     { return PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), output); };
-    const auto deviation_back = [&](const Mesh& output)
+    const auto output_to_input = [&](const Mesh& output)
     {
-      std::vector<Kernel::Point_3> places;
+      std::vector<Kernel::Point_3> positions;
       for(const auto e : edges(output))
         for(int k = 0; k <= 8; ++k)
-          places.push_back(CGAL::barycenter(output.point(source(e, output)), k,
-                                            output.point(target(e, output)), 8 - k));
-      return PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(places, mesh);
+          positions.push_back(CGAL::barycenter(output.point(source(e, output)), k,
+                                               output.point(target(e, output)), 8 - k));
+      return PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(positions, mesh);
     };
     Mesh coarse, output;
     GP::geodesic_delaunay_remeshing(mesh, 30, coarse);
-    EXPECT_LT(deviation_there(coarse), 0.005 * scale);
-    EXPECT_GT(deviation_back(coarse), 0.02 * scale);
+    EXPECT_LT(input_to_output(coarse), 0.005 * scale);
+    EXPECT_GT(output_to_input(coarse), 0.02 * scale);
     GP::geodesic_delaunay_remeshing(mesh, 30, output,
                                     GP::parameters::maximum_deviation(0.005 * scale));
-    EXPECT_LT(deviation_there(output), 0.005 * scale);
-    EXPECT_LT(deviation_back(output),
+    EXPECT_LT(input_to_output(output), 0.005 * scale);
+    EXPECT_LT(output_to_input(output),
               0.0055 * scale); // between the middles of edges it may be more
     EXPECT_LT(num_vertices(output), 200u);
     EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 2}}}));
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, comes_as_near_as_the_input_is)
+TEST(Geodesic_delaunay_remeshing, reaches_input_for_tiny_deviation)
 {
   // Nearer than any face that is not one of the input.
   const Mesh mesh = mesh_of(torus(20, 10));
@@ -393,27 +394,29 @@ TEST(Geodesic_delaunay_remeshing, comes_as_near_as_the_input_is)
   EXPECT_NEAR(PMP::area(output), PMP::area(mesh), 1e-9);
 }
 
-TEST(Geodesic_delaunay_remeshing, fits_no_farther_than_it_may)
+TEST(Geodesic_delaunay_remeshing, fit_respects_maximum_deviation)
 {
   // Where faces fit a sphere best their corners are three times as far above it as their middles are
   // below it, here 0.018: those are vertices of the input.
   for(const double scale : {1e-6, 1., 1e6})
   {
     const Mesh mesh = mesh_of(scaled(icosphere(4), scale));
-    const double most = 0.012 * scale;
-    Mesh touching, output;
-    GP::geodesic_delaunay_remeshing(mesh, 100, touching, GP::parameters::maximum_deviation(most));
+    const double max_deviation = 0.012 * scale;
+    Mesh unfitted, output;
+    GP::geodesic_delaunay_remeshing(mesh, 100, unfitted,
+                                    GP::parameters::maximum_deviation(max_deviation));
     GP::geodesic_delaunay_remeshing(mesh, 100, output,
-                                    GP::parameters::do_fit(true).maximum_deviation(most));
-    for(const bool is_back : {false, true})
+                                    GP::parameters::do_fit(true).maximum_deviation(max_deviation));
+    for(const bool is_output_to_input : {false, true})
       EXPECT_LE(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(
-                    is_back ? output.points() : mesh.points(), is_back ? mesh : output),
-                most * (1. + 1e-9));                               // roundings
-    EXPECT_LT(num_vertices(output), 0.7 * num_vertices(touching)); // seen: 0.55
+                    is_output_to_input ? output.points() : mesh.points(),
+                    is_output_to_input ? mesh : output),
+                max_deviation * (1. + 1e-9));                      // roundings
+    EXPECT_LT(num_vertices(output), 0.7 * num_vertices(unfitted)); // seen: 0.55
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, fits_faces_to_the_input)
+TEST(Geodesic_delaunay_remeshing, fit_reduces_mean_distance)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
@@ -439,13 +442,13 @@ TEST(Geodesic_delaunay_remeshing, fits_faces_to_the_input)
     };
     // The middle of an even triangle of circumradius r is r^2 / 2 below the sphere, its area 3/8 r^2 in
     // the mean. What fits is raised by that, which leaves a quarter; triangles are not quite even.
-    const double touching = mean_distance(false), fitted = mean_distance(true);
-    EXPECT_GT(touching, 0.01);
-    EXPECT_NEAR(fitted / touching, 0.25, 0.05);
+    const double unfitted = mean_distance(false), fitted = mean_distance(true);
+    EXPECT_GT(unfitted, 0.01);
+    EXPECT_NEAR(fitted / unfitted, 0.25, 0.05);
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, fits_a_border_and_a_deviation)
+TEST(Geodesic_delaunay_remeshing, fit_preserves_boundary_and_deviation)
 {
   const Mesh mesh = mesh_of(grid(30, 30,
                                  [](double u, double v) {
@@ -473,12 +476,12 @@ std::size_t number_of_self_intersections(const Exact_mesh& mesh)
   return pairs.size();
 }
 
-TEST(Geodesic_delaunay_remeshing, keeps_sheets_apart)
+TEST(Geodesic_delaunay_remeshing, avoids_self_intersections)
 {
   for(const double scale : {1e-6, 1e6})
   {
     // With forty vertices each, faces are up to 0.1 below their sphere.
-    const Triangulation sheets = apart(icosphere(4), scaled(icosphere(4), 0.95));
+    const Triangulation sheets = disjoint_union(icosphere(4), scaled(icosphere(4), 0.95));
     const Mesh mesh = mesh_of(scaled(sheets, scale));
     Exact_mesh left, output;
     const auto plain = GP::geodesic_delaunay_remeshing(
@@ -495,12 +498,12 @@ TEST(Geodesic_delaunay_remeshing, keeps_sheets_apart)
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, leaves_what_intersects_itself)
+TEST(Geodesic_delaunay_remeshing, keeps_self_intersections_of_input)
 {
   Triangulation moved = icosphere(4);
   for(Point& p : moved.points)
     p[0] += 1.;
-  const Mesh mesh = mesh_of(apart(icosphere(4), moved));
+  const Mesh mesh = mesh_of(disjoint_union(icosphere(4), moved));
   Exact_mesh output;
   const auto found = GP::geodesic_delaunay_remeshing(mesh, 300, output);
   EXPECT_GT(found.self_intersections, 0u);
@@ -508,17 +511,17 @@ TEST(Geodesic_delaunay_remeshing, leaves_what_intersects_itself)
   EXPECT_LT(found.added, 30u); // next to where the spheres cross, faces may do so that need not
 }
 
-TEST(Geodesic_delaunay_remeshing, keeps_nothing_that_was_in_vain)
+TEST(Geodesic_delaunay_remeshing, discards_unsuccessful_samples)
 {
   // Far too near for ten rounds.
-  const Mesh mesh = mesh_of(apart(icosphere(4), scaled(icosphere(4), 1. - 1e-7)));
+  const Mesh mesh = mesh_of(disjoint_union(icosphere(4), scaled(icosphere(4), 1. - 1e-7)));
   Exact_mesh output;
   const auto found = GP::geodesic_delaunay_remeshing(mesh, 80, output);
   EXPECT_EQ(found.added, 0u);
   EXPECT_GT(found.self_intersections, 0u);
 }
 
-TEST(Geodesic_delaunay_remeshing, adds_to_the_output)
+TEST(Geodesic_delaunay_remeshing, appends_to_output)
 {
   Mesh output = mesh_of(tetrahedron());
   GP::geodesic_delaunay_remeshing(mesh_of(square(10)), 30, output);
@@ -527,7 +530,7 @@ TEST(Geodesic_delaunay_remeshing, adds_to_the_output)
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{1, 1}, {2, 0}}}));
 }
 
-TEST(Geodesic_delaunay_remeshing, does_not_depend_on_scale)
+TEST(Geodesic_delaunay_remeshing, is_scale_invariant)
 {
   const Triangulation ring = annulus(60, 12, 0.5, 1.);
   Mesh output;
@@ -540,7 +543,7 @@ TEST(Geodesic_delaunay_remeshing, does_not_depend_on_scale)
   }
 }
 
-TEST(Geodesic_delaunay_remeshing, is_denser_where_it_is_slow_and_relaxes)
+TEST(Geodesic_delaunay_remeshing, density_follows_speed_after_relaxation)
 {
   Mesh plane = mesh_of(square(30, 0.2));
   const auto speed = plane.add_property_map<Vertex, double>("v:speed").first;
@@ -557,7 +560,7 @@ TEST(Geodesic_delaunay_remeshing, is_denser_where_it_is_slow_and_relaxes)
   EXPECT_LT(left, 170);
 }
 
-TEST(Geodesic_delaunay_remeshing, of_the_shared_models)
+TEST(Geodesic_delaunay_remeshing, preserves_topology_of_real_models)
 {
   bool any = false;
   for(const std::string name : {"pig_468", "joint_221", "spool_649", "bones_26comp_2k",
@@ -583,11 +586,11 @@ TEST(Geodesic_delaunay_remeshing, of_the_shared_models)
     GTEST_SKIP() << no_models;
 }
 
-TEST(Geodesic_delaunay_remeshing, says_what_it_cannot_use)
+TEST(Geodesic_delaunay_remeshing, throws_on_invalid_arguments)
 {
-  Triangulation parts = square(4);
-  parts.points.push_back({5., 5., 5.});
-  Mesh plane = mesh_of(parts), output;
+  Triangulation with_isolated_vertex = square(4);
+  with_isolated_vertex.points.push_back({5., 5., 5.});
+  Mesh plane = mesh_of(with_isolated_vertex), output;
   const auto with = [&](const auto& np) { GP::geodesic_delaunay_remeshing(plane, 10, output, np); };
   EXPECT_THROW(with(GP::parameters::first_samples(Vertex(100))), GP::Invalid_argument_error);
   EXPECT_THROW(with(GP::parameters::first_samples(Vertex(25))), GP::Invalid_argument_error);

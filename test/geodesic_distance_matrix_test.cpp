@@ -30,20 +30,20 @@ std::vector<Vertex> some_vertices(const Mesh& mesh, std::size_t step)
   return result;
 }
 
-TEST(Geodesic_distance_matrix, has_the_distances_of_all_pairs)
+TEST(Geodesic_distance_matrix, contains_all_pair_distances)
 {
   const Triangulation plane = square(12, 0.24);
   const Mesh mesh = mesh_of(plane);
-  const auto places = some_vertices(mesh, 13);
-  const Eigen::MatrixXd d = GP::geodesic_distance_matrix<GP::Exact>(mesh, places);
-  ASSERT_EQ(d.rows(), Eigen::Index(places.size()));
+  const auto queries = some_vertices(mesh, 13);
+  const Eigen::MatrixXd d = GP::geodesic_distance_matrix<GP::Exact>(mesh, queries);
+  ASSERT_EQ(d.rows(), Eigen::Index(queries.size()));
   ASSERT_EQ(d.cols(), d.rows());
   for(Eigen::Index i = 0; i < d.rows(); ++i)
     for(Eigen::Index j = 0; j < d.cols(); ++j)
-      EXPECT_NEAR(d(i, j), distance(plane.points[places[i]], plane.points[places[j]]), rounding);
+      EXPECT_NEAR(d(i, j), distance(plane.points[queries[i]], plane.points[queries[j]]), rounding);
 }
 
-TEST(Geodesic_distance_matrix, has_a_column_for_each_target)
+TEST(Geodesic_distance_matrix, has_one_column_per_target)
 {
   const Triangulation plane = square(12, 0.24);
   const Mesh mesh = mesh_of(plane);
@@ -74,22 +74,22 @@ TEST(Geodesic_distance_matrix, has_a_column_for_each_target)
     EXPECT_NEAR(row(0, j), 0.25 + distance(plane.points[j], plane.points[5]), rounding);
 }
 
-template <typename Method, typename Domain, typename Places>
-void expect_the_same_from_threads(const Domain& domain, const Places& places)
+template <typename Method, typename Domain, typename Queries>
+void expect_independent_of_threads(const Domain& domain, const Queries& queries)
 {
   const auto three = GP::parameters::threads(3);
-  const Eigen::MatrixXd alone = GP::geodesic_distance_matrix<Method>(domain, places);
+  const Eigen::MatrixXd alone = GP::geodesic_distance_matrix<Method>(domain, queries);
   EXPECT_EQ(alone,
-            (GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, places, three)));
+            (GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, queries, three)));
 
   // One solver after the other knows nothing of the matrix.
   GP::Geodesic_distance_solver<typename Domain::Surface, Method> solver(domain);
   Eigen::Index row = 0;
-  for(const auto& from : places)
+  for(const auto& from : queries)
   {
     Eigen::Index column = 0;
     solver.compute(from);
-    for(const auto& to : places)
+    for(const auto& to : queries)
       // A front that stops at its targets has not seen what comes later and might be nearer by
       // what it counts as rounding.
       EXPECT_NEAR(alone(row, column++), solver.distance(to), 1e-9);
@@ -97,8 +97,8 @@ void expect_the_same_from_threads(const Domain& domain, const Places& places)
   }
 
   const double radius = 0.4 * alone.maxCoeff();
-  const auto sparse = GP::sparse_geodesic_distance_matrix<Method>(domain, places, radius);
-  const auto same = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, places,
+  const auto sparse = GP::sparse_geodesic_distance_matrix<Method>(domain, queries, radius);
+  const auto same = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, queries,
                                                                                     radius, three);
   ASSERT_EQ(sparse.nonZeros(), same.nonZeros());
   EXPECT_TRUE(sparse.isCompressed());
@@ -117,29 +117,29 @@ void expect_the_same_from_threads(const Domain& domain, const Places& places)
   EXPECT_EQ(sparse.nonZeros(), within);
 }
 
-TEST(Geodesic_distance_matrix, is_the_same_from_any_number_of_threads)
+TEST(Geodesic_distance_matrix, is_independent_of_threads)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
-  const auto places = some_vertices(mesh, 37);
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
+  const auto queries = some_vertices(mesh, 37);
   const auto domain = GP::make_domain(mesh);
-  expect_the_same_from_threads<GP::Exact>(domain, places);
-  expect_the_same_from_threads<GP::Euclidean_front>(domain, places);
-  expect_the_same_from_threads<GP::Dijkstra>(domain, places);
-  expect_the_same_from_threads<GP::Fast_marching>(domain, places);
-  expect_the_same_from_threads<GP::Heat>(domain, places);
+  expect_independent_of_threads<GP::Exact>(domain, queries);
+  expect_independent_of_threads<GP::Euclidean_front>(domain, queries);
+  expect_independent_of_threads<GP::Dijkstra>(domain, queries);
+  expect_independent_of_threads<GP::Fast_marching>(domain, queries);
+  expect_independent_of_threads<GP::Heat>(domain, queries);
 
   Numbered<CGAL::Polyhedron_3<Kernel>> polyhedron;
   fill(polyhedron, icosphere(2));
-  expect_the_same_from_threads<GP::Exact>(
+  expect_independent_of_threads<GP::Exact>(
       GP::make_domain(polyhedron.mesh),
       std::vector{polyhedron.vertices[3], polyhedron.vertices[0], polyhedron.vertices[77]});
   const Surfels surfels = sphere_surfels(3);
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
-  expect_the_same_from_threads<GP::Euclidean_front>(GP::make_domain(surfels, maps),
-                                                    std::vector<std::size_t>{4, 300, 0, 77});
+  expect_independent_of_threads<GP::Euclidean_front>(GP::make_domain(surfels, maps),
+                                                     std::vector<std::size_t>{4, 300, 0, 77});
 }
 
-TEST(Geodesic_distance_matrix, of_all_vertices_is_sparse_with_a_bound)
+TEST(Geodesic_distance_matrix, bounded_matrix_is_sparse)
 {
   const Triangulation plane = square(12, 0.24);
   const Mesh mesh = mesh_of(plane);
@@ -168,14 +168,14 @@ TEST(Geodesic_distance_matrix, of_all_vertices_is_sparse_with_a_bound)
 
 TEST(Geodesic_distance_matrix, is_infinite_between_components)
 {
-  const Mesh mesh = mesh_of(apart(tetrahedron(), square(2)));
+  const Mesh mesh = mesh_of(disjoint_union(tetrahedron(), square(2)));
   const Eigen::MatrixXd d = GP::geodesic_distance_matrix(mesh, std::vector{Vertex(0), Vertex(8)});
   EXPECT_EQ(d(0, 0), 0.);
   EXPECT_EQ(d(0, 1), std::numeric_limits<double>::infinity());
   EXPECT_EQ(d(1, 0), std::numeric_limits<double>::infinity());
 }
 
-TEST(Geodesic_distance_matrix, can_be_cancelled)
+TEST(Geodesic_distance_matrix, callback_cancels)
 {
   const Mesh mesh = mesh_of(icosphere(2));
   for(const unsigned threads : {1u, 3u})
@@ -197,7 +197,7 @@ TEST(Geodesic_distance_matrix, can_be_cancelled)
   }
 }
 
-TEST(Geodesic_distance_matrix, refuses_what_makes_no_sense)
+TEST(Geodesic_distance_matrix, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(tetrahedron());
   EXPECT_THROW(GP::geodesic_distance_matrix(mesh, std::vector<Vertex>()),

@@ -5,7 +5,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using namespace GP::test;
 using Mesh_source = GP::Source<Mesh>;
 
 // What the front may leave of a distance, see the tests of the front itself.
-constexpr double flat = 1e-7;
+constexpr double front_tolerance = 1e-7;
 
 template <typename Sources>
 std::vector<double> distances_from(Mesh& mesh, const Sources& sources)
@@ -30,21 +30,21 @@ std::vector<double> distances_from(Mesh& mesh, const Sources& sources)
   return values(mesh, map);
 }
 
-TEST(Geodesic_distances, are_those_of_the_plane)
+TEST(Geodesic_distances, are_exact_in_plane)
 {
   const Triangulation plane = square(20, 0.24);
   Mesh mesh = mesh_of(plane);
   const auto d = distances_from(mesh, Vertex(100));
   EXPECT_LT(largest_error(d, [&](Index i) { return distance(plane.points[i], plane.points[100]); }),
-            flat);
+            front_tolerance);
 }
 
-TEST(Geodesic_distances, take_sources_of_every_kind)
+TEST(Geodesic_distances, accept_all_kinds_of_sources)
 {
   const Triangulation plane = square(20, 0.24);
   Mesh mesh = mesh_of(plane);
-  const auto expect = [&](const auto& sources, const auto& truth)
-  { EXPECT_LT(largest_error(distances_from(mesh, sources), truth), flat); };
+  const auto expect = [&](const auto& sources, const auto& expected)
+  { EXPECT_LT(largest_error(distances_from(mesh, sources), expected), front_tolerance); };
 
   const auto to = [&](Index k)
   { return [&, k](Index i) { return distance(plane.points[i], plane.points[k]); }; };
@@ -72,25 +72,25 @@ TEST(Geodesic_distances, take_sources_of_every_kind)
             0.5 / 20.);
 }
 
-TEST(Geodesic_distances, start_from_all_borders)
+TEST(Geodesic_distances, accept_boundary_cycles_as_sources)
 {
   const Triangulation plane = square(20, 0.24);
   Mesh mesh = mesh_of(plane);
-  std::vector<Mesh_source> border;
-  GP::border_sources(mesh, std::back_inserter(border));
-  ASSERT_EQ(border.size(), 1u);
-  const auto d = distances_from(mesh, border);
-  const auto truth = [&](Index i)
+  std::vector<Mesh_source> boundary_sources;
+  GP::border_sources(mesh, std::back_inserter(boundary_sources));
+  ASSERT_EQ(boundary_sources.size(), 1u);
+  const auto d = distances_from(mesh, boundary_sources);
+  const auto expected = [&](Index i)
   {
     const Point& p = plane.points[i];
     return std::min({p[0], p[1], 1. - p[0], 1. - p[1]});
   };
   // At the creases along the diagonals, and where a corner of the border is all that a triangle
   // has of it: part of a side of 1/20.
-  EXPECT_LT(largest_error(d, truth), 0.2 / 20.);
+  EXPECT_LT(largest_error(d, expected), 0.2 / 20.);
 }
 
-TEST(Geodesic_distances, write_labels_and_predecessors)
+TEST(Geodesic_distances, write_source_labels_and_predecessors)
 {
   const Triangulation plane = square(20, 0.24);
   Mesh mesh = mesh_of(plane);
@@ -124,9 +124,9 @@ TEST(Geodesic_distances, write_labels_and_predecessors)
   }
 }
 
-TEST(Geodesic_distances, leave_what_is_not_reached_infinite_and_without_label)
+TEST(Geodesic_distances, are_infinite_and_unlabeled_if_unreached)
 {
-  Mesh mesh = mesh_of(apart(square(4), tetrahedron()));
+  Mesh mesh = mesh_of(disjoint_union(square(4), tetrahedron()));
   auto map = vertex_map(mesh);
   auto label = vertex_map<std::size_t>(mesh);
   auto predecessor = vertex_map<Vertex>(mesh);
@@ -141,28 +141,28 @@ TEST(Geodesic_distances, leave_what_is_not_reached_infinite_and_without_label)
   }
 }
 
-TEST(Geodesic_distances, take_speeds_of_vertices_and_of_faces)
+TEST(Geodesic_distances, accept_vertex_and_face_speeds)
 {
-  Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
-  auto once = vertex_map(mesh), twice = vertex_map(mesh), speed = vertex_map(mesh);
+  Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
+  auto original = vertex_map(mesh), scaled_distance = vertex_map(mesh), speed = vertex_map(mesh);
   auto face_speed = mesh.add_property_map<Face, double>("f:speed", 0.5).first;
   for(const Vertex v : mesh.vertices())
     speed[v] = 0.5;
-  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), once);
-  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), twice,
+  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), original);
+  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), scaled_distance,
                                             GP::parameters::speed_map(face_speed));
   for(const Vertex v : mesh.vertices())
-    EXPECT_EQ(twice[v], 2. * once[v]);
-  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), twice,
+    EXPECT_EQ(scaled_distance[v], 2. * original[v]);
+  GP::geodesic_distances<GP::Fast_marching>(mesh, Vertex(3), scaled_distance,
                                             GP::parameters::speed_map(speed));
   for(const Vertex v : mesh.vertices())
-    EXPECT_NEAR(twice[v], 2. * once[v], 1e-13); // the mean of three halves is rounded
-  GP::geodesic_distances(mesh, Vertex(3), twice, GP::parameters::speed_map(face_speed));
+    EXPECT_NEAR(scaled_distance[v], 2. * original[v], 1e-13); // the mean of three halves is rounded
+  GP::geodesic_distances(mesh, Vertex(3), scaled_distance, GP::parameters::speed_map(face_speed));
   for(const Vertex v : mesh.vertices())
-    EXPECT_EQ(twice[v], 2. * once[v]); // with speeds, this front is that one
+    EXPECT_EQ(scaled_distance[v], 2. * original[v]); // with speeds, this front is that one
 }
 
-TEST(Geodesic_distances, do_not_pass_obstacles)
+TEST(Geodesic_distances, do_not_cross_obstacles)
 {
   Mesh mesh = mesh_of(square(10));
   auto map = vertex_map(mesh), speed = vertex_map(mesh);
@@ -173,7 +173,7 @@ TEST(Geodesic_distances, do_not_pass_obstacles)
     EXPECT_EQ(map[v] < infinity, mesh.point(v).x() < 0.45);
 }
 
-TEST(Geodesic_distances, take_all_named_parameters_in_any_order)
+TEST(Geodesic_distances, accept_named_parameters_in_any_order)
 {
   Mesh mesh = mesh_of(square(10, 0.24));
   auto map = vertex_map(mesh), other = vertex_map(mesh);
@@ -199,19 +199,19 @@ TEST(Geodesic_distances, take_all_named_parameters_in_any_order)
   for(const Vertex v : mesh.vertices())
   {
     EXPECT_EQ(map[v], other[v]);
-    const double truth = std::hypot(points[v].x(), points[v].y());
-    if(std::abs(truth - 1.) > 1e-6)
+    const double expected = std::hypot(points[v].x(), points[v].y());
+    if(std::abs(expected - 1.) > 1e-6)
     {
-      EXPECT_EQ(map[v] < infinity, truth < 1.);
-      EXPECT_EQ(label[v], truth < 1. ? 0u : std::numeric_limits<std::size_t>::max());
+      EXPECT_EQ(map[v] < infinity, expected < 1.);
+      EXPECT_EQ(label[v], expected < 1. ? 0u : std::numeric_limits<std::size_t>::max());
     }
   }
   // CGAL's own chain alone.
   GP::geodesic_distances(mesh, Vertex(0), map, CGAL::parameters::vertex_point_map(points));
-  EXPECT_NEAR(map[Vertex(120)], 2. * std::sqrt(2.), flat);
+  EXPECT_NEAR(map[Vertex(120)], 2. * std::sqrt(2.), front_tolerance);
 }
 
-TEST(Geodesic_distances, go_into_any_property_map)
+TEST(Geodesic_distances, write_to_any_property_map)
 {
   Mesh mesh = mesh_of(tetrahedron());
   std::map<Vertex, float> distances;
@@ -220,10 +220,10 @@ TEST(Geodesic_distances, go_into_any_property_map)
   EXPECT_NEAR(distances[Vertex(1)], std::sqrt(8.), 1e-6); // single precision
 }
 
-TEST(Geodesic_distances, are_the_same_on_a_polyhedron)
+TEST(Geodesic_distances, agree_on_polyhedron)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-  const Triangulation surface = shaken(icosphere(3), 0.03);
+  const Triangulation surface = jittered(icosphere(3), 0.03);
   Mesh mesh = mesh_of(surface);
   const auto d = distances_from(mesh, Vertex(9));
   Numbered<Polyhedron> polyhedron;
@@ -235,7 +235,7 @@ TEST(Geodesic_distances, are_the_same_on_a_polyhedron)
     EXPECT_NEAR(distances[polyhedron.vertices[i]], d[i], 1e-8); // faces begin elsewhere
 }
 
-TEST(Geodesic_distances, refuse_what_cannot_be_used)
+TEST(Geodesic_distances, throw_on_invalid_input)
 {
   Mesh mesh = mesh_of(square(3));
   auto map = vertex_map(mesh);
@@ -268,7 +268,7 @@ TEST(Geodesic_distances, refuse_what_cannot_be_used)
                GP::Unsupported_surface_error);
 }
 
-TEST(Geodesic_distances, on_a_cloud_are_those_of_the_plane)
+TEST(Geodesic_distances, are_exact_on_flat_point_set)
 {
   const Surfels cloud = flat_surfels(4000);
   std::vector<double> d(cloud.size()), a(cloud.size());
@@ -277,25 +277,25 @@ TEST(Geodesic_distances, on_a_cloud_are_those_of_the_plane)
   const auto map_of = [](auto& values) { return CGAL::make_property_map(values); };
   GP::geodesic_distances(cloud, std::size_t(17), map_of(d), np.source_label_map(map_of(labels)));
   GP::geodesic_distances<GP::Dijkstra>(cloud, std::size_t(17), map_of(a), np);
-  double mean = 0., mean_of_arcs = 0.;
+  double mean = 0., mean_of_dijkstra = 0.;
   for(std::size_t i = 0; i < cloud.size(); ++i)
   {
     EXPECT_EQ(labels[i], 0u);
-    const double truth = std::sqrt(CGAL::squared_distance(cloud[i].first, cloud[17].first));
-    EXPECT_GE(a[i], truth * (1. - 1e-12));
-    mean += std::abs(d[i] - truth) / double(cloud.size());
-    mean_of_arcs += std::abs(a[i] - truth) / double(cloud.size());
+    const double expected = std::sqrt(CGAL::squared_distance(cloud[i].first, cloud[17].first));
+    EXPECT_GE(a[i], expected * (1. - 1e-12));
+    mean += std::abs(d[i] - expected) / double(cloud.size());
+    mean_of_dijkstra += std::abs(a[i] - expected) / double(cloud.size());
   }
   // In the inside all is exact; gaps at the border, of some radii 0.03, are gone around.
   EXPECT_LT(mean, 1e-3);
-  EXPECT_LT(mean, 0.2 * mean_of_arcs);
+  EXPECT_LT(mean, 0.2 * mean_of_dijkstra);
 }
 
-TEST(Geodesic_distances, on_a_cloud_with_speeds_reach_the_copies_of_a_surfel)
+TEST(Geodesic_distances, reach_duplicate_surfels_with_speeds)
 {
   Surfels surfels = flat_surfels(300);
-  const Surfels once = surfels;
-  surfels.insert(surfels.end(), once.begin(), once.end());
+  const Surfels original = surfels;
+  surfels.insert(surfels.end(), original.begin(), original.end());
   std::vector<double> speed(surfels.size(), 2.), map(surfels.size());
   const auto np = GP::parameters::point_map(Surfel_point_map())
                       .normal_map(Surfel_normal_map())
@@ -303,13 +303,13 @@ TEST(Geodesic_distances, on_a_cloud_with_speeds_reach_the_copies_of_a_surfel)
   const auto check = [&](auto method)
   {
     // A copy as the source, and a place that has one.
-    for(const std::size_t source : {std::size_t(7), once.size() + 7})
+    for(const std::size_t source : {std::size_t(7), original.size() + 7})
     {
       GP::geodesic_distances<decltype(method)>(surfels, source, CGAL::make_property_map(map), np);
-      for(std::size_t i = 0; i < once.size(); ++i)
+      for(std::size_t i = 0; i < original.size(); ++i)
       {
         EXPECT_LT(map[i], std::numeric_limits<double>::infinity());
-        EXPECT_EQ(map[i], map[once.size() + i]);
+        EXPECT_EQ(map[i], map[original.size() + i]);
       }
     }
   };
@@ -317,7 +317,7 @@ TEST(Geodesic_distances, on_a_cloud_with_speeds_reach_the_copies_of_a_surfel)
   check(GP::Euclidean_front());
 }
 
-TEST(Geodesic_distances, on_a_cloud_are_those_of_the_sphere)
+TEST(Geodesic_distances, are_accurate_on_spherical_point_set)
 {
   const Surfels cloud = sphere_surfels(4);
   std::vector<double> d(cloud.size());

@@ -23,38 +23,40 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using UV = std::array<double, 2>;
 
-double between(const UV& p, const UV& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
+double uv_distance(const UV& p, const UV& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
 
-TEST(geodesic_lle, of_a_disk_is_a_similarity)
+TEST(geodesic_lle, is_isometric_on_flat_disk)
 {
   Mesh mesh = mesh_of(cone(64, 30, 2. * CGAL_PI)); // of radius 30
   auto uv = vertex_map<UV>(mesh);
   const auto base =
       GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(100)));
   EXPECT_EQ(base.size(), 100u);
-  double worst = 0.;
+  double max_error = 0.;
   for(const Vertex v : mesh.vertices())
     for(const Vertex w : {Vertex(0), Vertex(700), Vertex(1900)})
-      worst = std::max(worst, std::abs(between(uv[v], uv[w]) - std::sqrt(CGAL::squared_distance(
-                                                                   mesh.point(v), mesh.point(w)))));
-  EXPECT_LT(worst, 1e-3 * 60.); // what was asked for
+      max_error = std::max(
+          max_error, std::abs(uv_distance(uv[v], uv[w]) -
+                              std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))));
+  EXPECT_LT(max_error, 1e-3 * 60.); // what was asked for
   const auto distortion = GP::flattening_distortion(mesh, uv);
   EXPECT_EQ(distortion.number_of_flips, 0u);
 }
 
-TEST(geodesic_lle, of_a_square_is_a_similarity_at_all_scales)
+TEST(geodesic_lle, is_isometric_on_square_at_all_scales)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
     Mesh mesh = mesh_of(scaled(square(30, 0.25), scale));
     auto uv = vertex_map<UV>(mesh);
     GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(100)));
-    double worst = 0.;
+    double max_error = 0.;
     for(const Vertex v : mesh.vertices())
-      worst = std::max(worst, std::abs(between(uv[v], uv[Vertex(37)]) -
-                                       std::sqrt(CGAL::squared_distance(mesh.point(v),
-                                                                        mesh.point(Vertex(37))))));
-    EXPECT_LT(worst, 1e-4 * scale); // where fronts end they are not exact
+      max_error = std::max(
+          max_error,
+          std::abs(uv_distance(uv[v], uv[Vertex(37)]) -
+                   std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(37))))));
+    EXPECT_LT(max_error, 1e-4 * scale); // where fronts end they are not exact
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
   }
 }
@@ -63,23 +65,23 @@ TEST(geodesic_lle, of_a_square_is_a_similarity_at_all_scales)
 Mesh meander(std::size_t length, std::size_t number)
 {
   const std::size_t height = 3 * number - 1;
-  const Triangulation whole = grid(length, height,
-                                   [&](double u, double v) {
-                                     return Point{double(length) * u, double(height) * v, 0.};
-                                   });
-  Triangulation result{whole.points, {}};
-  for(std::size_t i = 0; i < whole.corners.size(); i += 6)
+  const Triangulation full_grid = grid(length, height,
+                                       [&](double u, double v) {
+                                         return Point{double(length) * u, double(height) * v, 0.};
+                                       });
+  Triangulation result{full_grid.points, {}};
+  for(std::size_t i = 0; i < full_grid.corners.size(); i += 6)
   {
     const std::size_t column = i / 6 % length, row = i / 6 / length, wall = row / 3;
     const bool is_end = wall % 2 == 0 ? column + 2 >= length : column < 2;
     if(row % 3 != 2 || is_end)
-      result.corners.insert(result.corners.end(), whole.corners.begin() + i,
-                            whole.corners.begin() + i + 6);
+      result.corners.insert(result.corners.end(), full_grid.corners.begin() + i,
+                            full_grid.corners.begin() + i + 6);
   }
   return mesh_of(result);
 }
 
-TEST(geodesic_lle, takes_more_base_points_where_a_patch_is_narrow)
+TEST(geodesic_lle, uses_more_base_points_on_narrow_patch)
 {
   Mesh mesh = meander(20, 40);
   auto uv = vertex_map<UV>(mesh);
@@ -89,7 +91,7 @@ TEST(geodesic_lle, takes_more_base_points_where_a_patch_is_narrow)
   EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u);
 }
 
-TEST(geodesic_lle, takes_base_points_and_numbers)
+TEST(geodesic_lle, accepts_base_points_and_their_number)
 {
   Mesh mesh = mesh_of(square(12, 0.2));
   auto uv = vertex_map<UV>(mesh);
@@ -105,22 +107,22 @@ TEST(geodesic_lle, takes_base_points_and_numbers)
   EXPECT_EQ(all.size(), mesh.number_of_vertices());
 }
 
-TEST(geodesic_lle, takes_vertices_as_far_from_all_their_neighbors)
+TEST(geodesic_lle, handles_equidistant_neighbors)
 {
   Mesh mesh = mesh_of(square(2));
   auto uv = vertex_map<UV>(mesh);
-  std::vector<Vertex> border;
+  std::vector<Vertex> boundary_vertices;
   for(const Vertex v : mesh.vertices())
     if(mesh.is_border(v))
-      border.push_back(v);
-  ASSERT_EQ(border.size(), 8u);
-  GP::geodesic_lle(mesh, uv,
-                   GP::parameters::base_points(border).number_of_neighbors(std::size_t(3)));
+      boundary_vertices.push_back(v);
+  ASSERT_EQ(boundary_vertices.size(), 8u);
+  GP::geodesic_lle(
+      mesh, uv, GP::parameters::base_points(boundary_vertices).number_of_neighbors(std::size_t(3)));
   for(const Vertex v : mesh.vertices())
     EXPECT_TRUE(std::isfinite(uv[v][0]) && std::isfinite(uv[v][1]));
 }
 
-TEST(geodesic_lle, joins_groups_of_base_points)
+TEST(geodesic_lle, connects_groups_of_base_points)
 {
   Mesh mesh = mesh_of(square(30, 0.2));
   auto uv = vertex_map<UV>(mesh);
@@ -138,13 +140,14 @@ TEST(geodesic_lle, joins_groups_of_base_points)
   { GP::geodesic_lle(mesh, uv, GP::parameters::base_points(base).number_of_neighbors(neighbors)); };
   // The three nearest are in the same corner, and the fourth is known.
   flatten(3);
-  double worst = 0.;
+  double max_error = 0.;
   for(const Vertex v : base)
     for(const Vertex w : base)
-      worst = std::max(worst, std::abs(between(uv[v], uv[w]) - std::sqrt(CGAL::squared_distance(
-                                                                   mesh.point(v), mesh.point(w)))));
+      max_error = std::max(
+          max_error, std::abs(uv_distance(uv[v], uv[w]) -
+                              std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))));
   // The steps of the rigid fit end before what few long links ask for is reached.
-  EXPECT_LT(worst, 0.02);
+  EXPECT_LT(max_error, 0.02);
   // Of more in each corner only these are known.
   add(0, 6);
   add(27, 21);
@@ -152,7 +155,7 @@ TEST(geodesic_lle, joins_groups_of_base_points)
   EXPECT_NO_THROW(flatten(6));
 }
 
-TEST(geodesic_lle, of_a_flat_ring_is_a_similarity)
+TEST(geodesic_lle, has_bounded_stretch_on_flat_annulus)
 {
   Mesh mesh = mesh_of(annulus(48, 12, 1., 2.));
   auto uv = vertex_map<UV>(mesh);
@@ -161,12 +164,12 @@ TEST(geodesic_lle, of_a_flat_ring_is_a_similarity)
   for(const auto e : mesh.edges())
   {
     const Vertex v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
-    EXPECT_LT(between(uv[v], uv[w]),
+    EXPECT_LT(uv_distance(uv[v], uv[w]),
               2. * std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)))); // asked for
   }
 }
 
-TEST(geodesic_lle, refuses_what_it_cannot_take)
+TEST(geodesic_lle, throws_on_invalid_arguments)
 {
   Mesh mesh = mesh_of(square(5, 0.2));
   auto uv = vertex_map<UV>(mesh);
@@ -187,22 +190,22 @@ TEST(geodesic_lle, refuses_what_it_cannot_take)
   Triangulation above = square(5);
   for(Point& p : above.points)
     p[2] = 1.;
-  Mesh two = mesh_of(apart(square(5), above));
+  Mesh two = mesh_of(disjoint_union(square(5), above));
   auto uv_of_two = vertex_map<UV>(two);
   EXPECT_THROW(GP::geodesic_lle(two, uv_of_two), GP::Unsupported_surface_error);
 }
 
-TEST(geodesic_lle, leaves_out_vertices_without_faces)
+TEST(geodesic_lle, isolated_vertices_map_to_nan)
 {
   Mesh mesh = mesh_of(square(8, 0.2));
-  const Vertex lone = mesh.add_vertex(Kernel::Point_3(5., 5., 5.));
+  const Vertex isolated = mesh.add_vertex(Kernel::Point_3(5., 5., 5.));
   auto uv = vertex_map<UV>(mesh);
   GP::geodesic_lle(mesh, uv, GP::parameters::number_of_base_points(std::size_t(20)));
   for(const Vertex v : mesh.vertices())
-    EXPECT_EQ(std::isnan(uv[v][0]), v == lone);
+    EXPECT_EQ(std::isnan(uv[v][0]), v == isolated);
 }
 
-TEST(geodesic_lle, is_cancelled_by_its_callback)
+TEST(geodesic_lle, can_be_cancelled)
 {
   Mesh mesh = mesh_of(square(8, 0.2));
   auto uv = mesh.add_property_map<Vertex, UV>("v:uv", UV{7., 7.}).first;
@@ -223,11 +226,11 @@ void expect_same(const Triangulation& surface, const Mesh& mesh, const std::vect
   GP::geodesic_lle(other.mesh, uv, GP::parameters::number_of_base_points(std::size_t(30)));
   for(const Vertex v : mesh.vertices())
     // A square may be turned: its two eigenvectors have one eigenvalue.
-    EXPECT_NEAR(between(get(uv, other.vertices[v]), get(uv, other.vertices[0])),
-                between(expected[v], expected[0]), 1e-4); // where fronts end they are not exact
+    EXPECT_NEAR(uv_distance(get(uv, other.vertices[v]), get(uv, other.vertices[0])),
+                uv_distance(expected[v], expected[0]), 1e-4); // where fronts end they are not exact
 }
 
-TEST(geodesic_lle, is_the_same_on_all_kinds_of_meshes)
+TEST(geodesic_lle, is_independent_of_mesh_type)
 {
   const Triangulation surface = square(9, 0.2);
   Mesh mesh = mesh_of(surface);
@@ -252,16 +255,16 @@ TEST(geodesic_lle, flattens_clouds)
   auto uv = cloud.add_property_map<UV>("uv").first;
   GP::geodesic_lle(cloud, uv, GP::parameters::number_of_base_points(std::size_t(60)));
   const auto first = *cloud.begin();
-  double worst = 0.;
+  double max_error = 0.;
   for(const auto& i : cloud)
-    worst = std::max(
-        worst, std::abs(between(uv[i], uv[first]) -
-                        std::sqrt(CGAL::squared_distance(cloud.point(i), cloud.point(first)))));
+    max_error = std::max(
+        max_error, std::abs(uv_distance(uv[i], uv[first]) -
+                            std::sqrt(CGAL::squared_distance(cloud.point(i), cloud.point(first)))));
   // Distances on clouds are that near: a thousandth of the square's diagonal.
-  EXPECT_LT(worst, 2e-3);
+  EXPECT_LT(max_error, 2e-3);
 }
 
-TEST(geodesic_lle, leaves_out_surfels_without_neighbors)
+TEST(geodesic_lle, isolated_surfels_map_to_nan)
 {
   Surfels flat = flat_surfels(500);
   flat.push_back({{0.5, 0.5, 3.}, {0., 0., 1.}});
@@ -277,7 +280,7 @@ TEST(geodesic_lle, leaves_out_surfels_without_neighbors)
 }
 
 // Shared models that bend little, or not: by the Gauss-Bonnet sum over inner vertices.
-TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
+TEST(geodesic_lle, has_no_flips_on_gently_curved_patches)
 {
   for(const std::string name :
       {"hemisphere_2k.ply", "disk_5k.ply", "alligator_3k.ply", "cylinder_locally_refined_8k.ply"})
@@ -289,7 +292,7 @@ TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
     GP::geodesic_lle(mesh, uv);
     EXPECT_EQ(GP::flattening_distortion(mesh, uv).number_of_flips, 0u) << name;
     for(const auto h : mesh.halfedges())
-      EXPECT_LT(between(uv[mesh.source(h)], uv[mesh.target(h)]),
+      EXPECT_LT(uv_distance(uv[mesh.source(h)], uv[mesh.target(h)]),
                 2. * std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)),
                                                       mesh.point(mesh.target(h)))))
           << name;
@@ -297,7 +300,7 @@ TEST(geodesic_lle, turns_no_face_of_a_gently_curved_patch)
 }
 
 // The two bend by twice 2 pi and more, and have flips before they are turned back.
-TEST(geodesic_lle, turns_few_faces_back)
+TEST(geodesic_lle, unflips_few_inverted_faces)
 {
   for(const std::string name : {"mushroom_2k.off", "three_peaks_2k.off"})
   {

@@ -17,7 +17,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using UV = std::array<double, 2>;
 
-TEST(geodesic_mds, of_a_square_is_a_similarity)
+TEST(geodesic_mds, is_isometric_on_square)
 {
   Mesh mesh = mesh_of(square(20, 0.25));
   auto uv = vertex_map<UV>(mesh);
@@ -32,7 +32,7 @@ TEST(geodesic_mds, of_a_square_is_a_similarity)
   EXPECT_NEAR(distortion.symmetric_dirichlet, 4., 1e-9);
 }
 
-TEST(geodesic_mds, is_classical_with_all_vertices)
+TEST(geodesic_mds, equals_classical_mds_with_all_vertices)
 {
   Mesh mesh = mesh_of(square(4, 0.25));
   auto uv = vertex_map<UV>(mesh);
@@ -45,9 +45,9 @@ TEST(geodesic_mds, is_classical_with_all_vertices)
                   std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))), 1e-9);
 }
 
-TEST(geodesic_mds, refuses_what_geodesic_lle_does)
+TEST(geodesic_mds, throws_on_invalid_arguments)
 {
-  Mesh mesh = mesh_of(apart(square(3), icosphere(0)));
+  Mesh mesh = mesh_of(disjoint_union(square(3), icosphere(0)));
   auto uv = vertex_map<UV>(mesh);
   EXPECT_THROW(GP::geodesic_mds(mesh, uv), GP::Unsupported_surface_error);
   Mesh one = mesh_of(one_triangle());

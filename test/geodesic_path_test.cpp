@@ -17,7 +17,7 @@ using namespace GP::test;
 using Path = GP::Surface_path<Mesh>;
 
 // Some tens of crossings of faces.
-constexpr double rounding = 1e-12;
+constexpr double round_off = 1e-12;
 
 // What has to hold of any path: on the surface, each location at its point, no point twice, of the
 // length that it says, not shorter than the straight line.
@@ -25,23 +25,23 @@ void expect_path(const Mesh& mesh, const Path& path, const Point& from, const Po
 {
   ASSERT_FALSE(path.empty());
   ASSERT_EQ(path.points.size(), path.locations.size());
-  EXPECT_LT(distance(to_array(path.points.front()), from), rounding);
-  EXPECT_LT(distance(to_array(path.points.back()), to), rounding);
+  EXPECT_LT(distance(to_array(path.points.front()), from), round_off);
+  EXPECT_LT(distance(to_array(path.points.back()), to), round_off);
   double length = 0.;
   for(std::size_t i = 0; i < path.points.size(); ++i)
   {
-    EXPECT_LT(distance(point_of(mesh, path.locations[i]), to_array(path.points[i])), rounding);
+    EXPECT_LT(distance(point_of(mesh, path.locations[i]), to_array(path.points[i])), round_off);
     if(i > 0)
     {
       EXPECT_NE(path.points[i], path.points[i - 1]);
       length += distance(to_array(path.points[i]), to_array(path.points[i - 1]));
     }
   }
-  EXPECT_NEAR(path.length, length, rounding);
-  EXPECT_GE(path.length, distance(from, to) - rounding);
+  EXPECT_NEAR(path.length, length, round_off);
+  EXPECT_GE(path.length, distance(from, to) - round_off);
 }
 
-TEST(Geodesic_path, is_the_straight_line_in_the_plane)
+TEST(Geodesic_path, is_straight_in_plane)
 {
   const Mesh mesh = mesh_of(square(15, 0.24));
   const GP::Mesh_domain<Mesh> domain(mesh);
@@ -49,7 +49,7 @@ TEST(Geodesic_path, is_the_straight_line_in_the_plane)
   const auto expect_straight = [&](const Path& path, const Point& p, const Point& q, double error)
   {
     expect_path(mesh, path, p, q);
-    EXPECT_NEAR(path.length, distance(p, q), rounding);
+    EXPECT_NEAR(path.length, distance(p, q), round_off);
     EXPECT_NEAR(path.front_distance, path.length, error);
   };
   for(int i = 0; i < 20; ++i)
@@ -64,18 +64,18 @@ TEST(Geodesic_path, is_the_straight_line_in_the_plane)
   }
 }
 
-TEST(Geodesic_path, is_the_shortest_when_exact)
+TEST(Geodesic_path, is_shortest_with_exact_method)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.1));
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.1));
   const GP::Mesh_domain<Mesh> domain(mesh);
   std::mt19937 random(1);
   const auto expect_shortest = [&](const auto& from, const auto& to, const Point& p, const Point& q)
   {
     const Path path = GP::geodesic_path<GP::Exact>(domain, from, to);
     expect_path(mesh, path, p, q);
-    EXPECT_NEAR(path.length, path.front_distance, rounding);
-    EXPECT_NEAR(path.length, GP::geodesic_path<GP::Exact>(domain, to, from).length, rounding);
-    EXPECT_LE(path.length, GP::geodesic_path(domain, from, to).length + rounding);
+    EXPECT_NEAR(path.length, path.front_distance, round_off);
+    EXPECT_NEAR(path.length, GP::geodesic_path<GP::Exact>(domain, to, from).length, round_off);
+    EXPECT_LE(path.length, GP::geodesic_path(domain, from, to).length + round_off);
   };
   for(int i = 0; i < 10; ++i)
   {
@@ -86,11 +86,11 @@ TEST(Geodesic_path, is_the_shortest_when_exact)
   }
 }
 
-TEST(Geodesic_path, joins_places_of_every_kind)
+TEST(Geodesic_path, accepts_all_kinds_of_locations)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(3), 0.02));
+  const Mesh mesh = mesh_of(jittered(icosphere(3), 0.02));
   const GP::Location<Mesh> inside = location_of(100, {0.2, 0.3, 0.5}),
-                           on_side = location_of(500, {0.2, 0.8, 0.}),
+                           on_edge = location_of(500, {0.2, 0.8, 0.}),
                            at_vertex = location_of(900, {0., 1., 0.});
   const auto expect = [&](const auto& from, const auto& to, const Point& p, const Point& q)
   {
@@ -101,11 +101,11 @@ TEST(Geodesic_path, joins_places_of_every_kind)
   };
   const Vertex vertex(17);
   const Point v = to_array(mesh.point(vertex)), p = point_of(mesh, inside),
-              q = point_of(mesh, on_side), r = point_of(mesh, at_vertex);
+              q = point_of(mesh, on_edge), r = point_of(mesh, at_vertex);
   expect(vertex, inside, v, p);
   expect(inside, vertex, p, v);
-  expect(inside, on_side, p, q);
-  expect(on_side, at_vertex, q, r);
+  expect(inside, on_edge, p, q);
+  expect(on_edge, at_vertex, q, r);
   expect(at_vertex, inside, r, p);
   expect(vertex, Vertex(400), v, to_array(mesh.point(Vertex(400))));
   // In one face, and along one edge.
@@ -118,45 +118,45 @@ TEST(Geodesic_path, joins_places_of_every_kind)
   EXPECT_EQ(edge.points.size(), 2u);
 }
 
-TEST(Geodesic_path, from_a_place_to_itself_is_that_place)
+TEST(Geodesic_path, is_single_point_from_location_to_itself)
 {
   const Mesh mesh = mesh_of(icosphere(2));
-  const Path of_vertex = GP::geodesic_path(mesh, Vertex(9), Vertex(9));
-  EXPECT_EQ(of_vertex.points.size(), 1u);
-  EXPECT_EQ(of_vertex.length, 0.);
-  EXPECT_EQ(of_vertex.front_distance, 0.);
+  const Path path_at_vertex = GP::geodesic_path(mesh, Vertex(9), Vertex(9));
+  EXPECT_EQ(path_at_vertex.points.size(), 1u);
+  EXPECT_EQ(path_at_vertex.length, 0.);
+  EXPECT_EQ(path_at_vertex.front_distance, 0.);
   const auto inside = location_of(30, {0.2, 0.3, 0.5});
-  const Path of_place = GP::geodesic_path(mesh, inside, inside);
-  EXPECT_EQ(of_place.points.size(), 1u);
-  EXPECT_EQ(of_place.length, 0.);
+  const Path path_at_location = GP::geodesic_path(mesh, inside, inside);
+  EXPECT_EQ(path_at_location.points.size(), 1u);
+  EXPECT_EQ(path_at_location.length, 0.);
 }
 
-TEST(Geodesic_path, ends_at_the_nearest_of_several_sources)
+TEST(Geodesic_path, ends_at_nearest_source)
 {
   const Mesh mesh = mesh_of(square(15, 0.24));
   const std::vector<Vertex> corners = {Vertex(0), Vertex(15), Vertex(240), Vertex(255)};
   for(const Vertex v : mesh.vertices())
   {
     const Point p = to_array(mesh.point(v));
-    double least = infinity, second = infinity;
+    double min_distance = infinity, second_distance = infinity;
     Vertex nearest;
     for(const Vertex corner : corners)
     {
       const double d = distance(p, to_array(mesh.point(corner)));
-      if(d < least)
+      if(d < min_distance)
         nearest = corner;
-      second = std::min(second, std::max(d, least));
-      least = std::min(least, d);
+      second_distance = std::min(second_distance, std::max(d, min_distance));
+      min_distance = std::min(min_distance, d);
     }
-    if(second - least < 2. / 15.) // near the cells' border it may be the other one
+    if(second_distance - min_distance < 2. / 15.) // near the cells' border it may be the other one
       continue;
     expect_path(mesh, GP::geodesic_path(mesh, v, corners), p, to_array(mesh.point(nearest)));
   }
 }
 
-TEST(Geodesic_path, is_empty_where_none_is)
+TEST(Geodesic_path, is_empty_when_not_connected)
 {
-  const Mesh mesh = mesh_of(apart(square(4), tetrahedron()));
+  const Mesh mesh = mesh_of(disjoint_union(square(4), tetrahedron()));
   const Path path = GP::geodesic_path(mesh, Vertex(26), Vertex(0));
   EXPECT_TRUE(path.empty());
   EXPECT_TRUE(path.points.empty());
@@ -164,19 +164,19 @@ TEST(Geodesic_path, is_empty_where_none_is)
   EXPECT_EQ(path.length, 0.);
 }
 
-TEST(Geodesic_path, keeps_to_the_scale)
+TEST(Geodesic_path, is_scale_invariant)
 {
   for(const double scale : {1e-160, 1e-6, 1e6, 1e160})
   {
     const Triangulation surface = scaled(square(8, 0.24), scale);
     const Mesh mesh = mesh_of(surface);
     const Path path = GP::geodesic_path(mesh, Vertex(0), Vertex(80));
-    EXPECT_NEAR(path.length / scale, std::sqrt(2.), rounding);
+    EXPECT_NEAR(path.length / scale, std::sqrt(2.), round_off);
     EXPECT_NEAR(path.front_distance / scale, std::sqrt(2.), 1e-7); // the front's least gain
   }
 }
 
-TEST(Geodesic_path, takes_parameters)
+TEST(Geodesic_path, accepts_named_parameters)
 {
   Mesh mesh = mesh_of(square(8, 0.24));
   auto points = mesh.add_property_map<Vertex, Kernel::Point_3>().first;
@@ -185,22 +185,22 @@ TEST(Geodesic_path, takes_parameters)
   EXPECT_NEAR(
       GP::geodesic_path(mesh, Vertex(0), Vertex(8), GP::parameters::vertex_point_map(points))
           .length,
-      3., rounding);
+      3., round_off);
   // What is out of reach is not looked for.
   EXPECT_TRUE(
       GP::geodesic_path(mesh, Vertex(0), Vertex(8), GP::parameters::maximum_distance(0.5)).empty());
 }
 
-TEST(Geodesic_path, is_on_the_polyhedron_too)
+TEST(Geodesic_path, accepts_polyhedron)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   Numbered<Polyhedron> mesh;
   fill(mesh, square(8, 0.24));
   const auto path = GP::geodesic_path(mesh.mesh, mesh.vertices[0], mesh.vertices[80]);
-  EXPECT_NEAR(path.length, std::sqrt(2.), rounding);
+  EXPECT_NEAR(path.length, std::sqrt(2.), round_off);
 }
 
-TEST(Geodesic_path, refuses_what_cannot_be_used)
+TEST(Geodesic_path, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(square(3));
   EXPECT_THROW(GP::geodesic_path(mesh, Vertex(0), std::vector<Vertex>()),
@@ -210,7 +210,7 @@ TEST(Geodesic_path, refuses_what_cannot_be_used)
                GP::Invalid_argument_error);
 }
 
-TEST(Geodesic_path, on_a_cloud_joins_its_ends_through_surfels)
+TEST(Geodesic_path, joins_end_points_on_point_set)
 {
   const Surfels cloud = flat_surfels(3000);
   const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
@@ -222,13 +222,13 @@ TEST(Geodesic_path, on_a_cloud_joins_its_ends_through_surfels)
     const double chord = std::sqrt(CGAL::squared_distance(cloud[i].first, cloud[0].first));
     EXPECT_LT(CGAL::squared_distance(path.points.front(), cloud[i].first), 1e-26);
     EXPECT_LT(CGAL::squared_distance(path.points.back(), cloud[0].first), 1e-26);
-    EXPECT_GE(path.length, chord - rounding);
+    EXPECT_GE(path.length, chord - round_off);
     EXPECT_LE(path.length, 1.01 * chord + 0.02); // a gap at the border may be in the way
     for(std::size_t k = 1; k < path.points.size(); ++k)
       EXPECT_NE(path.points[k], path.points[k - 1]);
   }
-  const auto itself = GP::geodesic_path(domain, std::size_t(4), std::size_t(4));
-  EXPECT_EQ(itself.points.size(), 1u);
+  const auto path_to_itself = GP::geodesic_path(domain, std::size_t(4), std::size_t(4));
+  EXPECT_EQ(path_to_itself.points.size(), 1u);
 }
 
 } // namespace

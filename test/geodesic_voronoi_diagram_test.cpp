@@ -10,7 +10,7 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using Bisectors = std::vector<GP::Voronoi_bisector<Mesh>>;
 
 const std::size_t unreached = std::numeric_limits<std::size_t>::max();
 
-TEST(Geodesic_voronoi_diagram, of_two_corners_of_a_square)
+TEST(Geodesic_voronoi_diagram, bisector_of_two_square_corners_is_the_diagonal)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
@@ -70,9 +70,9 @@ TEST(Geodesic_voronoi_diagram, of_two_corners_of_a_square)
   }
 }
 
-TEST(Geodesic_voronoi_diagram, takes_labels_and_limits)
+TEST(Geodesic_voronoi_diagram, respects_labels_and_maximum_distance)
 {
-  Mesh mesh = mesh_of(apart(square(20, 0.2), tetrahedron()));
+  Mesh mesh = mesh_of(disjoint_union(square(20, 0.2), tetrahedron()));
   auto label = vertex_map<std::size_t>(mesh);
   const auto face_label = mesh.add_property_map<Face, std::size_t>("f:label").first;
   Bisectors bisectors;
@@ -108,7 +108,7 @@ TEST(Geodesic_voronoi_diagram, takes_labels_and_limits)
   }
 }
 
-TEST(Geodesic_voronoi_diagram, of_other_meshes_and_of_samples)
+TEST(Geodesic_voronoi_diagram, accepts_polyhedron_and_samples)
 {
   using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
   Polyhedron polyhedron;
@@ -132,7 +132,7 @@ TEST(Geodesic_voronoi_diagram, of_other_meshes_and_of_samples)
   EXPECT_EQ(bisectors.size(), 84u);
 }
 
-TEST(Geodesic_voronoi_diagram, of_a_cloud_has_labels)
+TEST(Geodesic_voronoi_diagram, labels_surfels_of_a_cloud)
 {
   const Surfels surfels = sphere_surfels(4);
   CGAL::Point_set_3<Kernel::Point_3> set(true);
@@ -146,16 +146,16 @@ TEST(Geodesic_voronoi_diagram, of_a_cloud_has_labels)
   {
     const auto to = [&](std::size_t j)
     { return great_circle(to_array(surfels[i].first), to_array(surfels[j].first)); };
-    double least = GP::internal::infinity;
+    double min_distance = GP::internal::infinity;
     for(const std::size_t seed : seeds)
-      least = std::min(least, to(seed));
+      min_distance = std::min(min_distance, to(seed));
     ASSERT_LT(label[i], 4u);
     // A front over local triangles is off by a percent or two.
-    EXPECT_NEAR(to(seeds[label[i]]), least, 0.02);
+    EXPECT_NEAR(to(seeds[label[i]]), min_distance, 0.02);
   }
 }
 
-TEST(Geodesic_voronoi_diagram, says_what_it_cannot_use_and_can_be_cancelled)
+TEST(Geodesic_voronoi_diagram, throws_on_invalid_arguments_and_can_be_cancelled)
 {
   Mesh mesh = mesh_of(square(20));
   auto label = vertex_map<std::size_t>(mesh);
@@ -179,7 +179,7 @@ Cells areas(const CutMesh& cut, const LabelMap& label)
   return result;
 }
 
-TEST(Geodesic_voronoi_cells, of_two_corners_are_the_halves_of_a_square)
+TEST(Geodesic_voronoi_cells, two_cells_are_halves_of_square)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
@@ -205,9 +205,9 @@ TEST(Geodesic_voronoi_cells, of_two_corners_are_the_halves_of_a_square)
   }
 }
 
-TEST(Geodesic_voronoi_cells, keep_the_shape_and_take_other_meshes)
+TEST(Geodesic_voronoi_cells, preserve_area_and_topology)
 {
-  const Mesh mesh = mesh_of(apart(shaken(icosphere(3), 0.01), square(6, 0.2)));
+  const Mesh mesh = mesh_of(disjoint_union(jittered(icosphere(3), 0.01), square(6, 0.2)));
   std::vector<GP::Location<Mesh>> seeds;
   GP::farthest_point_sampling(mesh, 20, std::back_inserter(seeds));
   using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
@@ -221,8 +221,8 @@ TEST(Geodesic_voronoi_cells, keep_the_shape_and_take_other_meshes)
   double sum = 0.;
   for(const auto& [cell, area] : found)
     sum += area;
-  const double whole = CGAL::Polygon_mesh_processing::area(mesh);
-  EXPECT_NEAR(sum, whole, 1e-12 * whole); // rounding
+  const double total_area = CGAL::Polygon_mesh_processing::area(mesh);
+  EXPECT_NEAR(sum, total_area, 1e-12 * total_area); // rounding
   const auto euler = [](const auto& m)
   { return long(num_vertices(m)) - long(num_edges(m)) + long(num_faces(m)); };
   EXPECT_EQ(euler(cut), euler(mesh));
@@ -241,7 +241,7 @@ TEST(Geodesic_voronoi_cells, keep_the_shape_and_take_other_meshes)
                GP::Invalid_argument_error);
 }
 
-TEST(Geodesic_voronoi_cells, of_a_pinched_mesh)
+TEST(Geodesic_voronoi_cells, handle_pinched_mesh)
 {
   // Two squares that share a corner.
   Triangulation pair = square(4);

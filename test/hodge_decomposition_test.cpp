@@ -15,14 +15,14 @@ using namespace GP::test;
 using Vector_3 = Kernel::Vector_3;
 
 // Of some hundred sums.
-constexpr double rounding = 1e-9;
+constexpr double round_off = 1e-9;
 
-struct Parts
+struct Decomposition
 {
   Mesh mesh;
   Mesh::Property_map<Face, Vector_3> field, gradient, rotation, harmonic;
 
-  explicit Parts(const Triangulation& shape) : mesh(mesh_of(shape))
+  explicit Decomposition(const Triangulation& shape) : mesh(mesh_of(shape))
   {
     const auto add = [&](const char* name)
     { return mesh.add_property_map<Face, Vector_3>(name, Vector_3(0., 0., 0.)).first; };
@@ -60,60 +60,68 @@ struct Parts
 };
 
 // The way up is a gradient, the way around the axis a rotation, on a sphere.
-TEST(hodge_decomposition, knows_gradients_from_rotations)
+TEST(hodge_decomposition, separates_gradients_and_rotations)
 {
-  Parts up(icosphere(3)), around(icosphere(3));
-  for(const Face f : up.mesh.faces())
+  Decomposition upward(icosphere(3)), rotating(icosphere(3));
+  for(const Face f : upward.mesh.faces())
   {
-    up.field[f] = Vector_3(0., 0., 1.); // the normal part is none of the field's
-    const auto c = up.center(f);
-    around.field[f] = Vector_3(-c.y(), c.x(), 0.);
+    upward.field[f] = Vector_3(0., 0., 1.); // the normal part is none of the field's
+    const auto c = upward.center(f);
+    rotating.field[f] = Vector_3(-c.y(), c.x(), 0.);
   }
-  up.decompose();
-  EXPECT_LT(up.size(up.rotation), rounding);
-  EXPECT_LT(up.size(up.harmonic), rounding);
-  EXPECT_NEAR(up.product(up.gradient, up.field), up.product(up.gradient, up.gradient), rounding);
-  EXPECT_NEAR(up.size(up.gradient), std::sqrt(8. * GP::internal::pi / 3.), 0.05); // flat triangles
-  around.decompose();
+  upward.decompose();
+  EXPECT_LT(upward.size(upward.rotation), round_off);
+  EXPECT_LT(upward.size(upward.harmonic), round_off);
+  EXPECT_NEAR(upward.product(upward.gradient, upward.field),
+              upward.product(upward.gradient, upward.gradient), round_off);
+  EXPECT_NEAR(upward.size(upward.gradient), std::sqrt(8. * GP::internal::pi / 3.),
+              0.05); // flat triangles
+  rotating.decompose();
   // The field in the middle of a triangle is that of a sphere to the square of a side, 0.16.
-  EXPECT_LT(around.size(around.gradient), 0.03 * around.size(around.field));
-  EXPECT_LT(around.size(around.harmonic), rounding);
+  EXPECT_LT(rotating.size(rotating.gradient), 0.03 * rotating.size(rotating.field));
+  EXPECT_LT(rotating.size(rotating.harmonic), round_off);
 }
 
 // Around a ring nothing begins or ends; in one that is open there are harmonic fields as well.
-TEST(hodge_decomposition, finds_what_winds_around_holes)
+TEST(hodge_decomposition, finds_harmonic_fields)
 {
   for(const Triangulation& shape :
       {torus(32, 16), cylinder(24, 8, 1., 1.), annulus(24, 6, 0.5, 1.)})
   {
-    Parts parts(shape);
-    for(const Face f : parts.mesh.faces())
+    Decomposition decomposition(shape);
+    for(const Face f : decomposition.mesh.faces())
     {
-      const auto c = parts.center(f);
-      const double square = c.x() * c.x() + c.y() * c.y();
-      parts.field[f] = Vector_3(-c.y() / square, c.x() / square, 0.);
+      const auto c = decomposition.center(f);
+      const double squared_radius = c.x() * c.x() + c.y() * c.y();
+      decomposition.field[f] = Vector_3(-c.y() / squared_radius, c.x() / squared_radius, 0.);
     }
-    parts.decompose();
+    decomposition.decompose();
     // Triangles of twentieths of a turn.
-    EXPECT_GT(parts.size(parts.harmonic), 0.99 * parts.size(parts.field));
-    EXPECT_LT(std::abs(parts.product(parts.gradient, parts.harmonic)), rounding);
-    EXPECT_LT(std::abs(parts.product(parts.gradient, parts.rotation)), rounding);
-    EXPECT_LT(std::abs(parts.product(parts.rotation, parts.harmonic)), rounding);
-    for(const Face f : parts.mesh.faces())
+    EXPECT_GT(decomposition.size(decomposition.harmonic),
+              0.99 * decomposition.size(decomposition.field));
+    EXPECT_LT(std::abs(decomposition.product(decomposition.gradient, decomposition.harmonic)),
+              round_off);
+    EXPECT_LT(std::abs(decomposition.product(decomposition.gradient, decomposition.rotation)),
+              round_off);
+    EXPECT_LT(std::abs(decomposition.product(decomposition.rotation, decomposition.harmonic)),
+              round_off);
+    for(const Face f : decomposition.mesh.faces())
     {
-      const Vector_3 n = parts.normal(f) / std::sqrt(parts.normal(f).squared_length());
-      const Vector_3 tangent = parts.field[f] - (parts.field[f] * n) * n;
-      const Vector_3 rest = tangent - parts.gradient[f] - parts.rotation[f] - parts.harmonic[f];
-      EXPECT_LT(rest.squared_length(), rounding * rounding);
+      const Vector_3 n =
+          decomposition.normal(f) / std::sqrt(decomposition.normal(f).squared_length());
+      const Vector_3 tangent = decomposition.field[f] - (decomposition.field[f] * n) * n;
+      const Vector_3 residual = tangent - decomposition.gradient[f] - decomposition.rotation[f] -
+                                decomposition.harmonic[f];
+      EXPECT_LT(residual.squared_length(), round_off * round_off);
     }
   }
 }
 
-TEST(hodge_decomposition, refuses_what_is_not_finite)
+TEST(hodge_decomposition, throws_on_non_finite_field)
 {
-  Parts parts(icosphere(1));
-  parts.field[Face(7)] = Vector_3(std::nan(""), 0., 0.);
-  EXPECT_THROW(parts.decompose(), GP::Invalid_argument_error);
+  Decomposition decomposition(icosphere(1));
+  decomposition.field[Face(7)] = Vector_3(std::nan(""), 0., 0.);
+  EXPECT_THROW(decomposition.decompose(), GP::Invalid_argument_error);
 }
 
 } // namespace

@@ -17,11 +17,11 @@ using namespace GP::test;
 
 Kernel::Point_3 to_point(const Point& p) { return {p[0], p[1], p[2]}; }
 
-TEST(Locate_on_surface, finds_every_place_of_a_mesh_again)
+TEST(Locate_on_surface, mesh_locations_round_trip)
 {
   for(const double scale : {1., 1e-160, 1e160})
   {
-    const Triangulation surface = scaled(shaken(icosphere(3), 0.03), scale);
+    const Triangulation surface = scaled(jittered(icosphere(3), 0.03), scale);
     const Mesh mesh = mesh_of(surface);
     const GP::Surface_locator<Mesh> locate(mesh);
     std::mt19937 random(1);
@@ -41,21 +41,21 @@ TEST(Locate_on_surface, finds_every_place_of_a_mesh_again)
   }
 }
 
-TEST(Locate_on_surface, finds_the_foot_of_points_outside)
+TEST(Locate_on_surface, projects_points_off_surface)
 {
   const Mesh mesh = mesh_of(square(8, 0.24));
-  const auto foot = [&](double x, double y, double z)
+  const auto projection = [&](double x, double y, double z)
   { return point_of(mesh, GP::locate_on_surface(mesh, Kernel::Point_3(x, y, z))); };
-  EXPECT_LT(distance(foot(0.3, 0.4, 2.), {0.3, 0.4, 0.}), 1e-14);
-  EXPECT_LT(distance(foot(-1., 0.4, 2.), {0., 0.4, 0.}), 1e-14);
-  EXPECT_LT(distance(foot(7., 8., 9.), {1., 1., 0.}), 1e-14);
+  EXPECT_LT(distance(projection(0.3, 0.4, 2.), {0.3, 0.4, 0.}), 1e-14);
+  EXPECT_LT(distance(projection(-1., 0.4, 2.), {0., 0.4, 0.}), 1e-14);
+  EXPECT_LT(distance(projection(7., 8., 9.), {1., 1., 0.}), 1e-14);
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   EXPECT_LT(distance(point_of(mesh, GP::locate_on_surface(mesh, Exact::Point_3(0.5, 0.5, 1.))),
                      {0.5, 0.5, 0.}),
             1e-14);
 }
 
-TEST(Locate_on_surface, is_not_disturbed_by_faces_without_area)
+TEST(Locate_on_surface, ignores_degenerate_faces)
 {
   Triangulation surface = square(6, 0.24);
   surface.points[24] = surface.points[25];
@@ -65,7 +65,7 @@ TEST(Locate_on_surface, is_not_disturbed_by_faces_without_area)
     EXPECT_LT(distance(point_of(mesh, locate(mesh.point(v))), to_array(mesh.point(v))), 1e-14);
 }
 
-TEST(Locate_on_surface, finds_surfels_and_places_between)
+TEST(Locate_on_surface, locates_surfels_and_points_between_them)
 {
   const Surfels cloud = flat_surfels(3000);
   const auto np = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
@@ -87,7 +87,7 @@ TEST(Locate_on_surface, finds_surfels_and_places_between)
   }
 }
 
-TEST(Locate_on_surface, refuses_what_is_not_finite_and_empty_surfaces)
+TEST(Locate_on_surface, throws_on_nonfinite_points_and_empty_surfaces)
 {
   const Mesh mesh = mesh_of(square(2));
   const double nan = std::numeric_limits<double>::quiet_NaN();

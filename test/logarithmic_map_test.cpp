@@ -36,7 +36,7 @@ double error_on_sphere(unsigned level)
   return mean_error_on_sphere(map, [&](Vertex v) { return mesh.point(v); });
 }
 
-TEST(logarithmic_map, is_near_to_that_of_a_sphere)
+TEST(logarithmic_map, converges_on_a_sphere)
 {
   // Of first order at least.
   const double coarse = error_on_sphere<GP::Gradient<>>(4),
@@ -46,7 +46,7 @@ TEST(logarithmic_map, is_near_to_that_of_a_sphere)
   EXPECT_LT(error_on_sphere<GP::Exact>(5), 0.001); // what the mesh differs from the sphere by
 }
 
-TEST(logarithmic_map, is_the_plane_of_a_plane)
+TEST(logarithmic_map, is_exact_on_a_plane)
 {
   Mesh mesh = mesh_of(square(12, 0.25));
   const auto uv = mesh.add_property_map<Vertex, std::array<double, 2>>("v:uv").first;
@@ -56,10 +56,10 @@ TEST(logarithmic_map, is_the_plane_of_a_plane)
   EXPECT_EQ(frame.origin, mesh.point(Vertex(84)));
   for(const Vertex v : mesh.vertices())
   {
-    const Vector_3 way = mesh.point(v) - frame.origin;
+    const Vector_3 offset = mesh.point(v) - frame.origin;
     // Fronts are exact to 4e-15 of the extent there, which the stencil's length divides.
-    EXPECT_NEAR(uv[v][0], way * frame.u, 1e-12);
-    EXPECT_NEAR(uv[v][1], way * frame.v, 1e-12);
+    EXPECT_NEAR(uv[v][0], offset * frame.u, 1e-12);
+    EXPECT_NEAR(uv[v][1], offset * frame.v, 1e-12);
   }
 }
 
@@ -78,7 +78,7 @@ TEST(logarithmic_map, unrolls_a_cylinder)
       EXPECT_NEAR(gradient(v)[k], exact(v)[k], 1e-6);
 }
 
-TEST(logarithmic_map, does_not_go_beyond_its_distance)
+TEST(logarithmic_map, respects_maximum_distance)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   GP::Logarithmic_map<Mesh> map(mesh);
@@ -101,12 +101,12 @@ TEST(logarithmic_map, does_not_go_beyond_its_distance)
   EXPECT_FALSE(map.is_inside(Vertex(3)));
 }
 
-TEST(logarithmic_map, is_of_first_order_on_irregular_triangulations)
+TEST(logarithmic_map, converges_linearly_on_irregular_meshes)
 {
   // A sphere whose vertices have been moved along it by up to a third of an edge.
   const auto error = [](unsigned level, double stencil_length)
   {
-    Triangulation surface = shaken(icosphere(level), 0.3 * 1.2 / std::pow(2., level));
+    Triangulation surface = jittered(icosphere(level), 0.3 * 1.2 / std::pow(2., level));
     for(Point& p : surface.points)
       p = GP::internal::unit(p);
     const Mesh mesh = mesh_of(surface);
@@ -134,22 +134,24 @@ void expect_theory(const Mesh& mesh, Vertex base, double curvature)
   map.compute(base, GP::parameters::maximum_distance(0.65).stencil_length(0.2));
   const auto faces = faces_around(mesh, map, 0.05, 0.6);
   EXPECT_GT(faces.size(), 1000u);
-  for(const Measure_near_base& measure : measures_near_base())
+  for(const Measure_asymptotics& measure : measure_asymptotics())
   {
-    const double known = measure.coefficient(curvature), found = fitted_coefficient(measure, faces);
+    const double expected = measure.coefficient(curvature),
+                 found = fitted_coefficient(measure, faces);
     // Five percent, of the coefficient of a stretch where there is none.
-    EXPECT_NEAR(found, known, 0.05 * (known == 0. ? 1. / 6. : std::fabs(known))) << measure.name;
+    EXPECT_NEAR(found, expected, 0.05 * (expected == 0. ? 1. / 6. : std::fabs(expected)))
+        << measure.name;
   }
 }
 
-TEST(logarithmic_map, is_distorted_as_the_curvature_says)
+TEST(logarithmic_map, distortion_matches_curvature)
 {
   expect_theory(mesh_of(icosphere(5)), Vertex(1000), 1.);
   const Hyperbolic_patch patch = hyperbolic_patch(40, 0.2);
   expect_theory(mesh_of(patch.surface), Vertex(patch.base), -1.);
 }
 
-TEST(logarithmic_map, is_the_most_linear_map)
+TEST(logarithmic_map, has_bounded_departure_from_linearity)
 {
   // Measured: 0.20, 0.23 and 0.26 with Exact, where an orthogonal projection has 1.5, 8 and 30 (as one over
   // the square of the edges).
@@ -162,21 +164,21 @@ TEST(logarithmic_map, is_the_most_linear_map)
     EXPECT_LT(departure_from_linearity(mesh, Vertex(0), 0.59, map), 0.5);
     const auto projected = [&](Vertex v)
     {
-      const Vector_3 way = mesh.point(v) - frame.origin;
-      return std::array<double, 2>{way * frame.u, way * frame.v};
+      const Vector_3 offset = mesh.point(v) - frame.origin;
+      return std::array<double, 2>{offset * frame.u, offset * frame.v};
     };
     EXPECT_GT(departure_from_linearity(mesh, Vertex(0), 0.59, projected),
               0.015 * std::pow(4., level));
   }
 }
 
-TEST(logarithmic_map, of_a_cylinder_is_not_distorted)
+TEST(logarithmic_map, is_isometric_on_a_cylinder)
 {
   const Mesh mesh = mesh_of(cylinder(60, 30, 1., 4.));
   GP::Logarithmic_map<Mesh> map(mesh);
   map.compute(Vertex(60 * 15), GP::parameters::maximum_distance(1.));
   const auto uv = boost::make_function_property_map<Vertex>([&](Vertex v) { return map(v); });
-  for(const Measure_near_base& measure : measures_near_base())
+  for(const Measure_asymptotics& measure : measure_asymptotics())
   {
     const auto found = GP::mesh_distortion(mesh, uv, measure.measure);
     EXPECT_GT(found.number_of_faces, 100u);
@@ -185,7 +187,7 @@ TEST(logarithmic_map, of_a_cylinder_is_not_distorted)
   }
 }
 
-TEST(logarithmic_map, discrete_exponential_is_exact_on_a_plane_alone)
+TEST(logarithmic_map, discrete_exponential_is_exact_only_on_planes)
 {
   const Mesh flat = mesh_of(square(12, 0.25));
   GP::Logarithmic_map<Mesh, GP::Discrete_exponential> map(flat);
@@ -207,7 +209,7 @@ TEST(logarithmic_map, discrete_exponential_is_exact_on_a_plane_alone)
   EXPECT_GT(fine, 0.8 * coarse);
 }
 
-TEST(logarithmic_map, exponential_leads_back)
+TEST(logarithmic_map, exponential_inverts_map)
 {
   const Mesh mesh = mesh_of(icosphere(4));
   GP::Logarithmic_map<Mesh, GP::Exact> map(mesh);
@@ -216,13 +218,13 @@ TEST(logarithmic_map, exponential_leads_back)
   map.compute(base, GP::parameters::maximum_distance(1.).up_direction(Vector_3(0.3, 1., 0.2)));
   for(const Vertex v : map.reached())
   {
-    const Location there = map.exponential(map(v));
-    const auto p = CGAL::Polygon_mesh_processing::construct_point(there, mesh);
+    const Location image = map.exponential(map(v));
+    const auto p = CGAL::Polygon_mesh_processing::construct_point(image, mesh);
     EXPECT_LT(std::sqrt(CGAL::squared_distance(p, mesh.point(v))), 1e-9);
   }
 }
 
-TEST(logarithmic_map, knows_where_it_is_cut)
+TEST(logarithmic_map, detects_cut_locus)
 {
   // All around a sphere: around the point opposite, and nowhere else.
   const Mesh mesh = mesh_of(icosphere(4));
@@ -241,7 +243,7 @@ TEST(logarithmic_map, knows_where_it_is_cut)
   EXPECT_EQ(number, map.number_of_cut_faces());
 }
 
-TEST(logarithmic_map, takes_clouds_and_polyhedra)
+TEST(logarithmic_map, supports_clouds_and_polyhedra)
 {
   const Surfels surfels = sphere_surfels(5);
   GP::Logarithmic_map<Surfels> map(GP::make_domain(
@@ -249,10 +251,10 @@ TEST(logarithmic_map, takes_clouds_and_polyhedra)
   map.compute(std::size_t(0), GP::parameters::maximum_distance(CGAL_PI / 2.));
   EXPECT_LT(mean_error_on_sphere(map, [&](std::size_t i) { return surfels[i].first; }), 0.02);
 
-  GP::Logarithmic_map<Surfels, GP::Discrete_exponential> chained(map.domain());
-  chained.compute(std::size_t(0), GP::parameters::maximum_distance(CGAL_PI / 2.));
+  GP::Logarithmic_map<Surfels, GP::Discrete_exponential> discrete(map.domain());
+  discrete.compute(std::size_t(0), GP::parameters::maximum_distance(CGAL_PI / 2.));
   // As on a mesh of these points.
-  EXPECT_LT(mean_error_on_sphere(chained, [&](std::size_t i) { return surfels[i].first; }), 0.03);
+  EXPECT_LT(mean_error_on_sphere(discrete, [&](std::size_t i) { return surfels[i].first; }), 0.03);
 
   CGAL::Polyhedron_3<Kernel> polyhedron;
   CGAL::copy_face_graph(mesh_of(icosphere(2)), polyhedron);
@@ -261,7 +263,7 @@ TEST(logarithmic_map, takes_clouds_and_polyhedra)
   EXPECT_EQ(on_polyhedron.reached().size(), num_vertices(polyhedron));
 }
 
-TEST(logarithmic_map, refuses_what_makes_no_sense)
+TEST(logarithmic_map, throws_on_invalid_input)
 {
   const Mesh mesh = mesh_of(square(3));
   GP::Logarithmic_map<Mesh> map(mesh);

@@ -3,7 +3,7 @@
 #include <CGAL/Geodesic_processing/geodesic_distances.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "Mesh_of.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-TEST(Make_domain, gives_a_domain_of_the_surface_s_kind)
+TEST(Make_domain, returns_domain_matching_surface_type)
 {
   const Mesh mesh = mesh_of(square(2));
   const Surfels cloud = flat_surfels(100);
@@ -42,7 +42,7 @@ std::vector<double> distances_on(const Triangulation& surface, Index source)
 template <typename Method>
 void expect_scaled(double power_tolerance)
 {
-  const Triangulation surface = shaken(icosphere(2), 0.05);
+  const Triangulation surface = jittered(icosphere(2), 0.05);
   const auto d = distances_on<Method>(surface, 7);
   for(const int exponent : {-530, -20, 1, 20, 530})
   {
@@ -58,7 +58,7 @@ void expect_scaled(double power_tolerance)
   }
 }
 
-TEST(Make_domain, makes_scaling_by_powers_of_two_exact_and_others_near)
+TEST(Make_domain, scaling_is_exact_for_powers_of_two)
 {
   // Roundings of the coordinates; a solved system multiplies them by its condition.
   expect_scaled<GP::Dijkstra>(1e-13);
@@ -67,10 +67,10 @@ TEST(Make_domain, makes_scaling_by_powers_of_two_exact_and_others_near)
   expect_scaled<GP::Heat>(1e-8);
 }
 
-TEST(Make_domain, keeps_what_is_far_from_the_origin)
+TEST(Make_domain, distances_are_translation_invariant)
 {
   // Coordinates that 1e8 does not round: multiples of 2^-20.
-  Triangulation surface = shaken(icosphere(3), 0.03);
+  Triangulation surface = jittered(icosphere(3), 0.03);
   for(Point& p : surface.points)
     for(double& x : p)
       x = std::round(std::ldexp(x, 20)) / std::ldexp(1., 20);
@@ -91,25 +91,26 @@ TEST(Make_domain, keeps_what_is_far_from_the_origin)
 template <typename Method>
 void expect_permuted(double tolerance)
 {
-  const Triangulation surface = shaken(icosphere(3), 0.03);
-  std::vector<Index> place(surface.points.size()), face(surface.corners.size() / 3);
-  std::iota(place.begin(), place.end(), 0);
+  const Triangulation surface = jittered(icosphere(3), 0.03);
+  std::vector<Index> permutation(surface.points.size()), face(surface.corners.size() / 3);
+  std::iota(permutation.begin(), permutation.end(), 0);
   std::iota(face.begin(), face.end(), 0);
   std::mt19937 random(3);
-  std::shuffle(place.begin(), place.end(), random);
+  std::shuffle(permutation.begin(), permutation.end(), random);
   std::shuffle(face.begin(), face.end(), random);
   Triangulation permuted;
-  permuted.points.resize(place.size());
-  for(Index i = 0; i < place.size(); ++i)
-    permuted.points[place[i]] = surface.points[i];
+  permuted.points.resize(permutation.size());
+  for(Index i = 0; i < permutation.size(); ++i)
+    permuted.points[permutation[i]] = surface.points[i];
   for(const Index f : face)
     for(int k = 0, shift = int(random() % 3); k < 3; ++k)
-      permuted.corners.push_back(place[surface.corners[3 * f + (k + shift) % 3]]);
-  const auto d = distances_on<Method>(surface, 7), e = distances_on<Method>(permuted, place[7]);
-  EXPECT_LT(largest_error(d, [&](Index i) { return e[place[i]]; }), tolerance);
+      permuted.corners.push_back(permutation[surface.corners[3 * f + (k + shift) % 3]]);
+  const auto d = distances_on<Method>(surface, 7),
+             e = distances_on<Method>(permuted, permutation[7]);
+  EXPECT_LT(largest_error(d, [&](Index i) { return e[permutation[i]]; }), tolerance);
 }
 
-TEST(Make_domain, does_not_depend_on_the_order_of_vertices_and_faces)
+TEST(Make_domain, is_independent_of_vertex_and_face_order)
 {
   expect_permuted<GP::Dijkstra>(1e-13);
   expect_permuted<GP::Fast_marching>(1e-13);
@@ -117,14 +118,14 @@ TEST(Make_domain, does_not_depend_on_the_order_of_vertices_and_faces)
   expect_permuted<GP::Heat>(1e-8);            // the order of elimination
 }
 
-TEST(Make_domain, takes_surfaces_of_every_kind)
+TEST(Make_domain, accepts_boundary_components_and_degenerate_faces)
 {
   // A border, two components, an isolated vertex, a pinched vertex, triangles without area.
-  Triangulation surface = apart(square(6, 0.24), tetrahedron());
+  Triangulation surface = disjoint_union(square(6, 0.24), tetrahedron());
   surface.points.push_back({9., 9., 9.});
-  const Index pinch = 0, n = Index(surface.points.size());
+  const Index pinched_vertex = 0, n = Index(surface.points.size());
   surface.points.insert(surface.points.end(), {{-1., 0., 0.}, {-1., -1., 0.}});
-  surface.corners.insert(surface.corners.end(), {pinch, n, n + 1});
+  surface.corners.insert(surface.corners.end(), {pinched_vertex, n, n + 1});
   surface.points[30] = surface.points[31];
   for(Index i = 8; i < 13; ++i)
     surface.points[i][1] = surface.points[8][1];

@@ -19,22 +19,22 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-TEST(mean_value_coordinates, sum_to_one_and_to_the_point)
+TEST(mean_value_coordinates, reproduce_point)
 {
-  Mesh mesh = mesh_of(shaken(icosphere(2), 0.05));
+  Mesh mesh = mesh_of(jittered(icosphere(2), 0.05));
   const auto coordinates = vertex_map(mesh);
   for(const Kernel::Point_3& point : {Kernel::Point_3(0.1, 0.3, -0.2), Kernel::Point_3(1., 2., 0.)})
   {
     GP::mean_value_coordinates(GP::make_domain(mesh), point, coordinates);
     double sum = 0.;
-    Kernel::Vector_3 place(0., 0., 0.);
+    Kernel::Vector_3 weighted_sum(0., 0., 0.);
     for(const Vertex v : mesh.vertices())
     {
       sum += coordinates[v];
-      place += coordinates[v] * (mesh.point(v) - CGAL::ORIGIN);
+      weighted_sum += coordinates[v] * (mesh.point(v) - CGAL::ORIGIN);
     }
     EXPECT_NEAR(sum, 1., 1e-12);
-    EXPECT_LT((place - (point - CGAL::ORIGIN)).squared_length(), 1e-24);
+    EXPECT_LT((weighted_sum - (point - CGAL::ORIGIN)).squared_length(), 1e-24);
   }
 }
 
@@ -57,7 +57,7 @@ void expect_barycentric(const Point& point)
   }
 }
 
-TEST(mean_value_coordinates, take_all_meshes_and_kernels)
+TEST(mean_value_coordinates, accept_all_meshes_and_kernels)
 {
   expect_barycentric<Mesh>(Kernel::Point_3(0.1, 0.2, -0.3));
   expect_barycentric<CGAL::Polyhedron_3<Kernel>>(Kernel::Point_3(2., -1., 0.5));
@@ -68,7 +68,7 @@ TEST(mean_value_coordinates, take_all_meshes_and_kernels)
   expect_barycentric<Mesh>(Exact::Point_3(0.25, 0.5, 0.125));
 }
 
-TEST(mean_value_coordinates, refuse_open_meshes)
+TEST(mean_value_coordinates, throws_on_open_meshes)
 {
   Mesh mesh = mesh_of(square(3));
   EXPECT_THROW(GP::mean_value_coordinates(mesh, Kernel::Point_3(0., 0., 1.), vertex_map(mesh)),

@@ -34,7 +34,7 @@ Triangulation dome()
       0.2);
 }
 
-TEST(minimize_distortion, leaves_no_flip_whatever_the_map_was)
+TEST(minimize_distortion, result_has_no_flips)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
@@ -75,7 +75,7 @@ double minimum_of()
   return found.symmetric_dirichlet;
 }
 
-TEST(minimize_distortion, is_the_same_on_all_kinds_of_meshes)
+TEST(minimize_distortion, is_independent_of_mesh_type)
 {
   const double expected = minimum_of<Mesh>();
   // Each comes as near to the minimum as its last step's millionth.
@@ -85,7 +85,7 @@ TEST(minimize_distortion, is_the_same_on_all_kinds_of_meshes)
 #endif
 }
 
-TEST(minimize_distortion, refuses_what_it_cannot_take)
+TEST(minimize_distortion, throws_on_invalid_arguments)
 {
   Mesh sphere = mesh_of(icosphere(1));
   EXPECT_THROW(GP::minimize_distortion(sphere, vertex_map<UV>(sphere)),
@@ -96,7 +96,7 @@ TEST(minimize_distortion, refuses_what_it_cannot_take)
   EXPECT_THROW(GP::minimize_distortion(plane, uv), GP::Invalid_argument_error);
 }
 
-TEST(minimize_distortion, flattens_shared_patches)
+TEST(minimize_distortion, distortion_is_close_to_arap_on_real_patches)
 {
   // The mean symmetric Dirichlet energies of CGAL's ARAP_parameterizer_3 with its defaults, called by
   // test/benchmark/flattening.cpp, where it has no flips.

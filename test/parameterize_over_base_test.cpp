@@ -13,24 +13,24 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-TEST(parameterize_over_base, gives_each_vertex_its_place)
+TEST(parameterize_over_base, writes_location_of_each_vertex)
 {
-  Mesh mesh = mesh_of(shaken(icosphere(2), 0.02));
+  Mesh mesh = mesh_of(jittered(icosphere(2), 0.02));
   const Vertex isolated = mesh.add_vertex(Kernel::Point_3(5., 5., 5.));
-  const auto places = mesh.add_property_map<Vertex, GP::Base_location>("v:place").first;
-  places[isolated].face = 12345;
-  const auto base = GP::parameterize_over_base(mesh, 20, places);
+  const auto base_locations = mesh.add_property_map<Vertex, GP::Base_location>("v:place").first;
+  base_locations[isolated].face = 12345;
+  const auto base = GP::parameterize_over_base(mesh, 20, base_locations);
   for(const Vertex v : mesh.vertices())
   {
     if(v == isolated)
       continue;
-    EXPECT_EQ(places[v].face, base(v).face);
-    EXPECT_EQ(places[v].barycentric, base(v).barycentric);
-    const auto& b = places[v].barycentric;
+    EXPECT_EQ(base_locations[v].face, base(v).face);
+    EXPECT_EQ(base_locations[v].barycentric, base(v).barycentric);
+    const auto& b = base_locations[v].barycentric;
     EXPECT_GE(std::min({b[0], b[1], b[2]}), 0.);
     EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-14);
   }
-  EXPECT_EQ(places[isolated].face, 12345u);
+  EXPECT_EQ(base_locations[isolated].face, 12345u);
 }
 
 } // namespace

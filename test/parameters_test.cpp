@@ -23,7 +23,7 @@ void expect_values(const NamedParameters& np)
   EXPECT_EQ(GP::internal::parameter(np, GP::internal_np::targets, 7), 7);
 }
 
-TEST(Parameters, chain_with_those_of_cgal_in_any_order)
+TEST(Parameters, chain_with_cgal_parameters_in_any_order)
 {
   const std::string points = "points";
   expect_values(GP::parameters::maximum_distance(0.5).vertex_point_map(points).threads(3u));
@@ -36,7 +36,7 @@ TEST(Parameters, chain_with_those_of_cgal_in_any_order)
                     .threads(3u));
 }
 
-TEST(Parameters, all_have_their_own_place)
+TEST(Parameters, are_independent)
 {
   const auto np = GP::parameters::maximum_distance(1)
                       .targets(2)
@@ -86,7 +86,7 @@ TEST(Parameters, all_have_their_own_place)
   EXPECT_EQ(GP::internal::parameter(np, theirs::geom_traits, 0), 15);
 }
 
-TEST(Parameters, keep_functions)
+TEST(Parameters, store_function_objects)
 {
   bool was_called = false;
   const auto np = GP::parameters::callback(std::function<bool(double)>(

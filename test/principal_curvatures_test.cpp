@@ -16,19 +16,19 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-TEST(Principal_curvatures, of_a_sphere_are_equal_on_every_kind_of_surface)
+TEST(Principal_curvatures, are_equal_on_spheres)
 {
   const Triangulation sphere = icosphere(4);
   const Mesh mesh = mesh_of(sphere);
   std::map<Vertex, GP::Principal_curvatures<Mesh>> on_mesh;
   GP::principal_curvatures(mesh, boost::make_assoc_property_map(on_mesh));
-  for(const auto& [vertex, here] : on_mesh)
+  for(const auto& [vertex, curvature] : on_mesh)
   {
     // See the kernel's test.
-    EXPECT_NEAR(here.min_curvature, 1., 0.05);
-    EXPECT_NEAR(here.max_curvature, 1., 0.05);
-    EXPECT_NEAR(here.min_direction * here.max_direction, 0., 1e-12);
-    EXPECT_NEAR(here.max_direction * (mesh.point(vertex) - CGAL::ORIGIN), 0., 0.02);
+    EXPECT_NEAR(curvature.min_curvature, 1., 0.05);
+    EXPECT_NEAR(curvature.max_curvature, 1., 0.05);
+    EXPECT_NEAR(curvature.min_direction * curvature.max_direction, 0., 1e-12);
+    EXPECT_NEAR(curvature.max_direction * (mesh.point(vertex) - CGAL::ORIGIN), 0., 0.02);
   }
   ASSERT_EQ(on_mesh.size(), sphere.points.size());
 
@@ -45,15 +45,15 @@ TEST(Principal_curvatures, of_a_sphere_are_equal_on_every_kind_of_surface)
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
   std::vector<GP::Principal_curvatures<Surfels>> on_cloud(surfels.size());
   GP::principal_curvatures(surfels, CGAL::make_property_map(on_cloud), maps);
-  for(const auto& here : on_cloud)
+  for(const auto& curvature : on_cloud)
   {
     // A surface of second order is as far from the sphere as the fourth power of the ball.
-    EXPECT_NEAR(here.min_curvature, 1., 0.02);
-    EXPECT_NEAR(here.max_curvature, 1., 0.02);
+    EXPECT_NEAR(curvature.min_curvature, 1., 0.02);
+    EXPECT_NEAR(curvature.max_curvature, 1., 0.02);
   }
 }
 
-TEST(Principal_curvatures, of_a_saddle_of_surfels_have_both_signs)
+TEST(Principal_curvatures, have_opposite_signs_on_a_saddle)
 {
   Surfels surfels = flat_surfels(1200);
   for(auto& [point, normal] : surfels)
@@ -81,7 +81,7 @@ TEST(Principal_curvatures, of_a_saddle_of_surfels_have_both_signs)
   }
 }
 
-TEST(Principal_curvatures, refuse_a_radius_that_is_none)
+TEST(Principal_curvatures, throws_on_invalid_radius)
 {
   const Mesh mesh = mesh_of(tetrahedron());
   std::map<Vertex, GP::Principal_curvatures<Mesh>> found;

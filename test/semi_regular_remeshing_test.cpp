@@ -40,7 +40,7 @@ TEST(semi_regular_remeshing, has_subdivision_connectivity)
   EXPECT_EQ(last, 3u);
 }
 
-TEST(semi_regular_remeshing, has_quads_on_request)
+TEST(semi_regular_remeshing, writes_quads_on_request)
 {
   CGAL::Polyhedron_3<Kernel> output;
   const Mesh mesh = mesh_of(torus(24, 16));
@@ -53,7 +53,7 @@ TEST(semi_regular_remeshing, has_quads_on_request)
                GP::Invalid_argument_error);
 }
 
-TEST(semi_regular_remeshing, ends_where_it_is_near_enough)
+TEST(semi_regular_remeshing, stops_at_maximum_deviation)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   Mesh coarse, fine;
@@ -106,7 +106,7 @@ Mesh cube(int n)
 }
 
 // On how many sides of the cube a point is.
-int sides_at(const Kernel::Point_3& p)
+int number_of_cube_faces_at(const Kernel::Point_3& p)
 {
   int result = 0;
   for(int k = 0; k < 3; ++k)
@@ -115,7 +115,7 @@ int sides_at(const Kernel::Point_3& p)
 }
 
 template <typename NamedParameters>
-void expect_keeps_the_edges_of_a_cube(const Mesh& mesh, const NamedParameters& np)
+void expect_cube_edges_preserved(const Mesh& mesh, const NamedParameters& np)
 {
   Mesh output;
   GP::semi_regular_remeshing(mesh, 60, 2, output, np);
@@ -124,7 +124,8 @@ void expect_keeps_the_edges_of_a_cube(const Mesh& mesh, const NamedParameters& n
   for(const auto e : output.edges())
   {
     const auto &p = output.point(output.vertex(e, 0)), &q = output.point(output.vertex(e, 1));
-    if(sides_at(p) > 1 && sides_at(q) > 1 && sides_at(CGAL::midpoint(p, q)) > 1)
+    if(number_of_cube_faces_at(p) > 1 && number_of_cube_faces_at(q) > 1 &&
+       number_of_cube_faces_at(CGAL::midpoint(p, q)) > 1)
       length += PMP::edge_length(e, output);
   }
   EXPECT_NEAR(length, 12., 1e-10);
@@ -132,18 +133,18 @@ void expect_keeps_the_edges_of_a_cube(const Mesh& mesh, const NamedParameters& n
   EXPECT_NEAR(PMP::volume(output), 1., 1e-10);
 }
 
-TEST(semi_regular_remeshing, keeps_sharp_and_constrained_edges)
+TEST(semi_regular_remeshing, preserves_sharp_and_constrained_edges)
 {
   Mesh mesh = cube(6);
-  expect_keeps_the_edges_of_a_cube(mesh, GP::parameters::sharp_angle(60.));
+  expect_cube_edges_preserved(mesh, GP::parameters::sharp_angle(60.));
   const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
   for(const auto e : mesh.edges())
-    is_kept[e] =
-        sides_at(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))) > 1;
-  expect_keeps_the_edges_of_a_cube(mesh, GP::parameters::edge_is_constrained_map(is_kept));
+    is_kept[e] = number_of_cube_faces_at(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)),
+                                                        mesh.point(mesh.vertex(e, 1)))) > 1;
+  expect_cube_edges_preserved(mesh, GP::parameters::edge_is_constrained_map(is_kept));
 }
 
-TEST(semi_regular_remeshing, has_small_faces_where_the_speed_is_low)
+TEST(semi_regular_remeshing, density_follows_speed)
 {
   Mesh mesh = mesh_of(icosphere(3)), output;
   const auto speed = vertex_map(mesh);
@@ -156,7 +157,7 @@ TEST(semi_regular_remeshing, has_small_faces_where_the_speed_is_low)
   EXPECT_GT(above, 4 * below);
 }
 
-TEST(semi_regular_remeshing, begins_with_first_samples)
+TEST(semi_regular_remeshing, starts_with_first_samples)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   const Vertex first(100);

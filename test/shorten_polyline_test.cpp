@@ -21,7 +21,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Point_3 = Kernel::Point_3;
 
-TEST(shorten_polyline, follows_a_mesh_by_its_tree)
+TEST(shorten_polyline, shortens_on_mesh_given_by_aabb_tree)
 {
   using Tree =
       CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
@@ -42,7 +42,7 @@ TEST(shorten_polyline, follows_a_mesh_by_its_tree)
     EXPECT_LT(tree.squared_distance(p), 1e-6);
 }
 
-TEST(shorten_polyline, turns_around_sharp_edges)
+TEST(shorten_polyline, crosses_sharp_edges)
 {
   // Over the edge of a quarter of space, and 0.5 along it.
   const auto squared_distance = [](const Point_3& p)
@@ -55,11 +55,11 @@ TEST(shorten_polyline, turns_around_sharp_edges)
   const std::vector<Point_3> polyline = {{-1., 0., 0.}, {0., 0., 0.}, {0., 0.5, -1.}};
   const auto path = GP::shorten_polyline(polyline, squared_distance);
   // What is cut at the edge is at most one segment of 76, halved four times.
-  const double truth = std::hypot(2., 0.5);
-  EXPECT_NEAR(path.distance, truth, truth / 76. / 16.);
+  const double expected = std::hypot(2., 0.5);
+  EXPECT_NEAR(path.distance, expected, expected / 76. / 16.);
 }
 
-TEST(shorten_polyline, ends_where_it_did)
+TEST(shorten_polyline, keeps_end_points)
 {
   const std::vector<Point_3> polyline = {{0., 0., 0.}, {0.3, 0.8, 0.}, {1., 0., 0.}};
   const auto path = GP::shorten_polyline(polyline, [](const Point_3& p) { return p.z() * p.z(); });
@@ -68,10 +68,10 @@ TEST(shorten_polyline, ends_where_it_did)
   EXPECT_NEAR(path.distance, 1., 1e-9); // the energy is flat to 1e-11
 }
 
-TEST(shorten_polyline, refuses_what_is_no_polyline)
+TEST(shorten_polyline, throws_on_invalid_polyline)
 {
-  const auto flat = [](const Point_3& p) { return p.z() * p.z(); };
-  EXPECT_THROW(GP::shorten_polyline(std::vector<Point_3>{{0., 0., 0.}}, flat),
+  const auto plane_squared_distance = [](const Point_3& p) { return p.z() * p.z(); };
+  EXPECT_THROW(GP::shorten_polyline(std::vector<Point_3>{{0., 0., 0.}}, plane_squared_distance),
                GP::Invalid_argument_error);
   EXPECT_THROW(GP::shorten_polyline(std::vector<Point_3>{{0., 0., 0.}, {1., 0., 0.}},
                                     [](const Point_3&) { return std::nan(""); }),

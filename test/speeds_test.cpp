@@ -32,7 +32,7 @@ std::vector<double> speeds_of(const Triangulation& shape,
   return values(mesh, speed);
 }
 
-TEST(Curvature_speeds, of_a_sphere_are_one_half_and_two_on_every_scale)
+TEST(Curvature_speeds, are_one_half_and_two_on_spheres)
 {
   for(const double scale : {1., 1e-6, 1e6})
   {
@@ -45,9 +45,9 @@ TEST(Curvature_speeds, of_a_sphere_are_one_half_and_two_on_every_scale)
   }
 }
 
-TEST(Curvature_speeds, change_with_their_strength_alone)
+TEST(Curvature_speeds, depend_on_strength)
 {
-  const Triangulation shape = shaken(icosphere(2), 0.1);
+  const Triangulation shape = jittered(icosphere(2), 0.1);
   for(const double speed : speeds_of(shape, GP::parameters::strength(0)))
     EXPECT_EQ(speed, 1.);
   const auto slow = speeds_of(shape, GP::parameters::strength(0.3)),
@@ -66,7 +66,7 @@ TEST(Curvature_speeds, change_with_their_strength_alone)
   EXPECT_LT(spread(smooth), spread(slow));
 }
 
-TEST(Curvature_speeds, are_the_same_on_every_kind_of_mesh_and_near_on_clouds)
+TEST(Curvature_speeds, agree_on_meshes_and_clouds)
 {
   const Triangulation sphere = icosphere(4);
   const auto on_mesh = speeds_of(sphere);
@@ -88,7 +88,7 @@ TEST(Curvature_speeds, are_the_same_on_every_kind_of_mesh_and_near_on_clouds)
 }
 
 // A torus bends most on its outside: from there the outside is quick, and from inside the inside.
-TEST(Similar_curvature_speeds, fall_with_the_difference_of_mean_curvatures)
+TEST(Similar_curvature_speeds, decrease_with_mean_curvature_difference)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
@@ -103,17 +103,17 @@ TEST(Similar_curvature_speeds, fall_with_the_difference_of_mean_curvatures)
       outside = radius(v) > radius(outside) ? v : outside;
       inside = radius(v) < radius(inside) ? v : inside;
     }
-    for(const Vertex place : {outside, inside})
+    for(const Vertex base : {outside, inside})
     {
-      GP::similar_curvature_speeds(mesh, place, speed);
-      EXPECT_EQ(speed[place], 1.);
-      const Vertex other = place == outside ? inside : outside;
+      GP::similar_curvature_speeds(mesh, base, speed);
+      EXPECT_EQ(speed[base], 1.);
+      const Vertex other = base == outside ? inside : outside;
       EXPECT_LT(speed[other], 0.75);
       for(const Vertex v : mesh.vertices())
       {
         EXPECT_GT(speed[v], 0.);
         EXPECT_LE(speed[v], 1.);
-        if(std::abs(radius(v) - radius(place)) < 1e-9)
+        if(std::abs(radius(v) - radius(base)) < 1e-9)
         {
           EXPECT_GT(speed[v], 0.95); // the tensors of a ring differ by a few percent
         }
@@ -144,7 +144,7 @@ std::size_t samples_at_crease(const Mesh& mesh, SpeedMap speed)
                        { return std::abs(point_of(mesh, sample)[0] - 0.5) < 0.1; });
 }
 
-TEST(Curvature_speeds, draw_samples_to_creases_or_drive_them_away)
+TEST(Curvature_speeds, attract_or_repel_samples_at_creases)
 {
   Mesh mesh = mesh_of(grid(40, 40,
                            [](double u, double v) {
@@ -159,15 +159,15 @@ TEST(Curvature_speeds, draw_samples_to_creases_or_drive_them_away)
   EXPECT_LT(3 * samples_at_crease(mesh, speed), 2 * plain);
 }
 
-TEST(Image_speeds, of_linear_images_are_exact)
+TEST(Image_speeds, are_exact_for_linear_images)
 {
   Mesh mesh = mesh_of(square(10, 0.2));
   auto speed = vertex_map(mesh), image = vertex_map(mesh);
-  auto colour = vertex_map<CGAL::IO::Color>(mesh);
+  auto color = vertex_map<CGAL::IO::Color>(mesh);
   for(const Vertex v : mesh.vertices())
   {
     put(image, v, 3. * mesh.point(v).x() + 4. * mesh.point(v).y() - 2.);
-    put(colour, v, CGAL::IO::Color(7, 7, 7));
+    put(color, v, CGAL::IO::Color(7, 7, 7));
   }
   for(const double strength : {0., 1., 20.})
   {
@@ -175,12 +175,12 @@ TEST(Image_speeds, of_linear_images_are_exact)
     for(const double x : values(mesh, speed))
       EXPECT_NEAR(x, 1. / (1. + strength), 1e-12); // rounding
   }
-  GP::image_speeds(mesh, colour, speed);
+  GP::image_speeds(mesh, color, speed);
   for(const double x : values(mesh, speed))
     EXPECT_EQ(x, 1.);
 }
 
-TEST(Image_speeds, do_not_change_with_the_scale_of_surface_or_image)
+TEST(Image_speeds, are_scale_invariant)
 {
   std::vector<std::vector<double>> all;
   for(const double scale : {1., 1e-6, 1e6})
@@ -198,16 +198,16 @@ TEST(Image_speeds, do_not_change_with_the_scale_of_surface_or_image)
       EXPECT_NEAR(all[k][i], all[0][i], 1e-11); // rounding, in slopes of differences
 }
 
-TEST(Image_speeds, take_colours_and_clouds)
+TEST(Image_speeds, support_colors_and_clouds)
 {
   // Black, then red: where it changes it is slow, by the strength that the change has.
   const Surfels surfels = flat_surfels(2000);
   const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
-  std::vector<CGAL::IO::Color> colour;
+  std::vector<CGAL::IO::Color> color;
   for(const auto& [point, normal] : surfels)
-    colour.emplace_back(point.x() < 0.5 ? 0 : 255, 0, 0);
+    color.emplace_back(point.x() < 0.5 ? 0 : 255, 0, 0);
   std::vector<double> speed(surfels.size());
-  GP::image_speeds(surfels, CGAL::make_property_map(colour), CGAL::make_property_map(speed), maps);
+  GP::image_speeds(surfels, CGAL::make_property_map(color), CGAL::make_property_map(speed), maps);
   EXPECT_NEAR(*std::min_element(speed.begin(), speed.end()), 1. / 21., 1e-12); // rounding
   for(std::size_t i = 0; i < surfels.size(); ++i)
     // Triangles of neighbours are smaller than this: there are about 45 surfels in a row.
@@ -217,7 +217,7 @@ TEST(Image_speeds, take_colours_and_clouds)
     }
 }
 
-TEST(Image_speeds, are_low_where_the_image_varies_on_meshes_of_other_kinds)
+TEST(Image_speeds, support_polyhedra)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   Numbered<Polyhedron> polyhedron;
@@ -234,15 +234,15 @@ TEST(Image_speeds, are_low_where_the_image_varies_on_meshes_of_other_kinds)
     }
 }
 
-TEST(Speeds, refuse_what_they_cannot_use)
+TEST(Speeds, throws_on_invalid_input)
 {
   Mesh mesh = mesh_of(tetrahedron());
   auto speed = vertex_map(mesh), image = vertex_map(mesh);
-  for(const double wrong : {-1., std::nan(""), GP::internal::infinity})
+  for(const double invalid : {-1., std::nan(""), GP::internal::infinity})
   {
-    EXPECT_THROW(GP::curvature_speeds(mesh, speed, GP::parameters::strength(wrong)),
+    EXPECT_THROW(GP::curvature_speeds(mesh, speed, GP::parameters::strength(invalid)),
                  GP::Invalid_argument_error);
-    EXPECT_THROW(GP::image_speeds(mesh, image, speed, GP::parameters::strength(wrong)),
+    EXPECT_THROW(GP::image_speeds(mesh, image, speed, GP::parameters::strength(invalid)),
                  GP::Invalid_argument_error);
   }
   EXPECT_THROW(GP::curvature_speeds(mesh, speed, GP::parameters::ball_radius(-1.)),

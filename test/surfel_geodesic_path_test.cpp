@@ -17,15 +17,15 @@ using namespace GP::test;
 
 const auto maps = GP::parameters::point_map(Surfel_point_map()).normal_map(Surfel_normal_map());
 
-TEST(surfel_geodesic_path, is_straight_in_a_plane)
+TEST(surfel_geodesic_path, is_straight_in_plane)
 {
   const Surfels surfels = flat_surfels(1500);
   const auto path = GP::surfel_geodesic_path(surfels, std::size_t(4), std::size_t(5), maps);
-  const double truth = std::sqrt(CGAL::squared_distance(surfels[4].first, surfels[5].first));
-  EXPECT_NEAR(path.front_distance, truth, 1e-9 * truth);
+  const double expected = std::sqrt(CGAL::squared_distance(surfels[4].first, surfels[5].first));
+  EXPECT_NEAR(path.front_distance, expected, 1e-9 * expected);
 }
 
-TEST(surfel_geodesic_path, is_the_same_by_any_number_of_threads)
+TEST(surfel_geodesic_path, is_independent_of_number_of_threads)
 {
   const Surfels surfels = sphere_surfels(3);
   const GP::Surfel_path_finder<Surfels> finder(surfels, maps);
@@ -56,7 +56,7 @@ TEST(surfel_geodesic_path, is_empty_between_components)
   EXPECT_EQ(path.front_distance, std::numeric_limits<double>::infinity());
 }
 
-TEST(surfel_geodesic_path, refuses_surfels_that_are_none)
+TEST(surfel_geodesic_path, throws_on_invalid_surfels)
 {
   const Surfels surfels = flat_surfels(100);
   EXPECT_THROW(GP::surfel_geodesic_path(surfels, std::size_t(0), std::size_t(100), maps),

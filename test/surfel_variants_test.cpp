@@ -26,7 +26,7 @@ void expect_a_path(const Parameters& parameters)
   EXPECT_LT(path.front_distance, 3.2); // half of the way round, and some
 }
 
-TEST(surfel_variants, lead_to_paths)
+TEST(surfel_variants, every_variant_finds_path)
 {
   for(const auto graph : {GP::Surfel_graph::extended_spheres, GP::Surfel_graph::nearest})
     expect_a_path(GP::parameters::surfel_graph(graph));

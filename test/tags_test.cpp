@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/tags.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -13,23 +13,24 @@ using namespace CGAL::Geodesic_processing::test;
 
 // A square's diagonal tells methods apart.
 template <typename Method>
-double across_a_square()
+double distance_across_square()
 {
-  static const Glued_surface surface(square(20));
+  static const Array_surface surface(square(20));
   internal::Engine<Method> engine(surface.triangles());
   engine.run({surface.source(20)});
   return surface.distances(engine)[20 * 21]; // from (1,0) to (0,1), against all diagonals
 }
 
-TEST(Tags, choose_the_method_with_its_error)
+TEST(Tags, select_methods_with_expected_errors)
 {
-  EXPECT_NEAR(across_a_square<Dijkstra>(), 2., 1e-12); // the sides' sums, wrong by 41 percent
-  EXPECT_NEAR(across_a_square<Euclidean_front>(), std::sqrt(2.), 1e-9);
-  EXPECT_NEAR(across_a_square<Exact>(), std::sqrt(2.), 1e-12); // sums of twenty lengths
+  EXPECT_NEAR(distance_across_square<Dijkstra>(), 2.,
+              1e-12); // the sides' sums, wrong by 41 percent
+  EXPECT_NEAR(distance_across_square<Euclidean_front>(), std::sqrt(2.), 1e-9);
+  EXPECT_NEAR(distance_across_square<Exact>(), std::sqrt(2.), 1e-12); // sums of twenty lengths
   // First order: a side of 1/20.
-  EXPECT_NEAR(across_a_square<Fast_marching>(), std::sqrt(2.), 1.1 / 20.);
-  EXPECT_GT(across_a_square<Fast_marching>(), std::sqrt(2.) + 1e-6);
-  EXPECT_NEAR(across_a_square<Heat>(), std::sqrt(2.), 0.1);
+  EXPECT_NEAR(distance_across_square<Fast_marching>(), std::sqrt(2.), 1.1 / 20.);
+  EXPECT_GT(distance_across_square<Fast_marching>(), std::sqrt(2.) + 1e-6);
+  EXPECT_NEAR(distance_across_square<Heat>(), std::sqrt(2.), 0.1);
 }
 
 } // namespace

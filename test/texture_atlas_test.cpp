@@ -23,7 +23,7 @@ using UV = std::array<double, 2>;
 
 // By counting: which triangles contain the middles of the texels of a fine raster.
 template <typename Graph, typename Map>
-std::size_t most_triangles_at_a_place(const Graph& mesh, const Map& uv, int size)
+std::size_t max_triangle_overlap(const Graph& mesh, const Map& uv, int size)
 {
   std::vector<int> count(std::size_t(size) * std::size_t(size), 0);
   for(const auto face : faces(mesh))
@@ -60,7 +60,7 @@ void expect_atlas(const Triangulation& triangulation, std::size_t number)
   EXPECT_TRUE(atlas.is_injective());
   EXPECT_GE(atlas.number_of_charts, number);
   EXPECT_EQ(values.size(), 3 * surface.faces.size());
-  EXPECT_EQ(most_triangles_at_a_place(surface.mesh, uv, 64), 1u);
+  EXPECT_EQ(max_triangle_overlap(surface.mesh, uv, 64), 1u);
   std::set<std::size_t> charts;
   for(const auto& [face, one] : chart)
     charts.insert(one);
@@ -85,7 +85,7 @@ void expect_atlas(const Triangulation& triangulation, std::size_t number)
             5.); // 4 without distortion: cells of a sphere are a little bent
 }
 
-TEST(texture_atlas, meshes_of_all_kinds)
+TEST(texture_atlas, accepts_all_mesh_types)
 {
   expect_atlas<Mesh>(icosphere(2), 6);
   expect_atlas<CGAL::Polyhedron_3<Kernel>>(icosphere(2), 6);
@@ -98,7 +98,7 @@ TEST(texture_atlas, meshes_of_all_kinds)
   expect_atlas<Mesh>(annulus(30, 4, 1., 2.), 2);
 }
 
-TEST(texture_atlas, follows_the_scale)
+TEST(texture_atlas, texel_density_follows_scale)
 {
   double one = 0.;
   for(const double scale : {1., 0x1p-20, 0x1p20})
@@ -116,7 +116,7 @@ TEST(texture_atlas, follows_the_scale)
   }
 }
 
-TEST(texture_atlas, threads_change_nothing)
+TEST(texture_atlas, is_independent_of_threads)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   std::map<Mesh::Halfedge_index, UV> one, three;
@@ -126,7 +126,7 @@ TEST(texture_atlas, threads_change_nothing)
   EXPECT_EQ(one, three);
 }
 
-TEST(texture_atlas, bad_arguments_and_cancelling)
+TEST(texture_atlas, throws_on_invalid_arguments_and_can_be_cancelled)
 {
   const Mesh mesh = mesh_of(icosphere(1));
   std::map<Mesh::Halfedge_index, UV> values;

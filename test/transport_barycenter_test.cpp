@@ -13,7 +13,7 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-TEST(Transport_barycenter, says_what_the_solver_says)
+TEST(Transport_barycenter, agrees_with_solver)
 {
   Mesh mesh = mesh_of(square(8, 0.24));
   const std::vector<Vertex> points = {Vertex(0), Vertex(8), Vertex(76)};

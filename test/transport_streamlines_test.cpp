@@ -20,9 +20,9 @@ using namespace GP::test;
 // Proposition 2 of Solomon and others 2014: from a point to a ball that is filled evenly lines are shortest
 // paths to all of its points, and as it shrinks what that costs becomes the distance: it differs by no
 // more than the radius, and by what bounds leave open.
-TEST(transport_streamlines, lead_from_a_point_to_a_ball)
+TEST(transport_streamlines, cost_to_ball_approximates_distance)
 {
-  const Mesh mesh = mesh_of(shaken(icosphere(4), 0.01));
+  const Mesh mesh = mesh_of(jittered(icosphere(4), 0.01));
   const Vertex p(7), q(1900);
   GP::Geodesic_distance_solver<Mesh, GP::Exact> from_p(mesh), from_q(mesh);
   from_p.compute(p);
@@ -58,7 +58,7 @@ TEST(transport_streamlines, lead_from_a_point_to_a_ball)
   }
 }
 
-TEST(transport_streamlines, lead_from_seeds)
+TEST(transport_streamlines, starts_at_seeds)
 {
   const Mesh mesh = mesh_of(square(12));
   const std::vector<Vertex> from = {Vertex(0), Vertex(12)},
@@ -74,11 +74,11 @@ TEST(transport_streamlines, lead_from_seeds)
     EXPECT_NEAR(lines[i].length, 5. / 12., 1e-12);
   }
   // From elsewhere: along the border to where it ends.
-  std::vector<GP::Streamline<Mesh>> more;
-  const std::vector<GP::Location<Mesh>> places = {location_of(3, {0.2, 0.3, 0.5})};
-  GP::transport_streamlines(mesh, from, to, places, std::back_inserter(more));
-  ASSERT_EQ(more.size(), 1u);
-  EXPECT_EQ(more[0].locations.front(), places[0]);
+  std::vector<GP::Streamline<Mesh>> lines_from_seeds;
+  const std::vector<GP::Location<Mesh>> seeds = {location_of(3, {0.2, 0.3, 0.5})};
+  GP::transport_streamlines(mesh, from, to, seeds, std::back_inserter(lines_from_seeds));
+  ASSERT_EQ(lines_from_seeds.size(), 1u);
+  EXPECT_EQ(lines_from_seeds[0].locations.front(), seeds[0]);
 }
 
 } // namespace

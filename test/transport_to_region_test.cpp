@@ -13,7 +13,7 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-TEST(Transport_to_region, says_what_the_solver_says)
+TEST(Transport_to_region, agrees_with_solver)
 {
   Mesh mesh = mesh_of(square(8, 0.24));
   const std::vector<Vertex> region = {Vertex(8), Vertex(80)};
@@ -42,14 +42,14 @@ TEST(Transport_to_region, says_what_the_solver_says)
                           flow[f];
   }
   // The mean way is from where the mass was to where it arrived.
-  Kernel::Vector_3 way = CGAL::NULL_VECTOR;
+  Kernel::Vector_3 mean_displacement = CGAL::NULL_VECTOR;
   for(const Vertex v : vertices(mesh))
   {
     EXPECT_EQ(arrivals[v], solver.arrival(v));
     EXPECT_EQ(potential[v], solver.potential(v));
-    way = way + arrivals[v] * (mesh.point(v) - mesh.point(Vertex(0)));
+    mean_displacement = mean_displacement + arrivals[v] * (mesh.point(v) - mesh.point(Vertex(0)));
   }
-  EXPECT_LT((moment - way).squared_length(), 1e-16);
+  EXPECT_LT((moment - mean_displacement).squared_length(), 1e-16);
 }
 
 } // namespace

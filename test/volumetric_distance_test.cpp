@@ -11,7 +11,7 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-TEST(volumetric_distance, says_what_the_metric_says)
+TEST(volumetric_distance, agrees_with_metric)
 {
   const Mesh mesh = mesh_of(icosphere(2));
   const Kernel::Point_3 from(0.1, 0.3, -0.2), to(1., 2., 0.);

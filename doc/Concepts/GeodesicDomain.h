@@ -25,17 +25,17 @@ public:
   /// The type of the mesh or the cloud.
   using Surface = unspecified_type;
   /// The descriptor of a vertex of the mesh, or the index of a surfel.
-  using Site = unspecified_type;
+  using Vertex = unspecified_type;
   /// The type of a point on the surface.
   using Location = unspecified_type;
 
   /// Returns the number of vertices of the mesh, or of surfels of the cloud.
-  std::size_t number_of_sites() const;
+  std::size_t number_of_vertices() const;
 
   /// Writes one value for each vertex to a property map.
   ///
   /// \param values a function that returns the value of the vertex with index `i`, for `i` from 0 to
-  ///        `number_of_sites()` - 1
+  ///        `number_of_vertices()` - 1
   /// \param map a writable property map whose key type is `Site`
   template <typename Values, typename WritablePropertyMap>
   void write(const Values& values, WritablePropertyMap map) const;

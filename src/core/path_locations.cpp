@@ -3,33 +3,33 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include "core/unfold.h"
 
 #include <cmath>
 
 namespace CGAL::Geodesic_processing::internal {
 
-Location at_site(const Glued_triangles& t, Index site)
+Surface_location vertex_location(const Surface_arrays& t, Index vertex)
 {
-  Location result;
-  if(t.first[site] == t.first[site + 1])
-    result.site = site;
+  Surface_location result;
+  if(t.ring_begin[vertex] == t.ring_begin[vertex + 1])
+    result.vertex = vertex;
   else
   {
-    const Index corner = t.star[t.first[site]];
+    const Index corner = t.ring[t.ring_begin[vertex]];
     result.triangle = corner / 3;
-    result.barycentric = at_corner(corner);
+    result.barycentric = barycentric_at_corner(corner);
   }
   return result;
 }
 
-Location cleaned(const Glued_triangles& t, const Location& location)
+Surface_location canonical(const Surface_arrays& t, const Surface_location& location)
 {
   if(location.triangle == none)
-    return at_site(t, location.site);
-  Location result = location;
-  result.site = none;
+    return vertex_location(t, location.vertex);
+  Surface_location result = location;
+  result.vertex = none;
   double sum = 0.;
   for(double& b : result.barycentric)
   {
@@ -46,7 +46,7 @@ Location cleaned(const Glued_triangles& t, const Location& location)
   return result;
 }
 
-Location checked(const Glued_triangles& t, const Location& location)
+Surface_location checked(const Surface_arrays& t, const Surface_location& location)
 {
   double sum = 0.;
   for(const double b : location.barycentric)
@@ -57,25 +57,25 @@ Location checked(const Glued_triangles& t, const Location& location)
   }
   if(!(std::abs(sum - 1.) <= 1e-6))
     throw Invalid_argument_error("The barycentric coordinates of a location do not sum to one.");
-  return cleaned(t, location);
+  return canonical(t, location);
 }
 
-Spatial scaled_coordinates(const Glued_triangles& t, const Location& location)
+Vec3 scaled_coordinates(const Surface_arrays& t, const Surface_location& location)
 {
   if(location.triangle == none)
-    return t.point[location.site];
+    return t.point[location.vertex];
   const Index* corner = &t.corner[3 * std::size_t(location.triangle)];
   return location.barycentric[0] * t.point[corner[0]] +
          location.barycentric[1] * t.point[corner[1]] +
          location.barycentric[2] * t.point[corner[2]];
 }
 
-std::array<double, 3> coordinates(const Glued_triangles& t, const Location& location)
+std::array<double, 3> coordinates(const Surface_arrays& t, const Surface_location& location)
 {
   return t.origin + t.scale * scaled_coordinates(t, location);
 }
 
-double polyline_length(const Glued_triangles& t, const std::vector<Location>& path)
+double polyline_length(const Surface_arrays& t, const std::vector<Surface_location>& path)
 {
   double length = 0.;
   for(std::size_t i = 1; i < path.size(); ++i)
@@ -83,7 +83,7 @@ double polyline_length(const Glued_triangles& t, const std::vector<Location>& pa
   return length;
 }
 
-Index corner_of(const Location& location)
+Index corner_of(const Surface_location& location)
 {
   if(location.triangle != none)
     for(Index k = 0; k < 3; ++k)
@@ -92,13 +92,13 @@ Index corner_of(const Location& location)
   return none;
 }
 
-Index site_of(const Glued_triangles& t, const Location& location)
+Index vertex_of(const Surface_arrays& t, const Surface_location& location)
 {
   const Index corner = corner_of(location);
-  return corner == none ? location.site : t.corner[corner];
+  return corner == none ? location.vertex : t.corner[corner];
 }
 
-Index side_of(const Location& location)
+Index halfedge_of(const Surface_location& location)
 {
   if(location.triangle != none && corner_of(location) == none)
     for(Index k = 0; k < 3; ++k)
@@ -107,102 +107,102 @@ Index side_of(const Location& location)
   return none;
 }
 
-std::optional<std::array<double, 3>> seen_from(const Glued_triangles& t, Index triangle,
-                                               const Location& location)
+std::optional<std::array<double, 3>> barycentric_in(const Surface_arrays& t, Index triangle,
+                                                    const Surface_location& location)
 {
   if(location.triangle == triangle)
     return location.barycentric;
-  const Index site = site_of(t, location);
-  if(site != none)
+  const Index vertex = vertex_of(t, location);
+  if(vertex != none)
   {
     for(Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
-      if(t.corner[corner] == site)
-        return at_corner(corner);
+      if(t.corner[corner] == vertex)
+        return barycentric_at_corner(corner);
     return std::nullopt;
   }
-  const Index side = side_of(location);
-  if(side != none && !t.twin.empty() && t.twin[side] != none && t.twin[side] / 3 == triangle)
-    return on_side(t.twin[side], location.barycentric[side % 3]);
+  const Index h = halfedge_of(location);
+  if(h != none && !t.twin.empty() && t.twin[h] != none && t.twin[h] / 3 == triangle)
+    return barycentric_on_halfedge(t.twin[h], location.barycentric[h % 3]);
   return std::nullopt;
 }
 
 namespace {
 
-std::size_t number_of_holders(const Glued_triangles& t, const Location& location)
+std::size_t number_of_incident_triangles(const Surface_arrays& t, const Surface_location& location)
 {
-  const Index site = site_of(t, location);
-  if(site != none)
-    return t.first[site + 1] - t.first[site];
-  return side_of(location) == none ? 1 : 2;
+  const Index vertex = vertex_of(t, location);
+  if(vertex != none)
+    return t.ring_begin[vertex + 1] - t.ring_begin[vertex];
+  return halfedge_of(location) == none ? 1 : 2;
 }
 
 } // namespace
 
-std::vector<Index> triangles_at(const Glued_triangles& t, const Location& location)
+std::vector<Index> triangles_at(const Surface_arrays& t, const Surface_location& location)
 {
   std::vector<Index> result;
-  result.reserve(number_of_holders(t, location));
-  if(const Index site = site_of(t, location); site != none)
+  result.reserve(number_of_incident_triangles(t, location));
+  if(const Index vertex = vertex_of(t, location); vertex != none)
   {
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-      result.push_back(t.star[i] / 3);
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+      result.push_back(t.ring[i] / 3);
     return result;
   }
   result.push_back(location.triangle);
-  if(const Index side = side_of(location); side != none && !t.twin.empty() && t.twin[side] != none)
-    result.push_back(t.twin[side] / 3);
+  if(const Index h = halfedge_of(location); h != none && !t.twin.empty() && t.twin[h] != none)
+    result.push_back(t.twin[h] / 3);
   return result;
 }
 
-Index triangle_at(const Glued_triangles& t, const Location& location)
+Index triangle_at(const Surface_arrays& t, const Surface_location& location)
 {
   if(location.triangle != none)
     return location.triangle;
-  const Index first = t.first[location.site];
-  return first < t.first[location.site + 1] ? t.star[first] / 3 : none;
+  const Index first = t.ring_begin[location.vertex];
+  return first < t.ring_begin[location.vertex + 1] ? t.ring[first] / 3 : none;
 }
 
-Index common_triangle(const Glued_triangles& t, const Location& p, const Location& q)
+Index common_triangle(const Surface_arrays& t, const Surface_location& p, const Surface_location& q)
 {
-  if(number_of_holders(t, p) > number_of_holders(t, q))
+  if(number_of_incident_triangles(t, p) > number_of_incident_triangles(t, q))
     return common_triangle(t, q, p);
-  const Index site = site_of(t, p);
-  if(site != none)
+  const Index vertex = vertex_of(t, p);
+  if(vertex != none)
   {
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-      if(seen_from(t, t.star[i] / 3, q))
-        return t.star[i] / 3;
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+      if(barycentric_in(t, t.ring[i] / 3, q))
+        return t.ring[i] / 3;
     return none;
   }
-  if(seen_from(t, p.triangle, q))
+  if(barycentric_in(t, p.triangle, q))
     return p.triangle;
-  const Index side = side_of(p), twin = side == none || t.twin.empty() ? none : t.twin[side];
-  return twin != none && seen_from(t, twin / 3, q) ? twin / 3 : none;
+  const Index h = halfedge_of(p), twin = h == none || t.twin.empty() ? none : t.twin[h];
+  return twin != none && barycentric_in(t, twin / 3, q) ? twin / 3 : none;
 }
 
-bool is_same_point(const Glued_triangles& t, const Location& p, const Location& q)
+bool is_same_point(const Surface_arrays& t, const Surface_location& p, const Surface_location& q)
 {
-  const Index site = site_of(t, p);
-  if(site != none || site_of(t, q) != none)
-    return site == site_of(t, q);
-  const auto seen = seen_from(t, q.triangle, p);
-  return seen && *seen == q.barycentric;
+  const Index vertex = vertex_of(t, p);
+  if(vertex != none || vertex_of(t, q) != none)
+    return vertex == vertex_of(t, q);
+  const auto barycentric = barycentric_in(t, q.triangle, p);
+  return barycentric && *barycentric == q.barycentric;
 }
 
-double path_length(const Glued_triangles& t, const std::vector<Location>& path)
+double path_length(const Surface_arrays& t, const std::vector<Surface_location>& path)
 {
   double length = 0.;
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    const Location p = cleaned(t, path[i]), q = cleaned(t, path[i + 1]);
+    const Surface_location p = canonical(t, path[i]), q = canonical(t, path[i + 1]);
     if(is_same_point(t, p, q))
       continue;
     const Index triangle = common_triangle(t, p, q);
     if(triangle == none)
       throw Invalid_argument_error(
           "Two consecutive locations of a path lie in no common triangle.");
-    length +=
-        distance_in_triangle(t, triangle, *seen_from(t, triangle, p), *seen_from(t, triangle, q));
+    length += distance_in_triangle(t, triangle, *barycentric_in(t, triangle, p),
+                                   *barycentric_in(t, triangle, q));
   }
   return length;
 }

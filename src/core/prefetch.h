@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PREFETCH_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_PREFETCH_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PREFETCH_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PREFETCH_H
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -15,4 +15,4 @@ inline void prefetch([[maybe_unused]] const void* address)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PREFETCH_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PREFETCH_H

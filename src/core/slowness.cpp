@@ -19,13 +19,13 @@ std::vector<double> slowness_of(std::vector<double> speed)
   return speed;
 }
 
-std::vector<double> mean_of_corners(const Glued_triangles& triangles,
-                                    const std::vector<double>& slowness_of_site)
+std::vector<double> mean_over_corners(const Surface_arrays& triangles,
+                                      const std::vector<double>& vertex_slowness)
 {
   std::vector<double> result(triangles.number_of_triangles());
   for(std::size_t f = 0; f < result.size(); ++f)
     for(int k = 0; k < 3; ++k)
-      result[f] += slowness_of_site[triangles.corner[3 * f + k]] / 3.;
+      result[f] += vertex_slowness[triangles.corner[3 * f + k]] / 3.;
   return result;
 }
 

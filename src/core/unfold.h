@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_UNFOLD_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_UNFOLD_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_UNFOLD_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_UNFOLD_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-inline Planar turned_left(const Planar& p) { return {-p[1], p[0]}; }
+inline Vec2 rotated_left(const Vec2& p) { return {-p[1], p[0]}; }
 
 // Twice the area of a triangle, zero when its lengths belong to none (Kahan's order of operations:
 // Heron's formula loses half of the digits of a needle).
@@ -33,7 +33,7 @@ inline double twice_area(double a, double b, double c)
 
 // The third corner over a base from (0,0) to (base,0), at distances `left` and `right` from its
 // first and its second end.
-inline Planar third_corner(double base, double left, double right)
+inline Vec2 third_corner(double base, double left, double right)
 {
   if(base <= 0.)
     return {0., left};
@@ -42,19 +42,19 @@ inline Planar third_corner(double base, double left, double right)
 }
 
 // The corners of a triangle, the first at the origin and side 0 along the first axis.
-inline std::array<Planar, 3> unfolded(const Glued_triangles& t, Index triangle)
+inline std::array<Vec2, 3> unfolded(const Surface_arrays& t, Index triangle)
 {
   const double* l = &t.length[3 * std::size_t(triangle)];
-  return {Planar{0., 0.}, Planar{l[0], 0.}, third_corner(l[0], l[2], l[1])};
+  return {Vec2{0., 0.}, Vec2{l[0], 0.}, third_corner(l[0], l[2], l[1])};
 }
 
-inline Planar unfolded_point(const std::array<Planar, 3>& corners, const std::array<double, 3>& b)
+inline Vec2 unfolded_point(const std::array<Vec2, 3>& corners, const std::array<double, 3>& b)
 {
   return b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2];
 }
 
 // The distance between two points of a triangle given by barycentric coordinates.
-inline double distance_in_triangle(const Glued_triangles& t, Index triangle,
+inline double distance_in_triangle(const Surface_arrays& t, Index triangle,
                                    const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
   const auto corners = unfolded(t, triangle);
@@ -63,42 +63,42 @@ inline double distance_in_triangle(const Glued_triangles& t, Index triangle,
 
 // The angle at a corner, in [0, pi].  A side of length zero is seen as the limit of short ones with
 // equal legs: pi/2 at both of its ends.
-inline double interior_angle(const Glued_triangles& t, Index corner)
+inline double interior_angle(const Surface_arrays& t, Index corner)
 {
-  const double right = t.length[corner], left = t.length[previous_side(corner)];
-  const double opposite = t.length[next_side(corner)];
+  const double right = t.length[corner], left = t.length[previous_halfedge(corner)];
+  const double opposite = t.length[next_halfedge(corner)];
   const double sine = 2. * twice_area(right, left, opposite);
   const double cosine = right * right + (left - opposite) * (left + opposite);
   return sine == 0. && cosine == 0. ? 1.57079632679489661923 : std::atan2(sine, cosine);
 }
 
 // The corner after this one around its site, or none behind a border.
-inline Index turn_left(const Glued_triangles& t, Index corner)
+inline Index next_corner_ccw(const Surface_arrays& t, Index corner)
 {
-  return t.twin[previous_side(corner)];
+  return t.twin[previous_halfedge(corner)];
 }
-inline Index turn_right(const Glued_triangles& t, Index corner)
+inline Index next_corner_cw(const Surface_arrays& t, Index corner)
 {
   const Index twin = t.twin[corner];
-  return twin == none ? none : next_side(twin);
+  return twin == none ? none : next_halfedge(twin);
 }
 
 // The coordinates of the corner `corner` in its triangle, and of a point of the side that leaves
 // it, at the fraction `share` of its length.
-inline std::array<double, 3> at_corner(Index corner)
+inline std::array<double, 3> barycentric_at_corner(Index corner)
 {
   std::array<double, 3> b = {0., 0., 0.};
   b[corner % 3] = 1.;
   return b;
 }
-inline std::array<double, 3> on_side(Index side, double share)
+inline std::array<double, 3> barycentric_on_halfedge(Index h, double fraction)
 {
   std::array<double, 3> b = {0., 0., 0.};
-  b[side % 3] = 1. - share;
-  b[next_side(side) % 3] = share;
+  b[h % 3] = 1. - fraction;
+  b[next_halfedge(h) % 3] = fraction;
   return b;
 }
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_UNFOLD_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_UNFOLD_H

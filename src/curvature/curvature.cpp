@@ -3,9 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/curvature/curvature.h>
 
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
-#include "numerics/nearest_quadric.h"
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
-#include "distances/rows.h"
+#include "numerics/fit_quadric.h"
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include "distances/for_each_row.h"
 
 #include <algorithm>
 #include <array>
@@ -19,17 +19,17 @@ namespace {
 
 // The radius of a ball in mean lengths around its site: the least that evens out the triangulation of
 // a scan.
-constexpr double mean_lengths = 3.;
+constexpr double radius_in_edge_lengths = 3.;
 
 // A surface of second order has six coefficients; with twice as many surfels noise averages out.
-constexpr std::size_t enough_surfels = 12;
+constexpr std::size_t min_number_of_surfels = 12;
 
 // The sum over edges of  angle  length  e e^T, of which one direction lies in two dimensions.
-struct Tensor
+struct Curvature_tensor
 {
   std::array<double, 6> sum = {}; // xx, yy, zz, yz, zx, xy
 
-  void add(double weight, const Spatial& e)
+  void add(double weight, const Vec3& e)
   {
     for(int i = 0; i < 3; ++i)
     {
@@ -37,12 +37,12 @@ struct Tensor
       sum[3 + i] += weight * e[(i + 1) % 3] * e[(i + 2) % 3];
     }
   }
-  void add(const Tensor& other)
+  void add(const Curvature_tensor& other)
   {
     for(int i = 0; i < 6; ++i)
       sum[i] += other.sum[i];
   }
-  double in(const Spatial& p, const Spatial& q) const
+  double evaluate(const Vec3& p, const Vec3& q) const
   {
     double result = 0.;
     for(int i = 0; i < 3; ++i)
@@ -55,174 +55,180 @@ struct Tensor
 };
 
 // What each triangle and each side add to the balls that hold them.
-struct Parts
+struct Curvature_terms
 {
-  std::vector<Spatial> normal; // #triangles: as long as twice the area
-  std::vector<double> bend;    // #sides: the angle between the normals, positive at a convex edge,
-                               //   times half of the length: the twin has the other half
-  std::vector<Tensor> tensor;  // #triangles: of its sides
+  std::vector<Vec3> normal; // #triangles: as long as twice the area
+  std::vector<double>
+      weighted_angle; // #sides: the angle between the normals, positive at a convex edge,
+                      //   times half of the length: the twin has the other half
+  std::vector<Curvature_tensor> tensor; // #triangles: of its sides
 };
 
-Spatial along(const Glued_triangles& t, Index side)
+Vec3 edge_direction(const Surface_arrays& t, Index h)
 {
-  return unit(t.point[t.corner[next_side(side)]] - t.point[t.corner[side]]);
+  return unit(t.point[t.corner[next_halfedge(h)]] - t.point[t.corner[h]]);
 }
 
-Parts parts(const Glued_triangles& t)
+Curvature_terms curvature_terms(const Surface_arrays& t)
 {
-  Parts result;
+  Curvature_terms result;
   result.normal.resize(t.number_of_triangles());
   for(Index f = 0; f < result.normal.size(); ++f)
   {
-    const Spatial& p = t.point[t.corner[3 * f]];
+    const Vec3& p = t.point[t.corner[3 * f]];
     result.normal[f] = cross(t.point[t.corner[3 * f + 1]] - p, t.point[t.corner[3 * f + 2]] - p);
   }
-  result.bend.resize(t.corner.size(), 0.);
+  result.weighted_angle.resize(t.corner.size(), 0.);
   result.tensor.resize(t.number_of_triangles());
-  for(Index side = 0; side < t.corner.size(); ++side)
-    if(const Index twin = t.twin[side]; twin != none)
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(const Index twin = t.twin[h]; twin != none)
     {
-      const Spatial &n = result.normal[side / 3], &other = result.normal[twin / 3];
-      const Spatial e = along(t, side);
-      result.bend[side] = 0.5 * t.length[side] * std::atan2(dot(cross(n, other), e), dot(n, other));
-      result.tensor[side / 3].add(result.bend[side], e);
+      const Vec3 &n = result.normal[h / 3], &other = result.normal[twin / 3];
+      const Vec3 e = edge_direction(t, h);
+      result.weighted_angle[h] =
+          0.5 * t.length[h] * std::atan2(dot(cross(n, other), e), dot(n, other));
+      result.tensor[h / 3].add(result.weighted_angle[h], e);
     }
   return result;
 }
 
-double mean_length(const Glued_triangles& t, Index site)
+double mean_length(const Surface_arrays& t, Index v)
 {
   double sum = 0.;
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-    sum += t.length[t.star[i]] + t.length[previous_side(t.star[i])];
-  return sum / (2. * (t.first[site + 1] - t.first[site]));
+  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
+    sum += t.length[t.ring[i]] + t.length[previous_halfedge(t.ring[i])];
+  return sum / (2. * (t.ring_begin[v + 1] - t.ring_begin[v]));
 }
 
 // Of the symmetric form  a, b; b, c  in two directions.
-Curvature principal(double a, double b, double c, const Spatial& x, const Spatial& y)
+Curvature principal_curvature(double a, double b, double c, const Vec3& x, const Vec3& y)
 {
-  const double half = std::hypot(0.5 * (a - c), b), angle = 0.5 * std::atan2(b, 0.5 * (a - c));
-  return {0.5 * (a + c) - half, 0.5 * (a + c) + half, std::cos(angle) * y - std::sin(angle) * x,
-          std::cos(angle) * x + std::sin(angle) * y};
+  const double half_difference = std::hypot(0.5 * (a - c), b),
+               angle = 0.5 * std::atan2(b, 0.5 * (a - c));
+  return {0.5 * (a + c) - half_difference, 0.5 * (a + c) + half_difference,
+          std::cos(angle) * y - std::sin(angle) * x, std::cos(angle) * x + std::sin(angle) * y};
 }
 
 // Edges and triangles count as far as the front comes into them.
-Curvature normal_cycle(const Glued_triangles& t, const Parts& parts, const Front& front,
+Curvature normal_cycle(const Surface_arrays& t, const Curvature_terms& terms, const Front& front,
                        double radius)
 {
-  Tensor tensor;
-  Spatial normal = {0., 0., 0.};
+  Curvature_tensor tensor;
+  Vec3 normal = {0., 0., 0.};
   double twice_area = 0.;
-  const auto is_inside = [&](Index site) { return front.distance(site) <= radius; };
-  const auto add_side = [&](Index side, double part)
+  const auto is_inside = [&](Index v) { return front.distance(v) <= radius; };
+  const auto add_halfedge = [&](Index h, double fraction)
   {
-    if(parts.bend[side] != 0.)
-      tensor.add(part * parts.bend[side], along(t, side));
-    return part;
+    if(terms.weighted_angle[h] != 0.)
+      tensor.add(fraction * terms.weighted_angle[h], edge_direction(t, h));
+    return fraction;
   };
   // The part of a side, from one end, that the front covers when it is reached there.
-  const auto add_part = [&](Index side, Index from)
-  { return add_side(side, std::min(1., (radius - front.distance(from)) / t.length[side])); };
-  for(const Index site : front.reached())
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+  const auto add_covered = [&](Index h, Index from)
+  { return add_halfedge(h, std::min(1., (radius - front.distance(from)) / t.length[h])); };
+  for(const Index v : front.reached())
+    for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
     {
-      const Index corner = t.star[i], f = corner / 3;
+      const Index corner = t.ring[i], f = corner / 3;
       // Once for each triangle, at the first corner that is inside.
-      const Index next = t.corner[next_side(corner)], previous = t.corner[previous_side(corner)];
+      const Index next = t.corner[next_halfedge(corner)],
+                  previous = t.corner[previous_halfedge(corner)];
       const bool has_next = is_inside(next);
-      if(has_next && next < site)
+      if(has_next && next < v)
         continue;
       const bool has_previous = is_inside(previous);
-      if(has_previous && previous < site)
+      if(has_previous && previous < v)
         continue;
-      double share = 1.;
+      double covered_fraction = 1.;
       if(has_next && has_previous)
-        tensor.add(parts.tensor[f]);
+        tensor.add(terms.tensor[f]);
       else if(has_next || has_previous)
       {
-        const Index outside = has_next ? previous_side(corner) : next_side(corner);
-        const Index before = previous_side(outside), after = next_side(outside);
-        add_side(after, 1.);
-        share = 1. - (1. - add_part(before, t.corner[before])) *
-                         (1. - add_part(outside, t.corner[after]));
+        const Index outside = has_next ? previous_halfedge(corner) : next_halfedge(corner);
+        const Index before = previous_halfedge(outside), after = next_halfedge(outside);
+        add_halfedge(after, 1.);
+        covered_fraction = 1. - (1. - add_covered(before, t.corner[before])) *
+                                    (1. - add_covered(outside, t.corner[after]));
       }
       else
-        share = add_part(corner, site) * add_part(previous_side(corner), site);
-      normal = normal + share * parts.normal[f];
-      twice_area += share * norm(parts.normal[f]);
+        covered_fraction = add_covered(corner, v) * add_covered(previous_halfedge(corner), v);
+      normal = normal + covered_fraction * terms.normal[f];
+      twice_area += covered_fraction * norm(terms.normal[f]);
     }
   if(!(twice_area > 0.) || !(norm(normal) > 0.))
     return {};
 
   const auto [x, y] = tangent_frame(unit(normal));
   const double scale = 2. / twice_area;
-  const double a = scale * tensor.in(x, x), b = scale * tensor.in(x, y),
-               c = scale * tensor.in(y, y);
+  const double a = scale * tensor.evaluate(x, x), b = scale * tensor.evaluate(x, y),
+               c = scale * tensor.evaluate(y, y);
   // Edges lie across the direction in which they bend the surface.
-  const Curvature result = principal(a, b, c, x, y);
-  return {result.least, result.most, result.most_direction, result.least_direction};
+  const Curvature result = principal_curvature(a, b, c, x, y);
+  return {result.min_curvature, result.max_curvature, result.max_direction, result.min_direction};
 }
 
 // Of the quadric that is nearest to a ball of surfels, the site's first.
-Curvature fitted(const Glued_triangles& t, const std::vector<Index>& ball)
+Curvature fit_curvature(const Surface_arrays& t, const std::vector<Index>& ball)
 {
   const Index origin = ball.front();
-  std::vector<Spatial> points;
-  for(const Index site : ball)
-    points.push_back(t.point[site]);
-  const Quadric quadric = nearest_quadric(t.point[origin], points);
-  if(!(quadric.unit > 0.))
+  std::vector<Vec3> points;
+  for(const Index v : ball)
+    points.push_back(t.point[v]);
+  const Quadric quadric = fit_quadric(t.point[origin], points);
+  if(!(quadric.length_unit > 0.))
     return {};
   const std::array<double, 6>& surface = quadric.coefficients;
 
   // Its second fundamental form above the site, in orthonormal directions; positive where it bends away
   // from the surfel's normal.
-  const Spatial along_u = quadric.x + surface[1] * quadric.up,
-                along_v = quadric.y + surface[2] * quadric.up;
-  const Spatial e = unit(along_u), f = unit(along_v - dot(along_v, e) * e);
+  const Vec3 along_u = quadric.x + surface[1] * quadric.plane_normal,
+             along_v = quadric.y + surface[2] * quadric.plane_normal;
+  const Vec3 e = unit(along_u), f = unit(along_v - dot(along_v, e) * e);
   const double length = norm(along_u), c_0 = dot(along_v, e), c_1 = dot(along_v, f);
   const double slope =
-      quadric.unit * std::sqrt(1. + surface[1] * surface[1] + surface[2] * surface[2]);
+      quadric.length_unit * std::sqrt(1. + surface[1] * surface[1] + surface[2] * surface[2]);
   const double a = -surface[3] / (slope * length * length);
   const double b = (-surface[4] / (slope * length) - c_0 * a) / c_1;
   const double c = (-surface[5] / slope - 2. * c_0 * c_1 * b - c_0 * c_0 * a) / (c_1 * c_1);
   const double sign = dot(cross(e, f), t.normal[origin]) < 0. ? -1. : 1.;
-  const Curvature result = principal(sign * a, sign * b, sign * c, e, f);
-  return std::isfinite(result.least) && std::isfinite(result.most) ? result : Curvature();
+  const Curvature result = principal_curvature(sign * a, sign * b, sign * c, e, f);
+  return std::isfinite(result.min_curvature) && std::isfinite(result.max_curvature) ? result
+                                                                                    : Curvature();
 }
 
 } // namespace
 
-std::vector<Curvature> curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
+std::vector<Curvature> curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
                                   double radius, unsigned threads)
 {
-  const Glued_triangles& t = *triangles;
-  std::vector<Curvature> result(t.number_of_sites());
-  const Parts all = t.is_cloud() ? Parts() : parts(t);
+  const Surface_arrays& t = *triangles;
+  std::vector<Curvature> result(t.number_of_vertices());
+  const Curvature_terms terms = t.is_cloud() ? Curvature_terms() : curvature_terms(t);
   // Straight fronts are near enough for a ball, and never take back what they know: a Euclidean one does,
   // for milliseconds at each site of a lantern of Schwarz.  Surfels have arcs in many directions.
-  const Front_kind kind = t.is_cloud() ? Front_kind::arcs : Front_kind::planar;
+  const Front_kind kind = t.is_cloud() ? Front_kind::dijkstra : Front_kind::planar;
   for_each_row(Front(triangles, kind), result.size(), {}, threads,
                [&](std::size_t i, Front& front, Front_limits limits)
                {
-                 const Index site = Index(i);
-                 if(t.first[site] == t.first[site + 1])
+                 const Index v = Index(i);
+                 if(t.ring_begin[v] == t.ring_begin[v + 1])
                    return;
                  limits.maximum_distance =
-                     radius > 0. ? radius : mean_lengths * mean_length(t, site);
-                 front.run({{{{none, site, {}}}, 0., 0}}, limits);
+                     radius > 0. ? radius : radius_in_edge_lengths * mean_length(t, v);
+                 front.run({{{{none, v, {}}}, 0., 0}}, limits);
                  if(!t.is_cloud())
                  {
-                   result[site] = normal_cycle(t, all, front, limits.maximum_distance);
+                   result[v] = normal_cycle(t, terms, front, limits.maximum_distance);
                    return;
                  }
-                 for(int grown = 0; grown < 4 && front.reached().size() < enough_surfels; ++grown)
+                 for(int attempt = 0; attempt < 4 && front.reached().size() < min_number_of_surfels;
+                     ++attempt)
                  {
                    limits.maximum_distance *= 1.5;
-                   front.run({{{{none, site, {}}}, 0., 0}}, limits);
+                   front.run({{{{none, v, {}}}, 0., 0}}, limits);
                  }
-                 if(front.reached().size() >= enough_surfels)
-                   result[site] = fitted(t, front.reached());
+                 if(front.reached().size() >= min_number_of_surfels)
+                   result[v] = fit_curvature(t, front.reached());
                });
   return result;
 }

@@ -15,54 +15,57 @@ namespace {
 
 // Sharp creases of a mesh of 2^31 half-edges come to some hundred thousands; needles may come to more,
 // and overflow.
-constexpr double most_bent = 1e6;
+constexpr double max_curvature_bound = 1e6;
 
 // On a cloud each triangle counts as far as the surfels agree on it.
-double weight(const Glued_triangles& t, Index triangle)
+double weight(const Surface_arrays& t, Index triangle)
 {
   return t.weight.empty() ? 1. : t.weight[triangle];
 }
 
-double doubled_area(const Glued_triangles& t, Index triangle)
+double doubled_area(const Surface_arrays& t, Index triangle)
 {
   const double* const l = &t.length[3 * std::size_t(triangle)];
   return weight(t, triangle) * twice_area(l[0], l[1], l[2]);
 }
 
-template <typename Number>
-std::vector<double> numbers_of(const std::shared_ptr<const Glued_triangles>& triangles,
-                               double radius, unsigned threads, const Number& number)
+template <typename Function>
+std::vector<double> map_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
+                                   double radius, unsigned threads, const Function& function)
 {
   double area = 0.;
   for(Index f = 0; f < triangles->number_of_triangles(); ++f)
     area += 0.5 * doubled_area(*triangles, f);
   std::vector<double> result;
-  for(const Curvature& here : curvatures(triangles, radius, threads))
+  for(const Curvature& curvature : curvatures(triangles, radius, threads))
     result.push_back(
-        std::clamp(std::sqrt(area) * number(here.least, here.most), -most_bent, most_bent));
+        std::clamp(std::sqrt(area) * function(curvature.min_curvature, curvature.max_curvature),
+                   -max_curvature_bound, max_curvature_bound));
   return result;
 }
 
 } // namespace
 
-std::vector<double> total_curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
+std::vector<double> total_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
                                      double radius, unsigned threads)
 {
-  return numbers_of(triangles, radius, threads,
-                    [](double least, double most) { return std::abs(least) + std::abs(most); });
+  return map_curvatures(triangles, radius, threads,
+                        [](double min_curvature, double max_curvature)
+                        { return std::abs(min_curvature) + std::abs(max_curvature); });
 }
 
-std::vector<double> summed_curvatures(const std::shared_ptr<const Glued_triangles>& triangles,
-                                      double radius, unsigned threads)
+std::vector<double> doubled_mean_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
+                                            double radius, unsigned threads)
 {
-  return numbers_of(triangles, radius, threads,
-                    [](double least, double most) { return least + most; });
+  return map_curvatures(triangles, radius, threads,
+                        [](double min_curvature, double max_curvature)
+                        { return min_curvature + max_curvature; });
 }
 
-std::vector<double> relative_gradients(const Glued_triangles& t,
-                                       std::vector<std::vector<double>> channels)
+std::vector<double> relative_gradient_norms(const Surface_arrays& t,
+                                            std::vector<std::vector<double>> channels)
 {
-  std::vector<double> result(t.number_of_sites(), 0.), area(result.size(), 0.);
+  std::vector<double> result(t.number_of_vertices(), 0.), area(result.size(), 0.);
   double largest = 0.;
   for(const std::vector<double>& channel : channels)
     for(const double x : channel)
@@ -80,31 +83,31 @@ std::vector<double> relative_gradients(const Glued_triangles& t,
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
     const auto p = unfolded(t, f);
-    const Index* const site = &t.corner[3 * std::size_t(f)];
+    const Index* const v = &t.corner[3 * std::size_t(f)];
     // Twice the area times the gradient, turned by a right angle: each corner gives the side behind it.
-    double square = 0.;
+    double squared_norm = 0.;
     for(const std::vector<double>& channel : channels)
     {
-      const double origin = channel[site[0]];
-      const Planar turned =
-          (channel[site[1]] - origin) * (p[0] - p[2]) + (channel[site[2]] - origin) * (p[1] - p[0]);
-      square += dot(turned, turned);
+      const double origin = channel[v[0]];
+      const Vec2 rotated_gradient =
+          (channel[v[1]] - origin) * (p[0] - p[2]) + (channel[v[2]] - origin) * (p[1] - p[0]);
+      squared_norm += dot(rotated_gradient, rotated_gradient);
     }
     for(int k = 0; k < 3; ++k)
     {
-      result[site[k]] += weight(t, f) * std::sqrt(square);
-      area[site[k]] += doubled_area(t, f);
+      result[v[k]] += weight(t, f) * std::sqrt(squared_norm);
+      area[v[k]] += doubled_area(t, f);
     }
   }
-  double steepest = 0.;
-  for(std::size_t site = 0; site < result.size(); ++site)
+  double max_gradient = 0.;
+  for(std::size_t v = 0; v < result.size(); ++v)
   {
-    result[site] = area[site] > 0. ? result[site] / area[site] : 0.;
-    steepest = std::max(steepest, result[site]);
+    result[v] = area[v] > 0. ? result[v] / area[v] : 0.;
+    max_gradient = std::max(max_gradient, result[v]);
   }
-  if(steepest > 0.)
+  if(max_gradient > 0.)
     for(double& x : result)
-      x /= steepest;
+      x /= max_gradient;
   return result;
 }
 

@@ -14,14 +14,14 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Of the length of a stencil, that a path must have got on before a border.
-constexpr double least_part = 0.3;
+constexpr double min_length_ratio = 0.3;
 
 // The sums of products of vectors.
 struct Normal_matrix
 {
   double xx = 0., xy = 0., yy = 0.;
 
-  void add(const Planar& q)
+  void add(const Vec2& q)
   {
     xx += q[0] * q[0];
     xy += q[0] * q[1];
@@ -34,38 +34,38 @@ struct Normal_matrix
     const double trace = xx + yy;
     return determinant() > 1e-4 * trace * trace;
   }
-  Planar solve(const Planar& b) const
+  Vec2 solve(const Vec2& b) const
   {
-    return (1. / determinant()) * Planar{yy * b[0] - xy * b[1], xx * b[1] - xy * b[0]};
+    return (1. / determinant()) * Vec2{yy * b[0] - xy * b[1], xx * b[1] - xy * b[0]};
   }
 };
 
 bool is_regular(const Stencil& stencil)
 {
   Normal_matrix matrix;
-  for(const Planar& q : stencil.vectors)
+  for(const Vec2& q : stencil.vectors)
     matrix.add(q);
   return matrix.is_regular();
 }
 
-Planar at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Vec2 unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 } // namespace
 
-Stencil straight_stencil(const Tangent_plane& plane, double length, std::size_t number)
+Stencil straightest_stencil(const Tangent_plane& plane, double length, std::size_t count)
 {
   Stencil stencil;
   for(int halvings = 0; halvings < 20; ++halvings, length /= 2.)
   {
     stencil = {};
-    for(std::size_t i = 0; i < number; ++i)
+    for(std::size_t i = 0; i < count; ++i)
     {
-      const double angle = plane.opening() * (double(i) + 0.5) / double(number);
-      const Straightest_path path = plane.straight(angle, length);
-      if(path.length < least_part * length)
+      const double angle = plane.total_angle() * (double(i) + 0.5) / double(count);
+      const Straightest_path path = plane.straightest_path(angle, length);
+      if(path.length < min_length_ratio * length)
         continue;
-      stencil.places.push_back(path.locations.back());
-      stencil.vectors.push_back(path.length * at_angle(angle));
+      stencil.locations.push_back(path.locations.back());
+      stencil.vectors.push_back(path.length * unit_vector(angle));
     }
     if(is_regular(stencil))
       break;
@@ -73,34 +73,34 @@ Stencil straight_stencil(const Tangent_plane& plane, double length, std::size_t 
   return stencil;
 }
 
-Stencil stencil_of_sites(const Glued_triangles& t, const Tangent_plane& plane,
-                         const std::vector<Index>& sites, const std::vector<double>& distances,
-                         double length, std::size_t number)
+Stencil vertex_stencil(const Surface_arrays& t, const Tangent_plane& plane,
+                       const std::vector<Index>& vertices, const std::vector<double>& distances,
+                       double length, std::size_t count)
 {
   Stencil stencil;
   for(int doublings = 0; doublings < 20; ++doublings, length *= 2.)
   {
-    std::vector<Index> farthest(number, none);
-    std::vector<Planar> directions(number);
-    for(const Index site : sites)
+    std::vector<Index> farthest(count, none);
+    std::vector<Vec2> directions(count);
+    for(const Index v : vertices)
     {
-      const Spatial way = t.point[site] - plane.point();
-      const Planar seen = {dot(way, plane.x()), dot(way, plane.y())};
-      if(!(distances[site] > 0.) || distances[site] > length || !(norm(seen) > 0.))
+      const Vec3 offset = t.point[v] - plane.point();
+      const Vec2 projected = {dot(offset, plane.x()), dot(offset, plane.y())};
+      if(!(distances[v] > 0.) || distances[v] > length || !(norm(projected) > 0.))
         continue;
-      const double turn = std::atan2(seen[1], seen[0]) / (2. * pi) + 1.;
-      const std::size_t sector = std::size_t(turn * double(number)) % number;
-      if(farthest[sector] != none && distances[site] <= distances[farthest[sector]])
+      const double normalized_angle = std::atan2(projected[1], projected[0]) / (2. * pi) + 1.;
+      const std::size_t sector = std::size_t(normalized_angle * double(count)) % count;
+      if(farthest[sector] != none && distances[v] <= distances[farthest[sector]])
         continue;
-      farthest[sector] = site;
-      directions[sector] = (1. / norm(seen)) * seen;
+      farthest[sector] = v;
+      directions[sector] = (1. / norm(projected)) * projected;
     }
     stencil = {};
-    for(std::size_t sector = 0; sector < number; ++sector)
-      if(const Index site = farthest[sector]; site != none)
+    for(std::size_t sector = 0; sector < count; ++sector)
+      if(const Index v = farthest[sector]; v != none)
       {
-        stencil.places.push_back(at_site(t, site));
-        stencil.vectors.push_back(distances[site] * directions[sector]);
+        stencil.locations.push_back(vertex_location(t, v));
+        stencil.vectors.push_back(distances[v] * directions[sector]);
       }
     if(is_regular(stencil))
       break;
@@ -108,88 +108,90 @@ Stencil stencil_of_sites(const Glued_triangles& t, const Tangent_plane& plane,
   return stencil;
 }
 
-double mean_length_around(const Glued_triangles& t, const Location& at)
+double mean_edge_length(const Surface_arrays& t, const Surface_location& location)
 {
-  double sum = 0., number = 0.;
-  for(const Index triangle : triangles_at(t, cleaned(t, at)))
-    for(Index side = 3 * triangle; side < 3 * triangle + 3; ++side, ++number)
-      sum += t.length[side];
-  return number > 0. ? sum / number : 0.;
+  double sum = 0., count = 0.;
+  for(const Index triangle : triangles_at(t, canonical(t, location)))
+    for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h, ++count)
+      sum += t.length[h];
+  return count > 0. ? sum / count : 0.;
 }
 
-double mean_bend_around(const Glued_triangles& t, const Location& at)
+double mean_normal_angle(const Surface_arrays& t, const Surface_location& location)
 {
-  double sum = 0., number = 0.;
-  for(const Index triangle : triangles_at(t, cleaned(t, at)))
+  double sum = 0., count = 0.;
+  for(const Index triangle : triangles_at(t, canonical(t, location)))
   {
-    std::array<Spatial, 3> normal;
+    std::array<Vec3, 3> normal;
     for(Index k = 0; k < 3; ++k)
-      normal[k] = site_normal(t, t.corner[3 * triangle + k]);
-    for(Index k = 0; k < 3; ++k, ++number)
+      normal[k] = vertex_normal(t, t.corner[3 * triangle + k]);
+    for(Index k = 0; k < 3; ++k, ++count)
       sum += std::acos(std::clamp(dot(normal[k], normal[(k + 1) % 3]), -1., 1.));
   }
-  return number > 0. ? sum / number : 0.;
+  return count > 0. ? sum / count : 0.;
 }
 
-Log_fit::Log_fit(std::vector<Planar> stencil) : m_stencil(std::move(stencil)) {}
+Log_map_fit::Log_map_fit(std::vector<Vec2> stencil) : m_stencil(std::move(stencil)) {}
 
-Planar Log_fit::operator()(double distance, const double* from_stencil) const
+Vec2 Log_map_fit::operator()(double distance, const double* stencil_distances) const
 {
   Normal_matrix matrix;
-  Planar sum = {0., 0.};
+  Vec2 sum = {0., 0.};
   for(std::size_t j = 0; j < m_stencil.size(); ++j)
   {
-    const Planar& q = m_stencil[j];
-    if(!std::isfinite(from_stencil[j]))
+    const Vec2& q = m_stencil[j];
+    if(!std::isfinite(stencil_distances[j]))
       continue;
     matrix.add(q);
-    sum = sum + ((from_stencil[j] - distance) * (from_stencil[j] + distance) - dot(q, q)) * q;
+    sum = sum +
+          ((stencil_distances[j] - distance) * (stencil_distances[j] + distance) - dot(q, q)) * q;
   }
   if(!matrix.is_regular())
     return {0., 0.};
-  const Planar way = -1. * matrix.solve(sum);
-  const double size = norm(way);
-  return size > 0. ? (distance / size) * way : Planar{0., 0.};
+  const Vec2 direction = -1. * matrix.solve(sum);
+  const double size = norm(direction);
+  return size > 0. ? (distance / size) * direction : Vec2{0., 0.};
 }
 
-Planar step_in_plane(const Tangent_plane& plane, const Spatial& normal, const Spatial& step)
+Vec2 transported_step(const Tangent_plane& plane, const Vec3& normal, const Vec3& step)
 {
-  const Spatial up = plane.normal();
-  Spatial along = step - dot(step, normal) * normal;
+  const Vec3 base_normal = plane.normal();
+  Vec3 transported = step - dot(step, normal) * normal;
   // Where the normals are opposite to each other, no rotation is the least one.
-  if(const double sum = 1. + dot(normal, up); sum > 0.)
-    along = along - (dot(along, up) / sum) * (normal + up);
-  const Planar seen = {dot(along, plane.x()), dot(along, plane.y())};
-  const double size = norm(seen);
-  return size > 0. ? (norm(step) / size) * seen : Planar{0., 0.};
+  if(const double sum = 1. + dot(normal, base_normal); sum > 0.)
+    transported = transported - (dot(transported, base_normal) / sum) * (normal + base_normal);
+  const Vec2 projected = {dot(transported, plane.x()), dot(transported, plane.y())};
+  const double size = norm(projected);
+  return size > 0. ? (norm(step) / size) * projected : Vec2{0., 0.};
 }
 
-Log_triangles look_at_triangles(const Glued_triangles& t, const std::vector<Index>& reached,
-                                const std::vector<Planar>& coordinates)
+Log_map_defects find_map_defects(const Surface_arrays& t, const std::vector<Index>& reached,
+                                 const std::vector<Vec2>& coordinates)
 {
-  Log_triangles result;
-  for(const Index site : reached)
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+  Log_map_defects result;
+  for(const Index v : reached)
+    for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
     {
-      const Index triangle = t.star[i] / 3;
-      std::array<Planar, 3> image;
-      bool is_inside = true, is_first = true;
+      const Index triangle = t.ring[i] / 3;
+      std::array<Vec2, 3> image;
+      bool has_image = true, is_first = true;
       for(Index k = 0; k < 3; ++k)
       {
         const Index corner = t.corner[3 * triangle + k];
         image[k] = coordinates[corner];
-        is_inside = is_inside && std::isfinite(image[k][0]);
-        is_first = is_first && site <= corner;
+        has_image = has_image && std::isfinite(image[k][0]);
+        is_first = is_first && v <= corner;
       }
-      if(!is_inside || !is_first)
+      if(!has_image || !is_first)
         continue;
-      bool has_cut = false;
+      bool is_cut_triangle = false;
       for(Index k = 0; k < 3; ++k)
-        has_cut = has_cut || is_cut(t, 3 * triangle + k, image[k], image[(k + 1) % 3]);
-      if(has_cut)
-        result.cut.push_back(triangle);
+        is_cut_triangle =
+            is_cut_triangle || is_cut(t, 3 * triangle + k, image[k], image[(k + 1) % 3]);
+      if(is_cut_triangle)
+        result.cut_triangles.push_back(triangle);
       else if(cross(image[1] - image[0], image[2] - image[0]) < 0.)
-        ++result.folded;
+        ++result.number_of_folded;
     }
   return result;
 }

@@ -14,140 +14,142 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-Spatial vector_of(const Glued_triangles& t, Index side)
+Vec3 edge_vector(const Surface_arrays& t, Index h)
 {
-  return t.point[t.corner[next_side(side)]] - t.point[t.corner[side]];
+  return t.point[t.corner[next_halfedge(h)]] - t.point[t.corner[h]];
 }
 
 // Twice the area, along the normal.
-Spatial area_vector(const Glued_triangles& t, Index corner)
+Vec3 area_vector(const Surface_arrays& t, Index corner)
 {
-  return cross(vector_of(t, corner), -1. * vector_of(t, previous_side(corner)));
+  return cross(edge_vector(t, corner), -1. * edge_vector(t, previous_halfedge(corner)));
 }
 
 } // namespace
 
-Spatial site_normal(const Glued_triangles& t, Index site)
+Vec3 vertex_normal(const Surface_arrays& t, Index vertex)
 {
   if(t.is_cloud())
-    return t.normal[site];
-  Spatial sum = {0., 0., 0.};
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-    sum = sum + area_vector(t, t.star[i]);
+    return t.normal[vertex];
+  Vec3 sum = {0., 0., 0.};
+  for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    sum = sum + area_vector(t, t.ring[i]);
   return unit(sum);
 }
 
-Tangent_plane::Tangent_plane(const Glued_triangles& t, const Location& at)
-    : m_triangles(t), m_at(cleaned(t, at))
+Tangent_plane::Tangent_plane(const Surface_arrays& t, const Surface_location& location)
+    : m_triangles(t), m_location(canonical(t, location))
 {
-  const Index site = m_at.triangle == none ? m_at.site : site_of(t, m_at);
+  const Index vertex = m_location.triangle == none ? m_location.vertex : vertex_of(t, m_location);
   if(t.is_cloud())
   {
-    const Index nearest =
-        site != none
-            ? site
-            : t.corner[3 * std::size_t(m_at.triangle) +
-                       (std::max_element(m_at.barycentric.begin(), m_at.barycentric.end()) -
-                        m_at.barycentric.begin())];
-    m_point = m_at.triangle == none ? t.point[site] : scaled_coordinates(t, m_at);
+    const Index nearest = vertex != none
+                              ? vertex
+                              : t.corner[3 * std::size_t(m_location.triangle) +
+                                         (std::max_element(m_location.barycentric.begin(),
+                                                           m_location.barycentric.end()) -
+                                          m_location.barycentric.begin())];
+    m_point = m_location.triangle == none ? t.point[vertex] : scaled_coordinates(t, m_location);
     std::tie(m_x, m_y) = tangent_frame(t.normal[nearest]);
     return;
   }
-  if(m_at.triangle == none)
+  if(m_location.triangle == none)
     throw Invalid_argument_error("An isolated vertex has no tangent plane.");
-  m_point = scaled_coordinates(t, m_at);
-  std::vector<std::pair<double, Spatial>> sides; // polar angles and directions
-  Spatial normal = {0., 0., 0.};
-  if(site != none)
+  m_point = scaled_coordinates(t, m_location);
+  std::vector<std::pair<double, Vec3>> directions; // polar angles and directions
+  Vec3 normal = {0., 0., 0.};
+  if(vertex != none)
   {
-    m_whole = 0.;
-    normal = site_normal(t, site);
-    bool is_border = false;
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    m_total_polar_angle = 0.;
+    normal = vertex_normal(t, vertex);
+    bool is_on_boundary = false;
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
     {
-      const Index corner = t.star[i];
-      m_sides.emplace_back(corner, m_whole);
-      sides.emplace_back(m_whole, vector_of(t, corner));
-      m_whole += interior_angle(t, corner);
-      if(t.twin[previous_side(corner)] == none)
+      const Index corner = t.ring[i];
+      m_sectors.emplace_back(corner, m_total_polar_angle);
+      directions.emplace_back(m_total_polar_angle, edge_vector(t, corner));
+      m_total_polar_angle += interior_angle(t, corner);
+      if(t.twin[previous_halfedge(corner)] == none)
       {
-        is_border = true;
-        sides.emplace_back(m_whole, -1. * vector_of(t, previous_side(corner)));
+        is_on_boundary = true;
+        directions.emplace_back(m_total_polar_angle,
+                                -1. * edge_vector(t, previous_halfedge(corner)));
       }
     }
     // Around a needle's tip there may be no angle at all.
-    const double stretch = m_whole > 0. ? 2. * pi / m_whole : 1.;
-    m_stretch = is_border ? std::min(1., stretch) : stretch;
+    const double angle_scale = m_total_polar_angle > 0. ? 2. * pi / m_total_polar_angle : 1.;
+    m_angle_scale = is_on_boundary ? std::min(1., angle_scale) : angle_scale;
   }
-  else if(Index side = side_of(m_at); side != none)
+  else if(Index h = halfedge_of(m_location); h != none)
   {
-    const Index twin = t.twin[side];
-    const Index first = std::min(side, twin);
-    m_sides.emplace_back(first, 0.);
-    sides.emplace_back(0., vector_of(t, first));
-    normal = area_vector(t, first);
+    const Index twin = t.twin[h];
+    const Index first_halfedge = std::min(h, twin);
+    m_sectors.emplace_back(first_halfedge, 0.);
+    directions.emplace_back(0., edge_vector(t, first_halfedge));
+    normal = area_vector(t, first_halfedge);
     if(twin == none)
-      m_whole = pi;
+      m_total_polar_angle = pi;
     else
     {
-      m_sides.emplace_back(t.twin[first], pi);
-      normal = normal + area_vector(t, t.twin[first]);
+      m_sectors.emplace_back(t.twin[first_halfedge], pi);
+      normal = normal + area_vector(t, t.twin[first_halfedge]);
     }
   }
   else
   {
-    sides.emplace_back(0., vector_of(t, 3 * m_at.triangle));
-    normal = area_vector(t, 3 * m_at.triangle);
+    directions.emplace_back(0., edge_vector(t, 3 * m_location.triangle));
+    normal = area_vector(t, 3 * m_location.triangle);
   }
-  set_axes(sides, unit(normal));
+  set_axes(directions, unit(normal));
 }
 
 // Turns a frame of the normal such that tangent angles agree with the sides' directions.
-void Tangent_plane::set_axes(const std::vector<std::pair<double, Spatial>>& sides,
-                             const Spatial& normal)
+void Tangent_plane::set_axes(const std::vector<std::pair<double, Vec3>>& directions,
+                             const Vec3& normal)
 {
-  const auto [u, v] = tangent_frame(normal == Spatial{0., 0., 0.} ? Spatial{0., 0., 1.} : normal);
-  Planar sum = {0., 0.};
-  for(const auto& [polar, direction] : sides)
+  const auto [u, v] = tangent_frame(normal == Vec3{0., 0., 0.} ? Vec3{0., 0., 1.} : normal);
+  Vec2 sum = {0., 0.};
+  for(const auto& [polar, direction] : directions)
   {
-    const Planar seen = {dot(direction, u), dot(direction, v)};
+    const Vec2 projected = {dot(direction, u), dot(direction, v)};
     const double angle = tangent_angle(polar);
-    sum = sum + turned_back(seen, {std::cos(angle), std::sin(angle)});
+    sum = sum + rotated_back(projected, {std::cos(angle), std::sin(angle)});
   }
   const double size = norm(sum);
-  const Planar turn = size > 0. ? (1. / size) * sum : Planar{1., 0.};
-  m_x = turn[0] * u + turn[1] * v;
-  m_y = turn[0] * v - turn[1] * u;
+  const Vec2 rotation = size > 0. ? (1. / size) * sum : Vec2{1., 0.};
+  m_x = rotation[0] * u + rotation[1] * v;
+  m_y = rotation[0] * v - rotation[1] * u;
 }
 
-double Tangent_plane::tangent_angle(const Spatial& direction) const
+double Tangent_plane::tangent_angle(const Vec3& direction) const
 {
-  const double along = std::hypot(dot(direction, m_x), dot(direction, m_y));
+  const double tangential_length = std::hypot(dot(direction, m_x), dot(direction, m_y));
   // What a unit vector along the normal leaves in the plane is rounding.
-  if(!(along > 1e-14 * norm(direction)) || !std::isfinite(along))
+  if(!(tangential_length > 1e-14 * norm(direction)) || !std::isfinite(tangential_length))
     throw Invalid_argument_error("A direction is zero, not finite, or normal to the surface.");
   return std::atan2(dot(direction, m_y), dot(direction, m_x));
 }
 
-Straightest_path Tangent_plane::straight(double tangent_angle, double length) const
+Straightest_path Tangent_plane::straightest_path(double tangent_angle, double length) const
 {
-  if(m_sides.empty())
-    return straightest(m_triangles, m_at, tangent_angle, length);
+  if(m_sectors.empty())
+    return trace_straightest(m_triangles, m_location, tangent_angle, length);
   double polar = std::fmod(tangent_angle, 2. * pi);
   if(polar < 0.)
     polar += 2. * pi;
-  polar /= m_stretch;
-  if(polar > m_whole * (1. + 1e-12))
-    return {{m_at}, 0., 0., Straightest_end::border};
+  polar /= m_angle_scale;
+  if(polar > m_total_polar_angle * (1. + 1e-12))
+    return {{m_location}, 0., 0., Straightest_path_end::boundary};
   const auto sector =
-      std::upper_bound(m_sides.begin() + 1, m_sides.end(), polar,
-                       [](double angle, const auto& side) { return angle < side.second; }) -
+      std::upper_bound(m_sectors.begin() + 1, m_sectors.end(), polar,
+                       [](double angle, const auto& edge) { return angle < edge.second; }) -
       1;
   const Index triangle = sector->first / 3;
   const auto corners = unfolded(m_triangles, triangle);
-  const Planar side = corners[next_side(sector->first) % 3] - corners[sector->first % 3];
-  return straightest(m_triangles, {triangle, none, *seen_from(m_triangles, triangle, m_at)},
-                     std::atan2(side[1], side[0]) + polar - sector->second, length);
+  const Vec2 edge = corners[next_halfedge(sector->first) % 3] - corners[sector->first % 3];
+  return trace_straightest(m_triangles,
+                           {triangle, none, *barycentric_in(m_triangles, triangle, m_location)},
+                           std::atan2(edge[1], edge[0]) + polar - sector->second, length);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/flips.h"
 
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr double least_cosine = 0.9;  // between normals of neighbours
-constexpr double least_height = 0.1;  // of a needle, in parts of its longest side
-constexpr double worth_a_flip = 1e-9; // of a cosine: beyond rounding
+constexpr double min_cosine = 0.9;          // between normals of neighbours
+constexpr double needle_height_ratio = 0.1; // of a needle, in parts of its longest side
+constexpr double cosine_tolerance = 1e-9;   // of a cosine: beyond rounding
 
 } // namespace
 
@@ -27,94 +27,95 @@ Flippable_triangles::Flippable_triangles(std::size_t number_of_points,
   m_twin = twins_of_soup(number_of_points, m_corner);
 }
 
-bool Flippable_triangles::is_joined(Index side, Index point) const
+bool Flippable_triangles::is_adjacent(Index h, Index point) const
 {
-  for(const bool leftwards : {true, false})
-    for(Index corner = side; corner != none;)
+  for(const bool is_ccw : {true, false})
+    for(Index corner = h; corner != none;)
     {
-      if(m_corner[next_side(corner)] == point || m_corner[previous_side(corner)] == point)
+      if(m_corner[next_halfedge(corner)] == point || m_corner[previous_halfedge(corner)] == point)
         return true;
-      const Index twin = m_twin[leftwards ? previous_side(corner) : corner];
-      corner = leftwards || twin == none ? twin : next_side(twin);
-      if(corner == side)
+      const Index twin = m_twin[is_ccw ? previous_halfedge(corner) : corner];
+      corner = is_ccw || twin == none ? twin : next_halfedge(twin);
+      if(corner == h)
         return false;
     }
   return false;
 }
 
-bool Flippable_triangles::is_flat(const std::vector<Spatial>& points, Index side) const
+bool Flippable_triangles::is_flat(const std::vector<Vec3>& points, Index h) const
 {
-  const Index twin = m_twin[side];
-  const Spatial &x = points[m_corner[side]], &y = points[m_corner[twin]],
-                &z = points[m_corner[previous_side(side)]],
-                &w = points[m_corner[previous_side(twin)]];
-  const Spatial a = cross(y - x, z - x), b = cross(x - y, w - y), c = unit(cross(w - x, z - x)),
-                d = unit(cross(y - w, z - w));
-  const auto is_along = [&](const Spatial& n)
-  { return dot(n, c) > least_cosine * norm(n) && dot(n, d) > least_cosine * norm(n); };
-  if(!(dot(c, d) > least_cosine))
+  const Index twin = m_twin[h];
+  const Vec3 &x = points[m_corner[h]], &y = points[m_corner[twin]],
+             &z = points[m_corner[previous_halfedge(h)]],
+             &w = points[m_corner[previous_halfedge(twin)]];
+  const Vec3 a = cross(y - x, z - x), b = cross(x - y, w - y), c = unit(cross(w - x, z - x)),
+             d = unit(cross(y - w, z - w));
+  const auto agrees_with_flipped = [&](const Vec3& n)
+  { return dot(n, c) > min_cosine * norm(n) && dot(n, d) > min_cosine * norm(n); };
+  if(!(dot(c, d) > min_cosine))
     return false;
-  if(dot(a, b) > least_cosine * norm(a) * norm(b) && is_along(unit(a) + unit(b)))
+  if(dot(a, b) > min_cosine * norm(a) * norm(b) && agrees_with_flipped(unit(a) + unit(b)))
     return true;
   // Or one is a needle along the other, as come at creases: how far the one edge passes the other.
-  const Spatial across = cross(y - x, w - z);
-  return std::abs(dot(z - x, across)) < least_height * norm(y - x) * norm(across) &&
-         is_along(dot(a, a) > dot(b, b) ? a : b);
+  const Vec3 common_normal = cross(y - x, w - z);
+  return std::abs(dot(z - x, common_normal)) <
+             needle_height_ratio * norm(y - x) * norm(common_normal) &&
+         agrees_with_flipped(dot(a, a) > dot(b, b) ? a : b);
 }
 
-void Flippable_triangles::flip(Index side)
+void Flippable_triangles::flip(Index h)
 {
-  const auto join = [&](Index one, Index other)
+  const auto set_twins = [&](Index first_halfedge, Index second_halfedge)
   {
-    m_twin[one] = other;
-    if(other != none)
-      m_twin[other] = one;
+    m_twin[first_halfedge] = second_halfedge;
+    if(second_halfedge != none)
+      m_twin[second_halfedge] = first_halfedge;
   };
-  const Index twin = m_twin[side], f = 3 * (side / 3), g = 3 * (twin / 3);
-  const Index x = m_corner[side], y = m_corner[twin], z = m_corner[previous_side(side)],
-              w = m_corner[previous_side(twin)];
-  const Index yz = m_twin[next_side(side)], zx = m_twin[previous_side(side)],
-              xw = m_twin[next_side(twin)], wy = m_twin[previous_side(twin)];
+  const Index twin = m_twin[h], f = 3 * (h / 3), g = 3 * (twin / 3);
+  const Index x = m_corner[h], y = m_corner[twin], z = m_corner[previous_halfedge(h)],
+              w = m_corner[previous_halfedge(twin)];
+  const Index yz = m_twin[next_halfedge(h)], zx = m_twin[previous_halfedge(h)],
+              xw = m_twin[next_halfedge(twin)], wy = m_twin[previous_halfedge(twin)];
   const std::array<Index, 3> first = {x, w, z}, second = {w, y, z};
   std::copy(first.begin(), first.end(), m_corner.begin() + f);
   std::copy(second.begin(), second.end(), m_corner.begin() + g);
-  join(f, xw);
-  join(f + 1, g + 2);
-  join(f + 2, zx);
-  join(g, wy);
-  join(g + 1, yz);
+  set_twins(f, xw);
+  set_twins(f + 1, g + 2);
+  set_twins(f + 2, zx);
+  set_twins(g, wy);
+  set_twins(g + 1, yz);
 }
 
-void flip_to_larger_angles(const std::vector<Spatial>& points, const std::vector<bool>& is_kept,
+void flip_to_larger_angles(const std::vector<Vec3>& points, const std::vector<bool>& is_kept,
                            std::vector<std::array<Index, 3>>& triangles)
 {
   Flippable_triangles t(points.size(), triangles);
-  const auto is_better_flipped = [&](Index side)
+  const auto improves_by_flip = [&](Index h)
   {
-    const Index twin = t.twin()[side];
+    const Index twin = t.twin()[h];
     if(twin == none)
       return false;
-    const Index x = t.corner()[side], y = t.corner()[twin], z = t.corner()[previous_side(side)],
-                w = t.corner()[previous_side(twin)];
+    const Index x = t.corner()[h], y = t.corner()[twin], z = t.corner()[previous_halfedge(h)],
+                w = t.corner()[previous_halfedge(twin)];
     if((is_kept[x] && is_kept[y]) || z == w)
       return false;
-    const Spatial &a = points[x], &b = points[y], &c = points[z], &d = points[w];
-    const double now = std::max(largest_cosine(a, b, c), largest_cosine(b, a, d)),
-                 then = std::max(largest_cosine(a, d, c), largest_cosine(d, b, c));
-    return then < now - worth_a_flip && t.is_flat(points, side) &&
-           !t.is_joined(previous_side(side), w);
+    const Vec3 &a = points[x], &b = points[y], &c = points[z], &d = points[w];
+    const double cosine_before = std::max(largest_cosine(a, b, c), largest_cosine(b, a, d)),
+                 cosine_after = std::max(largest_cosine(a, d, c), largest_cosine(d, b, c));
+    return cosine_after < cosine_before - cosine_tolerance && t.is_flat(points, h) &&
+           !t.is_adjacent(previous_halfedge(h), w);
   };
-  std::vector<Index> sides(t.corner().size());
-  std::iota(sides.rbegin(), sides.rend(), Index(0));
-  while(!sides.empty())
+  std::vector<Index> halfedges(t.corner().size());
+  std::iota(halfedges.rbegin(), halfedges.rend(), Index(0));
+  while(!halfedges.empty())
   {
-    const Index side = sides.back();
-    sides.pop_back();
-    if(!is_better_flipped(side))
+    const Index h = halfedges.back();
+    halfedges.pop_back();
+    if(!improves_by_flip(h))
       continue;
-    t.flip(side);
-    for(const Index f : {side / 3, t.twin()[3 * (side / 3) + 1] / 3})
-      sides.insert(sides.end(), {3 * f, 3 * f + 1, 3 * f + 2});
+    t.flip(h);
+    for(const Index f : {h / 3, t.twin()[3 * (h / 3) + 1] / 3})
+      halfedges.insert(halfedges.end(), {3 * f, 3 * f + 1, 3 * f + 2});
   }
   for(Index f = 0; f < triangles.size(); ++f)
     std::copy_n(t.corner().begin() + 3 * std::ptrdiff_t(f), 3, triangles[f].begin());

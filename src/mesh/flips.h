@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_FLIPS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_FLIPS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_FLIPS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_FLIPS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <array>
 #include <vector>
@@ -22,12 +22,12 @@ public:
   const std::vector<Index>& corner() const { return m_corner; }
   const std::vector<Index>& twin() const { return m_twin; }
   // Whether an edge joins the end of a side to another point.
-  bool is_joined(Index side, Index point) const;
+  bool is_adjacent(Index h, Index point) const;
   // Whether the surface bends little at a side, and would so at the one that takes its place; or, however it
   // bends, hardly changes, as one of the triangles is a needle along the other.
-  bool is_flat(const std::vector<Spatial>& points, Index side) const;
+  bool is_flat(const std::vector<Vec3>& points, Index h) const;
   // Of x y z and y x w makes x w z and w y z, which lie where these did.
-  void flip(Index side);
+  void flip(Index h);
 
 private:
   std::vector<Index> m_corner, m_twin;
@@ -38,9 +38,9 @@ private:
 // not to an edge that is there already: the surface stays as it is.
 // triangles: of points, counterclockwise, a manifold; is_kept: #points: edges between two such stay
 CGAL_GEODESIC_PROCESSING_EXPORT
-void flip_to_larger_angles(const std::vector<Spatial>& points, const std::vector<bool>& is_kept,
+void flip_to_larger_angles(const std::vector<Vec3>& points, const std::vector<bool>& is_kept,
                            std::vector<std::array<Index, 3>>& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_FLIPS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_FLIPS_H

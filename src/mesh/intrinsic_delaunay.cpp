@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/intrinsic_delaunay.h"
 
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <algorithm>
 #include <vector>
@@ -12,42 +12,43 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Whether the angles opposite to a side and its twin sum to more than pi: sin of the sum < 0.
-bool is_to_be_flipped(const Glued_triangles& t, Index side)
+bool needs_flip(const Surface_arrays& t, Index h)
 {
-  const Index twin = t.twin[side];
-  if(twin == none || twin / 3 == side / 3)
+  const Index twin = t.twin[h];
+  if(twin == none || twin / 3 == h / 3)
     return false;
-  const Planar a = corner_angle(t, previous_side(side)), b = corner_angle(t, previous_side(twin));
-  return turned(a, b)[1] < -1e-12;
+  const Vec2 a = corner_angle(t, previous_halfedge(h)),
+             b = corner_angle(t, previous_halfedge(twin));
+  return rotated(a, b)[1] < -1e-12;
 }
 
 // Replaces the side ab of the triangles abc and bad by cd: they become cdb and dca.
-void flip(Glued_triangles& t, Index side)
+void flip(Surface_arrays& t, Index h)
 {
-  const Index twin = t.twin[side];
-  const Index bc = next_side(side), ca = previous_side(side), ad = next_side(twin),
-              db = previous_side(twin);
-  const Planar c = apex(t, side), d = apex(t, twin); // d seen from b, with a on the first axis
-  const double diagonal = norm(c - (Planar{t.length[side], 0.} - d));
+  const Index twin = t.twin[h];
+  const Index bc = next_halfedge(h), ca = previous_halfedge(h), ad = next_halfedge(twin),
+              db = previous_halfedge(twin);
+  const Vec2 c = apex(t, h), d = apex(t, twin); // d seen from b, with a on the first axis
+  const double diagonal = norm(c - (Vec2{t.length[h], 0.} - d));
 
-  struct Side
+  struct Halfedge
   {
-    Index end, twin;
+    Index source, twin;
     double length;
   };
-  const auto read = [&](Index s) { return Side{t.corner[s], t.twin[s], t.length[s]}; };
-  const Side old_bc = read(bc), old_ca = read(ca), old_ad = read(ad), old_db = read(db);
+  const auto read = [&](Index s) { return Halfedge{t.corner[s], t.twin[s], t.length[s]}; };
+  const Halfedge old_bc = read(bc), old_ca = read(ca), old_ad = read(ad), old_db = read(db);
   // side: c d, then d b, b c;  twin: d c, then c a, a d.
-  const auto write = [&](Index s, const Side& value)
+  const auto write = [&](Index s, const Halfedge& value)
   {
-    t.corner[s] = value.end;
+    t.corner[s] = value.source;
     t.length[s] = value.length;
     t.twin[s] = value.twin;
     if(value.twin != none)
       t.twin[value.twin] = s;
   };
   // A side glued to another one of these four moves with it.
-  const auto moved = [&](Side value)
+  const auto redirected = [&](Halfedge value)
   {
     if(value.twin == bc)
       value.twin = ca;
@@ -59,59 +60,59 @@ void flip(Glued_triangles& t, Index side)
       value.twin = bc;
     return value;
   };
-  const Side new_db = moved(old_db), new_bc = moved(old_bc), new_ca = moved(old_ca),
-             new_ad = moved(old_ad);
+  const Halfedge new_db = redirected(old_db), new_bc = redirected(old_bc),
+                 new_ca = redirected(old_ca), new_ad = redirected(old_ad);
   write(bc, new_db);
   write(ca, new_bc);
   write(ad, new_ca);
   write(db, new_ad);
-  t.corner[side] = old_ca.end; // c
-  t.corner[twin] = old_db.end; // d
-  t.length[side] = t.length[twin] = diagonal;
+  t.corner[h] = old_ca.source;    // c
+  t.corner[twin] = old_db.source; // d
+  t.length[h] = t.length[twin] = diagonal;
 }
 
 } // namespace
 
-void mollify(Glued_triangles& t, double slack)
+void mollify(Surface_arrays& t, double slack)
 {
-  double missing = 0.;
-  for(Index side = 0; side < t.length.size(); ++side)
-    missing = std::max(missing, slack - (t.length[side] + t.length[next_side(side)] -
-                                         t.length[previous_side(side)]));
-  if(missing > 0.)
+  double deficit = 0.;
+  for(Index h = 0; h < t.length.size(); ++h)
+    deficit = std::max(deficit, slack - (t.length[h] + t.length[next_halfedge(h)] -
+                                         t.length[previous_halfedge(h)]));
+  if(deficit > 0.)
     for(double& length : t.length)
-      length += missing;
+      length += deficit;
 }
 
-std::size_t flip_to_delaunay(Glued_triangles& t)
+std::size_t flip_to_delaunay(Surface_arrays& t)
 {
   std::vector<Index> stack;
   std::vector<bool> is_stacked(t.corner.size(), false);
-  for(Index side = 0; side < t.corner.size(); ++side)
-    if(t.twin[side] != none && side < t.twin[side] && is_to_be_flipped(t, side))
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(t.twin[h] != none && h < t.twin[h] && needs_flip(t, h))
     {
-      is_stacked[side] = true;
-      stack.push_back(side);
+      is_stacked[h] = true;
+      stack.push_back(h);
     }
   // Each flip lowers the Dirichlet energy of the identity, so it ends; the bound is for rounding.
-  const std::size_t most = 100 * t.corner.size() + 1000;
+  const std::size_t max_flips = 100 * t.corner.size() + 1000;
   std::size_t flips = 0;
-  while(!stack.empty() && flips < most)
+  while(!stack.empty() && flips < max_flips)
   {
-    const Index side = stack.back();
+    const Index h = stack.back();
     stack.pop_back();
-    is_stacked[side] = false;
-    if(!is_to_be_flipped(t, side))
+    is_stacked[h] = false;
+    if(!needs_flip(t, h))
       continue;
-    const Index twin = t.twin[side];
-    flip(t, side);
+    const Index twin = t.twin[h];
+    flip(t, h);
     ++flips;
-    for(const Index around :
-        {next_side(side), previous_side(side), next_side(twin), previous_side(twin)})
-      if(t.twin[around] != none && !is_stacked[around])
+    for(const Index neighbor :
+        {next_halfedge(h), previous_halfedge(h), next_halfedge(twin), previous_halfedge(twin)})
+      if(t.twin[neighbor] != none && !is_stacked[neighbor])
       {
-        is_stacked[around] = true;
-        stack.push_back(around);
+        is_stacked[neighbor] = true;
+        stack.push_back(neighbor);
       }
   }
   return flips;

@@ -14,28 +14,28 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // What is tidied can make its neighbours untidy; what is left after so many times stays.
-constexpr int most_passes = 20;
+constexpr int max_passes = 20;
 
-double area(const Glued_triangles& t, Index triangle)
+double area(const Surface_arrays& t, Index triangle)
 {
   const double* const length = &t.length[3 * std::size_t(triangle)];
   return twice_area(length[0], length[1], length[2]) / 2.;
 }
 
 // The patch behind a side, or none.
-Index behind(const Glued_triangles& t, const std::vector<Index>& patch, Index side)
+Index patch_across(const Surface_arrays& t, const std::vector<Index>& patch, Index h)
 {
-  return t.twin[side] == none ? none : patch[t.twin[side] / 3];
+  return t.twin[h] == none ? none : patch[t.twin[h] / 3];
 }
 
 // What is to be looked at again: after a pass that is the surroundings of what it changed.
-struct Untidy
+struct Modified_flags
 {
-  std::vector<bool> sites;   // #sites
-  std::vector<bool> patches; // those that lost or got triangles
+  std::vector<bool> vertices; // #sites
+  std::vector<bool> patches;  // those that lost or got triangles
 
-  Untidy(const Glued_triangles& t, const std::vector<Index>& patch)
-      : sites(t.number_of_sites(), true)
+  Modified_flags(const Surface_arrays& t, const std::vector<Index>& patch)
+      : vertices(t.number_of_vertices(), true)
   {
     Index size = 0;
     for(const Index label : patch)
@@ -47,31 +47,31 @@ struct Untidy
 
 // Gives some triangles of a patch to the one with which they have the most in common.  False where there
 // is no other.
-bool give_away(const Glued_triangles& t, std::vector<Index>& patch,
-               const std::vector<Index>& triangles, Untidy& untidy)
+bool merge_into_neighbor(const Surface_arrays& t, std::vector<Index>& patch,
+                         const std::vector<Index>& triangles, Modified_flags& modified)
 {
-  std::map<Index, double> common;
+  std::map<Index, double> shared_length;
   for(const Index f : triangles)
-    for(Index side = 3 * f; side < 3 * f + 3; ++side)
-      if(const Index other = behind(t, patch, side); other != none && other != patch[f])
-        common[other] += t.length[side];
-  if(common.empty())
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      if(const Index other = patch_across(t, patch, h); other != none && other != patch[f])
+        shared_length[other] += t.length[h];
+  if(shared_length.empty())
     return false;
   const auto best =
-      std::max_element(common.begin(), common.end(),
+      std::max_element(shared_length.begin(), shared_length.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   for(const Index f : triangles)
   {
-    untidy.patches[patch[f]] = true;
+    modified.patches[patch[f]] = true;
     patch[f] = best->first;
     for(Index corner = 3 * f; corner < 3 * f + 3; ++corner)
-      untidy.sites[t.corner[corner]] = true;
+      modified.vertices[t.corner[corner]] = true;
   }
-  untidy.patches[best->first] = true;
+  modified.patches[best->first] = true;
   return true;
 }
 
-struct Found
+struct Reached_triangle
 {
   Index triangle;
   Index seed; // by place
@@ -79,13 +79,15 @@ struct Found
 
 // The triangles of one patch that sides join to seeds in it, in the order of the number of sides between.
 // seen: #triangles, for which this is the first call with `mark`
-std::vector<Found> spread(const Glued_triangles& t, const std::vector<Index>& patch,
-                          const std::vector<Index>& seeds, std::vector<Index>& seen, Index mark)
+std::vector<Reached_triangle> reach_from_seeds(const Surface_arrays& t,
+                                               const std::vector<Index>& patch,
+                                               const std::vector<Index>& seeds,
+                                               std::vector<Index>& seen, Index visit_mark)
 {
-  std::vector<Found> found;
+  std::vector<Reached_triangle> found;
   const auto add = [&](Index triangle, Index seed)
   {
-    seen[triangle] = mark;
+    seen[triangle] = visit_mark;
     found.push_back({triangle, seed});
   };
   for(Index i = 0; i < seeds.size(); ++i)
@@ -93,41 +95,42 @@ std::vector<Found> spread(const Glued_triangles& t, const std::vector<Index>& pa
   for(std::size_t k = 0; k < found.size(); ++k)
   {
     const auto [triangle, seed] = found[k];
-    for(Index side = 3 * triangle; side < 3 * triangle + 3; ++side)
-      if(behind(t, patch, side) == patch[triangle] && seen[t.twin[side] / 3] != mark)
-        add(t.twin[side] / 3, seed);
+    for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
+      if(patch_across(t, patch, h) == patch[triangle] && seen[t.twin[h] / 3] != visit_mark)
+        add(t.twin[h] / 3, seed);
   }
   return found;
 }
 
 // Gives away all pieces of patches but their largest ones.  True if there were some.
-bool join_islands(const Glued_triangles& t, std::vector<Index>& patch, Untidy& untidy)
+bool merge_small_pieces(const Surface_arrays& t, std::vector<Index>& patch,
+                        Modified_flags& modified)
 {
-  const std::vector<bool> is_looked_at =
-      std::exchange(untidy.patches, std::vector<bool>(untidy.patches.size(), false));
+  const std::vector<bool> is_modified =
+      std::exchange(modified.patches, std::vector<bool>(modified.patches.size(), false));
   std::vector<Index> seen(patch.size(), none);
   std::vector<std::vector<Index>> pieces;
-  std::map<Index, std::pair<double, std::size_t>> largest; // of each patch: area, piece
+  std::map<Index, std::pair<double, std::size_t>> largest_piece; // of each patch: area, piece
   for(Index f = 0; f < patch.size(); ++f)
-    if(patch[f] != none && is_looked_at[patch[f]] && seen[f] == none)
+    if(patch[f] != none && is_modified[patch[f]] && seen[f] == none)
     {
       pieces.emplace_back();
       double sum = 0.;
-      for(const Found& found : spread(t, patch, {f}, seen, patch[f]))
+      for(const Reached_triangle& found : reach_from_seeds(t, patch, {f}, seen, patch[f]))
       {
         pieces.back().push_back(found.triangle);
         sum += area(t, found.triangle);
       }
       const std::pair<double, std::size_t> piece = {sum, pieces.size() - 1};
-      const auto at = largest.try_emplace(patch[f], piece).first;
-      if(sum > at->second.first)
-        at->second = piece;
+      const auto entry = largest_piece.try_emplace(patch[f], piece).first;
+      if(sum > entry->second.first)
+        entry->second = piece;
     }
-  bool is_changed = false;
+  bool has_changed = false;
   for(std::size_t i = 0; i < pieces.size(); ++i)
-    if(largest.at(patch[pieces[i].front()]).second != i)
-      is_changed = give_away(t, patch, pieces[i], untidy) || is_changed;
-  return is_changed;
+    if(largest_piece.at(patch[pieces[i].front()]).second != i)
+      has_changed = merge_into_neighbor(t, patch, pieces[i], modified) || has_changed;
+  return has_changed;
 }
 
 // The corners of a site in runs whose triangles share sides and a patch, those of no patch left out.
@@ -135,17 +138,17 @@ struct Sectors
 {
   std::vector<std::vector<Index>> corners;
 
-  Sectors(const Glued_triangles& t, const std::vector<Index>& patch, Index site)
+  Sectors(const Surface_arrays& t, const std::vector<Index>& patch, Index vertex)
   {
     const auto is_joined = [&](Index corner, Index next)
     {
       // Counterclockwise the next corner begins with the side that ends this one.
-      const Index side = previous_side(corner);
-      return t.twin[side] == next && patch[corner / 3] == patch[next / 3];
+      const Index h = previous_halfedge(corner);
+      return t.twin[h] == next && patch[corner / 3] == patch[next / 3];
     };
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
     {
-      const Index corner = t.star[i];
+      const Index corner = t.ring[i];
       if(patch[corner / 3] == none)
         continue;
       if(corners.empty() || !is_joined(corners.back().back(), corner))
@@ -166,92 +169,97 @@ struct Sectors
 };
 
 // The patch of all triangles around a site that are joined by sides, without a border; or none.
-Index patch_all_around(const Glued_triangles& t, const std::vector<Index>& patch, Index site)
+Index enclosing_patch(const Surface_arrays& t, const std::vector<Index>& patch, Index vertex)
 {
-  const Index begin = t.first[site], end = t.first[site + 1];
-  const Index result = begin == end ? none : patch[t.star[begin] / 3];
+  const Index begin = t.ring_begin[vertex], end = t.ring_begin[vertex + 1];
+  const Index result = begin == end ? none : patch[t.ring[begin] / 3];
   for(Index i = begin; i < end && result != none; ++i)
   {
-    const Index next = t.star[i + 1 < end ? i + 1 : begin];
-    if(patch[next / 3] != result || t.twin[previous_side(t.star[i])] != next)
+    const Index next = t.ring[i + 1 < end ? i + 1 : begin];
+    if(patch[next / 3] != result || t.twin[previous_halfedge(t.ring[i])] != next)
       return none;
   }
   return result;
 }
 
 // Leaves each patch one sector of each site, that with the most triangles.  True if there were more.
-bool untie(const Glued_triangles& t, std::vector<Index>& patch, Untidy& untidy)
+bool separate_touching_sectors(const Surface_arrays& t, std::vector<Index>& patch,
+                               Modified_flags& modified)
 {
-  bool is_changed = false;
-  for(Index site = 0; site < t.number_of_sites(); ++site)
+  bool has_changed = false;
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
   {
-    if(!untidy.sites[site])
+    if(!modified.vertices[vertex])
       continue;
-    untidy.sites[site] = false;
+    modified.vertices[vertex] = false;
     Index first = none;
-    bool has_several = false;
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    bool has_several_patches = false;
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
     {
-      const Index label = patch[t.star[i] / 3];
-      has_several = has_several || (first != none && label != first);
+      const Index label = patch[t.ring[i] / 3];
+      has_several_patches = has_several_patches || (first != none && label != first);
       first = label;
     }
-    if(!has_several)
+    if(!has_several_patches)
       continue;
-    Sectors sectors(t, patch, site);
-    std::map<Index, std::size_t> kept; // of each patch
+    Sectors sectors(t, patch, vertex);
+    std::map<Index, std::size_t> largest_sector; // of each patch
     for(std::size_t i = 0; i < sectors.corners.size(); ++i)
     {
-      const auto at = kept.try_emplace(patch[sectors.corners[i].front() / 3], i).first;
-      if(sectors.corners[i].size() > sectors.corners[at->second].size())
-        at->second = i;
+      const auto entry = largest_sector.try_emplace(patch[sectors.corners[i].front() / 3], i).first;
+      if(sectors.corners[i].size() > sectors.corners[entry->second].size())
+        entry->second = i;
     }
     for(std::size_t i = 0; i < sectors.corners.size(); ++i)
-      if(kept.at(patch[sectors.corners[i].front() / 3]) != i)
+      if(largest_sector.at(patch[sectors.corners[i].front() / 3]) != i)
       {
         std::vector<Index> triangles;
         for(const Index corner : sectors.corners[i])
           triangles.push_back(corner / 3);
-        is_changed = give_away(t, patch, triangles, untidy) || is_changed;
+        has_changed = merge_into_neighbor(t, patch, triangles, modified) || has_changed;
         break; // as what the others are may have changed
       }
   }
-  return is_changed;
+  return has_changed;
 }
 
 } // namespace
 
-std::vector<Index> patches(const Glued_triangles& t, const std::vector<double>& distances,
-                           const std::vector<Index>& labels)
+std::vector<Index> label_patches(const Surface_arrays& t, const std::vector<double>& distances,
+                                 const std::vector<Index>& labels)
 {
   std::vector<Index> patch(t.number_of_triangles(), none);
   for(Index f = 0; f < patch.size(); ++f)
   {
-    const std::array sites = {t.corner[3 * f], t.corner[3 * f + 1], t.corner[3 * f + 2]};
-    const std::array own = {labels[sites[0]], labels[sites[1]], labels[sites[2]]};
-    if(own[0] == none || own[1] == none || own[2] == none)
+    const std::array vertices = {t.corner[3 * f], t.corner[3 * f + 1], t.corner[3 * f + 2]};
+    const std::array corner_labels = {labels[vertices[0]], labels[vertices[1]],
+                                      labels[vertices[2]]};
+    if(corner_labels[0] == none || corner_labels[1] == none || corner_labels[2] == none)
       continue;
-    const Index nearest = *std::min_element(
-        sites.begin(), sites.end(), [&](Index a, Index b) { return distances[a] < distances[b]; });
-    patch[f] = own[0] == own[1] || own[0] == own[2] ? own[0]
-               : own[1] == own[2]                   ? own[1]
-                                                    : labels[nearest];
+    const Index nearest =
+        *std::min_element(vertices.begin(), vertices.end(),
+                          [&](Index a, Index b) { return distances[a] < distances[b]; });
+    patch[f] = corner_labels[0] == corner_labels[1] || corner_labels[0] == corner_labels[2]
+                   ? corner_labels[0]
+               : corner_labels[1] == corner_labels[2] ? corner_labels[1]
+                                                      : labels[nearest];
   }
   return patch;
 }
 
-void tidy(const Glued_triangles& t, std::vector<Index>& patch)
+void merge_patch_fragments(const Surface_arrays& t, std::vector<Index>& patch)
 {
-  Untidy untidy(t, patch);
-  for(int pass = 0; pass < most_passes; ++pass)
+  Modified_flags modified(t, patch);
+  for(int pass = 0; pass < max_passes; ++pass)
   {
-    const bool had_islands = join_islands(t, patch, untidy), was_tied = untie(t, patch, untidy);
-    if(!had_islands && !was_tied)
+    const bool had_pieces = merge_small_pieces(t, patch, modified),
+               had_touching_sectors = separate_touching_sectors(t, patch, modified);
+    if(!had_pieces && !had_touching_sectors)
       return;
   }
 }
 
-std::vector<bool> are_discs(const Glued_triangles& t, const std::vector<Index>& patch,
+std::vector<bool> are_disks(const Surface_arrays& t, const std::vector<Index>& patch,
                             Index number_of_patches)
 {
   // By Euler's formula among what is in one piece and touches itself in no corner.
@@ -263,27 +271,27 @@ std::vector<bool> are_discs(const Glued_triangles& t, const std::vector<Index>& 
     {
       ++euler[patch[f]];
       ++size[patch[f]];
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
-        if(behind(t, patch, side) != patch[f] || side < t.twin[side])
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if(patch_across(t, patch, h) != patch[f] || h < t.twin[h])
           --euler[patch[f]];
     }
-  std::vector<Index> around; // of a site: a patch for each sector
-  for(Index site = 0; site < t.number_of_sites(); ++site)
+  std::vector<Index> sector_patches; // of a site: a patch for each sector
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
   {
-    if(const Index only = patch_all_around(t, patch, site); only != none)
+    if(const Index enclosing = enclosing_patch(t, patch, vertex); enclosing != none)
     {
-      ++euler[only];
+      ++euler[enclosing];
       continue;
     }
-    around.clear();
-    for(const auto& sector : Sectors(t, patch, site).corners)
-      around.push_back(patch[sector.front() / 3]);
-    std::sort(around.begin(), around.end());
-    for(std::size_t i = 0; i < around.size(); ++i)
-      if(i > 0 && around[i] == around[i - 1])
-        result[around[i]] = false;
+    sector_patches.clear();
+    for(const auto& sector : Sectors(t, patch, vertex).corners)
+      sector_patches.push_back(patch[sector.front() / 3]);
+    std::sort(sector_patches.begin(), sector_patches.end());
+    for(std::size_t i = 0; i < sector_patches.size(); ++i)
+      if(i > 0 && sector_patches[i] == sector_patches[i - 1])
+        result[sector_patches[i]] = false;
       else
-        ++euler[around[i]];
+        ++euler[sector_patches[i]];
   }
   std::vector<Index> seen(patch.size(), none);
   std::vector<bool> has_piece(number_of_patches, false);
@@ -292,47 +300,47 @@ std::vector<bool> are_discs(const Glued_triangles& t, const std::vector<Index>& 
     {
       result[patch[f]] = result[patch[f]] && !has_piece[patch[f]];
       has_piece[patch[f]] = true;
-      spread(t, patch, {f}, seen, patch[f]);
+      reach_from_seeds(t, patch, {f}, seen, patch[f]);
     }
   for(Index i = 0; i < number_of_patches; ++i)
     result[i] = size[i] < 2 || (result[i] && euler[i] == 1);
   return result;
 }
 
-std::vector<Index> halves(const Glued_triangles& t, Index first, Index second)
+std::vector<Index> bisect_patch(const Surface_arrays& t, Index first, Index second)
 {
   std::vector<Index> patch(t.number_of_triangles(), 0), seen(patch.size(), none);
-  for(const Found& found : spread(t, patch, {first, second}, seen, 0))
+  for(const Reached_triangle& found : reach_from_seeds(t, patch, {first, second}, seen, 0))
     seen[found.triangle] = found.seed;
   return seen;
 }
 
-std::array<Index, 2> ends(const Glued_triangles& t)
+std::array<Index, 2> farthest_triangle_pair(const Surface_arrays& t)
 {
   const std::vector<Index> patch(t.number_of_triangles(), 0);
   std::vector<Index> seen(patch.size(), none);
-  const Index first = spread(t, patch, {0}, seen, 0).back().triangle;
-  return {first, spread(t, patch, {first}, seen, 1).back().triangle};
+  const Index first = reach_from_seeds(t, patch, {0}, seen, 0).back().triangle;
+  return {first, reach_from_seeds(t, patch, {first}, seen, 1).back().triangle};
 }
 
-std::vector<Index> split_into_discs(const Glued_triangles& t, std::vector<Index>& patch,
+std::vector<Index> split_into_disks(const Surface_arrays& t, std::vector<Index>& patch,
                                     Index number_of_patches)
 {
-  const std::size_t given = number_of_patches;
-  const auto relabel = [&](const std::vector<Found>& part)
+  const std::size_t number_given = number_of_patches;
+  const auto relabel = [&](const std::vector<Reached_triangle>& part)
   {
-    for(const Found& found : part)
+    for(const Reached_triangle& found : part)
       if(found.seed == 0)
         patch[found.triangle] = number_of_patches;
     ++number_of_patches;
   };
   // Pieces first.
   std::vector<Index> seen(patch.size(), none);
-  std::vector<bool> has_piece(given, false);
+  std::vector<bool> has_piece(number_given, false);
   for(Index f = 0; f < patch.size(); ++f)
     if(patch[f] != none && seen[f] == none)
     {
-      const std::vector<Found> piece = spread(t, patch, {f}, seen, 0);
+      const std::vector<Reached_triangle> piece = reach_from_seeds(t, patch, {f}, seen, 0);
       if(has_piece[patch[f]])
         relabel(piece);
       else
@@ -340,22 +348,23 @@ std::vector<Index> split_into_discs(const Glued_triangles& t, std::vector<Index>
     }
   for(;;)
   {
-    std::vector<Index> some(number_of_patches, none);
+    std::vector<Index> representative(number_of_patches, none);
     for(Index f = 0; f < patch.size(); ++f)
       if(patch[f] != none)
-        some[patch[f]] = f;
-    const std::vector<bool> is_disc = are_discs(t, patch, number_of_patches);
-    if(std::find(is_disc.begin(), is_disc.end(), false) == is_disc.end())
-      return {some.begin() + std::ptrdiff_t(given), some.end()};
+        representative[patch[f]] = f;
+    const std::vector<bool> is_disk = are_disks(t, patch, number_of_patches);
+    if(std::find(is_disk.begin(), is_disk.end(), false) == is_disk.end())
+      return {representative.begin() + std::ptrdiff_t(number_given), representative.end()};
     seen.assign(patch.size(), none);
-    Index mark = 0;
-    for(Index i = 0; i < is_disc.size(); ++i)
-      if(!is_disc[i])
+    Index visit_mark = 0;
+    for(Index i = 0; i < is_disk.size(); ++i)
+      if(!is_disk[i])
       {
         // What is nearer to one end than to the other.
-        const Index end = spread(t, patch, {some[i]}, seen, mark++).back().triangle;
-        const Index other = spread(t, patch, {end}, seen, mark++).back().triangle;
-        relabel(spread(t, patch, {end, other}, seen, mark++));
+        const Index end =
+            reach_from_seeds(t, patch, {representative[i]}, seen, visit_mark++).back().triangle;
+        const Index other = reach_from_seeds(t, patch, {end}, seen, visit_mark++).back().triangle;
+        relabel(reach_from_seeds(t, patch, {end, other}, seen, visit_mark++));
       }
   }
 }

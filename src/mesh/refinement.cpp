@@ -3,9 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/mesh/refinement.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include "core/unfold.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace {
 
 using Barycentric = std::array<double, 3>;
 
-constexpr std::array<Barycentric, 3> whole = {Barycentric{1., 0., 0.}, Barycentric{0., 1., 0.},
-                                              Barycentric{0., 0., 1.}};
+constexpr std::array<Barycentric, 3> unit_corners = {
+    Barycentric{1., 0., 0.}, Barycentric{0., 1., 0.}, Barycentric{0., 0., 1.}};
 
-Barycentric mixed(const std::array<Barycentric, 3>& corners, const Barycentric& b)
+Barycentric interpolated(const std::array<Barycentric, 3>& corners, const Barycentric& b)
 {
   Barycentric result = {0., 0., 0.};
   for(int i = 0; i < 3; ++i)
@@ -31,17 +31,18 @@ Barycentric mixed(const std::array<Barycentric, 3>& corners, const Barycentric& 
 }
 
 // The coordinates of a point with respect to three others; not finite when these are in line.
-Barycentric solved(const std::array<Barycentric, 3>& corners, const Barycentric& p)
+Barycentric barycentric_coordinates(const std::array<Barycentric, 3>& corners, const Barycentric& p)
 {
   const auto area = [](const Barycentric& a, const Barycentric& b, const Barycentric& c)
   { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); };
-  const double all = area(corners[0], corners[1], corners[2]);
-  return {area(p, corners[1], corners[2]) / all, area(corners[0], p, corners[2]) / all,
-          area(corners[0], corners[1], p) / all};
+  const double total_area = area(corners[0], corners[1], corners[2]);
+  return {area(p, corners[1], corners[2]) / total_area,
+          area(corners[0], p, corners[2]) / total_area,
+          area(corners[0], corners[1], p) / total_area};
 }
 
 // Triangles to be glued, in the order in which they were made.
-struct Pieces
+struct Refined_soup
 {
   std::vector<std::array<double, 3>> points;
   std::vector<Index> corners, twins;
@@ -49,244 +50,255 @@ struct Pieces
   std::vector<std::array<Barycentric, 3>> in_parent;
 };
 
-Refinement glued(const Refinement& from, Pieces pieces)
+Refinement build_refinement(const Refinement& from, Refined_soup soup)
 {
-  if(pieces.corners.size() > (std::size_t(1) << 31))
+  if(soup.corners.size() > (std::size_t(1) << 31))
     throw Unsupported_surface_error(
         "Triangles small enough for so many samples have more than 2^31 half-edges.");
-  Glued_mesh mesh = glue(std::move(pieces.points), pieces.corners, pieces.twins);
-  Glued_triangles& t = mesh.triangles;
-  const Glued_triangles& before = *from.triangles;
+  Mesh_arrays mesh = build_mesh_arrays(std::move(soup.points), soup.corners, soup.twins);
+  Surface_arrays& t = mesh.arrays;
+  const Surface_arrays& previous_arrays = *from.triangles;
   for(int k = 0; k < 3; ++k)
-    t.origin[k] = before.origin[k] + before.scale * t.origin[k];
-  t.scale *= before.scale;
+    t.origin[k] = previous_arrays.origin[k] + previous_arrays.scale * t.origin[k];
+  t.scale *= previous_arrays.scale;
   Refinement result;
   result.coarse = from.coarse;
   result.parent.reserve(mesh.face_of_triangle.size());
   result.corners.reserve(mesh.face_of_triangle.size());
-  for(const Index piece : mesh.face_of_triangle)
+  for(const Index child : mesh.face_of_triangle)
   {
-    const Index parent = pieces.parent[piece];
-    std::array<Barycentric, 3> corners = pieces.in_parent[piece];
+    const Index parent = soup.parent[child];
+    std::array<Barycentric, 3> corners = soup.in_parent[child];
     if(!from.parent.empty())
       for(Barycentric& corner : corners)
-        corner = mixed(from.corners[parent], corner);
+        corner = interpolated(from.corners[parent], corner);
     result.parent.push_back(from.parent.empty() ? parent : from.parent[parent]);
     result.corners.push_back(corners);
   }
-  result.triangles = std::make_shared<const Glued_triangles>(std::move(t));
+  result.triangles = std::make_shared<const Surface_arrays>(std::move(t));
   return result;
 }
 
 // Places of a triangle: its corners 0, 1, 2 and the middles 3, 4, 5 of its sides.
-using Piece = std::array<Index, 3>;
+using Corner_nodes = std::array<Index, 3>;
 
-struct Cut
+struct Split_pattern
 {
-  std::array<Piece, 4> pieces;
+  std::array<Corner_nodes, 4> children;
   Index size;
 };
 
 // What becomes of a triangle some of whose sides are halved: convex pieces, counterclockwise.
-// is_shorter: of the two ways to cut what is left behind the corner between two halved sides, the one
+// is_second_shorter: of the two ways to cut what is left behind the corner between two halved sides, the one
 // from the end of the second one is shorter.
-Cut pieces_of(const std::array<bool, 3>& is_halved, bool is_shorter)
+Split_pattern split_pattern(const std::array<bool, 3>& is_split, bool is_second_shorter)
 {
-  const int number = is_halved[0] + is_halved[1] + is_halved[2];
-  if(number == 0)
-    return {{Piece{0, 1, 2}}, 1};
-  if(number == 3)
-    return {{Piece{0, 3, 5}, Piece{3, 1, 4}, Piece{5, 4, 2}, Piece{3, 4, 5}}, 4};
+  const int count = is_split[0] + is_split[1] + is_split[2];
+  if(count == 0)
+    return {{Corner_nodes{0, 1, 2}}, 1};
+  if(count == 3)
+    return {{Corner_nodes{0, 3, 5}, Corner_nodes{3, 1, 4}, Corner_nodes{5, 4, 2},
+             Corner_nodes{3, 4, 5}},
+            4};
   // Turned such that side k, or sides k and k + 1, are the halved ones.
   Index k = 0;
-  while(!is_halved[k] || (number == 2 && !is_halved[(k + 1) % 3]))
+  while(!is_split[k] || (count == 2 && !is_split[(k + 1) % 3]))
     ++k;
   const Index a = k, b = (k + 1) % 3, c = (k + 2) % 3, ab = 3 + a, bc = 3 + b;
-  if(number == 1)
-    return {{Piece{a, ab, c}, Piece{ab, b, c}}, 2};
-  if(is_shorter)
-    return {{Piece{ab, b, bc}, Piece{a, ab, c}, Piece{ab, bc, c}}, 3};
-  return {{Piece{ab, b, bc}, Piece{a, ab, bc}, Piece{a, bc, c}}, 3};
+  if(count == 1)
+    return {{Corner_nodes{a, ab, c}, Corner_nodes{ab, b, c}}, 2};
+  if(is_second_shorter)
+    return {{Corner_nodes{ab, b, bc}, Corner_nodes{a, ab, c}, Corner_nodes{ab, bc, c}}, 3};
+  return {{Corner_nodes{ab, b, bc}, Corner_nodes{a, ab, bc}, Corner_nodes{a, bc, c}}, 3};
 }
 
-Barycentric place_in(Index place) { return place < 3 ? whole[place] : on_side(place - 3, 0.5); }
+Barycentric barycentric_of_node(Index node)
+{
+  return node < 3 ? unit_corners[node] : barycentric_on_halfedge(node - 3, 0.5);
+}
 
 } // namespace
 
-Refinement refinement(std::shared_ptr<const Glued_triangles> triangles)
+Refinement make_refinement(std::shared_ptr<const Surface_arrays> triangles)
 {
-  const Glued_triangles& t = *triangles;
+  const Surface_arrays& t = *triangles;
   Refinement result{triangles, triangles, {}, {}};
-  std::vector<Index> site_of_fan, fan(t.corner.size());
-  for(Index site = 0; site < t.number_of_sites(); ++site)
+  std::vector<Index> vertex_of_fan, fan(t.corner.size());
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
   {
-    site_of_fan.push_back(site);
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+    vertex_of_fan.push_back(vertex);
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
     {
-      if(i > t.first[site] && turn_left(t, t.star[i - 1]) != t.star[i])
-        site_of_fan.push_back(site);
-      fan[t.star[i]] = Index(site_of_fan.size() - 1);
+      if(i > t.ring_begin[vertex] && next_corner_ccw(t, t.ring[i - 1]) != t.ring[i])
+        vertex_of_fan.push_back(vertex);
+      fan[t.ring[i]] = Index(vertex_of_fan.size() - 1);
     }
   }
-  if(site_of_fan.size() == t.number_of_sites())
+  if(vertex_of_fan.size() == t.number_of_vertices())
     return result;
-  Pieces pieces;
-  for(const Index site : site_of_fan)
-    pieces.points.push_back(t.point[site]);
-  pieces.corners = std::move(fan);
-  pieces.twins = t.twin;
-  pieces.parent.resize(t.number_of_triangles());
-  std::iota(pieces.parent.begin(), pieces.parent.end(), Index(0));
-  pieces.in_parent.assign(t.number_of_triangles(), whole);
-  return glued(result, std::move(pieces));
+  Refined_soup soup;
+  for(const Index vertex : vertex_of_fan)
+    soup.points.push_back(t.point[vertex]);
+  soup.corners = std::move(fan);
+  soup.twins = t.twin;
+  soup.parent.resize(t.number_of_triangles());
+  std::iota(soup.parent.begin(), soup.parent.end(), Index(0));
+  soup.in_parent.assign(t.number_of_triangles(), unit_corners);
+  return build_refinement(result, std::move(soup));
 }
 
-Refinement halved(const Refinement& from, const std::vector<bool>& is_halved)
+Refinement split_edges(const Refinement& from, const std::vector<bool>& is_split)
 {
-  const Glued_triangles& t = *from.triangles;
-  Pieces pieces;
-  pieces.points = t.point;
+  const Surface_arrays& t = *from.triangles;
+  Refined_soup soup;
+  soup.points = t.point;
   std::vector<Index> middle(t.corner.size(), none);
-  for(Index side = 0; side < t.corner.size(); ++side)
-    if(is_halved[side])
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(is_split[h])
     {
-      if(t.twin[side] < side)
-        middle[side] = middle[t.twin[side]];
+      if(t.twin[h] < h)
+        middle[h] = middle[t.twin[h]];
       else
       {
-        middle[side] = Index(pieces.points.size());
-        pieces.points.push_back(0.5 *
-                                (t.point[t.corner[side]] + t.point[t.corner[next_side(side)]]));
+        middle[h] = Index(soup.points.size());
+        soup.points.push_back(0.5 * (t.point[t.corner[h]] + t.point[t.corner[next_halfedge(h)]]));
       }
     }
 
   // A triangle becomes one more for each of its halved sides.
-  const std::size_t number =
-      t.number_of_triangles() + std::size_t(std::count(is_halved.begin(), is_halved.end(), true));
-  pieces.corners.reserve(3 * number);
-  pieces.twins.reserve(3 * number);
-  pieces.parent.reserve(number);
-  pieces.in_parent.reserve(number);
+  const std::size_t count =
+      t.number_of_triangles() + std::size_t(std::count(is_split.begin(), is_split.end(), true));
+  soup.corners.reserve(3 * count);
+  soup.twins.reserve(3 * count);
+  soup.parent.reserve(count);
+  soup.in_parent.reserve(count);
 
   // Where the parts of each side are: the whole or its first half, and its second half.
-  std::vector<std::array<Index, 2>> part(t.corner.size(), {none, none});
+  std::vector<std::array<Index, 2>> halves(t.corner.size(), {none, none});
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
-    const auto point_at = [&](Index place)
-    { return place < 3 ? t.corner[3 * f + place] : middle[3 * f + place - 3]; };
-    const std::array<bool, 3> is_cut = {is_halved[3 * f], is_halved[3 * f + 1],
-                                        is_halved[3 * f + 2]};
-    bool is_shorter = false;
-    if(is_cut[0] + is_cut[1] + is_cut[2] == 2)
+    const auto point_at = [&](Index node)
+    { return node < 3 ? t.corner[3 * f + node] : middle[3 * f + node - 3]; };
+    const std::array<bool, 3> is_split_edge = {is_split[3 * f], is_split[3 * f + 1],
+                                               is_split[3 * f + 2]};
+    bool is_second_shorter = false;
+    if(is_split_edge[0] + is_split_edge[1] + is_split_edge[2] == 2)
     {
       Index k = 0;
-      while(is_cut[k])
+      while(is_split_edge[k])
         ++k;
       // The side that is not halved runs from c to a.
       const Index c = k, a = (k + 1) % 3, b = (k + 2) % 3;
       const auto corners = unfolded(t, f);
-      is_shorter = norm(unfolded_point(corners, place_in(3 + a)) - corners[c]) <
-                   norm(unfolded_point(corners, place_in(3 + b)) - corners[a]);
+      is_second_shorter = norm(unfolded_point(corners, barycentric_of_node(3 + a)) - corners[c]) <
+                          norm(unfolded_point(corners, barycentric_of_node(3 + b)) - corners[a]);
     }
-    const Cut cut = pieces_of(is_cut, is_shorter);
-    const Index first = Index(pieces.corners.size());
-    for(Index i = 0; i < cut.size; ++i)
+    const Split_pattern pattern = split_pattern(is_split_edge, is_second_shorter);
+    const Index begin = Index(soup.corners.size());
+    for(Index i = 0; i < pattern.size; ++i)
     {
-      const Piece& piece = cut.pieces[i];
-      for(const Index place : piece)
-        pieces.corners.push_back(point_at(place));
-      pieces.parent.push_back(f);
-      pieces.in_parent.push_back({place_in(piece[0]), place_in(piece[1]), place_in(piece[2])});
+      const Corner_nodes& child = pattern.children[i];
+      for(const Index node : child)
+        soup.corners.push_back(point_at(node));
+      soup.parent.push_back(f);
+      soup.in_parent.push_back({barycentric_of_node(child[0]), barycentric_of_node(child[1]),
+                                barycentric_of_node(child[2])});
     }
-    pieces.twins.resize(pieces.corners.size(), none);
-    for(Index i = 0; i < 3 * cut.size; ++i)
+    soup.twins.resize(soup.corners.size(), none);
+    for(Index i = 0; i < 3 * pattern.size; ++i)
     {
-      const Index from_place = cut.pieces[i / 3][i % 3], to_place = cut.pieces[i / 3][(i + 1) % 3];
+      const Index from_node = pattern.children[i / 3][i % 3],
+                  to_node = pattern.children[i / 3][(i + 1) % 3];
       for(Index j = 0; j < i; ++j)
-        if(cut.pieces[j / 3][j % 3] == to_place && cut.pieces[j / 3][(j + 1) % 3] == from_place)
+        if(pattern.children[j / 3][j % 3] == to_node &&
+           pattern.children[j / 3][(j + 1) % 3] == from_node)
         {
-          pieces.twins[first + i] = first + j;
-          pieces.twins[first + j] = first + i;
+          soup.twins[begin + i] = begin + j;
+          soup.twins[begin + j] = begin + i;
         }
-      if(from_place < 3 && (to_place == (from_place + 1) % 3 || to_place == 3 + from_place))
-        part[3 * f + from_place][0] = first + i;
-      else if(from_place >= 3 && to_place == (from_place - 3 + 1) % 3)
-        part[3 * f + from_place - 3][1] = first + i;
+      if(from_node < 3 && (to_node == (from_node + 1) % 3 || to_node == 3 + from_node))
+        halves[3 * f + from_node][0] = begin + i;
+      else if(from_node >= 3 && to_node == (from_node - 3 + 1) % 3)
+        halves[3 * f + from_node - 3][1] = begin + i;
     }
   }
-  for(Index side = 0; side < t.corner.size(); ++side)
-    if(const Index twin = t.twin[side]; twin != none)
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(const Index twin = t.twin[h]; twin != none)
     {
-      const bool is_cut = is_halved[side];
-      pieces.twins[part[side][0]] = part[twin][is_cut ? 1 : 0];
-      if(is_cut)
-        pieces.twins[part[side][1]] = part[twin][0];
+      const bool is_split_edge = is_split[h];
+      soup.twins[halves[h][0]] = halves[twin][is_split_edge ? 1 : 0];
+      if(is_split_edge)
+        soup.twins[halves[h][1]] = halves[twin][0];
     }
-  return glued(from, std::move(pieces));
+  return build_refinement(from, std::move(soup));
 }
 
-Location to_coarse(const Refinement& refinement, const Location& location)
+Surface_location to_coarse(const Refinement& refinement, const Surface_location& location)
 {
   if(refinement.parent.empty())
     return location;
-  const Location fine =
-      location.triangle == none ? at_site(*refinement.triangles, location.site) : location;
+  const Surface_location fine = location.triangle == none
+                                    ? vertex_location(*refinement.triangles, location.vertex)
+                                    : location;
   if(fine.triangle == none)
     return {}; // a site without triangles
-  return cleaned(*refinement.coarse, {refinement.parent[fine.triangle], none,
-                                      mixed(refinement.corners[fine.triangle], fine.barycentric)});
+  return canonical(*refinement.coarse,
+                   {refinement.parent[fine.triangle], none,
+                    interpolated(refinement.corners[fine.triangle], fine.barycentric)});
 }
 
-std::vector<Location> to_fine(const Refinement& refinement, const std::vector<Location>& locations)
+std::vector<Surface_location> to_fine(const Refinement& refinement,
+                                      const std::vector<Surface_location>& locations)
 {
   if(refinement.parent.empty())
     return locations;
   // The triangles in each of the coarse ones.
-  std::vector<Index> first(refinement.coarse->number_of_triangles() + 1, 0),
+  std::vector<Index> begin(refinement.coarse->number_of_triangles() + 1, 0),
       children(refinement.parent.size());
   for(const Index parent : refinement.parent)
-    ++first[parent + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Index> end(first.begin(), first.end() - 1);
+    ++begin[parent + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Index> end(begin.begin(), begin.end() - 1);
   for(Index f = 0; f < children.size(); ++f)
     children[end[refinement.parent[f]]++] = f;
 
-  std::vector<Location> result;
-  for(const Location& location : locations)
+  std::vector<Surface_location> result;
+  for(const Surface_location& location : locations)
   {
-    const Location coarse =
-        location.triangle == none ? at_site(*refinement.coarse, location.site) : location;
-    Location best;
-    double least = -infinity; // of its coordinates
-    for(Index i = coarse.triangle == none ? 0 : first[coarse.triangle];
-        coarse.triangle != none && i < first[coarse.triangle + 1]; ++i)
+    const Surface_location coarse =
+        location.triangle == none ? vertex_location(*refinement.coarse, location.vertex) : location;
+    Surface_location best;
+    double largest_minimum = -infinity; // of its coordinates
+    for(Index i = coarse.triangle == none ? 0 : begin[coarse.triangle];
+        coarse.triangle != none && i < begin[coarse.triangle + 1]; ++i)
     {
-      const Barycentric b = solved(refinement.corners[children[i]], coarse.barycentric);
-      if(const double low = std::min({b[0], b[1], b[2]}); low > least)
+      const Barycentric b =
+          barycentric_coordinates(refinement.corners[children[i]], coarse.barycentric);
+      if(const double minimum = std::min({b[0], b[1], b[2]}); minimum > largest_minimum)
       {
-        least = low;
+        largest_minimum = minimum;
         best = {children[i], none, b};
       }
     }
     if(best.triangle != none)
-      best = cleaned(*refinement.triangles, best);
+      best = canonical(*refinement.triangles, best);
     result.push_back(best);
   }
   return result;
 }
 
-std::vector<Index> coarse_sides(const Refinement& refinement)
+std::vector<Index> coarse_halfedges(const Refinement& refinement)
 {
   std::vector<Index> result(refinement.triangles->corner.size(), none);
   if(refinement.parent.empty())
     std::iota(result.begin(), result.end(), Index(0));
   else
-    for(Index side = 0; side < result.size(); ++side)
+    for(Index h = 0; h < result.size(); ++h)
     {
-      const auto& corners = refinement.corners[side / 3];
+      const auto& corners = refinement.corners[h / 3];
       for(Index k = 0; k < 3; ++k)
-        if(corners[side % 3][(k + 2) % 3] == 0. && corners[(side + 1) % 3][(k + 2) % 3] == 0.)
-          result[side] = 3 * refinement.parent[side / 3] + k;
+        if(corners[h % 3][(k + 2) % 3] == 0. && corners[(h + 1) % 3][(k + 2) % 3] == 0.)
+          result[h] = 3 * refinement.parent[h / 3] + k;
     }
   return result;
 }

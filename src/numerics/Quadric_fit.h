@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_QUADRIC_FIT_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_QUADRIC_FIT_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_QUADRIC_FIT_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_QUADRIC_FIT_H
 
 #include <array>
 #include <cmath>
@@ -19,17 +19,17 @@ public:
   using Coefficients = std::array<double, 6>;
 
   // A place, or the mean of several: then x^2, x y and y^2 are means as well.
-  struct Place
+  struct Moments
   {
     double x, y, xx, xy, yy;
   };
 
-  static double height(const Coefficients& c, const Place& p)
+  static double height(const Coefficients& c, const Moments& p)
   {
     return c[0] + c[1] * p.x + c[2] * p.y + 0.5 * (c[3] * p.xx + c[5] * p.yy) + c[4] * p.xy;
   }
 
-  void add_height(double weight, const Place& p, double height)
+  void add_height(double weight, const Moments& p, double height)
   {
     const Coefficients row = {1., p.x, p.y, 0.5 * p.xx, p.xy, 0.5 * p.yy};
     for(int i = 0; i < 6; ++i)
@@ -37,11 +37,11 @@ public:
       const double factor = weight * row[i];
       for(int j = 0; j <= i; ++j)
         m_matrix[i][j] += factor * row[j];
-      m_right[i] += factor * height;
+      m_rhs[i] += factor * height;
     }
   }
 
-  void add_slopes(double weight, const Place& p, double slope_x, double slope_y)
+  void add_slopes(double weight, const Moments& p, double slope_x, double slope_y)
   {
     // Rows  0 1 0 x y 0  and  0 0 1 0 x y.
     const double x = weight * p.x, y = weight * p.y;
@@ -56,11 +56,11 @@ public:
     m_matrix[4][4] += x * p.x + y * p.y;
     m_matrix[5][4] += x * p.y;
     m_matrix[5][5] += y * p.y;
-    m_right[1] += weight * slope_x;
-    m_right[2] += weight * slope_y;
-    m_right[3] += x * slope_x;
-    m_right[4] += y * slope_x + x * slope_y;
-    m_right[5] += y * slope_y;
+    m_rhs[1] += weight * slope_x;
+    m_rhs[2] += weight * slope_y;
+    m_rhs[3] += x * slope_x;
+    m_rhs[4] += y * slope_x + x * slope_y;
+    m_rhs[5] += y * slope_y;
   }
 
   // Cholesky's factors; how many of the coefficients, 6, 3 or none, what was added determines.
@@ -81,40 +81,43 @@ public:
   }
 
   // After factorize(): the first `number` coefficients, the others zero.
-  Coefficients coefficients(int number) const { return solved(m_right, number); }
+  Coefficients coefficients(int number_of_coefficients) const
+  {
+    return solve(m_rhs, number_of_coefficients);
+  }
 
   // The variance of c_i, i < 3, where weights are inverse variances.
-  double variance(int i, int number) const
+  double variance(int i, int number_of_coefficients) const
   {
     Coefficients unit = {};
     unit[i] = 1.;
-    return solved(unit, number)[i];
+    return solve(unit, number_of_coefficients)[i];
   }
 
 private:
-  Coefficients solved(Coefficients c, int number) const
+  Coefficients solve(Coefficients c, int number_of_coefficients) const
   {
-    for(int i = 0; i < number; ++i)
+    for(int i = 0; i < number_of_coefficients; ++i)
     {
       for(int k = 0; k < i; ++k)
         c[i] -= m_factor[i][k] * c[k];
       c[i] /= m_factor[i][i];
     }
-    for(int i = number - 1; i >= 0; --i)
+    for(int i = number_of_coefficients - 1; i >= 0; --i)
     {
-      for(int k = i + 1; k < number; ++k)
+      for(int k = i + 1; k < number_of_coefficients; ++k)
         c[i] -= m_factor[k][i] * c[k];
       c[i] /= m_factor[i][i];
     }
-    for(int i = number; i < 6; ++i)
+    for(int i = number_of_coefficients; i < 6; ++i)
       c[i] = 0.;
     return c;
   }
 
   std::array<Coefficients, 6> m_matrix = {}, m_factor = {}; // the lower halves
-  Coefficients m_right = {};
+  Coefficients m_rhs = {};
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_QUADRIC_FIT_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_QUADRIC_FIT_H

@@ -27,37 +27,37 @@ namespace {
 // The state of one call, which threads could not share.  Meanwhile the calling thread opens no teams of
 // OpenMP, of which CHOLMOD asks for four threads whatever they are allowed to be: waiting for each other
 // on two busy processors took up to four tenths of the time.
-class Common : public cholmod_common
+class Cholmod_common : public cholmod_common
 {
 public:
-  Common()
+  Cholmod_common()
   {
     cholmod_start(this);
     print = 0; // it warns on standard output
     supernodal = CHOLMOD_SUPERNODAL;
-    static auto* const levels = loaded<int()>("omp_get_max_active_levels");
+    static auto* const levels = find_function<int()>("omp_get_max_active_levels");
     if(levels)
     {
       m_levels = levels();
       set_levels(0);
     }
   }
-  ~Common()
+  ~Cholmod_common()
   {
     cholmod_finish(this);
     if(m_levels > 0)
       set_levels(m_levels);
   }
-  Common(const Common&) = delete;
+  Cholmod_common(const Cholmod_common&) = delete;
 
 private:
   static void set_levels(int levels)
   {
-    static auto* const set = loaded<void(int)>("omp_set_max_active_levels");
+    static auto* const set = find_function<void(int)>("omp_set_max_active_levels");
     set(levels);
   }
 
-  Blas_at_one_thread m_blas;
+  Single_threaded_blas m_blas;
   int m_levels = 0;
 };
 
@@ -65,10 +65,10 @@ private:
 
 struct Sparse_solver::Solver
 {
-  Solver(const Sparse_matrix& matrix, Elimination elimination)
+  Solver(const Sparse_matrix& matrix, Elimination_order order)
   {
-    Common common;
-    if(elimination == Elimination::sparse)
+    Cholmod_common common;
+    if(order == Elimination_order::low_fill)
     {
       common.nmethods = 2; // the better of the two, or the one that is there
       common.method[0].ordering = CHOLMOD_METIS;
@@ -84,40 +84,40 @@ struct Sparse_solver::Solver
   }
   Solver(const Solver& other)
   {
-    Common common;
+    Cholmod_common common;
     factor = cholmod_copy_factor(other.factor, &common);
   }
   ~Solver()
   {
-    Common common;
+    Cholmod_common common;
     cholmod_free_factor(&factor, &common);
   }
 
   bool factorize(const Sparse_matrix& matrix)
   {
-    Common common;
+    Cholmod_common common;
     cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
     return factor && cholmod_factorize(&view, factor, &common) && factor->minor == factor->n;
   }
 
-  Vector solve(const Vector& right) const
+  Vector solve(const Vector& rhs) const
   {
-    Common common;
-    cholmod_dense view = Eigen::viewAsCholmod(right.const_cast_derived());
+    Cholmod_common common;
+    cholmod_dense view = Eigen::viewAsCholmod(rhs.const_cast_derived());
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, &view, &common);
     if(!solution)
       throw std::bad_alloc();
-    const Vector result = Vector::Map(static_cast<const double*>(solution->x), right.size());
+    const Vector result = Vector::Map(static_cast<const double*>(solution->x), rhs.size());
     cholmod_free_dense(&solution, &common);
     return result;
   }
 
   void solve(Eigen::MatrixXd& columns) const
   {
-    std::vector<double> space = take();
-    substitute(supernodes(), columns.data(), std::size_t(columns.cols()), space);
+    std::vector<double> workspace = acquire_workspace();
+    substitute(supernodes(), columns.data(), std::size_t(columns.cols()), workspace);
     const std::lock_guard<std::mutex> lock(mutex);
-    idle.push_back(std::move(space));
+    free_workspaces.push_back(std::move(workspace));
   }
 
   Supernodes supernodes() const
@@ -133,19 +133,19 @@ struct Sparse_solver::Solver
             static_cast<const double*>(factor->x)};
   }
 
-  std::vector<double> take() const
+  std::vector<double> acquire_workspace() const
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    if(idle.empty())
+    if(free_workspaces.empty())
       return {};
-    std::vector<double> result = std::move(idle.back());
-    idle.pop_back();
+    std::vector<double> result = std::move(free_workspaces.back());
+    free_workspaces.pop_back();
     return result;
   }
 
   mutable std::mutex mutex;
   // Of calls that have ended: the system takes long to give that much memory each time.
-  mutable std::vector<std::vector<double>> idle;
+  mutable std::vector<std::vector<double>> free_workspaces;
   cholmod_factor* factor = nullptr;
 };
 
@@ -153,18 +153,18 @@ struct Sparse_solver::Solver
 
 struct Sparse_solver::Solver
 {
-  Solver(const Sparse_matrix& matrix, Elimination) : pattern(matrix)
+  Solver(const Sparse_matrix& matrix, Elimination_order) : pattern(matrix)
   {
     ldlt.analyzePattern(pattern);
   }
-  Solver(const Solver& other) : Solver(other.pattern, Elimination::quick) {}
+  Solver(const Solver& other) : Solver(other.pattern, Elimination_order::fast) {}
 
   bool factorize(const Sparse_matrix& matrix)
   {
     ldlt.factorize(matrix);
     return ldlt.info() == Eigen::Success && !(ldlt.vectorD().minCoeff() <= 0.);
   }
-  Vector solve(const Vector& right) const { return ldlt.solve(right); }
+  Vector solve(const Vector& rhs) const { return ldlt.solve(rhs); }
   void solve(Eigen::MatrixXd& columns) const { columns = ldlt.solve(columns).eval(); }
 
   Sparse_matrix pattern; // Eigen's factorizations cannot be copied
@@ -173,8 +173,8 @@ struct Sparse_solver::Solver
 
 #endif
 
-Sparse_solver::Sparse_solver(const Sparse_matrix& matrix, Elimination elimination)
-    : m_solver(std::make_unique<Solver>(matrix, elimination))
+Sparse_solver::Sparse_solver(const Sparse_matrix& matrix, Elimination_order order)
+    : m_solver(std::make_unique<Solver>(matrix, order))
 {
   if(!factorize(matrix))
     throw Unsupported_surface_error("A linear system of the surface could not be factorized.");
@@ -190,18 +190,18 @@ bool Sparse_solver::factorize(const Sparse_matrix& matrix)
 {
   if(m_solver->factorize(matrix))
     return true;
-  Sparse_matrix grown = matrix;
+  Sparse_matrix regularized = matrix;
   const Vector diagonal = matrix.diagonal();
-  for(const double growth : {1e-14, 1e-13, 1e-12})
+  for(const double regularization : {1e-14, 1e-13, 1e-12})
   {
-    grown.diagonal() = (1. + growth) * diagonal;
-    if(m_solver->factorize(grown))
+    regularized.diagonal() = (1. + regularization) * diagonal;
+    if(m_solver->factorize(regularized))
       return true;
   }
   return false;
 }
 
-Vector Sparse_solver::solve(const Vector& right) const { return m_solver->solve(right); }
+Vector Sparse_solver::solve(const Vector& rhs) const { return m_solver->solve(rhs); }
 
 void Sparse_solver::solve_columns(Eigen::MatrixXd& columns) const { m_solver->solve(columns); }
 

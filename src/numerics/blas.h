@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_BLAS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_BLAS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_BLAS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_BLAS_H
 
 #if defined(GEODESIC_PROCESSING_HAS_CHOLMOD) && __has_include(<dlfcn.h>)
 #  include <dlfcn.h>
@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 // A function of a library, or nothing.
 template <typename Function>
-Function* loaded([[maybe_unused]] const char* name)
+Function* find_function([[maybe_unused]] const char* name)
 {
 #if defined(GEODESIC_PROCESSING_HAS_CHOLMOD) && defined(RTLD_DEFAULT)
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
@@ -26,33 +26,35 @@ Function* loaded([[maybe_unused]] const char* name)
 
 // While there is one, OpenBLAS uses one thread: sums would depend on the number, and more of them gain
 // nothing at a hundred thousand unknowns.  The last one gives back what there was before.
-class Blas_at_one_thread
+class Single_threaded_blas
 {
 public:
-  Blas_at_one_thread()
+  Single_threaded_blas()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    if(m_number++ == 0 && set && get)
+    if(m_number_of_instances++ == 0 && set_number_of_threads && get_number_of_threads)
     {
-      m_before = get();
-      set(1);
+      m_saved_number_of_threads = get_number_of_threads();
+      set_number_of_threads(1);
     }
   }
-  ~Blas_at_one_thread()
+  ~Single_threaded_blas()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    if(--m_number == 0 && set && get)
-      set(m_before);
+    if(--m_number_of_instances == 0 && set_number_of_threads && get_number_of_threads)
+      set_number_of_threads(m_saved_number_of_threads);
   }
-  Blas_at_one_thread(const Blas_at_one_thread&) = delete;
+  Single_threaded_blas(const Single_threaded_blas&) = delete;
 
 private:
-  inline static int (*const get)() = loaded<int()>("openblas_get_num_threads");
-  inline static void (*const set)(int) = loaded<void(int)>("openblas_set_num_threads");
+  inline static int (*const get_number_of_threads)() =
+      find_function<int()>("openblas_get_num_threads");
+  inline static void (*const set_number_of_threads)(int) =
+      find_function<void(int)>("openblas_set_num_threads");
   inline static std::mutex m_mutex;
-  inline static int m_number = 0, m_before = 1;
+  inline static int m_number_of_instances = 0, m_saved_number_of_threads = 1;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_BLAS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_BLAS_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/numerics/dense_product.h>
 
-#include "numerics/wide.h"
+#include "numerics/simd.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +29,7 @@ using Const_view = View<const Scalar>;
 template <typename Pack, typename Scalar>
 constexpr std::size_t lanes = sizeof(Pack) / sizeof(Scalar);
 
-constexpr std::size_t columns_at_once = 4;
+constexpr std::size_t tile_columns = 4;
 
 // A few columns of the product, in two registers of rows: `a` has those rows of its columns one after
 // another.
@@ -43,23 +43,23 @@ GEODESIC_PROCESSING_INLINE void multiply_tile(const Scalar* a, const Const_view<
   const Scalar* factor = b.at(0, column);
   for(std::size_t k = 0; k < b.rows; ++k, a += 2 * half)
   {
-    Pack first, second;
-    load(a, first);
-    load(a + half, second);
+    Pack low, high;
+    load(a, low);
+    load(a + half, high);
     for(std::size_t j = 0; j < columns; ++j)
     {
-      sum[j][0] += factor[j * b.stride + k] * first;
-      sum[j][1] += factor[j * b.stride + k] * second;
+      sum[j][0] += factor[j * b.stride + k] * low;
+      sum[j][1] += factor[j * b.stride + k] * high;
     }
   }
   for(std::size_t j = 0; j < columns; ++j, result += stride)
   {
-    Scalar part[2 * half];
-    Scalar* const target = rows == 2 * half ? result : part;
+    Scalar partial_tile[2 * half];
+    Scalar* const target = rows == 2 * half ? result : partial_tile;
     store(sum[j][0], target);
     store(sum[j][1], target + half);
     if(rows < 2 * half)
-      std::copy_n(part, rows, result);
+      std::copy_n(partial_tile, rows, result);
   }
 }
 
@@ -79,18 +79,18 @@ GEODESIC_PROCESSING_INLINE void multiply(const Const_view<Scalar>& a, const Cons
           block[i * a.columns + k * tile + r] = *a.at(begin + i + r, k);
     for(std::size_t j = 0; j < b.columns;)
     {
-      const bool is_full = j + columns_at_once <= b.columns;
+      const bool is_full = j + tile_columns <= b.columns;
       for(std::size_t i = 0; i < rows; i += tile)
       {
-        const Scalar* const part = block.data() + i * a.columns;
+        const Scalar* const a_tile = block.data() + i * a.columns;
         Scalar* const target = result.at(begin + i, j);
         const std::size_t n = std::min(tile, rows - i);
         if(is_full)
-          multiply_tile<Pack, columns_at_once>(part, b, j, target, result.stride, n);
+          multiply_tile<Pack, tile_columns>(a_tile, b, j, target, result.stride, n);
         else
-          multiply_tile<Pack, 1>(part, b, j, target, result.stride, n);
+          multiply_tile<Pack, 1>(a_tile, b, j, target, result.stride, n);
       }
-      j += is_full ? columns_at_once : 1;
+      j += is_full ? tile_columns : 1;
     }
   }
 }
@@ -107,23 +107,23 @@ add_inner_products(const Scalar* a, std::size_t stride_a, const Scalar* b, std::
   for(; k + size <= rows; k += size)
     for(std::size_t j = 0; j < columns_b; ++j)
     {
-      Pack factor, other;
-      load(b + j * stride_b + k, factor);
+      Pack b_pack, a_pack;
+      load(b + j * stride_b + k, b_pack);
       for(std::size_t i = 0; i < columns_a; ++i)
       {
-        load(a + i * stride_a + k, other);
-        sum[i][j] += other * factor;
+        load(a + i * stride_a + k, a_pack);
+        sum[i][j] += a_pack * b_pack;
       }
     }
   for(std::size_t j = 0; j < columns_b; ++j)
     for(std::size_t i = 0; i < columns_a; ++i)
     {
-      Scalar parts[size], total = 0;
-      store(sum[i][j], parts);
-      for(const Scalar part : parts)
-        total += part;
-      for(std::size_t rest = k; rest < rows; ++rest)
-        total += a[i * stride_a + rest] * b[j * stride_b + rest];
+      Scalar lane_sums[size], total = 0;
+      store(sum[i][j], lane_sums);
+      for(const Scalar lane_sum : lane_sums)
+        total += lane_sum;
+      for(std::size_t tail = k; tail < rows; ++tail)
+        total += a[i * stride_a + tail] * b[j * stride_b + tail];
       result[j * stride + i] += total;
     }
 }
@@ -134,8 +134,8 @@ add_inner_products(const Const_view<Scalar>& a, const Const_view<Scalar>& b, std
                    std::size_t rows, std::size_t j, const View<Scalar>& result)
 {
   std::size_t i = 0;
-  for(; i + columns_at_once <= a.columns; i += columns_at_once)
-    add_inner_products<Pack, columns_at_once, columns_b>(
+  for(; i + tile_columns <= a.columns; i += tile_columns)
+    add_inner_products<Pack, tile_columns, columns_b>(
         a.at(begin, i), a.stride, b.at(begin, j), b.stride, rows, result.at(i, j), result.stride);
   for(; i < a.columns; ++i)
     add_inner_products<Pack, 1, columns_b>(a.at(begin, i), a.stride, b.at(begin, j), b.stride, rows,
@@ -172,18 +172,18 @@ GEODESIC_PROCESSING_INLINE void multiply(bool is_transposed, const Const_view<Sc
 }
 
 template <typename Scalar>
-void multiply_narrow(bool is_transposed, const Const_view<Scalar>& a, const Const_view<Scalar>& b,
-                     const View<Scalar>& result)
+void multiply_baseline(bool is_transposed, const Const_view<Scalar>& a, const Const_view<Scalar>& b,
+                       const View<Scalar>& result)
 {
-  multiply<Narrow<Scalar>>(is_transposed, a, b, result);
+  multiply<Baseline_pack<Scalar>>(is_transposed, a, b, result);
 }
 
 template <typename Scalar>
-GEODESIC_PROCESSING_FOR_WIDE void multiply_wide(bool is_transposed, const Const_view<Scalar>& a,
-                                                const Const_view<Scalar>& b,
-                                                const View<Scalar>& result)
+GEODESIC_PROCESSING_TARGET_AVX2_FMA void
+multiply_avx2(bool is_transposed, const Const_view<Scalar>& a, const Const_view<Scalar>& b,
+              const View<Scalar>& result)
 {
-  multiply<Wide<Scalar>>(is_transposed, a, b, result);
+  multiply<Avx2_pack<Scalar>>(is_transposed, a, b, result);
 }
 
 template <typename Matrix_type>
@@ -200,25 +200,25 @@ void multiply(bool is_transposed, const Eigen::Ref<const Result>& a,
 {
   using Scalar = typename Result::Scalar;
   result.resize(is_transposed ? a.cols() : a.rows(), b.cols());
-  const auto run = has_wide_instructions() ? multiply_wide<Scalar> : multiply_narrow<Scalar>;
-  run(is_transposed, view(a), view(b), view(result));
+  const auto kernel = has_avx2() ? multiply_avx2<Scalar> : multiply_baseline<Scalar>;
+  kernel(is_transposed, view(a), view(b), view(result));
 }
 
 } // namespace
 
-void product(const Columns& a, const Columns& b, Matrix& result)
+void product(const Matrix_ref& a, const Matrix_ref& b, Matrix& result)
 {
   multiply<Matrix>(false, a, b, result);
 }
-void product(const Float_columns& a, const Float_columns& b, Float_matrix& result)
+void product(const Float_matrix_ref& a, const Float_matrix_ref& b, Float_matrix& result)
 {
   multiply<Float_matrix>(false, a, b, result);
 }
-void transposed_product(const Columns& a, const Columns& b, Matrix& result)
+void transposed_product(const Matrix_ref& a, const Matrix_ref& b, Matrix& result)
 {
   multiply<Matrix>(true, a, b, result);
 }
-void transposed_product(const Float_columns& a, const Float_columns& b, Float_matrix& result)
+void transposed_product(const Float_matrix_ref& a, const Float_matrix_ref& b, Float_matrix& result)
 {
   multiply<Float_matrix>(true, a, b, result);
 }

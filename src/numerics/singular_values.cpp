@@ -9,19 +9,21 @@
 namespace CGAL::Geodesic_processing::internal {
 
 Singular_values singular_values(const std::array<double, 3>& lengths,
-                                const std::array<Planar, 3>& image)
+                                const std::array<Vec2, 3>& image)
 {
-  const Planar p = image[1] - image[0], q = image[2] - image[0];
-  const Planar s = {lengths[0], 0.}, t = third_corner(lengths[0], lengths[2], lengths[1]);
-  const double area = cross(p, q), area_before = 0.5 * s[0] * t[1];
+  const Vec2 p = image[1] - image[0], q = image[2] - image[0];
+  const Vec2 s = {lengths[0], 0.}, t = third_corner(lengths[0], lengths[2], lengths[1]);
+  const double area = cross(p, q), source_area = 0.5 * s[0] * t[1];
   if(area == 0.)
-    return {infinity, infinity, false, area_before};
+    return {infinity, infinity, false, source_area};
   // The columns of the map: what it makes of the unit vectors, in the plane of the triangle.
   const double a = (s[0] * q[1] - t[0] * p[1]) / area, b = (t[0] * p[0] - s[0] * q[0]) / area;
   const double c = (s[1] * q[1] - t[1] * p[1]) / area, d = (t[1] * p[0] - s[1] * q[0]) / area;
   // A map is the sum of a rotation with a scale and of a reflection with one.
-  const double turning = 0.5 * std::hypot(a + d, c - b), mirroring = 0.5 * std::hypot(a - d, c + b);
-  return {turning + mirroring, std::abs(turning - mirroring), area < 0., area_before};
+  const double rotation_part = 0.5 * std::hypot(a + d, c - b),
+               reflection_part = 0.5 * std::hypot(a - d, c + b);
+  return {rotation_part + reflection_part, std::abs(rotation_part - reflection_part), area < 0.,
+          source_area};
 }
 
 } // namespace CGAL::Geodesic_processing::internal

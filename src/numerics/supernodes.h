@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUPERNODES_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SUPERNODES_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_SUPERNODES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_SUPERNODES_H
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
@@ -15,15 +15,15 @@ namespace CGAL::Geodesic_processing::internal {
 // arrays of another's, as CHOLMOD lays them out.
 struct Supernodes
 {
-  std::size_t size = 0;   // of the matrix
-  std::size_t number = 0; // of supernodes
+  std::size_t size = 0;                 // of the matrix
+  std::size_t number_of_supernodes = 0; // of supernodes
 
-  const int* order = nullptr;       // #size: the place in the matrix of each row of L
-  const int* first = nullptr;       // #number + 1: the first column of each
-  const int* first_row = nullptr;   // #number + 1: where the rows of each begin in `row`
-  const int* first_entry = nullptr; // #number: where its entries begin
-  const int* row = nullptr;         // ascending; those of the block's own columns come first
-  const double* entry = nullptr;    // column by column; above the diagonal they are not read
+  const int* permutation = nullptr;  // #size: the place in the matrix of each row of L
+  const int* column_begin = nullptr; // #number + 1: the first column of each
+  const int* row_begin = nullptr;    // #number + 1: where the rows of each begin in `row`
+  const int* entry_begin = nullptr;  // #number: where its entries begin
+  const int* row = nullptr;          // ascending; those of the block's own columns come first
+  const double* entry = nullptr;     // column by column; above the diagonal they are not read
 };
 
 // Each of `count` columns, one after another, is a right side, and becomes the solution.  Columns are
@@ -38,8 +38,8 @@ struct Supernodes
 // \param space  of any size: what later calls need not ask the system for again
 CGAL_GEODESIC_PROCESSING_EXPORT
 void substitute(const Supernodes& factor, double* columns, std::size_t count,
-                std::vector<double>& space);
+                std::vector<double>& workspace);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SUPERNODES_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_SUPERNODES_H

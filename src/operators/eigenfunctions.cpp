@@ -21,96 +21,97 @@ namespace {
 class Inverse_operator
 {
 public:
-  Inverse_operator(const Glued_triangles& triangles, const Operators& operators)
+  Inverse_operator(const Surface_arrays& triangles, const Operators& operators)
   {
     const Vector mass = lumped_mass(operators);
-    const std::vector<bool> is_border = border_sites(triangles);
+    const std::vector<bool> is_border = border_vertices(triangles);
     const auto [component, number] = components(operators);
-    std::vector<bool> is_open(number, false);
-    std::vector<Index> place(operators.number_of_sites, none);
-    for(Index site = 0; site < place.size(); ++site)
-      if(is_border[site])
-        is_open[component[site]] = true;
-      else if(mass[site] > 0.)
+    std::vector<bool> has_border(number, false);
+    std::vector<Index> reduced_index(operators.number_of_vertices, none);
+    for(Index vertex = 0; vertex < reduced_index.size(); ++vertex)
+      if(is_border[vertex])
+        has_border[component[vertex]] = true;
+      else if(mass[vertex] > 0.)
       {
-        place[site] = Index(m_sites.size());
-        m_sites.push_back(site);
+        reduced_index[vertex] = Index(m_free_vertices.size());
+        m_free_vertices.push_back(vertex);
       }
 
-    const auto n = Eigen::Index(m_sites.size());
-    m_root_of_mass.resize(n);
+    const auto n = Eigen::Index(m_free_vertices.size());
+    m_sqrt_mass.resize(n);
     for(Eigen::Index i = 0; i < n; ++i)
-      m_root_of_mass[i] = std::sqrt(mass[m_sites[i]]);
+      m_sqrt_mass[i] = std::sqrt(mass[m_free_vertices[i]]);
 
-    const Sparse_matrix whole = Laplacian(operators).matrix(operators);
+    const Sparse_matrix full_laplacian = Laplacian(operators).matrix(operators);
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(std::size_t(whole.nonZeros()));
-    for(int column = 0; column < whole.outerSize(); ++column)
-      for(Sparse_matrix::InnerIterator it(whole, column); it; ++it)
-        if(place[it.row()] != none && place[it.col()] != none)
-          entries.emplace_back(std::max(place[it.row()], place[it.col()]),
-                               std::min(place[it.row()], place[it.col()]), it.value());
+    entries.reserve(std::size_t(full_laplacian.nonZeros()));
+    for(int column = 0; column < full_laplacian.outerSize(); ++column)
+      for(Sparse_matrix::InnerIterator it(full_laplacian, column); it; ++it)
+        if(reduced_index[it.row()] != none && reduced_index[it.col()] != none)
+          entries.emplace_back(std::max(reduced_index[it.row()], reduced_index[it.col()]),
+                               std::min(reduced_index[it.row()], reduced_index[it.col()]),
+                               it.value());
     m_laplacian.resize(n, n);
     m_laplacian.setFromTriplets(entries.begin(), entries.end());
     if(n == 0)
       return;
 
     // One site of each closed component is held; constants are taken out by hand.
-    std::vector<Index> constant(number, none);
+    std::vector<Index> constant_index(number, none);
     Index constants = 0;
-    Sparse_matrix held = m_laplacian;
+    Sparse_matrix pinned = m_laplacian;
     for(Eigen::Index i = 0; i < n; ++i)
     {
-      const Index c = component[m_sites[i]];
-      if(is_open[c] || constant[c] != none)
+      const Index c = component[m_free_vertices[i]];
+      if(has_border[c] || constant_index[c] != none)
         continue;
-      constant[c] = constants++;
-      held.coeffRef(i, i) *= 2.;
+      constant_index[c] = constants++;
+      pinned.coeffRef(i, i) *= 2.;
     }
-    m_constants = Matrix::Zero(n, constants);
+    m_null_space = Matrix::Zero(n, constants);
     for(Eigen::Index i = 0; i < n; ++i)
-      if(const Index c = constant[component[m_sites[i]]]; c != none)
-        m_constants(i, c) = m_root_of_mass[i];
-    m_constants.colwise().normalize();
-    m_solver = std::make_unique<Sparse_solver>(held, Elimination::quick);
+      if(const Index c = constant_index[component[m_free_vertices[i]]]; c != none)
+        m_null_space(i, c) = m_sqrt_mass[i];
+    m_null_space.colwise().normalize();
+    m_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
   }
 
-  Eigen::Index size() const { return Eigen::Index(m_sites.size()); }
-  const Matrix& constants() const { return m_constants; }
+  Eigen::Index size() const { return Eigen::Index(m_free_vertices.size()); }
+  const Matrix& null_space() const { return m_null_space; }
 
   // To columns that are orthogonal to the constants.
   Matrix apply(const Matrix& columns) const
   {
-    Matrix result = m_root_of_mass.asDiagonal() * columns;
+    Matrix result = m_sqrt_mass.asDiagonal() * columns;
     m_solver->solve_columns(result);
-    return m_root_of_mass.asDiagonal() * result;
+    return m_sqrt_mass.asDiagonal() * result;
   }
 
   // How many functions have a value below a number, which lies in a gap; -1 when it could not be counted.
-  Eigen::Index number_below(double value) const
+  Eigen::Index number_of_eigenvalues_below(double value) const
   {
     Sparse_matrix shifted = m_laplacian;
-    shifted.diagonal() -= value * m_root_of_mass.cwiseAbs2();
+    shifted.diagonal() -= value * m_sqrt_mass.cwiseAbs2();
     const Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower> ldlt(shifted);
     if(ldlt.info() != Eigen::Success || !ldlt.vectorD().allFinite())
       return -1;
-    return (ldlt.vectorD().array() < 0.).count() - m_constants.cols();
+    return (ldlt.vectorD().array() < 0.).count() - m_null_space.cols();
   }
 
   // A column of values of functions at all sites.
-  Matrix functions(const Matrix& columns, std::size_t number_of_sites) const
+  Matrix functions(const Matrix& columns, std::size_t number_of_vertices) const
   {
-    Matrix result = Matrix::Zero(Eigen::Index(number_of_sites), columns.cols());
+    Matrix result = Matrix::Zero(Eigen::Index(number_of_vertices), columns.cols());
     for(Eigen::Index i = 0; i < size(); ++i)
-      result.row(m_sites[i]) = columns.row(i) / m_root_of_mass[i];
+      result.row(m_free_vertices[i]) = columns.row(i) / m_sqrt_mass[i];
     return result;
   }
 
 private:
-  std::vector<Index> m_sites; // where functions may be other than zero
-  Vector m_root_of_mass;      // of them
+  std::vector<Index> m_free_vertices; // where functions may be other than zero
+  Vector m_sqrt_mass;                 // of them
   Sparse_matrix m_laplacian;
-  Matrix m_constants; // as columns, orthonormal: what the Laplacian does not see
+  Matrix m_null_space; // as columns, orthonormal: what the Laplacian does not see
   std::unique_ptr<Sparse_solver> m_solver;
 };
 
@@ -120,60 +121,64 @@ class Block_lanczos
 {
 public:
   explicit Block_lanczos(const Inverse_operator& inverse)
-      : m_inverse(inverse), m_rest(inverse.size(), 0)
+      : m_inverse(inverse), m_residual(inverse.size(), 0)
   {}
 
   // Columns that can still be added.
-  Eigen::Index room() const { return m_inverse.size() - m_inverse.constants().cols() - m_size; }
+  Eigen::Index remaining_dimension() const
+  {
+    return m_inverse.size() - m_inverse.null_space().cols() - m_size;
+  }
 
   // Adds the next block, with some random columns in it: what no earlier one has seen of a group of
   // repeated values.
-  void expand(Eigen::Index random_columns)
+  void expand(Eigen::Index number_of_random_columns)
   {
-    Matrix block(m_inverse.size(), m_rest.cols() + random_columns);
-    block.leftCols(m_rest.cols()) = m_rest;
-    for(Eigen::Index j = m_rest.cols(); j < block.cols(); ++j)
+    Matrix block(m_inverse.size(), m_residual.cols() + number_of_random_columns);
+    block.leftCols(m_residual.cols()) = m_residual;
+    for(Eigen::Index j = m_residual.cols(); j < block.cols(); ++j)
       for(double& x : block.col(j))
-        x = m_value(m_random);
+        x = m_uniform(m_random);
     make_orthogonal(block);
-    const Eigen::Index added = std::min(make_orthonormal(block), room());
-    block.conservativeResize(Eigen::NoChange, added);
+    const Eigen::Index number_added = std::min(make_orthonormal(block), remaining_dimension());
+    block.conservativeResize(Eigen::NoChange, number_added);
 
-    if(m_columns.cols() < m_size + added)
-      m_columns.conservativeResize(m_inverse.size(), 2 * (m_size + added));
-    if(m_columns.rows() == 0)
-      m_columns.resize(m_inverse.size(), 2 * (m_size + added));
-    m_columns.middleCols(m_size, added) = block;
-    m_size += added;
-    m_last = added;
+    if(m_basis.cols() < m_size + number_added)
+      m_basis.conservativeResize(m_inverse.size(), 2 * (m_size + number_added));
+    if(m_basis.rows() == 0)
+      m_basis.resize(m_inverse.size(), 2 * (m_size + number_added));
+    m_basis.middleCols(m_size, number_added) = block;
+    m_size += number_added;
+    m_last_block_size = number_added;
 
-    m_rest = m_inverse.apply(block);
-    const Matrix share = make_orthogonal(m_rest);
-    m_projected.conservativeResize(m_size, m_size);
-    m_projected.rightCols(added) = share;
-    m_projected.bottomRows(added) = share.transpose();
+    m_residual = m_inverse.apply(block);
+    const Matrix coefficients = make_orthogonal(m_residual);
+    m_projected_operator.conservativeResize(m_size, m_size);
+    m_projected_operator.rightCols(number_added) = coefficients;
+    m_projected_operator.bottomRows(number_added) = coefficients.transpose();
   }
 
   // The best approximations in the span of all columns, largest values first, and which are good: a
   // residual within 1e-8 of the value leaves one of 1e-16 in the value.
   void solve()
   {
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(m_projected);
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(m_projected_operator);
     m_values = solver.eigenvalues().reverse();
     m_vectors = solver.eigenvectors().rowwise().reverse();
-    const Matrix residual = m_rest * m_vectors.bottomRows(m_last);
-    m_good = 0;
-    while(m_good < m_size &&
-          (room() == 0 || residual.col(m_good).norm() <= 1e-8 * m_values[m_good]))
-      ++m_good;
+    const Matrix residual = m_residual * m_vectors.bottomRows(m_last_block_size);
+    m_number_of_converged = 0;
+    while(m_number_of_converged < m_size &&
+          (remaining_dimension() == 0 ||
+           residual.col(m_number_of_converged).norm() <= 1e-8 * m_values[m_number_of_converged]))
+      ++m_number_of_converged;
   }
   Eigen::Index size() const { return m_size; }
-  Eigen::Index number_of_good_ones() const { return m_good; }
+  Eigen::Index number_of_converged() const { return m_number_of_converged; }
   double value(Eigen::Index i) const { return 1. / m_values[i]; }
   Matrix vectors(Eigen::Index number) const
   {
     Matrix result;
-    product(m_columns.leftCols(m_size), m_vectors.leftCols(number), result);
+    product(m_basis.leftCols(m_size), m_vectors.leftCols(number), result);
     return result;
   }
 
@@ -182,19 +187,19 @@ private:
   // the columns.
   Matrix make_orthogonal(Matrix& block) const
   {
-    Matrix shares = Matrix::Zero(m_size, block.cols());
-    Matrix share, part;
+    Matrix total_coefficients = Matrix::Zero(m_size, block.cols());
+    Matrix coefficients, projected;
     for(int sweep = 0; sweep < 2; ++sweep)
     {
-      block -= m_inverse.constants() * (m_inverse.constants().transpose() * block);
+      block -= m_inverse.null_space() * (m_inverse.null_space().transpose() * block);
       if(m_size == 0)
         continue;
-      transposed_product(m_columns.leftCols(m_size), block, share);
-      product(m_columns.leftCols(m_size), share, part);
-      block -= part;
-      shares += share;
+      transposed_product(m_basis.leftCols(m_size), block, coefficients);
+      product(m_basis.leftCols(m_size), coefficients, projected);
+      block -= projected;
+      total_coefficients += coefficients;
     }
-    return shares;
+    return total_coefficients;
   }
 
   // Modified Gram-Schmidt; columns in which rounding alone is left are dropped.
@@ -217,22 +222,22 @@ private:
 
   const Inverse_operator& m_inverse;
   std::mt19937 m_random{1};
-  std::uniform_real_distribution<double> m_value{-1., 1.};
-  Matrix m_columns;        // more than m_size
-  Eigen::Index m_size = 0; // columns that there are
-  Eigen::Index m_last = 0; // columns of the last block
-  Matrix m_projected;      // the operator among the columns
-  Matrix m_rest;           // what the operator makes of the last block, without the columns' share
+  std::uniform_real_distribution<double> m_uniform{-1., 1.};
+  Matrix m_basis;                     // more than m_size
+  Eigen::Index m_size = 0;            // columns that there are
+  Eigen::Index m_last_block_size = 0; // columns of the last block
+  Matrix m_projected_operator;        // the operator among the columns
+  Matrix m_residual; // what the operator makes of the last block, without the columns' share
   Vector m_values;
   Matrix m_vectors;
-  Eigen::Index m_good = 0;
+  Eigen::Index m_number_of_converged = 0;
 };
 
 // The least number of functions, `number` or more, after which there is a gap; none of those that are
 // known, though one more must be.
-Eigen::Index up_to_gap(const Block_lanczos& lanczos, Eigen::Index number)
+Eigen::Index size_up_to_gap(const Block_lanczos& lanczos, Eigen::Index number)
 {
-  for(Eigen::Index k = number; k < lanczos.number_of_good_ones(); ++k)
+  for(Eigen::Index k = number; k < lanczos.number_of_converged(); ++k)
     if(lanczos.value(k) - lanczos.value(k - 1) > spectral_gap(std::size_t(k)) * lanczos.value(k))
       return k;
   return 0;
@@ -240,57 +245,60 @@ Eigen::Index up_to_gap(const Block_lanczos& lanczos, Eigen::Index number)
 
 } // namespace
 
-std::vector<bool> border_sites(const Glued_triangles& triangles)
+std::vector<bool> border_vertices(const Surface_arrays& triangles)
 {
-  std::vector<bool> result(triangles.number_of_sites(), false);
-  for(Index side = 0; side < triangles.twin.size(); ++side)
-    if(triangles.twin[side] == none)
-      result[triangles.corner[side]] = result[triangles.corner[next_side(side)]] = true;
+  std::vector<bool> result(triangles.number_of_vertices(), false);
+  for(Index h = 0; h < triangles.twin.size(); ++h)
+    if(triangles.twin[h] == none)
+      result[triangles.corner[h]] = result[triangles.corner[next_halfedge(h)]] = true;
   return result;
 }
 
-Eigenfunctions eigenfunctions(const Glued_triangles& triangles, const Operators& operators,
+Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& operators,
                               std::size_t number)
 {
   const Inverse_operator inverse(triangles, operators);
-  const Eigen::Index all = inverse.size() - inverse.constants().cols();
-  const Eigen::Index wanted = Eigen::Index(std::min(number, std::size_t(all)));
+  const Eigen::Index dimension = inverse.size() - inverse.null_space().cols();
+  const Eigen::Index requested = Eigen::Index(std::min(number, std::size_t(dimension)));
   Eigenfunctions result;
-  if(wanted == 0)
+  if(requested == 0)
   {
-    result.function.resize(Eigen::Index(operators.number_of_sites), 0);
+    result.function.resize(Eigen::Index(operators.number_of_vertices), 0);
     return result;
   }
 
   constexpr Eigen::Index block = 8; // as quick as 4, and half of the time of 32
   Block_lanczos lanczos(inverse);
   lanczos.expand(block);
-  Eigen::Index chosen = 0, next = std::min(all, wanted + wanted / 2 + 2 * block);
-  for(int recounts = 0; chosen == 0;)
+  Eigen::Index number_chosen = 0,
+               next_size = std::min(dimension, requested + requested / 2 + 2 * block);
+  for(int recounts = 0; number_chosen == 0;)
   {
-    while(lanczos.room() > 0 && lanczos.size() < next)
+    while(lanczos.remaining_dimension() > 0 && lanczos.size() < next_size)
       lanczos.expand(0);
-    next = lanczos.size() + lanczos.size() / 8 + block;
+    next_size = lanczos.size() + lanczos.size() / 8 + block;
     lanczos.solve();
-    chosen = lanczos.room() == 0 && wanted == all ? all : up_to_gap(lanczos, wanted);
-    if(lanczos.room() == 0 && chosen == 0)
-      chosen = all;
-    if(chosen == 0 || chosen == all || recounts == 5)
+    number_chosen = lanczos.remaining_dimension() == 0 && requested == dimension
+                        ? dimension
+                        : size_up_to_gap(lanczos, requested);
+    if(lanczos.remaining_dimension() == 0 && number_chosen == 0)
+      number_chosen = dimension;
+    if(number_chosen == 0 || number_chosen == dimension || recounts == 5)
       continue;
     // In the middle of the gap.
-    const double between = 0.5 * (lanczos.value(chosen - 1) + lanczos.value(chosen));
-    const Eigen::Index missing = inverse.number_below(between) - chosen;
+    const double cutoff = 0.5 * (lanczos.value(number_chosen - 1) + lanczos.value(number_chosen));
+    const Eigen::Index missing = inverse.number_of_eigenvalues_below(cutoff) - number_chosen;
     if(missing <= 0)
       continue;
     lanczos.expand(missing + block);
-    chosen = 0;
+    number_chosen = 0;
     ++recounts;
   }
 
-  result.value.resize(chosen);
-  for(Eigen::Index i = 0; i < chosen; ++i)
+  result.value.resize(number_chosen);
+  for(Eigen::Index i = 0; i < number_chosen; ++i)
     result.value[i] = lanczos.value(i);
-  result.function = inverse.functions(lanczos.vectors(chosen), operators.number_of_sites);
+  result.function = inverse.functions(lanczos.vectors(number_chosen), operators.number_of_vertices);
   return result;
 }
 

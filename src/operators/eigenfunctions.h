@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_EIGENFUNCTIONS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_EIGENFUNCTIONS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_EIGENFUNCTIONS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_EIGENFUNCTIONS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/dense_product.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
@@ -31,13 +31,13 @@ constexpr double spectral_gap(std::size_t k) { return k > 50 ? 1. / double(k) : 
 // has no known border.  Deterministic; by a block Lanczos method of the inverse, and that none is missing
 // is counted by Sylvester's law of inertia.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Eigenfunctions eigenfunctions(const Glued_triangles& triangles, const Operators& operators,
+Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& operators,
                               std::size_t number);
 
 // Which sites lie on the border: one of their sides is glued to none.  None of a cloud's.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<bool> border_sites(const Glued_triangles& triangles);
+std::vector<bool> border_vertices(const Surface_arrays& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_EIGENFUNCTIONS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_EIGENFUNCTIONS_H

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_HARMONIC_FIELDS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_HARMONIC_FIELDS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HARMONIC_FIELDS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HARMONIC_FIELDS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
 #include <vector>
@@ -21,13 +21,13 @@ namespace CGAL::Geodesic_processing::internal {
 // laplacian  of the same operators, held.  Throws Unsupported_surface_error on a cloud, where nothing
 // is glued.  One solution and a sweep over all the fields before for each.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Field> harmonic_fields(const Glued_triangles& triangles, const Operators& operators,
+std::vector<Field> harmonic_fields(const Surface_arrays& triangles, const Operators& operators,
                                    const Sparse_solver& laplacian);
 
 // How many of them there are.  O(n)
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::size_t number_of_harmonic_fields(const Glued_triangles& triangles);
+std::size_t number_of_harmonic_fields(const Surface_arrays& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_HARMONIC_FIELDS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HARMONIC_FIELDS_H

@@ -10,45 +10,47 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-Operators operators(const Glued_triangles& triangles, Flat_triangles flat)
+Operators operators(const Surface_arrays& triangles, Degenerate_triangles degenerate)
 {
   Operators result;
   const std::size_t n = triangles.number_of_triangles();
   result.corner = triangles.corner;
-  result.number_of_sites = triangles.number_of_sites();
+  result.number_of_vertices = triangles.number_of_vertices();
   result.area.assign(n, 0.);
-  result.hat.assign(3 * n, Planar{0., 0.});
+  result.hat_gradient.assign(3 * n, Vec2{0., 0.});
   for(std::size_t f = 0; f < n; ++f)
   {
     const double* length = &triangles.length[3 * f];
-    double twice = twice_area(length[0], length[1], length[2]);
+    double doubled_area = twice_area(length[0], length[1], length[2]);
     const auto [shortest, longest] = std::minmax({length[0], length[1], length[2]});
-    auto place = unfolded(triangles, Index(f));
-    if(const double least = 1e-7 * shortest * longest; !(twice > least))
+    auto points = unfolded(triangles, Index(f));
+    if(const double min_doubled_area = 1e-7 * shortest * longest;
+       !(doubled_area > min_doubled_area))
     {
-      if(flat == Flat_triangles::left_out || !(least > 0.))
+      if(degenerate == Degenerate_triangles::skipped || !(min_doubled_area > 0.))
         continue;
-      twice = least;
-      place[2][1] = twice / length[0];
+      doubled_area = min_doubled_area;
+      points[2][1] = doubled_area / length[0];
     }
-    result.area[f] = 0.5 * twice * (triangles.weight.empty() ? 1. : triangles.weight[f]);
+    result.area[f] = 0.5 * doubled_area * (triangles.weight.empty() ? 1. : triangles.weight[f]);
     for(std::size_t k = 0; k < 3; ++k)
-      result.hat[3 * f + k] = (1. / twice) * turned_left(place[(k + 2) % 3] - place[(k + 1) % 3]);
+      result.hat_gradient[3 * f + k] =
+          (1. / doubled_area) * rotated_left(points[(k + 2) % 3] - points[(k + 1) % 3]);
   }
   return result;
 }
 
-Operators measured_operators(const Glued_triangles& t, const std::vector<Tensor>& measure)
+Operators metric_operators(const Surface_arrays& t, const std::vector<Metric_tensor>& metric)
 {
-  Operators result = operators(t, Flat_triangles::raised);
-  for(std::size_t f = 0; f < measure.size(); ++f)
+  Operators result = operators(t, Degenerate_triangles::thickened);
+  for(std::size_t f = 0; f < metric.size(); ++f)
   {
-    const bool blocked = is_blocked(measure[f]);
-    if(blocked)
+    const bool is_wall = is_blocked(metric[f]);
+    if(is_wall)
       result.area[f] = 0.;
     for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
-      result.hat[corner] =
-          blocked ? Planar{0., 0.} : product(inverse(measure[f]), result.hat[corner]);
+      result.hat_gradient[corner] =
+          is_wall ? Vec2{0., 0.} : product(inverse(metric[f]), result.hat_gradient[corner]);
   }
   return result;
 }
@@ -59,9 +61,10 @@ void gradient(const Operators& operators, const Vector& function, Field& result)
   for(std::size_t f = 0; f < result.size(); ++f)
   {
     const Index* corner = &operators.corner[3 * f];
-    const Planar* hat = &operators.hat[3 * f];
-    const double first = function[corner[0]];
-    result[f] = (function[corner[1]] - first) * hat[1] + (function[corner[2]] - first) * hat[2];
+    const Vec2* hat_gradient = &operators.hat_gradient[3 * f];
+    const double value_0 = function[corner[0]];
+    result[f] = (function[corner[1]] - value_0) * hat_gradient[1] +
+                (function[corner[2]] - value_0) * hat_gradient[2];
   }
 }
 
@@ -72,22 +75,22 @@ Field gradient(const Operators& operators, const Vector& function)
   return result;
 }
 
-Vector divergence(const Operators& operators, const Field& field)
+Vector minus_divergence(const Operators& operators, const Field& field)
 {
-  Vector result = Vector::Zero(Eigen::Index(operators.number_of_sites));
+  Vector result = Vector::Zero(Eigen::Index(operators.number_of_vertices));
   for(std::size_t f = 0; f < field.size(); ++f)
   {
-    const Planar flow = operators.area[f] * field[f];
+    const Vec2 flow = operators.area[f] * field[f];
     for(std::size_t k = 0; k < 3; ++k)
-      result[operators.corner[3 * f + k]] += dot(flow, operators.hat[3 * f + k]);
+      result[operators.corner[3 * f + k]] += dot(flow, operators.hat_gradient[3 * f + k]);
   }
   return result;
 }
 
-Field turned_left(Field field)
+Field rotated_left(Field field)
 {
-  for(Planar& vector : field)
-    vector = turned_left(vector);
+  for(Vec2& vector : field)
+    vector = rotated_left(vector);
   return field;
 }
 
@@ -101,16 +104,16 @@ double inner_product(const Operators& operators, const Field& a, const Field& b)
 
 Vector lumped_mass(const Operators& operators)
 {
-  Vector result = Vector::Zero(Eigen::Index(operators.number_of_sites));
+  Vector result = Vector::Zero(Eigen::Index(operators.number_of_vertices));
   for(std::size_t c = 0; c < operators.corner.size(); ++c)
     result[operators.corner[c]] += operators.area[c / 3] / 3.;
   return result;
 }
 
-Vector mean_lengths(const Glued_triangles& triangles, const Field& field)
+Vector mean_magnitudes(const Surface_arrays& triangles, const Field& field)
 {
   const Operators o = operators(triangles);
-  Vector sum = Vector::Zero(Eigen::Index(o.number_of_sites)), area = sum;
+  Vector sum = Vector::Zero(Eigen::Index(o.number_of_vertices)), area = sum;
   for(std::size_t c = 0; c < o.corner.size() && !field.empty(); ++c)
   {
     sum[o.corner[c]] += o.area[c / 3] * norm(field[c / 3]);
@@ -124,13 +127,13 @@ Vector mean_lengths(const Glued_triangles& triangles, const Field& field)
 
 std::pair<std::vector<Index>, std::size_t> components(const Operators& operators)
 {
-  std::vector<Index> parent(operators.number_of_sites);
+  std::vector<Index> parent(operators.number_of_vertices);
   std::iota(parent.begin(), parent.end(), Index(0));
-  const auto root = [&](Index site)
+  const auto root = [&](Index vertex)
   {
-    while(parent[site] != site)
-      site = parent[site] = parent[parent[site]];
-    return site;
+    while(parent[vertex] != vertex)
+      vertex = parent[vertex] = parent[parent[vertex]];
+    return vertex;
   };
   for(std::size_t c = 0; c < operators.corner.size(); ++c)
     if(operators.area[c / 3] > 0.)
@@ -140,21 +143,21 @@ std::pair<std::vector<Index>, std::size_t> components(const Operators& operators
     }
   std::vector<Index> label(parent.size());
   std::size_t count = 0;
-  for(Index site = 0; site < parent.size(); ++site) // roots come first
-    label[site] = parent[site] == site ? Index(count++) : label[root(site)];
+  for(Index vertex = 0; vertex < parent.size(); ++vertex) // roots come first
+    label[vertex] = parent[vertex] == vertex ? Index(count++) : label[root(vertex)];
   return {std::move(label), count};
 }
 
 Laplacian::Laplacian(const Operators& operators)
 {
-  const auto n = Eigen::Index(operators.number_of_sites);
+  const auto n = Eigen::Index(operators.number_of_vertices);
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(operators.corner.size() + operators.number_of_sites);
-  for(Eigen::Index site = 0; site < n; ++site)
-    entries.emplace_back(site, site, 0.);
-  for(Index side = 0; side < operators.corner.size(); ++side)
+  entries.reserve(operators.corner.size() + operators.number_of_vertices);
+  for(Eigen::Index vertex = 0; vertex < n; ++vertex)
+    entries.emplace_back(vertex, vertex, 0.);
+  for(Index h = 0; h < operators.corner.size(); ++h)
   {
-    const Index a = operators.corner[side], b = operators.corner[next_side(side)];
+    const Index a = operators.corner[h], b = operators.corner[next_halfedge(h)];
     entries.emplace_back(std::max(a, b), std::min(a, b), 0.);
   }
   m_pattern.resize(n, n);
@@ -162,63 +165,65 @@ Laplacian::Laplacian(const Operators& operators)
 
   const int* row = m_pattern.innerIndexPtr();
   const int* column = m_pattern.outerIndexPtr();
-  const auto place = [&](Index a, Index b)
+  const auto entry_index = [&](Index a, Index b)
   {
     const Index low = std::min(a, b), high = std::max(a, b);
     return Index(std::lower_bound(row + column[low], row + column[low + 1], int(high)) - row);
   };
-  m_place.resize(operators.number_of_triangles());
-  for(std::size_t f = 0; f < m_place.size(); ++f)
+  m_entries.resize(operators.number_of_triangles());
+  for(std::size_t f = 0; f < m_entries.size(); ++f)
     for(std::size_t k = 0; k < 3; ++k)
     {
       const Index a = operators.corner[3 * f + k], b = operators.corner[3 * f + (k + 1) % 3];
-      m_place[f][k] = place(a, a);
-      m_place[f][3 + k] = place(a, b);
+      m_entries[f][k] = entry_index(a, a);
+      m_entries[f][3 + k] = entry_index(a, b);
     }
 
   const auto [component, number] = components(operators);
-  m_held.assign(number, none);
-  for(Index site = 0; site < component.size(); ++site)
-    if(m_held[component[site]] == none)
-      m_held[component[site]] = place(site, site);
+  m_pinned.assign(number, none);
+  for(Index vertex = 0; vertex < component.size(); ++vertex)
+    if(m_pinned[component[vertex]] == none)
+      m_pinned[component[vertex]] = entry_index(vertex, vertex);
 }
 
 Sparse_matrix Laplacian::matrix(const Operators& operators) const
 {
   Sparse_matrix result = m_pattern;
-  assemble(operators, std::vector<Tensor>(m_place.size(), Tensor{1., 0., 1.}), result);
+  assemble(operators, std::vector<Metric_tensor>(m_entries.size(), Metric_tensor{1., 0., 1.}),
+           result);
   return result;
 }
 
-void Laplacian::assemble(const Operators& operators, const std::vector<Tensor>& tensors,
+void Laplacian::assemble(const Operators& operators, const std::vector<Metric_tensor>& tensors,
                          Sparse_matrix& matrix) const
 {
-  double* const entry = matrix.valuePtr();
-  std::fill_n(entry, matrix.nonZeros(), 0.);
-  for(std::size_t f = 0; f < m_place.size(); ++f)
+  double* const values = matrix.valuePtr();
+  std::fill_n(values, matrix.nonZeros(), 0.);
+  for(std::size_t f = 0; f < m_entries.size(); ++f)
   {
-    const Tensor& tensor = tensors[f];
-    const Planar* hat = &operators.hat[3 * f];
-    std::array<Planar, 3> flow;
+    const Metric_tensor& tensor = tensors[f];
+    const Vec2* hat_gradient = &operators.hat_gradient[3 * f];
+    std::array<Vec2, 3> flow;
     for(std::size_t k = 0; k < 3; ++k)
-      flow[k] = operators.area[f] * product(tensor, hat[k]);
-    const auto& place = m_place[f];
+      flow[k] = operators.area[f] * product(tensor, hat_gradient[k]);
+    const auto& entries = m_entries[f];
     for(std::size_t k = 0; k < 3; ++k)
     {
-      const std::size_t next = (k + 1) % 3;
-      entry[place[k]] += dot(flow[k], hat[k]);
+      const std::size_t next_k = (k + 1) % 3;
+      values[entries[k]] += dot(flow[k], hat_gradient[k]);
       // Both orders of a pair meet on the diagonal where a side ends at the site that it leaves.
-      entry[place[3 + k]] += (place[k] == place[next] ? 2. : 1.) * dot(flow[k], hat[next]);
+      values[entries[3 + k]] +=
+          (entries[k] == entries[next_k] ? 2. : 1.) * dot(flow[k], hat_gradient[next_k]);
     }
   }
 }
 
-void Laplacian::hold(Sparse_matrix& matrix, const std::vector<bool>& is_definite) const
+void Laplacian::pin(Sparse_matrix& matrix, const std::vector<bool>& is_definite) const
 {
-  double* const entry = matrix.valuePtr();
-  for(std::size_t i = 0; i < m_held.size(); ++i)
+  double* const values = matrix.valuePtr();
+  for(std::size_t i = 0; i < m_pinned.size(); ++i)
     if(i >= is_definite.size() || !is_definite[i])
-      entry[m_held[i]] = entry[m_held[i]] > 0. ? 2. * entry[m_held[i]] : 1.;
+      values[m_pinned[i]] = values[m_pinned[i]] > 0. ? 2. * values[m_pinned[i]] : 1.;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

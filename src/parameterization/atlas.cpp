@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/atlas.h>
 
-#include <CGAL/Geodesic_processing/internal/parameterization/injective.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
 #include "parameterization/packing.h"
 #include "mesh/patches.h"
 #include "core/unfold.h"
@@ -14,40 +14,43 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Discs for the triangles of no patch: those of components without a centre.  Returns the number of all.
-Index fill_up(const Glued_triangles& t, std::vector<Index>& patch, Index number)
+Index label_remaining_components(const Surface_arrays& t, std::vector<Index>& patch,
+                                 Index number_of_patches)
 {
-  const Index given = number;
+  const Index first_new_label = number_of_patches;
   std::vector<Index> stack;
   for(Index f = 0; f < patch.size(); ++f)
   {
     if(patch[f] != none)
       continue;
-    patch[f] = number;
+    patch[f] = number_of_patches;
     stack.push_back(f);
     while(!stack.empty())
     {
       const Index from = stack.back();
       stack.pop_back();
-      for(Index side = 3 * from; side < 3 * from + 3; ++side)
-        if(const Index twin = t.twin[side]; twin != none && patch[twin / 3] == none)
+      for(Index h = 3 * from; h < 3 * from + 3; ++h)
+        if(const Index twin = t.twin[h]; twin != none && patch[twin / 3] == none)
         {
-          patch[twin / 3] = number;
+          patch[twin / 3] = number_of_patches;
           stack.push_back(twin / 3);
         }
     }
-    ++number;
+    ++number_of_patches;
   }
-  return number == given ? number : number + Index(split_into_discs(t, patch, number).size());
+  return number_of_patches == first_new_label
+             ? number_of_patches
+             : number_of_patches + Index(split_into_disks(t, patch, number_of_patches).size());
 }
 
 } // namespace
 
-Atlas make_atlas(std::shared_ptr<const Glued_triangles> triangles, const Front& front,
+Atlas make_atlas(std::shared_ptr<const Surface_arrays> triangles, const Front& front,
                  std::shared_ptr<const std::vector<double>> slowness, const Atlas_options& options)
 {
-  const Glued_triangles& t = *triangles;
+  const Surface_arrays& t = *triangles;
   const std::function<bool(double)>& callback = options.tessellation.callback;
-  const auto part_of = [&](double from, double to) -> std::function<bool(double)>
+  const auto subrange = [&](double from, double to) -> std::function<bool(double)>
   {
     if(!callback)
       return {};
@@ -56,21 +59,23 @@ Atlas make_atlas(std::shared_ptr<const Glued_triangles> triangles, const Front& 
 
   Atlas result;
   Tessellation_options tessellation = options.tessellation;
-  tessellation.makes_discs = true;
-  tessellation.callback = part_of(0., 0.4);
+  tessellation.does_make_disks = true;
+  tessellation.callback = subrange(0., 0.4);
   Tessellation cells = tessellate(triangles, front, std::move(slowness), tessellation);
   result.is_complete = cells.is_finished;
   if(!result.is_complete)
     return result;
   result.chart = std::move(cells.labels);
-  const Index patches = fill_up(t, result.chart, Index(cells.centers.size()));
+  const Index number_of_patches =
+      label_remaining_components(t, result.chart, Index(cells.centers.size()));
 
-  check_room(patches, options.texels, options.gutter);
+  check_fits(number_of_patches, options.texels, options.gutter);
 
   Chart_options flattening = options.charts;
   flattening.threads = tessellation.threads;
-  flattening.callback = part_of(0.4, 0.8);
-  const std::vector<Chart> charts = injective_charts(t, result.chart, patches, flattening);
+  flattening.callback = subrange(0.4, 0.8);
+  const std::vector<Chart> charts =
+      injective_charts(t, result.chart, number_of_patches, flattening);
   result.is_complete = !charts.empty() || result.chart.empty();
   if(!result.is_complete)
     return result;
@@ -85,18 +90,18 @@ Atlas make_atlas(std::shared_ptr<const Glued_triangles> triangles, const Front& 
   result.coordinates.resize(t.corner.size());
   for(Index i = 0; i < charts.size(); ++i)
   {
-    Chart placed = charts[i];
-    for(Planar& p : placed.image)
+    Chart placed_chart = charts[i];
+    for(Vec2& p : placed_chart.image)
       p = (1. / double(options.texels)) * packing(i, p);
-    result.number_of_flips += number_of_flips(placed);
-    result.number_of_overlaps += meeting_sides(outline(placed)).has_value();
-    for(std::size_t f = 0; f < placed.triangles.size(); ++f)
+    result.number_of_flips += number_of_flips(placed_chart);
+    result.number_of_overlaps += find_self_intersection(outline(placed_chart)).has_value();
+    for(std::size_t f = 0; f < placed_chart.triangles.size(); ++f)
     {
-      std::array<Planar, 3> corners;
+      std::array<Vec2, 3> corners;
       for(std::size_t k = 0; k < 3; ++k)
-        corners[k] = result.coordinates[3 * std::size_t(placed.triangles[f]) + k] =
-            placed.image[placed.shape.corner[3 * f + k]];
-      result.chart[placed.triangles[f]] = i;
+        corners[k] = result.coordinates[3 * std::size_t(placed_chart.triangles[f]) + k] =
+            placed_chart.image[placed_chart.surface.corner[3 * f + k]];
+      result.chart[placed_chart.triangles[f]] = i;
       result.coverage += cross(corners[1] - corners[0], corners[2] - corners[0]) / 2.;
     }
   }

@@ -16,64 +16,65 @@ namespace {
 
 // Of base points, in parts of the width of a patch. Corridors of a maze are turned round with 0.99, and not
 // with 0.92 or less.
-constexpr double widest_spacing = 0.85;
+constexpr double max_spacing_ratio = 0.85;
 
 // Of each sample the distance that reaches its `nearest` nearest ones, itself among them, along chains of
 // samples whose cells touch: not below the true one.
-std::vector<double> reaches(const Glued_triangles& t, const Sampling& sampling, std::size_t nearest)
+std::vector<double> neighborhood_radii(const Surface_arrays& t, const Sampling& sampling,
+                                       std::size_t number_of_nearest)
 {
-  using Link = std::pair<double, Index>; // length, sample
-  const std::size_t number = sampling.samples().size();
-  std::vector<std::vector<Link>> links(number);
-  const auto join = [&](Index a, Index b, double length)
+  using Sample_edge = std::pair<double, Index>; // length, sample
+  const std::size_t number_of_samples = sampling.samples().size();
+  std::vector<std::vector<Sample_edge>> adjacency(number_of_samples);
+  const auto connect = [&](Index a, Index b, double length)
   {
     const Index i = sampling.labels()[a], j = sampling.labels()[b];
     if(i == j || i == none || j == none)
       return;
     length += sampling.distances()[a] + sampling.distances()[b];
-    const auto shorten = [&](Index from, Index to)
+    const auto relax_edge = [&](Index from, Index to)
     {
-      const auto found = std::find_if(links[from].begin(), links[from].end(),
-                                      [&](const Link& link) { return link.second == to; });
-      if(found == links[from].end())
-        links[from].emplace_back(length, to);
+      const auto found = std::find_if(adjacency[from].begin(), adjacency[from].end(),
+                                      [&](const Sample_edge& edge) { return edge.second == to; });
+      if(found == adjacency[from].end())
+        adjacency[from].emplace_back(length, to);
       else
         found->first = std::min(found->first, length);
     };
-    shorten(i, j);
-    shorten(j, i);
+    relax_edge(i, j);
+    relax_edge(j, i);
   };
-  for(Index side = 0; side < t.corner.size(); ++side)
-    join(t.corner[side], t.corner[next_side(side)], t.length[side]);
-  for(Index site = 0; t.is_cloud() && site < t.number_of_sites(); ++site)
-    for(Index arc = t.graph.first[site]; arc < t.graph.first[site + 1]; ++arc)
-      join(site, t.graph.target[arc], t.graph.length[arc]);
+  for(Index h = 0; h < t.corner.size(); ++h)
+    connect(t.corner[h], t.corner[next_halfedge(h)], t.length[h]);
+  for(Index vertex = 0; t.is_cloud() && vertex < t.number_of_vertices(); ++vertex)
+    for(Index edge = t.graph.begin[vertex]; edge < t.graph.begin[vertex + 1]; ++edge)
+      connect(vertex, t.graph.target[edge], t.graph.length[edge]);
 
-  std::vector<double> result(number, infinity), length(number, infinity);
-  for(Index start = 0; start < number; ++start)
+  std::vector<double> result(number_of_samples, infinity), length(number_of_samples, infinity);
+  for(Index start = 0; start < number_of_samples; ++start)
   {
-    std::priority_queue<Link, std::vector<Link>, std::greater<>> queue;
-    std::vector<Index> touched = {start};
+    std::priority_queue<Sample_edge, std::vector<Sample_edge>, std::greater<>> queue;
+    std::vector<Index> visited = {start};
     std::size_t found = 0;
     length[start] = 0.;
-    for(queue.emplace(0., start); !queue.empty() && found < nearest;)
+    for(queue.emplace(0., start); !queue.empty() && found < number_of_nearest;)
     {
-      const auto [so_far, sample] = queue.top();
+      const auto [distance, sample] = queue.top();
       queue.pop();
-      if(so_far > length[sample])
+      if(distance > length[sample])
         continue;
-      if(++found == nearest)
-        result[start] = so_far;
-      for(const auto& [step, next] : links[sample])
-        if(so_far + step < length[next])
+      if(++found == number_of_nearest)
+        result[start] = distance;
+      for(const auto& [edge_length, next] : adjacency[sample])
+        if(distance + edge_length < length[next])
         {
           if(length[next] == infinity)
-            touched.push_back(next);
-          length[next] = so_far + step;
+            visited.push_back(next);
+          length[next] = distance + edge_length;
           queue.emplace(length[next], next);
         }
     }
-    for(const Index sample : touched)
+    for(const Index sample : visited)
       length[sample] = infinity;
   }
   return result;
@@ -81,83 +82,87 @@ std::vector<double> reaches(const Glued_triangles& t, const Sampling& sampling, 
 
 // The straight line between the sources of two fronts that come to a side from different triangles; longer
 // than any where it does not cross the side.
-double across(double side, const std::array<double, 2>& from, const std::array<double, 2>& to)
+double unfolded_distance(double edge_length, const std::array<double, 2>& from,
+                         const std::array<double, 2>& to)
 {
-  const Planar p = third_corner(side, from[0], from[1]), q = third_corner(side, to[0], to[1]);
+  const Vec2 p = third_corner(edge_length, from[0], from[1]),
+             q = third_corner(edge_length, to[0], to[1]);
   const double height = p[1] + q[1];
   if(!(height > 0.))
     return infinity;
   const double crossing = (p[0] * q[1] + q[0] * p[1]) / height;
-  return crossing >= 0. && crossing <= side ? std::hypot(p[0] - q[0], height) : infinity;
+  return crossing >= 0. && crossing <= edge_length ? std::hypot(p[0] - q[0], height) : infinity;
 }
 
 // Where the ways to two samples are shortest together.
-struct Meeting
+struct Front_meeting
 {
   double length = infinity;
-  Index site = none;
-  bool is_between = false; // their shortest path passes there
+  Index vertex = none;
+  bool is_on_path = false; // their shortest path passes there
 };
 
-double distance_to(const Base_points& base, Index point, Index site)
+double distance_to(const Base_points& base, Index neighbor, Index vertex)
 {
-  const auto begin = base.point.begin() + std::ptrdiff_t(base.nearest * site);
-  const auto end = begin + std::ptrdiff_t(base.nearest);
-  const auto found = std::find(begin, end, point);
-  return found == end ? infinity : base.distance[std::size_t(found - base.point.begin())];
+  const auto begin = base.neighbor.begin() + std::ptrdiff_t(base.number_of_nearest * vertex);
+  const auto end = begin + std::ptrdiff_t(base.number_of_nearest);
+  const auto found = std::find(begin, end, neighbor);
+  return found == end ? infinity : base.distance[std::size_t(found - base.neighbor.begin())];
 }
 
 // The shortest line past a site where two fronts meet: straight across one of the sides around it, or through
 // it.  Where one of the fronts does not go all around it the path may pass elsewhere.
-void measure_between(const Glued_triangles& t, std::vector<Meeting>& meetings, Base_points& base)
+void compute_pair_distances(const Surface_arrays& t, std::vector<Front_meeting>& meetings,
+                            Base_points& base)
 {
-  const std::size_t number = base.size();
-  for(Index i = 0; i < number; ++i)
+  const std::size_t number_of_points = base.size();
+  for(Index i = 0; i < number_of_points; ++i)
     for(Index j = 0; j < i; ++j)
     {
-      Meeting& meeting = meetings[i * number + j];
-      if(meeting.site == none)
+      Front_meeting& meeting = meetings[i * number_of_points + j];
+      if(meeting.vertex == none)
         continue;
-      double straight = infinity;
+      double straight_distance = infinity;
       // Through a site only where it is an end, or the path bends at a border.
-      const bool is_end = meeting.site == base.sites[i] || meeting.site == base.sites[j];
-      bool is_surrounded = true, is_on_border = is_end || t.is_cloud();
+      const bool is_end = meeting.vertex == base.vertices[i] || meeting.vertex == base.vertices[j];
+      bool is_surrounded = true, is_on_boundary = is_end || t.is_cloud();
       if(!is_end)
-        for(Index c = t.first[meeting.site]; c < t.first[meeting.site + 1]; ++c)
-          for(Index side = t.star[c] - t.star[c] % 3, k = 0; k < 3; ++k, ++side)
+        for(Index c = t.ring_begin[meeting.vertex]; c < t.ring_begin[meeting.vertex + 1]; ++c)
+          for(Index h = t.ring[c] - t.ring[c] % 3, k = 0; k < 3; ++k, ++h)
           {
-            const Index p = t.corner[side], q = t.corner[next_side(side)];
+            const Index p = t.corner[h], q = t.corner[next_halfedge(h)];
             const std::array<double, 2> from = {distance_to(base, i, p), distance_to(base, i, q)},
                                         to = {distance_to(base, j, p), distance_to(base, j, q)};
             if(from[0] < infinity && from[1] < infinity && to[0] < infinity && to[1] < infinity)
-              straight = std::min(straight, across(t.length[side], from, to));
+              straight_distance =
+                  std::min(straight_distance, unfolded_distance(t.length[h], from, to));
             else
               is_surrounded = false;
-            is_on_border = is_on_border || t.twin[side] == none;
+            is_on_boundary = is_on_boundary || t.twin[h] == none;
           }
-      meeting.is_between = straight < infinity || (is_surrounded && is_on_border);
-      base.between[i * number + j] = base.between[j * number + i] =
-          std::min(meeting.length, straight);
+      meeting.is_on_path = straight_distance < infinity || (is_surrounded && is_on_boundary);
+      base.pair_distance[i * number_of_points + j] = base.pair_distance[j * number_of_points + i] =
+          std::min(meeting.length, straight_distance);
     }
 }
 
 // Of the other pairs the straight line across two triangles of samples, the smallest ones, when that is shorter.
-void complete_between(const std::vector<Meeting>& meetings, Base_points& base)
+void complete_pair_distances(const std::vector<Front_meeting>& meetings, Base_points& base)
 {
-  const std::size_t number = base.size();
+  const std::size_t number_of_points = base.size();
   const auto is_known = [&](Index i, Index j)
-  { return meetings[std::max(i, j) * number + std::min(i, j)].is_between; };
+  { return meetings[std::max(i, j) * number_of_points + std::min(i, j)].is_on_path; };
   std::vector<Index> common;
-  for(Index i = 0; i < number; ++i)
+  for(Index i = 0; i < number_of_points; ++i)
     for(Index j = 0; j < i; ++j)
     {
-      if(meetings[i * number + j].site == none || is_known(i, j))
+      if(meetings[i * number_of_points + j].vertex == none || is_known(i, j))
         continue;
       common.clear();
-      for(Index k = 0; k < number; ++k)
+      for(Index k = 0; k < number_of_points; ++k)
         if(k != i && k != j && is_known(i, k) && is_known(j, k))
           common.push_back(k);
-      double least = infinity, straight = infinity;
+      double min_perimeter = infinity, straight_distance = infinity;
       for(std::size_t a = 1; a < common.size(); ++a)
         for(std::size_t b = 0; b < a; ++b)
         {
@@ -166,123 +171,127 @@ void complete_between(const std::vector<Meeting>& meetings, Base_points& base)
           const auto d = [&](Index p, Index q) { return base.distance_between(p, q); };
           const std::array<double, 2> from = {d(i, common[a]), d(i, common[b])},
                                       to = {d(j, common[a]), d(j, common[b])};
-          const double around = from[0] + from[1] + to[0] + to[1];
-          if(!(around < least))
+          const double perimeter = from[0] + from[1] + to[0] + to[1];
+          if(!(perimeter < min_perimeter))
             continue;
-          if(const double length = across(d(common[a], common[b]), from, to); length < infinity)
+          if(const double length = unfolded_distance(d(common[a], common[b]), from, to);
+             length < infinity)
           {
-            least = around;
-            straight = length;
+            min_perimeter = perimeter;
+            straight_distance = length;
           }
         }
-      double& length = base.between[i * number + j];
-      length = std::min(length, straight);
-      base.between[j * number + i] = length;
+      double& length = base.pair_distance[i * number_of_points + j];
+      length = std::min(length, straight_distance);
+      base.pair_distance[j * number_of_points + i] = length;
     }
 }
 
 } // namespace
 
-std::size_t base_points_across(const Glued_triangles& t)
+std::size_t suitable_number_of_base_points(const Surface_arrays& t)
 {
   if(t.is_cloud())
-    return usual_base_points;
-  double area = 0., border = 0.;
+    return default_number_of_base_points;
+  double area = 0., boundary_length = 0.;
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
     const double* const l = &t.length[3 * std::size_t(f)];
     area += 0.5 * twice_area(l[0], l[1], l[2]);
-    for(Index side = 3 * f; side < 3 * f + 3; ++side)
-      border += t.twin[side] == none ? t.length[side] : 0.;
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      boundary_length += t.twin[h] == none ? t.length[h] : 0.;
   }
   // Each has a hexagon for itself.
-  const double spacing = widest_spacing * 2. * area / border;
+  const double spacing = max_spacing_ratio * 2. * area / boundary_length;
   const double number = 2. / std::sqrt(3.) * area / (spacing * spacing);
-  return number > double(usual_base_points)
-             ? std::size_t(std::min(number, double(most_base_points)))
-             : usual_base_points;
+  return number > double(default_number_of_base_points)
+             ? std::size_t(std::min(number, double(max_number_of_base_points)))
+             : default_number_of_base_points;
 }
 
-Base_points nearest_base_points(const Glued_triangles& t, const Sampling& sampling, Front front,
-                                std::size_t nearest, const std::function<bool(double)>& callback)
+Base_points nearest_base_points(const Surface_arrays& t, const Sampling& sampling, Front front,
+                                std::size_t number_of_nearest,
+                                const std::function<bool(double)>& callback)
 {
   Base_points result;
-  const std::size_t number = sampling.samples().size(), sites = t.number_of_sites();
-  for(const Location& sample : sampling.samples())
-    result.sites.push_back(sample.site);
-  nearest = std::min(nearest, number);
-  result.nearest = nearest;
-  result.point.assign(nearest * sites, none);
-  result.distance.assign(nearest * sites, infinity);
+  const std::size_t number_of_samples = sampling.samples().size(),
+                    number_of_vertices = t.number_of_vertices();
+  for(const Surface_location& sample : sampling.samples())
+    result.vertices.push_back(sample.vertex);
+  number_of_nearest = std::min(number_of_nearest, number_of_samples);
+  result.number_of_nearest = number_of_nearest;
+  result.neighbor.assign(number_of_nearest * number_of_vertices, none);
+  result.distance.assign(number_of_nearest * number_of_vertices, infinity);
 
   // A hair more than what rounding takes away.
   constexpr double margin = 1. + 1e-9;
-  const std::vector<double> reach = reaches(t, sampling, nearest);
-  std::vector<double> bound(sites, infinity);
-  for(const Index site : sampling.sites())
-    if(const Index sample = sampling.labels()[site]; sample != none)
-      bound[site] = margin * (sampling.distances()[site] + reach[sample]);
+  const std::vector<double> radii = neighborhood_radii(t, sampling, number_of_nearest);
+  std::vector<double> distance_bound(number_of_vertices, infinity);
+  for(const Index vertex : sampling.sampled_vertices())
+    if(const Index sample = sampling.labels()[vertex]; sample != none)
+      distance_bound[vertex] = margin * (sampling.distances()[vertex] + radii[sample]);
 
   // So many sites take longer than memory does.
-  constexpr std::size_t ahead = 16, line = 64;
-  const auto prefetch_known_of = [&](Index site)
+  constexpr std::size_t prefetch_distance = 16, cache_line = 64;
+  const auto prefetch_vertex = [&](Index vertex)
   {
-    const std::size_t begin = nearest * site, end = begin + nearest;
-    for(std::size_t i = begin; i < end; i += line / sizeof(double))
+    const std::size_t begin = number_of_nearest * vertex, end = begin + number_of_nearest;
+    for(std::size_t i = begin; i < end; i += cache_line / sizeof(double))
       prefetch(&result.distance[i]);
     prefetch(&result.distance[end - 1]);
-    prefetch(&result.point[begin]);
-    prefetch(&result.point[end - 1]);
-    prefetch(&bound[site]);
+    prefetch(&result.neighbor[begin]);
+    prefetch(&result.neighbor[end - 1]);
+    prefetch(&distance_bound[vertex]);
   };
   Front_limits limits;
-  limits.known = &bound;
-  for(Index sample = 0; sample < number; ++sample)
+  limits.known_distance = &distance_bound;
+  for(Index sample = 0; sample < number_of_samples; ++sample)
   {
-    if(callback && !callback(double(sample) / double(number)))
+    if(callback && !callback(double(sample) / double(number_of_samples)))
       return {};
     front.run({{{sampling.samples()[sample]}, 0., 0}}, limits);
     const std::vector<Index>& reached = front.reached();
     for(std::size_t k = 0; k < reached.size(); ++k)
     {
-      if(k + ahead < reached.size())
-        prefetch_known_of(reached[k + ahead]);
-      const Index site = reached[k];
-      const double distance = front.distance(site);
-      const std::size_t begin = nearest * site;
-      std::size_t place = begin + nearest - 1;
-      if(!(distance < result.distance[place]))
+      if(k + prefetch_distance < reached.size())
+        prefetch_vertex(reached[k + prefetch_distance]);
+      const Index vertex = reached[k];
+      const double distance = front.distance(vertex);
+      const std::size_t begin = number_of_nearest * vertex;
+      std::size_t slot = begin + number_of_nearest - 1;
+      if(!(distance < result.distance[slot]))
         continue;
-      for(; place > begin && distance < result.distance[place - 1]; --place)
+      for(; slot > begin && distance < result.distance[slot - 1]; --slot)
       {
-        result.distance[place] = result.distance[place - 1];
-        result.point[place] = result.point[place - 1];
+        result.distance[slot] = result.distance[slot - 1];
+        result.neighbor[slot] = result.neighbor[slot - 1];
       }
-      result.distance[place] = distance;
-      result.point[place] = sample;
-      bound[site] = std::min(bound[site], margin * result.distance[begin + nearest - 1]);
+      result.distance[slot] = distance;
+      result.neighbor[slot] = sample;
+      distance_bound[vertex] =
+          std::min(distance_bound[vertex], margin * result.distance[begin + number_of_nearest - 1]);
     }
   }
 
-  std::vector<Meeting> meetings(number * number);
-  for(Index site = 0; site < sites; ++site)
+  std::vector<Front_meeting> meetings(number_of_samples * number_of_samples);
+  for(Index vertex = 0; vertex < number_of_vertices; ++vertex)
   {
-    const Index* points = &result.point[nearest * site];
-    const double* distances = &result.distance[nearest * site];
-    for(std::size_t a = 1; a < nearest && points[a] != none; ++a)
+    const Index* points = &result.neighbor[number_of_nearest * vertex];
+    const double* distances = &result.distance[number_of_nearest * vertex];
+    for(std::size_t a = 1; a < number_of_nearest && points[a] != none; ++a)
       for(std::size_t b = 0; b < a; ++b)
       {
-        Meeting& meeting =
-            meetings[std::max(points[a], points[b]) * number + std::min(points[a], points[b])];
+        Front_meeting& meeting = meetings[std::max(points[a], points[b]) * number_of_samples +
+                                          std::min(points[a], points[b])];
         if(const double length = distances[a] + distances[b]; length < meeting.length)
-          meeting = {length, site};
+          meeting = {length, vertex};
       }
   }
-  result.between.assign(number * number, infinity);
-  for(std::size_t i = 0; i < number; ++i)
-    result.between[i * number + i] = 0.;
-  measure_between(t, meetings, result);
-  complete_between(meetings, result);
+  result.pair_distance.assign(number_of_samples * number_of_samples, infinity);
+  for(std::size_t i = 0; i < number_of_samples; ++i)
+    result.pair_distance[i * number_of_samples + i] = 0.;
+  compute_pair_distances(t, meetings, result);
+  complete_pair_distances(meetings, result);
   return result;
 }
 

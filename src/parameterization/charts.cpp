@@ -3,8 +3,8 @@
 #include <CGAL/Geodesic_processing/internal/parameterization/charts.h>
 
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
-#include <CGAL/Geodesic_processing/internal/parameterization/injective.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/lle.h>
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include "mesh/patches.h"
@@ -25,13 +25,13 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Base points of a chart, and how many are around each: few, as Newton's method goes on from there.
-constexpr std::size_t base_points = 24, neighbors = 8;
+constexpr std::size_t number_of_base_points = 24, number_of_neighbors = 8;
 
 // Fewer sites need no base points: Tutte's map is as good a start.
-constexpr std::size_t few_sites = 100;
+constexpr std::size_t max_vertices_for_tutte = 100;
 
 // A chart is cut as well where its mean energy is that of lengths all twice or half as long.
-constexpr double most_energy = 8.5;
+constexpr double max_mean_energy = 8.5;
 
 void sort_unique(std::vector<Index>& values)
 {
@@ -39,208 +39,212 @@ void sort_unique(std::vector<Index>& values)
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-std::vector<Planar> image_of_triangle(const Glued_triangles& shape)
+std::vector<Vec2> flatten_triangle(const Surface_arrays& surface)
 {
   // Over its longest side, no flatter than what the others may be.
-  constexpr double least_height = 1e-7;
+  constexpr double min_height_ratio = 1e-7;
   Index base = 0;
-  for(Index side = 1; side < 3; ++side)
-    if(shape.length[side] > shape.length[base])
-      base = side;
-  Planar top = third_corner(shape.length[base], shape.length[previous_side(base)],
-                            shape.length[next_side(base)]);
-  top[0] = std::clamp(top[0], 0., shape.length[base]);
-  top[1] = std::max(top[1], least_height * shape.length[base]);
-  std::vector<Planar> image(3);
-  image[shape.corner[base]] = {0., 0.};
-  image[shape.corner[next_side(base)]] = {shape.length[base], 0.};
-  image[shape.corner[previous_side(base)]] = top;
+  for(Index h = 1; h < 3; ++h)
+    if(surface.length[h] > surface.length[base])
+      base = h;
+  Vec2 apex = third_corner(surface.length[base], surface.length[previous_halfedge(base)],
+                           surface.length[next_halfedge(base)]);
+  apex[0] = std::clamp(apex[0], 0., surface.length[base]);
+  apex[1] = std::max(apex[1], min_height_ratio * surface.length[base]);
+  std::vector<Vec2> image(3);
+  image[surface.corner[base]] = {0., 0.};
+  image[surface.corner[next_halfedge(base)]] = {surface.length[base], 0.};
+  image[surface.corner[previous_halfedge(base)]] = apex;
   return image;
 }
 
 // By geodesic locally linear embedding; it may have flips, or be empty.
-std::vector<Planar> embedding(const Glued_triangles& shape)
+std::vector<Vec2> lle_embedding(const Surface_arrays& surface)
 {
   // Not owned: what shares it ends here.
-  const std::shared_ptr<const Glued_triangles> triangles(std::shared_ptr<void>(), &shape);
+  const std::shared_ptr<const Surface_arrays> triangles(std::shared_ptr<void>(), &surface);
   const Engine<Euclidean_front> front(triangles);
-  Sampling sampling(triangles, front, Sample_place::site);
-  Sampling_goal goal;
-  goal.number = base_points;
-  sample_farthest(sampling, goal, [](double) {});
-  const Base_points base = nearest_base_points(shape, sampling, front, nearest_for(neighbors));
-  const std::vector<Planar> places = embedded(base, neighbors);
-  if(places.empty())
+  Sampling sampling(triangles, front, Sample_location::vertex);
+  Sampling_options options;
+  options.number_of_samples = number_of_base_points;
+  sample_farthest_points(sampling, options, [](double) {});
+  const Base_points base =
+      nearest_base_points(surface, sampling, front, number_of_nearest_for(number_of_neighbors));
+  const std::vector<Vec2> positions = embed_base_points(base, number_of_neighbors);
+  if(positions.empty())
     return {};
-  std::vector<Planar> image = extended(base, places, neighbors);
-  face_up(shape, image);
-  untangle(shape, image);
+  std::vector<Vec2> image = extend_embedding(base, positions, number_of_neighbors);
+  orient_positively(surface, image);
+  untangle(surface, image);
   return image;
 }
 
-std::vector<Planar> start(const Glued_triangles& shape)
+std::vector<Vec2> initial_map(const Surface_arrays& surface)
 {
-  if(shape.number_of_sites() > few_sites)
+  if(surface.number_of_vertices() > max_vertices_for_tutte)
   {
-    std::vector<Planar> image = embedding(shape);
-    if(!image.empty() && number_of_flips(shape, image) == 0)
+    std::vector<Vec2> image = lle_embedding(surface);
+    if(!image.empty() && number_of_flips(surface, image) == 0)
       return image;
   }
-  return tutte_map(shape);
+  return tutte_map(surface);
 }
 
 // What is nearer to one triangle than to another, as discs; their images are those of the whole.
-std::vector<Chart> parts(const Chart& chart, Index first, Index second)
+std::vector<Chart> split_chart(const Chart& chart, Index first, Index second)
 {
-  std::vector<Index> patch = halves(chart.shape, first, second);
-  const auto added = split_into_discs(chart.shape, patch, 2);
-  std::vector<Chart> result = cut_out(chart.shape, patch, Index(2 + added.size()));
-  for(Chart& part : result)
+  std::vector<Index> patch = bisect_patch(chart.surface, first, second);
+  const auto new_patches = split_into_disks(chart.surface, patch, 2);
+  std::vector<Chart> result = extract_charts(chart.surface, patch, Index(2 + new_patches.size()));
+  for(Chart& piece : result)
   {
-    part.image.resize(part.shape.number_of_sites());
-    for(Index f = 0; f < part.triangles.size(); ++f)
+    piece.image.resize(piece.surface.number_of_vertices());
+    for(Index f = 0; f < piece.triangles.size(); ++f)
     {
       for(Index k = 0; k < 3; ++k)
-        part.image[part.shape.corner[3 * f + k]] =
-            chart.image[chart.shape.corner[3 * part.triangles[f] + k]];
-      part.triangles[f] = chart.triangles[part.triangles[f]];
+        piece.image[piece.surface.corner[3 * f + k]] =
+            chart.image[chart.surface.corner[3 * piece.triangles[f] + k]];
+      piece.triangles[f] = chart.triangles[piece.triangles[f]];
     }
   }
   return result;
 }
 
 // Gives a chart its image; or returns the parts of one that has none.
-std::vector<Chart> lay_out(Chart& chart, const Chart_options& options)
+std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
 {
-  const Glued_triangles& shape = chart.shape;
-  if(shape.number_of_triangles() == 1)
+  const Surface_arrays& surface = chart.surface;
+  if(surface.number_of_triangles() == 1)
   {
-    chart.image = image_of_triangle(shape);
+    chart.image = flatten_triangle(surface);
     return {};
   }
   // A part begins as it lay in the whole.
-  const bool is_part = !chart.image.empty() && number_of_flips(chart) == 0;
-  if(!is_part)
-    chart.image = start(shape);
-  std::vector<Planar> before = chart.image;
+  const bool has_initial_image = !chart.image.empty() && number_of_flips(chart) == 0;
+  if(!has_initial_image)
+    chart.image = initial_map(surface);
+  std::vector<Vec2> initial_image = chart.image;
   double energy = infinity;
-  if(number_of_flips(shape, chart.image) == 0)
-    energy = minimize_symmetric_dirichlet(shape, chart.image, options.most_steps, {},
-                                          options.least_progress)
+  if(number_of_flips(surface, chart.image) == 0)
+    energy = minimize_symmetric_dirichlet(surface, chart.image, options.max_steps, {},
+                                          options.energy_tolerance)
                  .energy;
-  const bool is_to_be_cut = energy > most_energy && shape.number_of_sites() > few_sites;
-  if(!is_to_be_cut)
+  const bool is_too_distorted =
+      energy > max_mean_energy && surface.number_of_vertices() > max_vertices_for_tutte;
+  if(!is_too_distorted)
   {
     if(is_injective(chart))
       return {};
-    std::swap(chart.image, before);
-    if(is_part && is_injective(chart))
+    std::swap(chart.image, initial_image);
+    if(has_initial_image && is_injective(chart))
       return {};
-    std::swap(chart.image, before);
+    std::swap(chart.image, initial_image);
   }
 
   // Where the border meets itself; else across, as what is stretched too much is long, or was turned by rounding.
-  auto [first, second] = ends(shape);
-  if(!is_to_be_cut && number_of_flips(chart) == 0)
+  auto [first, second] = farthest_triangle_pair(surface);
+  if(!is_too_distorted && number_of_flips(chart) == 0)
   {
-    std::vector<Index> sides;
-    const Outline border = outline(chart, &sides);
-    if(const auto meeting = meeting_sides(border);
-       meeting && sides[meeting->first] / 3 != sides[meeting->second] / 3)
+    std::vector<Index> halfedges;
+    const Outline boundary = outline(chart, &halfedges);
+    if(const auto intersection = find_self_intersection(boundary);
+       intersection && halfedges[intersection->first] / 3 != halfedges[intersection->second] / 3)
     {
-      first = sides[meeting->first] / 3;
-      second = sides[meeting->second] / 3;
+      first = halfedges[intersection->first] / 3;
+      second = halfedges[intersection->second] / 3;
     }
   }
-  return parts(chart, first, second);
+  return split_chart(chart, first, second);
 }
 
 } // namespace
 
-std::vector<Chart> cut_out(const Glued_triangles& t, const std::vector<Index>& patch,
-                           Index number_of_patches)
+std::vector<Chart> extract_charts(const Surface_arrays& t, const std::vector<Index>& patch,
+                                  Index number_of_patches)
 {
   std::vector<Chart> charts(number_of_patches);
-  std::vector<Index> place(patch.size(), none); // in the chart
+  std::vector<Index> local_index(patch.size(), none); // in the chart
   for(Index f = 0; f < patch.size(); ++f)
     if(patch[f] != none)
     {
-      place[f] = Index(charts[patch[f]].triangles.size());
+      local_index[f] = Index(charts[patch[f]].triangles.size());
       charts[patch[f]].triangles.push_back(f);
     }
   charts.erase(std::remove_if(charts.begin(), charts.end(),
                               [](const Chart& chart) { return chart.triangles.empty(); }),
                charts.end());
-  std::vector<Index> sites;
+  std::vector<Index> vertices;
   for(Chart& chart : charts)
   {
-    sites.clear();
+    vertices.clear();
     for(const Index f : chart.triangles)
-      sites.insert(sites.end(), &t.corner[3 * std::size_t(f)], &t.corner[3 * std::size_t(f)] + 3);
-    sort_unique(sites);
-    Glued_triangles& shape = chart.shape;
-    shape.scale = t.scale;
+      vertices.insert(vertices.end(), &t.corner[3 * std::size_t(f)],
+                      &t.corner[3 * std::size_t(f)] + 3);
+    sort_unique(vertices);
+    Surface_arrays& surface = chart.surface;
+    surface.scale = t.scale;
     for(const Index f : chart.triangles)
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
       {
-        const Index twin = t.twin[side];
-        shape.corner.push_back(
-            Index(std::lower_bound(sites.begin(), sites.end(), t.corner[side]) - sites.begin()));
-        shape.twin.push_back(
-            twin == none || patch[twin / 3] != patch[f] ? none : 3 * place[twin / 3] + twin % 3);
-        shape.length.push_back(t.length[side]);
+        const Index twin = t.twin[h];
+        surface.corner.push_back(Index(
+            std::lower_bound(vertices.begin(), vertices.end(), t.corner[h]) - vertices.begin()));
+        surface.twin.push_back(twin == none || patch[twin / 3] != patch[f]
+                                   ? none
+                                   : 3 * local_index[twin / 3] + twin % 3);
+        surface.length.push_back(t.length[h]);
       }
-    build_stars(shape, sites.size());
+    build_rings(surface, vertices.size());
   }
   return charts;
 }
 
-Outline outline(const Chart& chart, std::vector<Index>* sides)
+Outline outline(const Chart& chart, std::vector<Index>* halfedges)
 {
-  const std::vector<Index> border = borders(chart.shape).front();
+  const std::vector<Index> boundary = boundary_loops(chart.surface).front();
   Outline result;
-  for(const Index side : border)
-    result.push_back(chart.image[chart.shape.corner[side]]);
-  if(sides)
-    *sides = border;
+  for(const Index h : boundary)
+    result.push_back(chart.image[chart.surface.corner[h]]);
+  if(halfedges)
+    *halfedges = boundary;
   return result;
 }
 
 std::size_t number_of_flips(const Chart& chart)
 {
   std::size_t result = 0;
-  const std::vector<Index>& corner = chart.shape.corner;
+  const std::vector<Index>& corner = chart.surface.corner;
   for(std::size_t c = 0; c < corner.size(); c += 3)
-    result +=
-        !turns_left(chart.image[corner[c]], chart.image[corner[c + 1]], chart.image[corner[c + 2]]);
+    result += !is_left_turn(chart.image[corner[c]], chart.image[corner[c + 1]],
+                            chart.image[corner[c + 2]]);
   return result;
 }
 
 bool is_injective(const Chart& chart)
 {
-  return number_of_flips(chart) == 0 && !meeting_sides(outline(chart));
+  return number_of_flips(chart) == 0 && !find_self_intersection(outline(chart));
 }
 
-std::vector<Chart> injective_charts(const Glued_triangles& t, const std::vector<Index>& patch,
+std::vector<Chart> injective_charts(const Surface_arrays& t, const std::vector<Index>& patch,
                                     Index number_of_patches, const Chart_options& options)
 {
-  std::vector<Chart> result, waiting = cut_out(t, patch, number_of_patches);
-  while(!waiting.empty())
+  std::vector<Chart> result, queue = extract_charts(t, patch, number_of_patches);
+  while(!queue.empty())
   {
-    std::vector<std::vector<Chart>> made(waiting.size());
-    for_each_block(waiting.size(), 1, options.threads,
+    std::vector<std::vector<Chart>> pieces(queue.size());
+    for_each_block(queue.size(), 1, options.threads,
                    [&](std::size_t i, std::size_t, std::size_t)
-                   { made[i] = lay_out(waiting[i], options); });
+                   { pieces[i] = flatten_chart(queue[i], options); });
     std::vector<Chart> next;
-    for(std::size_t i = 0; i < waiting.size(); ++i)
-      if(made[i].empty())
-        result.push_back(std::move(waiting[i]));
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      if(pieces[i].empty())
+        result.push_back(std::move(queue[i]));
       else
-        std::move(made[i].begin(), made[i].end(), std::back_inserter(next));
+        std::move(pieces[i].begin(), pieces[i].end(), std::back_inserter(next));
     if(options.callback &&
        !options.callback(double(result.size()) / double(result.size() + next.size())))
       return {};
-    waiting = std::move(next);
+    queue = std::move(next);
   }
   return result;
 }

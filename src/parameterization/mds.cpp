@@ -8,23 +8,23 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-std::vector<Planar> scaled(const Glued_triangles& t, Front front,
-                           const std::vector<Index>& base_points,
-                           const std::function<bool(double)>& callback)
+std::vector<Vec2> landmark_mds(const Surface_arrays& t, Front front,
+                               const std::vector<Index>& base_points,
+                               const std::function<bool(double)>& callback)
 {
-  const std::size_t number = base_points.size();
-  const auto may_go_on = [&](std::size_t runs)
-  { return !callback || callback(double(runs) / double(2 * number)); };
-  const auto run_from = [&](Index site) { front.run({{{{none, site, {}}}, 0., 0}}); };
+  const std::size_t number_of_points = base_points.size();
+  const auto report_progress = [&](std::size_t number_of_runs)
+  { return !callback || callback(double(number_of_runs) / double(2 * number_of_points)); };
+  const auto run_from = [&](Index vertex) { front.run({{{{none, vertex, {}}}, 0., 0}}); };
 
-  const auto n = Eigen::Index(number);
+  const auto n = Eigen::Index(number_of_points);
   Eigen::MatrixXd squares(n, n);
-  for(std::size_t i = 0; i < number; ++i)
+  for(std::size_t i = 0; i < number_of_points; ++i)
   {
-    if(!may_go_on(i))
+    if(!report_progress(i))
       return {};
     run_from(base_points[i]);
-    for(std::size_t j = 0; j < number; ++j)
+    for(std::size_t j = 0; j < number_of_points; ++j)
     {
       const double distance = front.distance(base_points[j]);
       squares(Eigen::Index(i), Eigen::Index(j)) = distance * distance;
@@ -36,20 +36,21 @@ std::vector<Planar> scaled(const Glued_triangles& t, Front front,
   // -1/2 sum_j x_j (d_j^2 - mean_j) / sum_j x_j^2 along each.
   const Eigen::VectorXd mean =
       0.5 * (squares.colwise().mean().transpose() + squares.rowwise().mean());
-  const Eigen::RowVector2d square = images.colwise().squaredNorm();
-  std::vector<Planar> result(t.number_of_sites(), Planar{0., 0.});
-  for(std::size_t j = 0; j < number; ++j)
+  const Eigen::RowVector2d squared_norm = images.colwise().squaredNorm();
+  std::vector<Vec2> result(t.number_of_vertices(), Vec2{0., 0.});
+  for(std::size_t j = 0; j < number_of_points; ++j)
   {
-    if(!may_go_on(number + j))
+    if(!report_progress(number_of_points + j))
       return {};
     run_from(base_points[j]);
-    Planar factor;
+    Vec2 factor;
     for(int axis = 0; axis < 2; ++axis)
-      factor[axis] = square[axis] > 0. ? -0.5 * images(Eigen::Index(j), axis) / square[axis] : 0.;
-    for(Index site = 0; site < result.size(); ++site)
+      factor[axis] =
+          squared_norm[axis] > 0. ? -0.5 * images(Eigen::Index(j), axis) / squared_norm[axis] : 0.;
+    for(Index vertex = 0; vertex < result.size(); ++vertex)
     {
-      const double distance = front.distance(site);
-      result[site] = result[site] + (distance * distance - mean[Eigen::Index(j)]) * factor;
+      const double distance = front.distance(vertex);
+      result[vertex] = result[vertex] + (distance * distance - mean[Eigen::Index(j)]) * factor;
     }
   }
   return result;

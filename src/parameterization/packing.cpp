@@ -20,24 +20,24 @@ namespace {
 using Word = std::uint64_t;
 
 // The grid has as many cells along a side, or as many more as there are charts for; no more than texels.
-constexpr std::size_t usual_cells = 512;
-constexpr std::size_t cells_of_a_chart = 8; // along a side, about
+constexpr std::size_t default_grid_size = 512;
+constexpr std::size_t cells_per_chart = 8; // along a side, about
 
-constexpr std::size_t least_texels = 16, most_texels = 16384;
+constexpr std::size_t min_texels = 16, max_texels = 16384;
 
 // The search for a scale ends when it is known up to this factor.
-constexpr double precision = 1.01;
+constexpr double scale_tolerance = 1.01;
 
 // Areas that differ by less are equal.
-constexpr double rounding = 1e-9;
+constexpr double area_tolerance = 1e-9;
 
 // A chart smaller by this factor than the last one that tried all rows tries all rows.
-constexpr double smaller = 0.9;
+constexpr double size_ratio = 0.9;
 
 // Less than this part of the largest scale that areas allow is no room.
-constexpr double least_part = 1e-6;
+constexpr double min_scale_ratio = 1e-6;
 
-Outline hull(Outline points)
+Outline convex_hull(Outline points)
 {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -48,7 +48,7 @@ Outline hull(Outline points)
   for(int half = 0; half < 2; ++half)
   {
     const std::size_t begin = result.size();
-    for(const Planar& p : points)
+    for(const Vec2& p : points)
     {
       while(result.size() >= begin + 2 &&
             !(cross(result.back() - result[result.size() - 2], p - result.back()) > 0.))
@@ -61,11 +61,11 @@ Outline hull(Outline points)
   return result;
 }
 
-struct Box
+struct Bounding_box
 {
-  Planar low = {infinity, infinity}, high = {-infinity, -infinity};
+  Vec2 low = {infinity, infinity}, high = {-infinity, -infinity};
 
-  void add(const Planar& p)
+  void add(const Vec2& p)
   {
     for(int axis = 0; axis < 2; ++axis)
     {
@@ -73,52 +73,53 @@ struct Box
       high[axis] = std::max(high[axis], p[axis]);
     }
   }
-  Planar size() const { return high - low; }
+  Vec2 size() const { return high - low; }
 };
 
-Box box_of(const Outline& outline, const Planar& direction)
+Bounding_box bounding_box(const Outline& outline, const Vec2& direction)
 {
-  Box result;
-  for(const Planar& p : outline)
-    result.add(turned(p, direction));
+  Bounding_box result;
+  for(const Vec2& p : outline)
+    result.add(rotated(p, direction));
   return result;
 }
 
 // The direction in which the rectangle around an outline is the smallest: along a side of its hull.
-Planar upright(const Outline& outline)
+Vec2 min_rectangle_direction(const Outline& outline)
 {
-  const Outline around = hull(outline);
-  Planar best = {1., 0.};
-  double least = infinity, longer = infinity;
-  for(std::size_t i = 0; i < around.size(); ++i)
+  const Outline hull_polygon = convex_hull(outline);
+  Vec2 best = {1., 0.};
+  double min_area = infinity, min_side = infinity;
+  for(std::size_t i = 0; i < hull_polygon.size(); ++i)
   {
-    const Planar side = around[(i + 1) % around.size()] - around[i];
-    if(!(norm(side) > 0.))
+    const Vec2 edge = hull_polygon[(i + 1) % hull_polygon.size()] - hull_polygon[i];
+    if(!(norm(edge) > 0.))
       continue;
-    const Planar direction = (1. / norm(side)) * Planar{side[0], -side[1]},
-                 size = box_of(around, direction).size();
+    const Vec2 direction = (1. / norm(edge)) * Vec2{edge[0], -edge[1]},
+               size = bounding_box(hull_polygon, direction).size();
     // Of equal ones the shortest.
-    const double area = size[0] * size[1], side_length = std::max(size[0], size[1]);
-    if(area < (1. - rounding) * least || (area < (1. + rounding) * least && side_length < longer))
+    const double area = size[0] * size[1], longer_side = std::max(size[0], size[1]);
+    if(area < (1. - area_tolerance) * min_area ||
+       (area < (1. + area_tolerance) * min_area && longer_side < min_side))
     {
-      least = area;
-      longer = side_length;
+      min_area = area;
+      min_side = longer_side;
       best = direction;
     }
   }
   return best;
 }
 
-double area_of(const Outline& outline)
+double polygon_area(const Outline& outline)
 {
-  double twice = 0.;
+  double double_area = 0.;
   for(std::size_t i = 0; i < outline.size(); ++i)
-    twice += cross(outline[i] - outline[0], outline[(i + 1) % outline.size()] - outline[0]);
-  return std::abs(twice) / 2.;
+    double_area += cross(outline[i] - outline[0], outline[(i + 1) % outline.size()] - outline[0]);
+  return std::abs(double_area) / 2.;
 }
 
 // The cells that an outline and a margin around it touch, in runs.
-struct Silhouette
+struct Raster
 {
   struct Run
   {
@@ -126,29 +127,29 @@ struct Silhouette
   };
   std::vector<Run> runs; // row by row
   std::size_t width = 0, height = 0;
-  std::vector<std::uint32_t> longest; // run, in each row
+  std::vector<std::uint32_t> longest_run; // run, in each row
 };
 
 // outline  in cells, at least `margin` right of and above the origin
-Silhouette silhouette(const Outline& outline, double margin)
+Raster rasterize(const Outline& outline, double margin)
 {
-  Silhouette result;
-  Box box;
-  for(const Planar& p : outline)
+  Raster result;
+  Bounding_box box;
+  for(const Vec2& p : outline)
     box.add(p);
   result.width = std::size_t(box.high[0] + margin) + 1;
   result.height = std::size_t(box.high[1] + margin) + 1;
-  std::vector<bool> is_touched(result.width * result.height, false);
+  std::vector<bool> is_covered(result.width * result.height, false);
   const auto column = [&](double x)
   { return std::size_t(std::clamp(x, 0., double(result.width - 1))); };
   std::vector<std::vector<double>> crossings(result.height);
   for(std::size_t i = 0; i < outline.size(); ++i)
   {
-    Planar p = outline[i], q = outline[(i + 1) % outline.size()];
+    Vec2 p = outline[i], q = outline[(i + 1) % outline.size()];
     if(p[1] > q[1])
       std::swap(p, q);
     const double slope = q[1] > p[1] ? (q[0] - p[0]) / (q[1] - p[1]) : 0.;
-    const auto at = [&](double y)
+    const auto x_at = [&](double y)
     { return std::clamp(p[0] + slope * (y - p[1]), std::min(p[0], q[0]), std::max(p[0], q[0])); };
     const auto first = std::size_t(std::max(0., p[1] - margin)),
                last = std::min(result.height - 1, std::size_t(q[1] + margin));
@@ -157,30 +158,30 @@ Silhouette silhouette(const Outline& outline, double margin)
       double from = p[0], to = q[0];
       if(q[1] > p[1])
       {
-        from = at(std::max(p[1], double(row) - margin));
-        to = at(std::min(q[1], double(row) + 1. + margin));
+        from = x_at(std::max(p[1], double(row) - margin));
+        to = x_at(std::min(q[1], double(row) + 1. + margin));
       }
       if(from > to)
         std::swap(from, to);
       for(std::size_t c = column(from - margin); c <= column(to + margin); ++c)
-        is_touched[row * result.width + c] = true;
-      if(const double middle = double(row) + 0.5; p[1] <= middle && middle < q[1])
-        crossings[row].push_back(at(middle));
+        is_covered[row * result.width + c] = true;
+      if(const double row_center = double(row) + 0.5; p[1] <= row_center && row_center < q[1])
+        crossings[row].push_back(x_at(row_center));
     }
   }
-  result.longest.assign(result.height, 0);
+  result.longest_run.assign(result.height, 0);
   for(std::size_t row = 0; row < result.height; ++row)
   {
     std::sort(crossings[row].begin(), crossings[row].end());
     for(std::size_t i = 1; i < crossings[row].size(); i += 2)
       for(std::size_t c = column(crossings[row][i - 1]); c < column(crossings[row][i]); ++c)
-        is_touched[row * result.width + c] = true;
+        is_covered[row * result.width + c] = true;
     for(std::size_t c = 0; c < result.width; ++c)
-      if(is_touched[row * result.width + c])
+      if(is_covered[row * result.width + c])
       {
-        if(c == 0 || !is_touched[row * result.width + c - 1])
+        if(c == 0 || !is_covered[row * result.width + c - 1])
           result.runs.push_back({std::uint32_t(row), std::uint32_t(c), 0});
-        result.longest[row] = std::max(result.longest[row], ++result.runs.back().length);
+        result.longest_run[row] = std::max(result.longest_run[row], ++result.runs.back().length);
       }
   }
   return result;
@@ -191,49 +192,49 @@ class Grid
 {
 public:
   explicit Grid(std::size_t cells)
-      : m_cells(cells), m_words((cells + 63) / 64), m_taken(m_cells * m_words, 0),
-        m_longest(cells, std::uint32_t(cells)), m_blocked(m_words), m_row(m_words)
+      : m_cells(cells), m_words((cells + 63) / 64), m_occupied(m_cells * m_words, 0),
+        m_longest_free(cells, std::uint32_t(cells)), m_blocked(m_words), m_row(m_words)
   {
     if(cells % 64 != 0) // cells beyond the last one
       for(std::size_t row = 0; row < cells; ++row)
-        m_taken[row * m_words + m_words - 1] = ~Word(0) << (cells % 64);
+        m_occupied[row * m_words + m_words - 1] = ~Word(0) << (cells % 64);
   }
 
   // The lowest place from a row on and below another one, then the leftmost one.
-  std::optional<std::array<std::size_t, 2>> place(const Silhouette& shape, std::size_t from,
-                                                  std::size_t limit)
+  std::optional<std::array<std::size_t, 2>>
+  find_position(const Raster& raster, std::size_t first_row, std::size_t row_limit)
   {
-    if(shape.width > m_cells)
+    if(raster.width > m_cells)
       return std::nullopt;
-    for(std::size_t row = from; row + shape.height <= std::min(limit, m_cells); ++row)
-      if(const auto column = place_in(shape, row))
+    for(std::size_t row = first_row; row + raster.height <= std::min(row_limit, m_cells); ++row)
+      if(const auto column = find_column(raster, row))
         return std::array<std::size_t, 2>{*column, row};
     return std::nullopt;
   }
 
-  void take(const Silhouette& shape, const std::array<std::size_t, 2>& at)
+  void occupy(const Raster& raster, const std::array<std::size_t, 2>& position)
   {
-    for(const auto& run : shape.runs)
-      for(std::size_t c = at[0] + run.begin, end = c + run.length; c < end; ++c)
-        m_taken[(at[1] + run.row) * m_words + c / 64] |= Word(1) << (c % 64);
-    for(std::size_t row = at[1]; row < at[1] + shape.height; ++row)
+    for(const auto& run : raster.runs)
+      for(std::size_t c = position[0] + run.begin, end = c + run.length; c < end; ++c)
+        m_occupied[(position[1] + run.row) * m_words + c / 64] |= Word(1) << (c % 64);
+    for(std::size_t row = position[1]; row < position[1] + raster.height; ++row)
     {
-      std::uint32_t free = 0, longest = 0;
+      std::uint32_t free_run = 0, longest_run = 0;
       for(std::size_t c = 0; c < m_cells; ++c)
       {
-        free = m_taken[row * m_words + c / 64] >> (c % 64) & 1 ? 0 : free + 1;
-        longest = std::max(longest, free);
+        free_run = m_occupied[row * m_words + c / 64] >> (c % 64) & 1 ? 0 : free_run + 1;
+        longest_run = std::max(longest_run, free_run);
       }
-      m_longest[row] = longest;
+      m_longest_free[row] = longest_run;
     }
   }
 
 private:
   // m_row becomes what it is or what lies so many cells to the right.
-  void widen(std::size_t shift) { merge(m_row, m_row, shift); }
+  void dilate(std::size_t shift) { merge_shifted(m_row, m_row, shift); }
 
   // Adds `from`, moved to the left, to `to`.
-  void merge(std::vector<Word>& to, const std::vector<Word>& from, std::size_t shift) const
+  void merge_shifted(std::vector<Word>& to, const std::vector<Word>& from, std::size_t shift) const
   {
     const std::size_t words = shift / 64, bits = shift % 64;
     for(std::size_t i = 0; i < m_words; ++i)
@@ -245,35 +246,35 @@ private:
     }
   }
 
-  std::optional<std::size_t> place_in(const Silhouette& shape, std::size_t row)
+  std::optional<std::size_t> find_column(const Raster& raster, std::size_t row)
   {
-    for(std::size_t i = 0; i < shape.height; ++i)
-      if(m_longest[row + i] < shape.longest[i])
+    for(std::size_t i = 0; i < raster.height; ++i)
+      if(m_longest_free[row + i] < raster.longest_run[i])
         return std::nullopt;
     std::fill(m_blocked.begin(), m_blocked.end(), Word(0));
-    for(const auto& run : shape.runs)
+    for(const auto& run : raster.runs)
     {
-      const auto begin = m_taken.begin() + std::ptrdiff_t((row + run.row) * m_words);
+      const auto begin = m_occupied.begin() + std::ptrdiff_t((row + run.row) * m_words);
       std::copy(begin, begin + std::ptrdiff_t(m_words), m_row.begin());
-      std::size_t covered = 1;
-      for(; 2 * covered <= run.length; covered *= 2)
-        widen(covered);
-      if(covered < run.length)
-        widen(run.length - covered);
-      merge(m_blocked, m_row, run.begin);
+      std::size_t dilated_width = 1;
+      for(; 2 * dilated_width <= run.length; dilated_width *= 2)
+        dilate(dilated_width);
+      if(dilated_width < run.length)
+        dilate(run.length - dilated_width);
+      merge_shifted(m_blocked, m_row, run.begin);
       if(std::all_of(m_blocked.begin(), m_blocked.end(), [](Word w) { return w == ~Word(0); }))
         return std::nullopt;
     }
-    for(std::size_t c = 0; c + shape.width <= m_cells; ++c)
+    for(std::size_t c = 0; c + raster.width <= m_cells; ++c)
       if(!(m_blocked[c / 64] >> (c % 64) & 1))
         return c;
     return std::nullopt;
   }
 
   std::size_t m_cells, m_words;
-  std::vector<Word> m_taken;            // rows of m_words
-  std::vector<std::uint32_t> m_longest; // free run, in each row
-  std::vector<Word> m_blocked, m_row;   // while a place is looked for
+  std::vector<Word> m_occupied;              // rows of m_words
+  std::vector<std::uint32_t> m_longest_free; // free run, in each row
+  std::vector<Word> m_blocked, m_row;        // while a place is looked for
 };
 
 class Packer
@@ -283,15 +284,15 @@ public:
       : m_outlines(outlines), m_texels(texels), m_margin(double(gutter) / 2.),
         m_order(outlines.size()), m_size(outlines.size())
   {
-    m_cells = usual_cells;
+    m_cells = default_grid_size;
     while(m_cells * m_cells <
-          cells_of_a_chart * cells_of_a_chart * std::max<std::size_t>(outlines.size(), 1))
+          cells_per_chart * cells_per_chart * std::max<std::size_t>(outlines.size(), 1))
       m_cells *= 2;
     m_cells = std::min(m_cells, texels);
     for(std::size_t i = 0; i < outlines.size(); ++i)
     {
-      m_directions.push_back(upright(outlines[i]));
-      const Planar size = box_of(outlines[i], m_directions.back()).size();
+      m_directions.push_back(min_rectangle_direction(outlines[i]));
+      const Vec2 size = bounding_box(outlines[i], m_directions.back()).size();
       m_size[i] = std::max(size[0], size[1]);
     }
     std::iota(m_order.begin(), m_order.end(), std::size_t(0));
@@ -301,7 +302,7 @@ public:
 
   double cell() const { return double(m_texels) / double(m_cells); }
 
-  std::optional<Packing> at_scale(double scale) const
+  std::optional<Packing> pack_at_scale(double scale) const
   {
     Packing result;
     result.scale = scale;
@@ -311,41 +312,43 @@ public:
       return std::nullopt;
     Grid grid(m_cells);
     // One that is hardly smaller than another hardly goes below its place.
-    std::size_t from = 0;
-    double size = infinity; // of the last one that tried all rows
+    std::size_t first_row = 0;
+    double last_size = infinity; // of the last one that tried all rows
     for(const std::size_t i : m_order)
     {
-      if(m_size[i] < smaller * size)
+      if(m_size[i] < size_ratio * last_size)
       {
-        from = 0;
-        size = m_size[i];
+        first_row = 0;
+        last_size = m_size[i];
       }
-      std::size_t limit = m_cells;
+      std::size_t row_limit = m_cells;
       std::array<std::size_t, 2> best = {0, 0};
-      std::optional<Silhouette> chosen;
-      Planar direction = m_directions[i];
-      for(int quarter = 0; quarter < 4; ++quarter, direction = turned_left(direction))
+      std::optional<Raster> best_raster;
+      Vec2 direction = m_directions[i];
+      for(int quarter_turn = 0; quarter_turn < 4;
+          ++quarter_turn, direction = rotated_left(direction))
       {
-        const Planar low = box_of(m_outlines[i], direction).low;
+        const Vec2 lower_left = bounding_box(m_outlines[i], direction).low;
         Outline placed;
-        for(const Planar& p : m_outlines[i])
-          placed.push_back((1. / cell()) *
-                           (scale * (turned(p, direction) - low) + Planar{m_margin, m_margin}));
-        const Silhouette shape = silhouette(placed, m_margin / cell());
-        const auto at = grid.place(shape, from, limit);
-        if(!at || (chosen && (*at)[1] + shape.height == limit && (*at)[0] >= best[0]))
+        for(const Vec2& p : m_outlines[i])
+          placed.push_back((1. / cell()) * (scale * (rotated(p, direction) - lower_left) +
+                                            Vec2{m_margin, m_margin}));
+        const Raster raster = rasterize(placed, m_margin / cell());
+        const auto position = grid.find_position(raster, first_row, row_limit);
+        if(!position || (best_raster && (*position)[1] + raster.height == row_limit &&
+                         (*position)[0] >= best[0]))
           continue;
-        limit = (*at)[1] + shape.height;
-        best = *at;
-        chosen = shape;
+        row_limit = (*position)[1] + raster.height;
+        best = *position;
+        best_raster = raster;
         result.directions[i] = direction;
-        result.offsets[i] = cell() * Planar{double(best[0]), double(best[1])} +
-                            Planar{m_margin, m_margin} - scale * low;
+        result.offsets[i] = cell() * Vec2{double(best[0]), double(best[1])} +
+                            Vec2{m_margin, m_margin} - scale * lower_left;
       }
-      if(!chosen)
+      if(!best_raster)
         return std::nullopt;
-      grid.take(*chosen, best);
-      from = best[1];
+      grid.occupy(*best_raster, best);
+      first_row = best[1];
     }
     return result;
   }
@@ -354,67 +357,67 @@ private:
   const std::vector<Outline>& m_outlines;
   std::size_t m_texels, m_cells;
   double m_margin; // in texels
-  std::vector<Planar> m_directions;
+  std::vector<Vec2> m_directions;
   std::vector<std::size_t> m_order;
   std::vector<double> m_size; // the longer side of the rectangle
 };
 
-[[noreturn]] void throw_no_room(std::size_t number, std::size_t texels)
+[[noreturn]] void throw_does_not_fit(std::size_t number_of_charts, std::size_t texels)
 {
-  throw Invalid_argument_error("There is no room for " + std::to_string(number) + " charts in " +
-                               std::to_string(texels) + " x " + std::to_string(texels) +
-                               " texels.");
+  throw Invalid_argument_error("There is no room for " + std::to_string(number_of_charts) +
+                               " charts in " + std::to_string(texels) + " x " +
+                               std::to_string(texels) + " texels.");
 }
 
 } // namespace
 
-void check_room(std::size_t number_of_outlines, std::size_t texels, std::size_t gutter)
+void check_fits(std::size_t number_of_outlines, std::size_t texels, std::size_t gutter)
 {
-  if(texels < least_texels || texels > most_texels)
-    throw Invalid_argument_error("A texture has between " + std::to_string(least_texels) + " and " +
-                                 std::to_string(most_texels) + " texels along a side.");
+  if(texels < min_texels || texels > max_texels)
+    throw Invalid_argument_error("A texture has between " + std::to_string(min_texels) + " and " +
+                                 std::to_string(max_texels) + " texels along a side.");
   if(gutter > texels)
     throw Invalid_argument_error("The gutter is wider than the texture.");
   // Half of the gutter around a point already is a square.
   if(double(number_of_outlines) * double(gutter * gutter) > double(texels * texels))
-    throw_no_room(number_of_outlines, texels);
+    throw_does_not_fit(number_of_outlines, texels);
 }
 
 Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter,
              unsigned threads)
 {
-  check_room(outlines.size(), texels, gutter);
+  check_fits(outlines.size(), texels, gutter);
   const Packer packer(outlines, texels, gutter);
   double area = 0.;
   for(const Outline& outline : outlines)
-    area += area_of(outline);
+    area += polygon_area(outline);
   if(!(area > 0.))
   {
     // Charts without any size.
-    if(auto found = packer.at_scale(1.))
+    if(auto found = packer.pack_at_scale(1.))
       return *found;
-    throw_no_room(outlines.size(), texels);
+    throw_does_not_fit(outlines.size(), texels);
   }
 
-  const double most = double(texels) / std::sqrt(area);
+  const double max_scale = double(texels) / std::sqrt(area);
   Packing best;
-  double low = 0.5 * most, high = most;
-  for(; low > least_part * most; high = low, low *= 0.5)
-    if(auto found = packer.at_scale(low))
+  double low = 0.5 * max_scale, high = max_scale;
+  for(; low > min_scale_ratio * max_scale; high = low, low *= 0.5)
+    if(auto found = packer.pack_at_scale(low))
     {
       best = std::move(*found);
       break;
     }
   if(best.scale == 0.)
-    throw_no_room(outlines.size(), texels);
+    throw_does_not_fit(outlines.size(), texels);
   // Two scales at a time, whatever the number of threads.
-  while(high > precision * low)
+  while(high > scale_tolerance * low)
   {
     std::array<std::optional<Packing>, 2> found;
     const double step = (high - low) / 3.;
     for_each_block(2, 1, threads,
                    [&](std::size_t i, std::size_t, std::size_t)
-                   { found[i] = packer.at_scale(low + double(i + 1) * step); });
+                   { found[i] = packer.pack_at_scale(low + double(i + 1) * step); });
     high = found[1] ? high : found[0] ? low + 2. * step : low + step;
     for(auto& packing : found)
       if(packing)

@@ -9,195 +9,199 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Sums of the same lengths in another order differ by rounding: the bound must not cut by it.
-constexpr double below = 1. - 1e-14;
+constexpr double round_off_factor = 1. - 1e-14;
 
 // Chains of leaders go to and fro, and are longer than the way in space: with a bound of so much more
 // a search visits half as many, and on spheres and tori finds chains as short.
-constexpr double detour = 1.1;
+constexpr double coarse_heuristic_factor = 1.1;
 
 // Where the way crosses so few regions, nothing is left out.
-constexpr std::size_t short_way = 16;
+constexpr std::size_t min_corridor_length = 16;
 
 // Where it crosses so many, a search that fills them all takes longer than the path does that is drawn
 // from its chain.  It is led from each region to the leader so many farther along the way, by distances
 // so much larger than those in space that it hardly looks aside: it visits a third.
-constexpr std::size_t long_way = 40, look_ahead = 8;
-constexpr double lead_factor = 1.1;
+constexpr std::size_t min_guided_length = 40, look_ahead = 8;
+constexpr double guidance_factor = 1.1;
 
 } // namespace
 
-Graph_search::Graph_search(const Site_graph& graph, const std::vector<Spatial>& point,
-                           const Site_regions* regions)
-    : m_graph(&graph), m_point(&point), m_regions(regions), m_bound(below)
+Graph_search::Graph_search(const Proximity_graph& graph, const std::vector<Vec3>& point,
+                           const Vertex_regions* regions)
+    : m_graph(&graph), m_point(&point), m_regions(regions), m_heuristic_factor(round_off_factor)
 {
   if(regions == nullptr)
     return;
-  m_coarse.emplace_back(regions->graph, regions->point);
-  m_coarse[0].m_bound = detour;
-  m_open.resize(regions->size(), 0);
-  m_ahead.resize(regions->size(), 0);
+  m_coarse_search.emplace_back(regions->graph, regions->point);
+  m_coarse_search[0].m_heuristic_factor = coarse_heuristic_factor;
+  m_corridor_stamp.resize(regions->size(), 0);
+  m_waypoint_ahead.resize(regions->size(), 0);
 }
 
-void Graph_search::begin(Side& side, Index site, const Spatial* goal)
+void Graph_search::initialize(Frontier& frontier, Index vertex, const Vec3* goal)
 {
-  if(side.sites.empty())
+  if(frontier.vertices.empty())
   {
-    side.sites.resize(m_point->size());
-    side.queue = Queue(m_point->size());
+    frontier.vertices.resize(m_point->size());
+    frontier.queue = Vertex_queue(m_point->size());
   }
-  side.queue.clear();
-  side.goal = goal;
-  reach(side, site, 0., none);
+  frontier.queue.clear();
+  frontier.goal = goal;
+  relax(frontier, vertex, 0., none);
 }
 
-void Graph_search::reach(Side& side, Index index, double distance, Index from)
+void Graph_search::relax(Frontier& frontier, Index index, double distance, Index from)
 {
-  Site& site = side.sites[index];
-  if(site.run < m_run)
+  Vertex& vertex = frontier.vertices[index];
+  if(vertex.stamp < m_stamp)
   {
-    if(m_is_narrow && m_open[m_regions->region[index]] != m_run)
+    if(m_is_restricted && m_corridor_stamp[m_regions->region[index]] != m_stamp)
       return;
-    site = {infinity, none, m_run};
+    vertex = {infinity, none, m_stamp};
   }
-  if(site.run > m_run || !(distance < site.distance))
+  if(vertex.stamp > m_stamp || !(distance < vertex.distance))
     return;
-  site.distance = distance;
-  site.from = from;
-  side.queue.push(index, distance + remaining(side, index));
+  vertex.distance = distance;
+  vertex.predecessor = from;
+  frontier.queue.push(index, distance + heuristic(frontier, index));
 }
 
-Index Graph_search::spread(Side& side)
+Index Graph_search::expand(Frontier& frontier)
 {
-  const Index index = side.queue.pop().site;
-  Site& site = side.sites[index];
-  site.run = m_run + 1;
-  ++m_visited;
-  const std::vector<Spatial>& point = *m_point;
-  for(Index arc = m_graph->first[index]; arc < m_graph->first[index + 1]; ++arc)
+  const Index index = frontier.queue.pop().vertex;
+  Vertex& vertex = frontier.vertices[index];
+  vertex.stamp = m_stamp + 1;
+  ++m_number_of_visited_vertices;
+  const std::vector<Vec3>& point = *m_point;
+  for(Index e = m_graph->begin[index]; e < m_graph->begin[index + 1]; ++e)
   {
-    const Index other = m_graph->target[arc];
+    const Index neighbor = m_graph->target[e];
     const double length =
-        m_graph->length.empty() ? norm(point[other] - point[index]) : m_graph->length[arc];
-    reach(side, other, site.distance + length, index);
+        m_graph->length.empty() ? norm(point[neighbor] - point[index]) : m_graph->length[e];
+    relax(frontier, neighbor, vertex.distance + length, index);
   }
   return index;
 }
 
 // Leads a search from the open regions along the way.
-void Graph_search::lead(const std::vector<Index>& way, Index to)
+void Graph_search::set_waypoints(const std::vector<Index>& coarse_path, Index to)
 {
-  const Site_graph& graph = m_regions->graph;
-  const std::size_t n = way.size();
-  m_way.clear();
-  for(const Index region : way)
-    m_way.push_back(m_regions->point[region]);
-  m_way.resize(n + look_ahead, (*m_point)[to]);
-  m_rest.assign(n + look_ahead, 0.);
+  const Proximity_graph& graph = m_regions->graph;
+  const std::size_t n = coarse_path.size();
+  m_waypoints.clear();
+  for(const Index region : coarse_path)
+    m_waypoints.push_back(m_regions->point[region]);
+  m_waypoints.resize(n + look_ahead, (*m_point)[to]);
+  m_remaining_length.assign(n + look_ahead, 0.);
   for(std::size_t i = n; i-- > 0;)
-    m_rest[i] = m_rest[i + look_ahead] + norm(m_way[i + look_ahead] - m_way[i]);
+    m_remaining_length[i] =
+        m_remaining_length[i + look_ahead] + norm(m_waypoints[i + look_ahead] - m_waypoints[i]);
   // Neighbours of several follow the last; those on the way know their place.
   for(Index i = 0; i < n; ++i)
-    for(Index arc = graph.first[way[i]]; arc < graph.first[way[i] + 1]; ++arc)
-      m_ahead[graph.target[arc]] = i + look_ahead;
+    for(Index e = graph.begin[coarse_path[i]]; e < graph.begin[coarse_path[i] + 1]; ++e)
+      m_waypoint_ahead[graph.target[e]] = i + look_ahead;
   for(Index i = 0; i < n; ++i)
-    m_ahead[way[i]] = i + look_ahead;
+    m_waypoint_ahead[coarse_path[i]] = i + look_ahead;
 }
 
 // What a search in the direction of a goal takes for the length of the rest.
-double Graph_search::remaining(const Side& side, Index site) const
+double Graph_search::heuristic(const Frontier& frontier, Index vertex) const
 {
-  if(side.goal == nullptr)
+  if(frontier.goal == nullptr)
     return 0.;
-  const Spatial& point = (*m_point)[site];
-  if(!m_is_led)
-    return m_bound * norm(point - *side.goal);
-  const Index place = m_ahead[m_regions->region[site]];
-  return lead_factor * (norm(point - m_way[place]) + m_rest[place]);
+  const Vec3& point = (*m_point)[vertex];
+  if(!m_is_guided)
+    return m_heuristic_factor * norm(point - *frontier.goal);
+  const Index waypoint = m_waypoint_ahead[m_regions->region[vertex]];
+  return guidance_factor * (norm(point - m_waypoints[waypoint]) + m_remaining_length[waypoint]);
 }
 
 // Opens the regions on the way and their neighbours.  Returns false where there is no way.
-bool Graph_search::narrow(Index from, Index to)
+bool Graph_search::restrict_to_corridor(Index from, Index to)
 {
-  const Site_graph& graph = m_regions->graph;
-  const std::vector<Index> way =
-      m_coarse[0](m_regions->region[from], m_regions->region[to], Surfel_search::a_star);
-  m_visited = m_coarse[0].visited();
-  m_is_narrow = way.size() > short_way;
-  if(m_is_narrow)
-    for(const Index region : way)
+  const Proximity_graph& graph = m_regions->graph;
+  const std::vector<Index> coarse_path =
+      m_coarse_search[0](m_regions->region[from], m_regions->region[to], Surfel_search::a_star);
+  m_number_of_visited_vertices = m_coarse_search[0].number_of_visited_vertices();
+  m_is_restricted = coarse_path.size() > min_corridor_length;
+  if(m_is_restricted)
+    for(const Index region : coarse_path)
     {
-      m_open[region] = m_run;
-      for(Index arc = graph.first[region]; arc < graph.first[region + 1]; ++arc)
-        m_open[graph.target[arc]] = m_run;
+      m_corridor_stamp[region] = m_stamp;
+      for(Index e = graph.begin[region]; e < graph.begin[region + 1]; ++e)
+        m_corridor_stamp[graph.target[e]] = m_stamp;
     }
-  m_is_led = way.size() > long_way;
-  if(m_is_led)
-    lead(way, to);
-  return !way.empty();
+  m_is_guided = coarse_path.size() > min_guided_length;
+  if(m_is_guided)
+    set_waypoints(coarse_path, to);
+  return !coarse_path.empty();
 }
 
 std::vector<Index> Graph_search::operator()(Index from, Index to, Surfel_search method)
 {
-  m_run += 2;
-  m_visited = 0;
-  m_is_narrow = m_is_led = false;
+  m_stamp += 2;
+  m_number_of_visited_vertices = 0;
+  m_is_restricted = m_is_guided = false;
   if(method != Surfel_search::coarse_to_fine)
     return find(from, to, method);
-  if(m_regions != nullptr && !narrow(from, to))
+  if(m_regions != nullptr && !restrict_to_corridor(from, to))
     return {};
   return find(from, to, Surfel_search::a_star);
 }
 
 std::vector<Index> Graph_search::find(Index from, Index to, Surfel_search method)
 {
-  Side &forward = m_sides[0], &backward = m_sides[1];
-  const bool is_two_sided = method == Surfel_search::bidirectional;
-  begin(forward, from, method == Surfel_search::a_star ? &(*m_point)[to] : nullptr);
-  if(is_two_sided)
-    begin(backward, to, nullptr);
+  Frontier &forward = m_frontiers[0], &backward = m_frontiers[1];
+  const bool is_bidirectional = method == Surfel_search::bidirectional;
+  initialize(forward, from, method == Surfel_search::a_star ? &(*m_point)[to] : nullptr);
+  if(is_bidirectional)
+    initialize(backward, to, nullptr);
 
-  Index middle = none;
-  double best = infinity;
-  const auto is_open = [&]
+  Index meeting_vertex = none;
+  double best_length = infinity;
+  const auto is_unfinished = [&]
   {
-    if(!is_two_sided)
-      return middle == none && !forward.queue.empty();
+    if(!is_bidirectional)
+      return meeting_vertex == none && !forward.queue.empty();
     return !forward.queue.empty() && !backward.queue.empty() &&
-           forward.queue.front().key + backward.queue.front().key < best;
+           forward.queue.front().key + backward.queue.front().key < best_length;
   };
-  while(is_open())
+  while(is_unfinished())
   {
-    if(!is_two_sided)
+    if(!is_bidirectional)
     {
-      if(spread(forward) == to)
-        middle = to;
+      if(expand(forward) == to)
+        meeting_vertex = to;
       continue;
     }
     const bool is_forward = forward.queue.front().key <= backward.queue.front().key;
-    Side &near = is_forward ? forward : backward, &far = is_forward ? backward : forward;
-    const Index site = spread(near);
-    const auto meet = [&](Index other)
+    Frontier &current = is_forward ? forward : backward,
+             &opposite = is_forward ? backward : forward;
+    const Index vertex = expand(current);
+    const auto update_meeting = [&](Index candidate)
     {
-      if(!is_reached(near, other) || !is_reached(far, other))
+      if(!is_reached(current, candidate) || !is_reached(opposite, candidate))
         return;
-      const double length = near.sites[other].distance + far.sites[other].distance;
-      if(length < best)
+      const double length =
+          current.vertices[candidate].distance + opposite.vertices[candidate].distance;
+      if(length < best_length)
       {
-        best = length;
-        middle = other;
+        best_length = length;
+        meeting_vertex = candidate;
       }
     };
-    meet(site);
-    for(Index arc = m_graph->first[site]; arc < m_graph->first[site + 1]; ++arc)
-      meet(m_graph->target[arc]);
+    update_meeting(vertex);
+    for(Index e = m_graph->begin[vertex]; e < m_graph->begin[vertex + 1]; ++e)
+      update_meeting(m_graph->target[e]);
   }
   std::vector<Index> chain;
-  for(Index site = middle; site != none; site = forward.sites[site].from)
-    chain.push_back(site);
+  for(Index vertex = meeting_vertex; vertex != none; vertex = forward.vertices[vertex].predecessor)
+    chain.push_back(vertex);
   std::reverse(chain.begin(), chain.end());
-  if(is_two_sided && middle != none)
-    for(Index site = backward.sites[middle].from; site != none; site = backward.sites[site].from)
-      chain.push_back(site);
+  if(is_bidirectional && meeting_vertex != none)
+    for(Index vertex = backward.vertices[meeting_vertex].predecessor; vertex != none;
+        vertex = backward.vertices[vertex].predecessor)
+      chain.push_back(vertex);
   return chain;
 }
 

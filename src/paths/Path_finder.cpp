@@ -11,12 +11,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-Path_finder::Path_finder(std::shared_ptr<const Glued_triangles> triangles)
-    : m_triangles(std::move(triangles)), m_sites(m_triangles->number_of_sites()),
-      m_queue(m_triangles->number_of_sites())
+Path_finder::Path_finder(std::shared_ptr<const Surface_arrays> triangles)
+    : m_triangles(std::move(triangles)), m_vertices(m_triangles->number_of_vertices()),
+      m_queue(m_triangles->number_of_vertices())
 {
   if(!m_triangles->is_cloud())
-    m_hops.resize(m_triangles->corner.size());
+    m_shortcuts.resize(m_triangles->corner.size());
 }
 
 // ----------------------------------------------------------------------------------------- hops
@@ -24,124 +24,129 @@ Path_finder::Path_finder(std::shared_ptr<const Glued_triangles> triangles)
 namespace {
 
 // Whether the line between two points passes between two others, one on each side of it.
-bool passes(const Planar& p, const Planar& q, const Planar& right, const Planar& left)
+bool passes_between(const Vec2& p, const Vec2& q, const Vec2& right, const Vec2& left)
 {
   return cross(q - p, right - p) < 0. && cross(q - p, left - p) > 0.;
 }
 
 } // namespace
 
-const Path_finder::Hops& Path_finder::hops(Index corner)
+const Path_finder::Shortcuts& Path_finder::shortcuts(Index corner)
 {
-  Hops& hops = m_hops[corner];
-  if(hops.across >= 0.f)
-    return hops;
-  const Glued_triangles& t = *m_triangles;
-  constexpr float never = std::numeric_limits<float>::infinity();
-  hops = {never, never, never};
-  const Index side = next_side(corner), entered = t.twin[side];
-  if(entered == none)
-    return hops;
+  Shortcuts& shortcuts = m_shortcuts[corner];
+  if(shortcuts.across >= 0.f)
+    return shortcuts;
+  const Surface_arrays& t = *m_triangles;
+  constexpr float unreachable = std::numeric_limits<float>::infinity();
+  shortcuts = {unreachable, unreachable, unreachable};
+  const Index h = next_halfedge(corner), twin = t.twin[h];
+  if(twin == none)
+    return shortcuts;
 
   // The side lies on the first axis, its left end (seen from the corner) at the origin.
-  const double base = t.length[side];
-  const Planar left = {0., 0.}, right = {base, 0.};
-  Planar begin = third_corner(base, t.length[previous_side(corner)], t.length[corner]);
-  begin[1] = -begin[1];
-  const double to_left = t.length[previous_side(entered)], to_right = t.length[next_side(entered)];
-  const Planar top = third_corner(base, to_left, to_right);
-  if(passes(begin, top, right, left))
-    hops.across = static_cast<float>(norm(top - begin));
+  const double base = t.length[h];
+  const Vec2 left = {0., 0.}, right = {base, 0.};
+  Vec2 start = third_corner(base, t.length[previous_halfedge(corner)], t.length[corner]);
+  start[1] = -start[1];
+  const double to_left = t.length[previous_halfedge(twin)],
+               to_right = t.length[next_halfedge(twin)];
+  const Vec2 opposite = third_corner(base, to_left, to_right);
+  if(passes_between(start, opposite, right, left))
+    shortcuts.across = static_cast<float>(norm(opposite - start));
 
-  const auto beyond = [&](Index out, const Planar& out_left, const Planar& out_right)
+  const auto length_beyond = [&](Index exit, const Vec2& exit_left, const Vec2& exit_right)
   {
-    const Index behind = t.twin[out];
-    const double length = t.length[out];
-    if(behind == none || !(length > 0.))
-      return never;
-    const Planar local =
-        third_corner(length, t.length[previous_side(behind)], t.length[next_side(behind)]);
-    const Planar along = (1. / length) * (out_right - out_left);
-    const Planar end = out_left + local[0] * along + local[1] * turned_left(along);
-    return passes(begin, end, right, left) && passes(begin, end, out_right, out_left)
-               ? static_cast<float>(norm(end - begin))
-               : never;
+    const Index twin_of_out = t.twin[exit];
+    const double length = t.length[exit];
+    if(twin_of_out == none || !(length > 0.))
+      return unreachable;
+    const Vec2 local = third_corner(length, t.length[previous_halfedge(twin_of_out)],
+                                    t.length[next_halfedge(twin_of_out)]);
+    const Vec2 direction = (1. / length) * (exit_right - exit_left);
+    const Vec2 end = exit_left + local[0] * direction + local[1] * rotated_left(direction);
+    return passes_between(start, end, right, left) &&
+                   passes_between(start, end, exit_right, exit_left)
+               ? static_cast<float>(norm(end - start))
+               : unreachable;
   };
-  hops.to_right = beyond(next_side(entered), top, right);
-  hops.to_left = beyond(previous_side(entered), left, top);
-  return hops;
+  shortcuts.to_right = length_beyond(next_halfedge(twin), opposite, right);
+  shortcuts.to_left = length_beyond(previous_halfedge(twin), left, opposite);
+  return shortcuts;
 }
 
 // Calls f with each site that one step leads to, the step's length, where it comes from, and how.
 template <typename Function>
-void Path_finder::for_each_way(Index site, Function f)
+void Path_finder::for_each_step(Index vertex, Function f)
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   if(t.is_cloud())
   {
-    for(Index arc = t.graph.first[site]; arc < t.graph.first[site + 1]; ++arc)
-      f(t.graph.target[arc], t.graph.length[arc], site, Way::arc);
+    for(Index edge = t.graph.begin[vertex]; edge < t.graph.begin[vertex + 1]; ++edge)
+      f(t.graph.target[edge], t.graph.length[edge], vertex, Step::edge);
     return;
   }
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+  for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
   {
-    const Index corner = t.star[i], side = next_side(corner), before = previous_side(corner);
-    f(t.corner[side], t.length[corner], corner, Way::arc);
-    if(t.twin[before] == none)
-      f(t.corner[before], t.length[before], corner, Way::arc);
-    const Index entered = t.twin[side];
-    if(entered == none)
+    const Index corner = t.ring[i], h = next_halfedge(corner), previous = previous_halfedge(corner);
+    f(t.corner[h], t.length[corner], corner, Step::edge);
+    if(t.twin[previous] == none)
+      f(t.corner[previous], t.length[previous], corner, Step::edge);
+    const Index twin = t.twin[h];
+    if(twin == none)
       continue;
-    const Hops& hop = hops(corner);
-    if(std::isfinite(hop.across))
-      f(t.corner[previous_side(entered)], hop.across, corner, Way::across);
-    if(std::isfinite(hop.to_right))
-      f(t.corner[previous_side(t.twin[next_side(entered)])], hop.to_right, corner, Way::to_right);
-    if(std::isfinite(hop.to_left))
-      f(t.corner[previous_side(t.twin[previous_side(entered)])], hop.to_left, corner, Way::to_left);
+    const Shortcuts& shortcut = shortcuts(corner);
+    if(std::isfinite(shortcut.across))
+      f(t.corner[previous_halfedge(twin)], shortcut.across, corner, Step::across);
+    if(std::isfinite(shortcut.to_right))
+      f(t.corner[previous_halfedge(t.twin[next_halfedge(twin)])], shortcut.to_right, corner,
+        Step::to_right);
+    if(std::isfinite(shortcut.to_left))
+      f(t.corner[previous_halfedge(t.twin[previous_halfedge(twin)])], shortcut.to_left, corner,
+        Step::to_left);
   }
 }
 
 // The sites that a location sees in its triangles and behind their sides.
-std::vector<Path_finder::Link> Path_finder::links(const Location& location) const
+std::vector<Path_finder::Link> Path_finder::links(const Surface_location& location) const
 {
-  const Glued_triangles& t = *m_triangles;
-  const Index site = site_of(t, location);
-  if(site != none)
-    return {{site, 0., {}}};
+  const Surface_arrays& t = *m_triangles;
+  const Index vertex = vertex_of(t, location);
+  if(vertex != none)
+    return {{vertex, 0., {}}};
   std::vector<Link> result;
-  std::array<Index, 2> holders = {location.triangle, none};
-  if(const Index side = side_of(location); !t.is_cloud() && side != none && t.twin[side] != none)
-    holders[1] = t.twin[side] / 3;
-  for(const Index triangle : holders)
+  std::array<Index, 2> triangles = {location.triangle, none};
+  if(const Index h = halfedge_of(location); !t.is_cloud() && h != none && t.twin[h] != none)
+    triangles[1] = t.twin[h] / 3;
+  for(const Index triangle : triangles)
   {
     if(triangle == none)
       break;
-    const auto b = *seen_from(t, triangle, location);
+    const auto barycentric = *barycentric_in(t, triangle, location);
     const auto corners = unfolded(t, triangle);
-    const Planar x = unfolded_point(corners, b);
-    for(Index side = 3 * triangle; side < 3 * triangle + 3; ++side)
+    const Vec2 x = unfolded_point(corners, barycentric);
+    for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
     {
-      result.push_back({t.corner[side], norm(corners[side % 3] - x), {}});
-      if(t.is_cloud() || t.twin[side] == none || b[previous_side(side) % 3] == 0.)
+      result.push_back({t.corner[h], norm(corners[h % 3] - x), {}});
+      if(t.is_cloud() || t.twin[h] == none || barycentric[previous_halfedge(h) % 3] == 0.)
         continue;
       // Behind the side: its right end, seen from inside, is where it begins.
-      const Index entered = t.twin[side];
-      const Planar right = corners[side % 3], left = corners[next_side(side) % 3];
-      const double base = t.length[side];
+      const Index twin = t.twin[h];
+      const Vec2 right = corners[h % 3], left = corners[next_halfedge(h) % 3];
+      const double base = t.length[h];
       if(!(base > 0.))
         continue;
-      const Planar local =
-          third_corner(base, t.length[previous_side(entered)], t.length[next_side(entered)]);
-      const Planar along = (1. / base) * (right - left);
-      const Planar end = left + local[0] * along + local[1] * turned_left(along);
-      if(!passes(x, end, right, left))
+      const Vec2 local =
+          third_corner(base, t.length[previous_halfedge(twin)], t.length[next_halfedge(twin)]);
+      const Vec2 direction = (1. / base) * (right - left);
+      const Vec2 target = left + local[0] * direction + local[1] * rotated_left(direction);
+      if(!passes_between(x, target, right, left))
         continue;
-      const double from_right = -cross(end - x, right - x), from_left = cross(end - x, left - x);
-      Link link = {t.corner[previous_side(entered)], norm(end - x), {}};
+      const double right_area = -cross(target - x, right - x),
+                   left_area = cross(target - x, left - x);
+      Link link = {t.corner[previous_halfedge(twin)], norm(target - x), {}};
       link.crossing.triangle = triangle;
-      link.crossing.barycentric = on_side(side, from_right / (from_right + from_left));
-      link.crossing = cleaned(t, link.crossing);
+      link.crossing.barycentric = barycentric_on_halfedge(h, right_area / (right_area + left_area));
+      link.crossing = canonical(t, link.crossing);
       result.push_back(link);
     }
   }
@@ -150,114 +155,116 @@ std::vector<Path_finder::Link> Path_finder::links(const Location& location) cons
 
 // --------------------------------------------------------------------------------------- search
 
-double Path_finder::bound(Index site) const
+double Path_finder::heuristic(Index vertex) const
 {
-  if(!m_has_goal)
+  if(!m_uses_heuristic)
     return 0.;
   double result = 0.;
   if(!m_triangles->point.empty())
   {
-    const auto& p = m_triangles->point[site];
+    const auto& p = m_triangles->point[vertex];
     const double x = p[0] - m_goal_point[0], y = p[1] - m_goal_point[1], z = p[2] - m_goal_point[2];
     result = std::sqrt(x * x + y * y + z * z);
   }
   for(unsigned i = 0; i < m_number_of_landmarks; ++i)
   {
     // Comparisons with NaN are false.
-    const double distance = m_landmarks[std::size_t(site) * m_number_of_landmarks + i];
-    if(distance - m_goal_range[i][1] > result)
-      result = distance - m_goal_range[i][1];
-    if(m_goal_range[i][0] - distance > result)
-      result = m_goal_range[i][0] - distance;
+    const double distance = m_landmarks[std::size_t(vertex) * m_number_of_landmarks + i];
+    if(distance - m_goal_distance_range[i][1] > result)
+      result = distance - m_goal_distance_range[i][1];
+    if(m_goal_distance_range[i][0] - distance > result)
+      result = m_goal_distance_range[i][0] - distance;
   }
   return result;
 }
 
-void Path_finder::reach(Index index, double distance, Index from, Way way)
+void Path_finder::relax(Index index, double distance, Index from, Step step)
 {
-  Site& site = m_sites[index];
-  if(site.run < m_run)
+  Vertex& vertex = m_vertices[index];
+  if(vertex.stamp < m_stamp)
   {
-    site.run = m_run;
-    site.distance = infinity;
-    site.bound = bound(index);
-    site.goal = none;
+    vertex.stamp = m_stamp;
+    vertex.distance = infinity;
+    vertex.heuristic = heuristic(index);
+    vertex.goal_link = none;
   }
-  if(site.run == m_run && distance < site.distance)
+  if(vertex.stamp == m_stamp && distance < vertex.distance)
   {
-    site.distance = distance;
-    site.from = from;
-    site.way = way;
-    m_queue.push(index, distance + site.bound);
+    vertex.distance = distance;
+    vertex.predecessor = from;
+    vertex.step = step;
+    m_queue.push(index, distance + vertex.heuristic);
   }
 }
 
-void Path_finder::spread(Index index)
+void Path_finder::expand(Index index)
 {
-  Site& site = m_sites[index];
-  site.run = m_run + 1;
-  ++m_visited;
-  const double distance = site.distance;
-  for_each_way(index, [&](Index target, double length, Index from, Way way)
-               { reach(target, distance + length, from, way); });
+  Vertex& vertex = m_vertices[index];
+  vertex.stamp = m_stamp + 1;
+  ++m_number_of_visited_vertices;
+  const double distance = vertex.distance;
+  for_each_step(index, [&](Index target, double length, Index from, Step step)
+                { relax(target, distance + length, from, step); });
 }
 
-void Path_finder::run_everywhere(Index begin, std::vector<double>& distance)
+void Path_finder::compute_all_distances(Index begin, std::vector<double>& distance)
 {
-  m_run += 2;
-  m_has_goal = false;
-  reach(begin, 0., none, Way::start);
+  m_stamp += 2;
+  m_uses_heuristic = false;
+  relax(begin, 0., none, Step::start);
   while(!m_queue.empty())
-    spread(m_queue.pop().site);
-  distance.resize(m_sites.size());
-  for(std::size_t s = 0; s < m_sites.size(); ++s)
-    distance[s] = m_sites[s].run > m_run ? m_sites[s].distance : infinity;
+    expand(m_queue.pop().vertex);
+  distance.resize(m_vertices.size());
+  for(std::size_t s = 0; s < m_vertices.size(); ++s)
+    distance[s] = m_vertices[s].stamp > m_stamp ? m_vertices[s].distance : infinity;
 }
 
-void Path_finder::add_landmarks(unsigned number)
+void Path_finder::add_landmarks(unsigned number_of_landmarks)
 {
-  const std::size_t n = m_sites.size();
-  if(n == 0 || number == 0)
+  const std::size_t n = m_vertices.size();
+  if(n == 0 || number_of_landmarks == 0)
     return;
   // Each is the site farthest from those before, the first from site 0.
-  std::vector<double> nearest(n, infinity), distance;
-  const std::size_t before = m_number_of_landmarks, after = before + number;
-  if(before == 0)
-    run_everywhere(0, nearest);
-  std::vector<float> landmarks(n * after);
+  std::vector<double> distance_to_nearest(n, infinity), distance;
+  const std::size_t old_number = m_number_of_landmarks,
+                    new_number = old_number + number_of_landmarks;
+  if(old_number == 0)
+    compute_all_distances(0, distance_to_nearest);
+  std::vector<float> landmarks(n * new_number);
   for(std::size_t s = 0; s < n; ++s)
-    for(std::size_t i = 0; i < before; ++i)
+    for(std::size_t i = 0; i < old_number; ++i)
     {
-      const double known = m_landmarks[s * before + i];
-      landmarks[s * after + i] = m_landmarks[s * before + i];
-      if(known < nearest[s]) // false for NaN
-        nearest[s] = known;
+      const double known_distance = m_landmarks[s * old_number + i];
+      landmarks[s * new_number + i] = m_landmarks[s * old_number + i];
+      if(known_distance < distance_to_nearest[s]) // false for NaN
+        distance_to_nearest[s] = known_distance;
     }
-  for(std::size_t i = before; i < after; ++i)
+  for(std::size_t i = old_number; i < new_number; ++i)
   {
-    const auto farthest = std::max_element(nearest.begin(), nearest.end());
-    run_everywhere(static_cast<Index>(farthest - nearest.begin()), distance);
+    const auto farthest = std::max_element(distance_to_nearest.begin(), distance_to_nearest.end());
+    compute_all_distances(static_cast<Index>(farthest - distance_to_nearest.begin()), distance);
     for(std::size_t s = 0; s < n; ++s)
     {
-      landmarks[s * after + i] = std::isfinite(distance[s])
-                                     ? static_cast<float>(distance[s])
-                                     : std::numeric_limits<float>::quiet_NaN();
-      nearest[s] = i == 0 ? distance[s] : std::min(nearest[s], distance[s]);
+      landmarks[s * new_number + i] = std::isfinite(distance[s])
+                                          ? static_cast<float>(distance[s])
+                                          : std::numeric_limits<float>::quiet_NaN();
+      distance_to_nearest[s] = i == 0 ? distance[s] : std::min(distance_to_nearest[s], distance[s]);
     }
   }
   m_landmarks = std::move(landmarks);
-  m_number_of_landmarks = static_cast<unsigned>(after);
+  m_number_of_landmarks = static_cast<unsigned>(new_number);
 }
 
-std::vector<Location> Path_finder::operator()(const Location& given_from, const Location& given_to)
+std::vector<Surface_location> Path_finder::operator()(const Surface_location& input_from,
+                                                      const Surface_location& input_to)
 {
-  const Glued_triangles& t = *m_triangles;
-  const Location from = cleaned(t, given_from), to = cleaned(t, given_to);
-  m_visited = 0;
-  const Index site_from = site_of(t, from), site_to = site_of(t, to);
+  const Surface_arrays& t = *m_triangles;
+  const Surface_location from = canonical(t, input_from), to = canonical(t, input_to);
+  m_number_of_visited_vertices = 0;
+  const Index from_vertex = vertex_of(t, from), to_vertex = vertex_of(t, to);
   const bool is_same =
-      t.is_cloud() ? site_from == site_to &&
-                         (site_from != none ||
+      t.is_cloud() ? from_vertex == to_vertex &&
+                         (from_vertex != none ||
                           (from.triangle == to.triangle && from.barycentric == to.barycentric))
                    : is_same_point(t, from, to);
   if(is_same)
@@ -266,97 +273,98 @@ std::vector<Location> Path_finder::operator()(const Location& given_from, const 
      (t.is_cloud() ? from.triangle == to.triangle : common_triangle(t, from, to) != none))
     return {from, to};
 
-  m_run += 2;
+  m_stamp += 2;
   m_queue.clear();
-  const std::vector<Link> begins = links(from), ends = links(to);
+  const std::vector<Link> start_links = links(from), goal_links = links(to);
 
   // The lower bound at the goal
-  m_has_goal = true;
+  m_uses_heuristic = true;
   if(!t.point.empty())
   {
     m_goal_point = {0., 0., 0.};
     if(to.triangle == none)
-      m_goal_point = t.point[to.site];
+      m_goal_point = t.point[to.vertex];
     else
       for(Index k = 0; k < 3; ++k)
         for(int axis = 0; axis < 3; ++axis)
           m_goal_point[axis] += to.barycentric[k] * t.point[t.corner[3 * to.triangle + k]][axis];
   }
-  m_goal_range.assign(m_number_of_landmarks, {0., infinity});
+  m_goal_distance_range.assign(m_number_of_landmarks, {0., infinity});
   for(unsigned i = 0; i < m_number_of_landmarks; ++i)
-    for(const Link& end : ends)
+    for(const Link& end : goal_links)
     {
-      const double distance = m_landmarks[std::size_t(end.site) * m_number_of_landmarks + i];
-      m_goal_range[i][0] = std::max(m_goal_range[i][0], distance - end.length);
-      m_goal_range[i][1] = std::min(m_goal_range[i][1], distance + end.length);
+      const double distance = m_landmarks[std::size_t(end.vertex) * m_number_of_landmarks + i];
+      m_goal_distance_range[i][0] = std::max(m_goal_distance_range[i][0], distance - end.length);
+      m_goal_distance_range[i][1] = std::min(m_goal_distance_range[i][1], distance + end.length);
     }
 
-  for(const Link& end : ends)
-    reach(end.site, infinity, none, Way::start);
-  for(Index i = 0; i < ends.size(); ++i)
+  for(const Link& end : goal_links)
+    relax(end.vertex, infinity, none, Step::start);
+  for(Index i = 0; i < goal_links.size(); ++i)
   {
-    Index& goal = m_sites[ends[i].site].goal;
-    if(goal == none || ends[i].length < ends[goal].length)
-      goal = i;
+    Index& goal_link = m_vertices[goal_links[i].vertex].goal_link;
+    if(goal_link == none || goal_links[i].length < goal_links[goal_link].length)
+      goal_link = i;
   }
-  for(Index i = 0; i < begins.size(); ++i)
-    reach(begins[i].site, begins[i].length, i, Way::start);
+  for(Index i = 0; i < start_links.size(); ++i)
+    relax(start_links[i].vertex, start_links[i].length, i, Step::start);
 
-  double best = infinity;
-  Index last = none;
-  while(!m_queue.empty() && m_queue.front().key < best)
+  double best_length = infinity;
+  Index last_vertex = none;
+  while(!m_queue.empty() && m_queue.front().key < best_length)
   {
-    const Index site = m_queue.pop().site;
-    spread(site);
-    const Index goal = m_sites[site].goal;
-    if(goal != none && m_sites[site].distance + ends[goal].length < best)
+    const Index vertex = m_queue.pop().vertex;
+    expand(vertex);
+    const Index goal_link = m_vertices[vertex].goal_link;
+    if(goal_link != none &&
+       m_vertices[vertex].distance + goal_links[goal_link].length < best_length)
     {
-      best = m_sites[site].distance + ends[goal].length;
-      last = site;
+      best_length = m_vertices[vertex].distance + goal_links[goal_link].length;
+      last_vertex = vertex;
     }
   }
   m_queue.clear();
-  if(last == none)
+  if(last_vertex == none)
     return {};
 
-  std::vector<Location> path;
-  const auto add = [&](const Location& location)
+  std::vector<Surface_location> path;
+  const auto add = [&](const Surface_location& location)
   {
     if(path.empty() || t.is_cloud() || !is_same_point(t, path.back(), location))
       path.push_back(location);
   };
   add(to);
-  const Link& end = ends[m_sites[last].goal];
+  const Link& end = goal_links[m_vertices[last_vertex].goal_link];
   if(end.crossing.triangle != none)
     add(end.crossing);
-  if(site_to == none)
-    add(at_site(t, last));
-  Index site = last;
-  while(m_sites[site].way != Way::start)
+  if(to_vertex == none)
+    add(vertex_location(t, last_vertex));
+  Index vertex = last_vertex;
+  while(m_vertices[vertex].step != Step::start)
   {
-    const Site& here = m_sites[site];
-    const Index corner = here.from;
-    const auto add_side = [&](Index side)
+    const Vertex& current = m_vertices[vertex];
+    const Index corner = current.predecessor;
+    const auto add_edge_midpoint = [&](Index h)
     {
-      Location location;
-      location.triangle = side / 3;
-      location.barycentric = on_side(side, 0.5);
+      Surface_location location;
+      location.triangle = h / 3;
+      location.barycentric = barycentric_on_halfedge(h, 0.5);
       add(location);
     };
     // The point on a side that a hop crosses matters to no one: straighten() moves it.
-    if(here.way == Way::to_right)
-      add_side(next_side(t.twin[next_side(corner)]));
-    if(here.way == Way::to_left)
-      add_side(previous_side(t.twin[next_side(corner)]));
-    if(here.way != Way::arc)
-      add_side(next_side(corner));
-    site = t.is_cloud() ? here.from : t.corner[corner];
-    add(at_site(t, site));
+    if(current.step == Step::to_right)
+      add_edge_midpoint(next_halfedge(t.twin[next_halfedge(corner)]));
+    if(current.step == Step::to_left)
+      add_edge_midpoint(previous_halfedge(t.twin[next_halfedge(corner)]));
+    if(current.step != Step::edge)
+      add_edge_midpoint(next_halfedge(corner));
+    vertex = t.is_cloud() ? current.predecessor : t.corner[corner];
+    add(vertex_location(t, vertex));
   }
-  const Link& begin = begins[m_sites[site].from];
+  const Link& begin = start_links[m_vertices[vertex].predecessor];
   if(begin.crossing.triangle != none)
     add(begin.crossing);
-  if(site_from == none)
+  if(from_vertex == none)
     add(from);
   std::reverse(path.begin(), path.end());
   return path;

@@ -18,56 +18,57 @@ namespace {
 
 // Calls f with each triangle that holds a clean location.
 template <typename Function>
-void for_each_holder(const Glued_triangles& t, const Location& location, Function f)
+void for_each_incident_triangle(const Surface_arrays& t, const Surface_location& location,
+                                Function f)
 {
-  if(const Index site = site_of(t, location); site != none)
-    for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-      f(t.star[i] / 3);
+  if(const Index vertex = vertex_of(t, location); vertex != none)
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+      f(t.ring[i] / 3);
   else
   {
     f(location.triangle);
-    const Index side = side_of(location);
-    if(side != none && t.twin[side] != none)
-      f(t.twin[side] / 3);
+    const Index h = halfedge_of(location);
+    if(h != none && t.twin[h] != none)
+      f(t.twin[h] / 3);
   }
 }
 
 } // namespace
 
-Descent::Descent(const Glued_triangles& t, const std::vector<Source>& sources) : m_triangles(t)
+Descent::Descent(const Surface_arrays& t, const std::vector<Front_source>& sources) : m_triangles(t)
 {
   if(t.is_cloud())
     throw Unsupported_surface_error("No path can be traced on a cloud: nothing is glued.");
   for(Index s = 0; s < sources.size(); ++s)
   {
-    const Source& source = sources[s];
+    const Front_source& source = sources[s];
     for(std::size_t i = 0; i < source.polyline.size(); ++i)
     {
-      const Location begin = cleaned(t, source.polyline[i]);
-      const Location end =
-          i + 1 < source.polyline.size() ? cleaned(t, source.polyline[i + 1]) : begin;
+      const Surface_location begin = canonical(t, source.polyline[i]);
+      const Surface_location end =
+          i + 1 < source.polyline.size() ? canonical(t, source.polyline[i + 1]) : begin;
       const auto add = [&](Index triangle)
       {
-        const auto first = *seen_from(t, triangle, begin);
+        const auto first = *barycentric_in(t, triangle, begin);
         m_pieces.push_back(
-            {triangle, s, source.offset, first, seen_from(t, triangle, end).value_or(first)});
+            {triangle, s, source.offset, first, barycentric_in(t, triangle, end).value_or(first)});
       };
       if(begin.triangle == none)
-        m_isolated.emplace_back(begin.site, s);
+        m_isolated.emplace_back(begin.vertex, s);
       else
-        for_each_holder(t, begin, add);
+        for_each_incident_triangle(t, begin, add);
     }
     // The last location, seen from the triangles that do not hold the one before.
     if(source.polyline.size() > 1)
     {
-      const Location end = cleaned(t, source.polyline.back());
+      const Surface_location end = canonical(t, source.polyline.back());
       if(end.triangle != none)
-        for_each_holder(t, end,
-                        [&](Index triangle)
-                        {
-                          const auto b = *seen_from(t, triangle, end);
-                          m_pieces.push_back({triangle, s, source.offset, b, b});
-                        });
+        for_each_incident_triangle(t, end,
+                                   [&](Index triangle)
+                                   {
+                                     const auto b = *barycentric_in(t, triangle, end);
+                                     m_pieces.push_back({triangle, s, source.offset, b, b});
+                                   });
     }
   }
   std::stable_sort(m_pieces.begin(), m_pieces.end(),
@@ -75,20 +76,20 @@ Descent::Descent(const Glued_triangles& t, const std::vector<Source>& sources) :
 }
 
 // A path under way.
-struct Descent::Walk
+struct Descent::Tracer
 {
   const Descent& descent;
-  const Glued_triangles& t;
+  const Surface_arrays& t;
   const std::function<double(Index)>& distance;
   Descent_path path;
-  Location at;
+  Surface_location current;
   double value = 0.;
 
-  Walk(const Descent& descent, const std::function<double(Index)>& distance)
+  Tracer(const Descent& descent, const std::function<double(Index)>& distance)
       : descent(descent), t(descent.m_triangles), distance(distance)
   {}
 
-  double value_at(const Location& location) const
+  double interpolated_value(const Surface_location& location) const
   {
     double sum = 0.;
     for(Index k = 0; k < 3; ++k)
@@ -97,19 +98,19 @@ struct Descent::Walk
     return sum;
   }
 
-  void go_to(const Location& next)
+  void move_to(const Surface_location& next)
   {
-    at = next;
-    value = value_at(next);
+    current = next;
+    value = interpolated_value(next);
     if(path.locations.empty() || !is_same_point(t, path.locations.back(), next))
       path.locations.push_back(next);
   }
 
   // Ends at the nearest source in a common triangle; at one that explains the value if asked to.
-  bool arrive(bool must_explain)
+  bool try_finish(bool must_match_value)
   {
-    double best = infinity;
-    Location end;
+    double best_distance = infinity;
+    Surface_location end;
     Index source = none;
     const auto try_triangle = [&](Index triangle)
     {
@@ -118,29 +119,29 @@ struct Descent::Walk
       if(piece == descent.m_pieces.end() || piece->triangle != triangle)
         return;
       const auto corners = unfolded(t, triangle);
-      const Planar x = unfolded_point(corners, *seen_from(t, triangle, at));
+      const Vec2 x = unfolded_point(corners, *barycentric_in(t, triangle, current));
       for(; piece != descent.m_pieces.end() && piece->triangle == triangle; ++piece)
       {
-        const Planar p = unfolded_point(corners, piece->begin);
-        const Planar pq = unfolded_point(corners, piece->end) - p;
+        const Vec2 p = unfolded_point(corners, piece->begin);
+        const Vec2 pq = unfolded_point(corners, piece->end) - p;
         const double square = dot(pq, pq);
-        const double share = square > 0. ? std::clamp(dot(x - p, pq) / square, 0., 1.) : 0.;
-        const double total = piece->offset + norm(p + share * pq - x);
-        if(total < best)
+        const double fraction = square > 0. ? std::clamp(dot(x - p, pq) / square, 0., 1.) : 0.;
+        const double candidate = piece->offset + norm(p + fraction * pq - x);
+        if(candidate < best_distance)
         {
-          best = total;
+          best_distance = candidate;
           source = piece->source;
           end.triangle = triangle;
           for(int k = 0; k < 3; ++k)
-            end.barycentric[k] = piece->begin[k] + share * (piece->end[k] - piece->begin[k]);
+            end.barycentric[k] = piece->begin[k] + fraction * (piece->end[k] - piece->begin[k]);
         }
       }
     };
-    for_each_holder(t, at, try_triangle);
+    for_each_incident_triangle(t, current, try_triangle);
     // Interpolated distances are above true ones; the slack is for approximate fields.
-    if(source == none || (must_explain && !(best <= value * (1. + 1e-6))))
+    if(source == none || (must_match_value && !(best_distance <= value * (1. + 1e-6))))
       return false;
-    end = cleaned(t, end);
+    end = canonical(t, end);
     if(!is_same_point(t, path.locations.back(), end))
       path.locations.push_back(end);
     path.source = source;
@@ -149,14 +150,14 @@ struct Descent::Walk
 
   struct Step
   {
-    Location to;
+    Surface_location to;
     double slope = 0.;
   };
 
   // Keeps a step if it is the steepest so far and really goes down.
-  void offer(Step& best, const Location& to, double length) const
+  void consider_step(Step& best, const Surface_location& to, double length) const
   {
-    const double drop = value - value_at(to);
+    const double drop = value - interpolated_value(to);
     if(!(drop > 0.))
       return;
     const double slope = length > 0. ? drop / length : infinity;
@@ -165,105 +166,107 @@ struct Descent::Walk
   }
 
   // Steps to the corners of a triangle and, unless only these are wanted, down its gradient.
-  void offer_steps(Step& best, Index triangle, bool sites_only) const
+  void consider_steps(Step& best, Index triangle, bool vertices_only) const
   {
-    const auto b = *seen_from(t, triangle, at);
+    const auto barycentric = *barycentric_in(t, triangle, current);
     const auto corners = unfolded(t, triangle);
-    const Planar x = unfolded_point(corners, b);
-    std::array<double, 3> u;
+    const Vec2 x = unfolded_point(corners, barycentric);
+    std::array<double, 3> values;
     for(Index k = 0; k < 3; ++k)
     {
-      u[k] = distance(t.corner[3 * triangle + k]);
-      Location corner;
+      values[k] = distance(t.corner[3 * triangle + k]);
+      Surface_location corner;
       corner.triangle = triangle;
-      corner.barycentric = at_corner(3 * triangle + k);
-      if(b[k] != 1.)
-        offer(best, corner, norm(corners[k] - x));
+      corner.barycentric = barycentric_at_corner(3 * triangle + k);
+      if(barycentric[k] != 1.)
+        consider_step(best, corner, norm(corners[k] - x));
     }
-    if(sites_only || !std::isfinite(u[0] + u[1] + u[2]) || !(corners[2][1] > 0.))
+    if(vertices_only || !std::isfinite(values[0] + values[1] + values[2]) || !(corners[2][1] > 0.))
       return;
-    const double gx = (u[1] - u[0]) / corners[1][0];
-    const double gy = (u[2] - u[0] - gx * corners[2][0]) / corners[2][1];
-    const Planar down = {-gx, -gy};
+    const double gradient_x = (values[1] - values[0]) / corners[1][0];
+    const double gradient_y = (values[2] - values[0] - gradient_x * corners[2][0]) / corners[2][1];
+    const Vec2 descent_direction = {-gradient_x, -gradient_y};
     for(Index k = 0; k < 3; ++k)
     {
-      if(b[(k + 2) % 3] == 0.)
+      if(barycentric[(k + 2) % 3] == 0.)
       {
         // On this side: the way down must lead inside.
-        if(!(cross(corners[(k + 1) % 3] - corners[k], down) > 0.))
+        if(!(cross(corners[(k + 1) % 3] - corners[k], descent_direction) > 0.))
           return;
       }
     }
     for(Index k = 0; k < 3; ++k)
     {
-      if(b[(k + 2) % 3] == 0.)
+      if(barycentric[(k + 2) % 3] == 0.)
         continue;
-      const Planar side = corners[(k + 1) % 3] - corners[k], way = corners[k] - x;
-      const double turn = cross(down, side);
-      if(!(turn > 0.))
+      const Vec2 edge = corners[(k + 1) % 3] - corners[k], to_corner = corners[k] - x;
+      const double denominator = cross(descent_direction, edge);
+      if(!(denominator > 0.))
         continue;
-      const double share = -cross(down, way) / turn;
-      if(!(share >= 0. && share <= 1.))
+      const double fraction = -cross(descent_direction, to_corner) / denominator;
+      if(!(fraction >= 0. && fraction <= 1.))
         continue;
-      Location to;
+      Surface_location to;
       to.triangle = triangle;
       // Near a corner that is lower, rather the corner itself: it saves a fan of small steps.
-      const double near = 1e-4;
-      if(share < near && u[k] < value)
-        to.barycentric = at_corner(3 * triangle + k);
-      else if(share > 1. - near && u[(k + 1) % 3] < value)
-        to.barycentric = at_corner(3 * triangle + (k + 1) % 3);
+      const double snap_fraction = 1e-4;
+      if(fraction < snap_fraction && values[k] < value)
+        to.barycentric = barycentric_at_corner(3 * triangle + k);
+      else if(fraction > 1. - snap_fraction && values[(k + 1) % 3] < value)
+        to.barycentric = barycentric_at_corner(3 * triangle + (k + 1) % 3);
       else
-        to.barycentric = on_side(3 * triangle + k, share);
-      offer(best, cleaned(t, to), norm(way + share * side));
+        to.barycentric = barycentric_on_halfedge(3 * triangle + k, fraction);
+      consider_step(best, canonical(t, to), norm(to_corner + fraction * edge));
     }
   }
 
   // Along the shortest chain of arcs to a site that is lower, or that has a source in its star.
-  bool climb_out()
+  bool escape_local_minimum()
   {
-    struct Reached
+    struct Visited_vertex
     {
       double length;
       Index from;
       bool is_final = false;
     };
-    std::unordered_map<Index, Reached> reached;
+    std::unordered_map<Index, Visited_vertex> visited_vertices;
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const auto reach = [&](Index site, double length, Index from)
+    const auto relax = [&](Index vertex, double length, Index from)
     {
-      const auto [place, is_new] = reached.try_emplace(site, Reached{length, from});
-      if(is_new || length < place->second.length)
+      const auto [entry, is_new] =
+          visited_vertices.try_emplace(vertex, Visited_vertex{length, from});
+      if(is_new || length < entry->second.length)
       {
-        place->second = {length, from};
-        queue.emplace(length, site);
+        entry->second = {length, from};
+        queue.emplace(length, vertex);
       }
     };
-    const Index start = site_of(t, at);
-    if(start != none)
-      reach(start, 0., none);
+    const Index start_vertex = vertex_of(t, current);
+    if(start_vertex != none)
+      relax(start_vertex, 0., none);
     else
-      for_each_holder(t, at,
-                      [&](Index triangle)
-                      {
-                        const auto b = *seen_from(t, triangle, at);
-                        for(Index c = 3 * triangle; c < 3 * triangle + 3; ++c)
-                          reach(t.corner[c], distance_in_triangle(t, triangle, b, at_corner(c)),
-                                none);
-                      });
+      for_each_incident_triangle(
+          t, current,
+          [&](Index triangle)
+          {
+            const auto barycentric = *barycentric_in(t, triangle, current);
+            for(Index c = 3 * triangle; c < 3 * triangle + 3; ++c)
+              relax(t.corner[c],
+                    distance_in_triangle(t, triangle, barycentric, barycentric_at_corner(c)), none);
+          });
     while(!queue.empty())
     {
-      const auto [length, site] = queue.top();
+      const auto [length, vertex] = queue.top();
       queue.pop();
-      Reached& here = reached.find(site)->second;
-      if(here.is_final)
+      Visited_vertex& current_entry = visited_vertices.find(vertex)->second;
+      if(current_entry.is_final)
         continue;
-      here.is_final = true;
-      bool is_goal = distance(site) < value;
-      for(Index i = t.first[site]; i < t.first[site + 1] && !is_goal; ++i)
+      current_entry.is_final = true;
+      bool is_goal = distance(vertex) < value;
+      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1] && !is_goal; ++i)
       {
-        const Index triangle = t.star[i] / 3;
+        const Index triangle = t.ring[i] / 3;
         const auto piece =
             std::lower_bound(descent.m_pieces.begin(), descent.m_pieces.end(), triangle,
                              [](const Piece& p, Index f) { return p.triangle < f; });
@@ -271,90 +274,94 @@ struct Descent::Walk
       }
       if(is_goal)
       {
-        std::vector<Index> chain;
-        for(Index s = site; s != none; s = reached.find(s)->second.from)
-          chain.push_back(s);
-        for(auto s = chain.rbegin(); s != chain.rend(); ++s)
-          go_to(at_site(t, *s));
+        std::vector<Index> predecessors;
+        for(Index s = vertex; s != none; s = visited_vertices.find(s)->second.from)
+          predecessors.push_back(s);
+        for(auto s = predecessors.rbegin(); s != predecessors.rend(); ++s)
+          move_to(vertex_location(t, *s));
         return true;
       }
-      for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
       {
-        const Index corner = t.star[i], before = previous_side(corner);
-        reach(t.corner[next_side(corner)], length + t.length[corner], site);
-        reach(t.corner[before], length + t.length[before], site);
+        const Index corner = t.ring[i], previous = previous_halfedge(corner);
+        relax(t.corner[next_halfedge(corner)], length + t.length[corner], vertex);
+        relax(t.corner[previous], length + t.length[previous], vertex);
       }
     }
     return false;
   }
 
-  bool run(const Location& from)
+  bool run(const Surface_location& from)
   {
-    go_to(from);
+    move_to(from);
     if(!std::isfinite(value))
     {
       double best = infinity;
-      Index begin = none;
-      for_each_holder(t, from,
-                      [&](Index triangle)
-                      {
-                        const auto b = *seen_from(t, triangle, from);
-                        for(Index c = 3 * triangle; c < 3 * triangle + 3; ++c)
-                        {
-                          const double total = distance(t.corner[c]) +
-                                               distance_in_triangle(t, triangle, b, at_corner(c));
-                          if(total < best)
-                          {
-                            best = total;
-                            begin = t.corner[c];
-                          }
-                        }
-                      });
-      if(begin == none)
-        return arrive(false);
-      go_to(at_site(t, begin));
+      Index start_vertex = none;
+      for_each_incident_triangle(t, from,
+                                 [&](Index triangle)
+                                 {
+                                   const auto barycentric = *barycentric_in(t, triangle, from);
+                                   for(Index c = 3 * triangle; c < 3 * triangle + 3; ++c)
+                                   {
+                                     const double candidate =
+                                         distance(t.corner[c]) +
+                                         distance_in_triangle(t, triangle, barycentric,
+                                                              barycentric_at_corner(c));
+                                     if(candidate < best)
+                                     {
+                                       best = candidate;
+                                       start_vertex = t.corner[c];
+                                     }
+                                   }
+                                 });
+      if(start_vertex == none)
+        return try_finish(false);
+      move_to(vertex_location(t, start_vertex));
     }
     // A step across a triangle lowers the value by an amount that has no lower bound: after more of
     // them than the mesh has sides only steps to sites are made, of which there are finitely many.
-    for(std::size_t steps = 0;; ++steps)
+    for(std::size_t number_of_steps = 0;; ++number_of_steps)
     {
-      if(arrive(true))
+      if(try_finish(true))
         return true;
       Step best;
-      for_each_holder(
-          t, at, [&](Index triangle) { offer_steps(best, triangle, steps > t.corner.size()); });
+      for_each_incident_triangle(
+          t, current,
+          [&](Index triangle)
+          { consider_steps(best, triangle, number_of_steps > t.corner.size()); });
       if(best.slope > 0.)
-        go_to(best.to);
-      else if(arrive(false))
+        move_to(best.to);
+      else if(try_finish(false))
         return true;
       else
       {
-        const double before = value;
-        if(!climb_out())
+        const double previous_value = value;
+        if(!escape_local_minimum())
           return false;
-        if(!(value < before))
-          return arrive(false);
+        if(!(value < previous_value))
+          return try_finish(false);
       }
     }
   }
 };
 
-Descent_path Descent::operator()(const Location& from,
+Descent_path Descent::operator()(const Surface_location& from,
                                  const std::function<double(Index)>& distance) const
 {
-  const Location begin = cleaned(m_triangles, from);
+  const Surface_location begin = canonical(m_triangles, from);
   if(begin.triangle == none)
   {
     // A site without triangles is reached from itself alone.
-    for(const auto& [site, source] : m_isolated)
-      if(site == begin.site)
+    for(const auto& [vertex, source] : m_isolated)
+      if(vertex == begin.vertex)
         return {{begin}, source};
     return {};
   }
-  Walk walk(*this, distance);
-  if(!walk.run(begin))
+  Tracer tracer(*this, distance);
+  if(!tracer.run(begin))
     return {};
-  return std::move(walk.path);
+  return std::move(tracer.path);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

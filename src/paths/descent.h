@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DESCENT_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_DESCENT_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_DESCENT_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_DESCENT_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <array>
 #include <functional>
@@ -14,8 +14,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Descent_path
 {
-  std::vector<Location> locations; // as in Straight_path; empty when no source can be reached
-  Index source = none;             // the position among the sources of the one where it ends
+  std::vector<Surface_location>
+      locations;       // as in Locally_shortest_path; empty when no source can be reached
+  Index source = none; // the position among the sources of the one where it ends
 };
 
 // Paths down a distance field on a mesh, from anywhere to the sources of the field.
@@ -23,7 +24,7 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Descent
 {
 public:
   // Keeps a reference to the triangles.  Linear in the triangles around the sources.
-  Descent(const Glued_triangles& triangles, const std::vector<Source>& sources);
+  Descent(const Surface_arrays& triangles, const std::vector<Front_source>& sources);
 
   // The path of steepest descent of the linearly interpolated field.  Each step lowers the field,
   // so that it never turns in circles; in a pit of the field that holds no source it climbs out
@@ -33,7 +34,8 @@ public:
   //
   // distance  of each site, in any unit; infinite where no source reaches.  How it was found does
   //           not matter.
-  Descent_path operator()(const Location& from, const std::function<double(Index)>& distance) const;
+  Descent_path operator()(const Surface_location& from,
+                          const std::function<double(Index)>& distance) const;
 
 private:
   // A straight part of a source in a triangle, by the coordinates of its ends.
@@ -44,13 +46,13 @@ private:
     double offset;
     std::array<double, 3> begin, end;
   };
-  struct Walk;
+  struct Tracer;
 
-  const Glued_triangles& m_triangles;
+  const Surface_arrays& m_triangles;
   std::vector<Piece> m_pieces;                     // by triangle
   std::vector<std::pair<Index, Index>> m_isolated; // sites without triangles, and their sources
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DESCENT_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_DESCENT_H

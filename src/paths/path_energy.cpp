@@ -12,12 +12,12 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-Spatial without(const Spatial& direction, const Spatial& p)
+Vec3 project_out(const Vec3& unit_direction, const Vec3& p)
 {
-  return p - dot(p, direction) * direction;
+  return p - dot(p, unit_direction) * unit_direction;
 }
 
-double product(const std::vector<Spatial>& p, const std::vector<Spatial>& q)
+double inner_product(const std::vector<Vec3>& p, const std::vector<Vec3>& q)
 {
   double sum = 0.;
   for(std::size_t i = 0; i < p.size(); ++i)
@@ -26,346 +26,369 @@ double product(const std::vector<Spatial>& p, const std::vector<Spatial>& q)
 }
 
 // The matrix of the first sum, and `shift` on the diagonal, for the inner nodes.
-class Tridiagonal
+class Tridiagonal_factorization
 {
 public:
-  Tridiagonal(const std::vector<double>& share, double shift)
-      : m_beside(share.size() + 1, 0.), m_over(share.size() + 1, 0.)
+  Tridiagonal_factorization(const std::vector<double>& relative_length, double shift)
+      : m_off_diagonal(relative_length.size() + 1, 0.),
+        m_inverse_pivot(relative_length.size() + 1, 0.)
   {
-    for(std::size_t i = 1; i < share.size(); ++i)
+    for(std::size_t i = 1; i < relative_length.size(); ++i)
     {
-      m_beside[i] = 2. / share[i];
-      m_over[i] = 1. / (2. / share[i - 1] + 2. / share[i] + shift -
-                        (i > 1 ? m_beside[i - 1] * m_beside[i - 1] * m_over[i - 1] : 0.));
+      m_off_diagonal[i] = 2. / relative_length[i];
+      m_inverse_pivot[i] =
+          1. /
+          (2. / relative_length[i - 1] + 2. / relative_length[i] + shift -
+           (i > 1 ? m_off_diagonal[i - 1] * m_off_diagonal[i - 1] * m_inverse_pivot[i - 1] : 0.));
     }
   }
-  void solve(std::vector<Spatial>& x) const
+  void solve(std::vector<Vec3>& x) const
   {
     const std::size_t n = x.size();
     for(std::size_t i = 2; i + 1 < n; ++i)
-      x[i] = x[i] + m_beside[i - 1] * m_over[i - 1] * x[i - 1];
+      x[i] = x[i] + m_off_diagonal[i - 1] * m_inverse_pivot[i - 1] * x[i - 1];
     for(std::size_t i = n - 2; i > 0; --i)
-      x[i] = m_over[i] * (i + 2 < n ? x[i] + m_beside[i] * x[i + 1] : x[i]);
+      x[i] = m_inverse_pivot[i] * (i + 2 < n ? x[i] + m_off_diagonal[i] * x[i + 1] : x[i]);
   }
 
 private:
-  std::vector<double> m_beside,
-      m_over; // #nodes: the off-diagonal, negated, and one over the pivots
+  std::vector<double> m_off_diagonal,
+      m_inverse_pivot; // #nodes: the off-diagonal, negated, and one over the pivots
 };
 
 struct State
 {
-  std::vector<Spatial> points;
-  std::vector<Foot> feet, middles;
+  std::vector<Vec3> points;
+  std::vector<Projection> feet, midpoint_feet;
   Path_energy energy;
 };
 
-class Minimizer
+class Energy_minimizer
 {
 public:
-  Minimizer(const Path_surface& surface, const Path_options& options,
-            const std::vector<double>& share, std::vector<Foot>& path)
-      : m_surface(surface), m_options(options), m_share(share), m_path(path),
-        m_mean_length(polyline_length(path) / double(path.size() - 1)), m_along(share, 0.),
-        m_across(share, 2. * (options.alpha + options.beta))
+  Energy_minimizer(const Path_surface& surface, const Path_options& options,
+                   const std::vector<double>& relative_length, std::vector<Projection>& path)
+      : m_surface(surface), m_options(options), m_relative_length(relative_length), m_path(path),
+        m_mean_length(polyline_length(path) / double(path.size() - 1)),
+        m_tangential_preconditioner(relative_length, 0.),
+        m_normal_preconditioner(relative_length, 2. * (options.alpha + options.beta))
   {
-    for(const Foot& foot : path)
-      m_now.points.push_back(foot.point);
-    m_now.feet = path;
-    if(m_options.hold == Path_hold::energy)
-      m_now.middles.assign(path.begin(), path.end() - 1);
-    evaluate(m_now);
+    for(const Projection& projection : path)
+      m_current.points.push_back(projection.point);
+    m_current.feet = path;
+    if(m_options.constraint == Path_constraint::energy)
+      m_current.midpoint_feet.assign(path.begin(), path.end() - 1);
+    evaluate_energy(m_current);
   }
 
   Path_energy_level operator()()
   {
-    Path_energy_level level = {m_path.size() - 2, 0, m_now.energy.value, 0.};
-    std::vector<Spatial> gradient = m_now.energy.gradient, step = preconditioned(gradient),
-                         direction;
-    double product_before = product(gradient, step), last_decrease = infinity;
-    for(const Spatial& s : step)
+    Path_energy_level level = {m_path.size() - 2, 0, m_current.energy.value, 0.};
+    std::vector<Vec3> gradient = m_current.energy.gradient, step = preconditioned(gradient),
+                      direction;
+    double previous_product = inner_product(gradient, step), last_decrease = infinity;
+    for(const Vec3& s : step)
       direction.push_back(-1. * s);
-    while(level.number_of_iterations < m_options.iterations)
+    while(level.number_of_iterations < m_options.max_iterations)
     {
-      const double slope = product(m_now.energy.gradient, direction);
-      if(!(-slope > 0.1 * m_options.tolerance * m_now.energy.value))
+      const double slope = inner_product(m_current.energy.gradient, direction);
+      if(!(-slope > 0.1 * m_options.tolerance * m_current.energy.value))
         break;
-      const double before = m_now.energy.value;
-      const bool is_straight = search(direction, slope);
-      if(!is_straight && !sweep())
+      const double previous_energy = m_current.energy.value;
+      const bool is_line_search_successful = line_search(direction, slope);
+      if(!is_line_search_successful && !gauss_seidel_sweep())
         break;
       ++level.number_of_iterations;
-      const double decrease = before - m_now.energy.value;
-      if(std::max(decrease, last_decrease) < m_options.tolerance * before)
+      const double decrease = previous_energy - m_current.energy.value;
+      if(std::max(decrease, last_decrease) < m_options.tolerance * previous_energy)
         break;
       last_decrease = decrease;
       // Polak and Ribiere, with a fresh start where their factor is negative.
-      const std::vector<Spatial> next = preconditioned(m_now.energy.gradient);
-      const double product_now = product(m_now.energy.gradient, next);
-      const double factor =
-          is_straight ? std::max(0., (product_now - product(gradient, next)) / product_before) : 0.;
+      const std::vector<Vec3> preconditioned_gradient = preconditioned(m_current.energy.gradient);
+      const double current_product =
+          inner_product(m_current.energy.gradient, preconditioned_gradient);
+      const double beta =
+          is_line_search_successful
+              ? std::max(0., (current_product - inner_product(gradient, preconditioned_gradient)) /
+                                 previous_product)
+              : 0.;
       for(std::size_t i = 0; i < direction.size(); ++i)
-        direction[i] = tangential(i, factor * direction[i]) - next[i];
-      if(!(product(m_now.energy.gradient, direction) < -0.01 * product_now))
+        direction[i] = tangential(i, beta * direction[i]) - preconditioned_gradient[i];
+      if(!(inner_product(m_current.energy.gradient, direction) < -0.01 * current_product))
         for(std::size_t i = 0; i < direction.size(); ++i)
-          direction[i] = -1. * next[i];
-      gradient = m_now.energy.gradient;
-      product_before = product_now;
+          direction[i] = -1. * preconditioned_gradient[i];
+      gradient = m_current.energy.gradient;
+      previous_product = current_product;
     }
-    level.last_energy = m_now.energy.value;
+    level.last_energy = m_current.energy.value;
     for(std::size_t i = 0; i < m_path.size(); ++i)
     {
-      m_path[i] = m_now.feet[i];
-      m_path[i].point = m_now.points[i];
+      m_path[i] = m_current.feet[i];
+      m_path[i].point = m_current.points[i];
     }
     return level;
   }
 
 private:
-  void evaluate(State& state) const
+  void evaluate_energy(State& state) const
   {
-    internal::evaluate(m_surface, m_options, m_share, m_mean_length, state.points, state.feet,
-                       state.middles, state.energy);
+    internal::evaluate_energy(m_surface, m_options, m_relative_length, m_mean_length, state.points,
+                              state.feet, state.midpoint_feet, state.energy);
   }
 
   // What a projected node can do of a step.
-  Spatial tangential(std::size_t i, Spatial step) const
+  Vec3 tangential(std::size_t i, Vec3 step) const
   {
-    if(m_options.hold == Path_hold::energy)
+    if(m_options.constraint == Path_constraint::energy)
       return step;
-    const Foot& foot = m_now.feet[i];
-    step = without(foot.normal, step);
+    const Projection& projection = m_current.feet[i];
+    step = project_out(projection.normal, step);
     // Against the rim it can only slide.
-    if(dot(m_now.energy.gradient[i], foot.rim) < 0.)
-      step = without(foot.rim, step);
+    if(dot(m_current.energy.gradient[i], projection.conormal) < 0.)
+      step = project_out(projection.conormal, step);
     return step;
   }
 
-  std::vector<Spatial> preconditioned(const std::vector<Spatial>& gradient) const
+  std::vector<Vec3> preconditioned(const std::vector<Vec3>& gradient) const
   {
-    std::vector<Spatial> step = gradient;
-    if(m_options.hold == Path_hold::projected)
+    std::vector<Vec3> step = gradient;
+    if(m_options.constraint == Path_constraint::projected)
     {
       for(std::size_t i = 0; i < step.size(); ++i)
         step[i] = tangential(i, step[i]);
-      m_along.solve(step);
+      m_tangential_preconditioner.solve(step);
       for(std::size_t i = 0; i < step.size(); ++i)
         step[i] = tangential(i, step[i]);
       return step;
     }
     // Across the surface the distances pull as well.
-    std::vector<Spatial> across(step.size());
+    std::vector<Vec3> normal_components(step.size());
     for(std::size_t i = 0; i < step.size(); ++i)
     {
-      const Spatial& normal = m_now.feet[i].normal;
-      across[i] = dot(step[i], normal) * normal;
-      step[i] = step[i] - across[i];
+      const Vec3& normal = m_current.feet[i].normal;
+      normal_components[i] = dot(step[i], normal) * normal;
+      step[i] = step[i] - normal_components[i];
     }
-    m_along.solve(step);
-    m_across.solve(across);
+    m_tangential_preconditioner.solve(step);
+    m_normal_preconditioner.solve(normal_components);
     for(std::size_t i = 0; i < step.size(); ++i)
     {
-      const Spatial& normal = m_now.feet[i].normal;
-      step[i] = without(normal, step[i]) + dot(across[i], normal) * normal;
+      const Vec3& normal = m_current.feet[i].normal;
+      step[i] = project_out(normal, step[i]) + dot(normal_components[i], normal) * normal;
     }
     return step;
   }
 
-  void go(const std::vector<Spatial>& direction, double share, State& state) const
+  void take_step(const std::vector<Vec3>& direction, double step_length, State& state) const
   {
-    state.points = m_now.points;
-    state.feet = m_now.feet;
-    state.middles = m_now.middles;
+    state.points = m_current.points;
+    state.feet = m_current.feet;
+    state.midpoint_feet = m_current.midpoint_feet;
     for(std::size_t i = 1; i + 1 < direction.size(); ++i)
-      state.points[i] = state.points[i] + share * direction[i];
-    evaluate(state);
+      state.points[i] = state.points[i] + step_length * direction[i];
+    evaluate_energy(state);
   }
 
   // Goes down along a direction; false where it cannot.  The preconditioner is Newton's on a plane:
   // the whole step is right where the surface hardly bends.
-  bool search(const std::vector<Spatial>& direction, double slope)
+  bool line_search(const std::vector<Vec3>& direction, double slope)
   {
-    constexpr double enough = 1e-4; // of what the slope promises (Armijo)
-    double share = 1.;
-    const double start = m_now.energy.value;
+    constexpr double sufficient_decrease = 1e-4; // of what the slope promises (Armijo)
+    double step_length = 1.;
+    const double initial_energy = m_current.energy.value;
     for(int i = 0; i < 12; ++i)
     {
-      go(direction, share, m_next);
-      const double rise = m_next.energy.value - start;
+      take_step(direction, step_length, m_trial);
+      const double increase = m_trial.energy.value - initial_energy;
       // The least place of the parabola through what is known.
-      const double best = -0.5 * slope * share * share / (rise - slope * share);
-      if(rise <= enough * share * slope)
+      const double parabola_minimum =
+          -0.5 * slope * step_length * step_length / (increase - slope * step_length);
+      if(increase <= sufficient_decrease * step_length * slope)
       {
-        if(best > 0. && best < 4. * share && std::abs(best - share) > 0.2 * share)
+        if(parabola_minimum > 0. && parabola_minimum < 4. * step_length &&
+           std::abs(parabola_minimum - step_length) > 0.2 * step_length)
         {
-          go(direction, best, m_other);
-          if(m_other.energy.value < m_next.energy.value)
-            std::swap(m_other, m_next);
+          take_step(direction, parabola_minimum, m_second_trial);
+          if(m_second_trial.energy.value < m_trial.energy.value)
+            std::swap(m_second_trial, m_trial);
         }
-        std::swap(m_now, m_next);
+        std::swap(m_current, m_trial);
         return true;
       }
-      share = std::clamp(best, 0.1 * share, 0.5 * share);
+      step_length = std::clamp(parabola_minimum, 0.1 * step_length, 0.5 * step_length);
     }
     return false;
   }
 
   // Moves one projected node after the other between its neighbours: where feet jump, at sharp edges and
   // where surfels disagree, no step of all nodes goes down although most of them could.
-  bool sweep()
+  bool gauss_seidel_sweep()
   {
-    if(m_options.hold == Path_hold::energy)
+    if(m_options.constraint == Path_constraint::energy)
       return false;
-    m_next = m_now;
-    std::vector<Spatial>& points = m_next.points;
-    for(int k = 0; k < sweeps; ++k)
+    m_trial = m_current;
+    std::vector<Vec3>& points = m_trial.points;
+    for(int k = 0; k < number_of_sweeps; ++k)
       for(std::size_t i = 1; i + 1 < points.size(); ++i)
       {
-        const double before = 1. / m_share[i - 1], after = 1. / m_share[i];
-        const auto energy = [&](const Spatial& p)
+        const double weight_before = 1. / m_relative_length[i - 1],
+                     weight_after = 1. / m_relative_length[i];
+        const auto energy = [&](const Vec3& p)
         {
-          const Spatial s = p - points[i - 1], t = points[i + 1] - p;
-          return before * dot(s, s) + after * dot(t, t);
+          const Vec3 to_point = p - points[i - 1], from_point = points[i + 1] - p;
+          return weight_before * dot(to_point, to_point) +
+                 weight_after * dot(from_point, from_point);
         };
-        const Foot foot =
-            m_surface.foot(1. / (before + after) * (before * points[i - 1] + after * points[i + 1]),
-                           m_next.feet[i].site);
-        if(energy(foot.point) < energy(points[i]))
+        const Projection projection =
+            m_surface.project(1. / (weight_before + weight_after) *
+                                  (weight_before * points[i - 1] + weight_after * points[i + 1]),
+                              m_trial.feet[i].vertex);
+        if(energy(projection.point) < energy(points[i]))
         {
-          points[i] = foot.point;
-          m_next.feet[i] = foot;
+          points[i] = projection.point;
+          m_trial.feet[i] = projection;
         }
       }
-    evaluate(m_next);
-    if(!(m_next.energy.value < m_now.energy.value))
+    evaluate_energy(m_trial);
+    if(!(m_trial.energy.value < m_current.energy.value))
       return false;
-    std::swap(m_now, m_next);
+    std::swap(m_current, m_trial);
     return true;
   }
 
-  static constexpr int sweeps = 4;
+  static constexpr int number_of_sweeps = 4;
 
   const Path_surface& m_surface;
   const Path_options& m_options;
-  const std::vector<double>& m_share;
-  std::vector<Foot>& m_path;
+  const std::vector<double>& m_relative_length;
+  std::vector<Projection>& m_path;
   double m_mean_length;
-  Tridiagonal m_along, m_across;
-  State m_now, m_next, m_other;
+  Tridiagonal_factorization m_tangential_preconditioner, m_normal_preconditioner;
+  State m_current, m_trial, m_second_trial;
 };
 
 // The point after the share of a polyline's length.
-Foot at(const std::vector<Foot>& chain, const std::vector<double>& along, double length)
+Projection point_at_length(const std::vector<Projection>& chain,
+                           const std::vector<double>& cumulative_length, double length)
 {
   const std::size_t i = std::clamp<std::size_t>(
-      std::lower_bound(along.begin(), along.end(), length) - along.begin(), 1, along.size() - 1);
-  const double step = along[i] - along[i - 1];
-  const double share = step > 0. ? (length - along[i - 1]) / step : 0.;
-  Foot foot = chain[share < 0.5 ? i - 1 : i];
-  foot.point = chain[i - 1].point + share * (chain[i].point - chain[i - 1].point);
-  return foot;
+      std::lower_bound(cumulative_length.begin(), cumulative_length.end(), length) -
+          cumulative_length.begin(),
+      1, cumulative_length.size() - 1);
+  const double segment_length = cumulative_length[i] - cumulative_length[i - 1];
+  const double fraction =
+      segment_length > 0. ? (length - cumulative_length[i - 1]) / segment_length : 0.;
+  Projection projection = chain[fraction < 0.5 ? i - 1 : i];
+  projection.point = chain[i - 1].point + fraction * (chain[i].point - chain[i - 1].point);
+  return projection;
 }
 
-std::vector<double> lengths_along(const std::vector<Foot>& chain)
+std::vector<double> cumulative_lengths(const std::vector<Projection>& chain)
 {
-  std::vector<double> along = {0.};
+  std::vector<double> cumulative_length = {0.};
   for(std::size_t i = 0; i + 1 < chain.size(); ++i)
-    along.push_back(along.back() + norm(chain[i + 1].point - chain[i].point));
-  return along;
+    cumulative_length.push_back(cumulative_length.back() +
+                                norm(chain[i + 1].point - chain[i].point));
+  return cumulative_length;
 }
 
 // The feet of evenly spaced points of a chain, and its ends.
-std::vector<Foot> resampled(const Path_surface& surface, const std::vector<Foot>& chain,
-                            std::size_t nodes)
+std::vector<Projection> resample(const Path_surface& surface, const std::vector<Projection>& chain,
+                                 std::size_t number_of_nodes)
 {
-  const std::vector<double> along = lengths_along(chain);
-  std::vector<Foot> result = {chain.front()};
-  for(std::size_t i = 1; i + 1 < nodes; ++i)
+  const std::vector<double> cumulative_length = cumulative_lengths(chain);
+  std::vector<Projection> result = {chain.front()};
+  for(std::size_t i = 1; i + 1 < number_of_nodes; ++i)
   {
-    const Foot place = at(chain, along, along.back() * double(i) / double(nodes - 1));
-    result.push_back(surface.foot(place.point, place.site));
+    const Projection sample =
+        point_at_length(chain, cumulative_length,
+                        cumulative_length.back() * double(i) / double(number_of_nodes - 1));
+    result.push_back(surface.project(sample.point, sample.vertex));
   }
   result.push_back(chain.back());
   return result;
 }
 
 // How far a chain strays from `nodes` of its points, as a part of the distance between them.
-double deviation(const std::vector<Foot>& chain, std::size_t nodes)
+double relative_deviation(const std::vector<Projection>& chain, std::size_t number_of_nodes)
 {
-  const std::vector<double> along = lengths_along(chain);
-  const double step = along.back() / double(nodes - 1);
-  double most = 0.;
-  Spatial from = chain.front().point, to = from;
+  const std::vector<double> cumulative_length = cumulative_lengths(chain);
+  const double spacing = cumulative_length.back() / double(number_of_nodes - 1);
+  double max_deviation = 0.;
+  Vec3 from = chain.front().point, to = from;
   std::size_t next = 0;
   for(std::size_t i = 0; i < chain.size(); ++i)
   {
-    while(next + 1 < nodes && along[i] >= step * double(next))
+    while(next + 1 < number_of_nodes && cumulative_length[i] >= spacing * double(next))
     {
       ++next;
       from = to;
-      to = at(chain, along, step * double(next)).point;
+      to = point_at_length(chain, cumulative_length, spacing * double(next)).point;
     }
-    const Spatial way = chain[i].point - from, segment = to - from;
+    const Vec3 offset = chain[i].point - from, segment = to - from;
     const double square = dot(segment, segment);
-    const double share = square > 0. ? std::clamp(dot(way, segment) / square, 0., 1.) : 0.;
-    most = std::max(most, norm(way - share * segment));
+    const double fraction = square > 0. ? std::clamp(dot(offset, segment) / square, 0., 1.) : 0.;
+    max_deviation = std::max(max_deviation, norm(offset - fraction * segment));
   }
-  return step > 0. ? most / step : 0.;
+  return spacing > 0. ? max_deviation / spacing : 0.;
 }
 
-double cosine_between(const Spatial& p, const Spatial& q)
+double cosine_between(const Vec3& p, const Vec3& q)
 {
   const double size = norm(p) * norm(q);
   return size > 0. ? dot(p, q) / size : 1.;
 }
 
 // The length of an arc over a chord, by the sine of half of its angle.
-double arc_over(double chord, double sine)
+double arc_length_over_chord(double chord, double sine)
 {
   return chord * (sine > 1e-4 && sine < 1. ? std::asin(sine) / sine : 1. + sine * sine / 6.);
 }
 
-constexpr double corner = 0.86602540378443865; // the cosine of 30 degrees
+constexpr double corner_cosine = 0.86602540378443865; // the cosine of 30 degrees
 
 // Normals that differ by more than 40 degrees have a sharp edge between them.
-constexpr double sharp = 0.76604444311897804;
+constexpr double sharp_edge_cosine = 0.76604444311897804;
 
 // Where the shortest way between two points passes the line in which their tangent planes meet, and
 // how long it is; false where there is no sharp edge.
-bool find_edge(const Foot& from, const Foot& to, Spatial& point, double& length)
+bool find_sharp_edge(const Projection& from, const Projection& to, Vec3& point, double& length)
 {
-  const Spatial chord = to.point - from.point;
+  const Vec3 chord = to.point - from.point;
   const double cosine = dot(from.normal, to.normal);
-  if(cosine > sharp || cosine < -0.99 || dot(from.normal, from.normal) == 0. ||
+  if(cosine > sharp_edge_cosine || cosine < -0.99 || dot(from.normal, from.normal) == 0. ||
      dot(to.normal, to.normal) == 0.)
     return false;
-  const Spatial along = unit(cross(from.normal, to.normal));
+  const Vec3 edge_direction = unit(cross(from.normal, to.normal));
   // The point of the line above `from`, in the plane of the two normals.
-  const Spatial across = chord - dot(chord, along) * along;
-  const double height = dot(across, to.normal), square = 1. - cosine * cosine;
+  const Vec3 perpendicular = chord - dot(chord, edge_direction) * edge_direction;
+  const double height = dot(perpendicular, to.normal), square = 1. - cosine * cosine;
   const double a = -cosine * height / square, b = height / square;
-  const Spatial foot = a * from.normal + b * to.normal; // of the line, seen from `from`
-  const double before = norm(foot), after = norm(foot - across);
+  const Vec3 projection = a * from.normal + b * to.normal; // of the line, seen from `from`
+  const double distance_before = norm(projection),
+               distance_after = norm(projection - perpendicular);
   // An edge beside the two is not between them.
-  if(before + after > 2. * norm(chord))
+  if(distance_before + distance_after > 2. * norm(chord))
     return false;
-  const double step = dot(chord, along);
-  const double share = before + after > 0. ? before / (before + after) : 0.5;
-  point = from.point + foot + share * step * along;
-  length = std::hypot(before + after, step);
+  const double distance_along_edge = dot(chord, edge_direction);
+  const double fraction = distance_before + distance_after > 0.
+                              ? distance_before / (distance_before + distance_after)
+                              : 0.5;
+  point = from.point + projection + fraction * distance_along_edge * edge_direction;
+  length = std::hypot(distance_before + distance_after, distance_along_edge);
   return true;
 }
 
 // The same path with a point on each sharp edge.
-std::vector<Foot> with_edges(const std::vector<Foot>& path)
+std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path)
 {
-  std::vector<Foot> result = {path.front()};
+  std::vector<Projection> result = {path.front()};
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    Foot edge = path[i];
+    Projection edge_foot = path[i];
     double length;
-    if(find_edge(path[i], path[i + 1], edge.point, length))
-      result.push_back(edge);
+    if(find_sharp_edge(path[i], path[i + 1], edge_foot.point, length))
+      result.push_back(edge_foot);
     result.push_back(path[i + 1]);
   }
   return result;
@@ -373,128 +396,133 @@ std::vector<Foot> with_edges(const std::vector<Foot>& path)
 
 // A point between each two: on the cubic through four (Dyn, Levin and Gregory 1987) where there is
 // no corner.
-std::vector<Foot> subdivided(const Path_surface& surface, const std::vector<Foot>& path)
+std::vector<Projection> subdivide_curve(const Path_surface& surface,
+                                        const std::vector<Projection>& path)
 {
-  std::vector<Foot> result;
+  std::vector<Projection> result;
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    const Spatial &p = path[i].point, &q = path[i + 1].point;
-    Spatial middle = 0.5 * (p + q);
-    const auto bend = [&](std::size_t j) -> Spatial
+    const Vec3 &p = path[i].point, &q = path[i + 1].point;
+    Vec3 midpoint = 0.5 * (p + q);
+    const auto second_difference = [&](std::size_t j) -> Vec3
     {
       if(j == 0 || j + 1 == path.size())
         return {0., 0., 0.};
-      const Spatial before = path[j].point - path[j - 1].point,
-                    after = path[j + 1].point - path[j].point;
-      return cosine_between(before, after) > corner ? before - after : Spatial{0., 0., 0.};
+      const Vec3 before = path[j].point - path[j - 1].point,
+                 after = path[j + 1].point - path[j].point;
+      return cosine_between(before, after) > corner_cosine ? before - after : Vec3{0., 0., 0.};
     };
     const bool has_left = i > 0, has_right = i + 2 < path.size();
     const double weight = has_left && has_right ? 1. / 16. : 1. / 8.;
-    middle = middle + weight * (bend(i) + bend(i + 1));
+    midpoint = midpoint + weight * (second_difference(i) + second_difference(i + 1));
     result.push_back(path[i]);
-    result.push_back(surface.foot(middle, path[i].site));
+    result.push_back(surface.project(midpoint, path[i].vertex));
   }
   result.push_back(path.back());
   return result;
 }
 
 // Relative decreases of the energy at which a level with fewer control points ends.
-constexpr double rough = 1e-6;
+constexpr double coarse_level_tolerance = 1e-6;
 
 // How often segments that leave the surface are halved.
-constexpr int refinements = 4;
+constexpr int max_refinements = 4;
 
 // Inserts control points where the middle of a segment is farther from the surface than a twentieth
 // of its length, or beyond the border; false where there are none.
-bool refined(const Path_surface& surface, std::vector<double>& share, std::vector<Foot>& path)
+bool refine_segments(const Path_surface& surface, std::vector<double>& relative_length,
+                     std::vector<Projection>& path)
 {
-  std::vector<Foot> result = {path.front()};
-  std::vector<double> shares;
+  std::vector<Projection> result = {path.front()};
+  std::vector<double> new_relative_length;
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    const Spatial middle = 0.5 * (path[i].point + path[i + 1].point);
-    const Foot foot = surface.foot(middle, path[i].site);
+    const Vec3 midpoint = 0.5 * (path[i].point + path[i + 1].point);
+    const Projection projection = surface.project(midpoint, path[i].vertex);
     const double length = norm(path[i + 1].point - path[i].point);
-    if(norm(foot.point - middle) > 0.05 * length)
+    if(norm(projection.point - midpoint) > 0.05 * length)
     {
-      result.push_back(foot);
-      shares.insert(shares.end(), 2, 0.5 * share[i]);
+      result.push_back(projection);
+      new_relative_length.insert(new_relative_length.end(), 2, 0.5 * relative_length[i]);
     }
     else
-      shares.push_back(share[i]);
+      new_relative_length.push_back(relative_length[i]);
     result.push_back(path[i + 1]);
   }
   const bool is_changed = result.size() > path.size();
   path = std::move(result);
-  share = std::move(shares);
+  relative_length = std::move(new_relative_length);
   return is_changed;
 }
 
 } // namespace
 
-void evaluate(const Path_surface& surface, const Path_options& options,
-              const std::vector<double>& share, double mean_length, std::vector<Spatial>& points,
-              std::vector<Foot>& feet, std::vector<Foot>& middles, Path_energy& energy)
+void evaluate_energy(const Path_surface& surface, const Path_options& options,
+                     const std::vector<double>& relative_length, double mean_length,
+                     std::vector<Vec3>& points, std::vector<Projection>& feet,
+                     std::vector<Projection>& midpoint_feet, Path_energy& energy)
 {
   const std::size_t n = points.size();
-  const bool is_drawn = options.hold == Path_hold::energy;
+  const bool is_energy_constrained = options.constraint == Path_constraint::energy;
   energy.value = 0.;
   energy.gradient.assign(n, {0., 0., 0.});
   for(std::size_t i = 1; i + 1 < n; ++i)
   {
-    feet[i] = surface.foot(points[i], feet[i].site);
-    if(!is_drawn)
+    feet[i] = surface.project(points[i], feet[i].vertex);
+    if(!is_energy_constrained)
     {
       points[i] = feet[i].point;
       continue;
     }
-    const Spatial way = points[i] - feet[i].point;
-    energy.value += options.alpha * dot(way, way);
-    energy.gradient[i] = 2. * options.alpha * way;
+    const Vec3 offset = points[i] - feet[i].point;
+    energy.value += options.alpha * dot(offset, offset);
+    energy.gradient[i] = 2. * options.alpha * offset;
   }
   const double beta = options.beta * mean_length * mean_length;
   for(std::size_t i = 0; i + 1 < n; ++i)
   {
-    const Spatial segment = points[i + 1] - points[i];
+    const Vec3 segment = points[i + 1] - points[i];
     const double square = dot(segment, segment);
-    energy.value += square / share[i];
-    Spatial pull = 2. / share[i] * segment; // the derivative by the segment
-    if(is_drawn && beta > 0. && square > 0.)
+    energy.value += square / relative_length[i];
+    Vec3 segment_gradient = 2. / relative_length[i] * segment; // the derivative by the segment
+    if(is_energy_constrained && beta > 0. && square > 0.)
     {
-      const Spatial middle = 0.5 * (points[i] + points[i + 1]);
-      middles[i] = surface.foot(middle, middles[i].site);
-      const Spatial way = middle - middles[i].point;
-      const double part = beta * dot(way, way) / square;
-      energy.value += part;
-      pull = pull - 2. * part / square * segment;
-      const Spatial push = beta / square * way; // half of the derivative by the middle
-      energy.gradient[i] = energy.gradient[i] + push;
-      energy.gradient[i + 1] = energy.gradient[i + 1] + push;
+      const Vec3 midpoint = 0.5 * (points[i] + points[i + 1]);
+      midpoint_feet[i] = surface.project(midpoint, midpoint_feet[i].vertex);
+      const Vec3 offset = midpoint - midpoint_feet[i].point;
+      const double term = beta * dot(offset, offset) / square;
+      energy.value += term;
+      segment_gradient = segment_gradient - 2. * term / square * segment;
+      const Vec3 midpoint_gradient = beta / square * offset; // half of the derivative by the middle
+      energy.gradient[i] = energy.gradient[i] + midpoint_gradient;
+      energy.gradient[i + 1] = energy.gradient[i + 1] + midpoint_gradient;
     }
-    energy.gradient[i] = energy.gradient[i] - pull;
-    energy.gradient[i + 1] = energy.gradient[i + 1] + pull;
+    energy.gradient[i] = energy.gradient[i] - segment_gradient;
+    energy.gradient[i + 1] = energy.gradient[i + 1] + segment_gradient;
   }
   energy.gradient.front() = energy.gradient.back() = {0., 0., 0.};
 }
 
-Path_energy_level minimize(const Path_surface& surface, const Path_options& options,
-                           const std::vector<double>& share, std::vector<Foot>& path)
+Path_energy_level minimize_energy(const Path_surface& surface, const Path_options& options,
+                                  const std::vector<double>& relative_length,
+                                  std::vector<Projection>& path)
 {
   if(path.size() < 3)
     return {};
-  return Minimizer(surface, options, share, path)();
+  return Energy_minimizer(surface, options, relative_length, path)();
 }
 
-void draw_curve(const Path_surface& surface, const std::vector<Foot>& nodes, Shortened_path& path)
+void fit_curve(const Path_surface& surface, const std::vector<Projection>& nodes,
+               Shortened_path& path)
 {
-  path.points = subdivided(surface, subdivided(surface, with_edges(nodes)));
+  path.points = subdivide_curve(surface, subdivide_curve(surface, insert_sharp_edges(nodes)));
   for(std::size_t i = 1; i + 1 < path.points.size(); ++i)
-    path.points[i].point = surface.drawn_near(path.points[i].point, path.points[i].site);
-  path.length = length_along_arcs(path.points);
+    path.points[i].point = surface.clamped_to_coverage(path.points[i].point, path.points[i].vertex);
+  path.length = curve_length(path.points);
   path.polyline_length = polyline_length(path.points);
 }
 
-double polyline_length(const std::vector<Foot>& points)
+double polyline_length(const std::vector<Projection>& points)
 {
   double sum = 0.;
   for(std::size_t i = 0; i + 1 < points.size(); ++i)
@@ -502,28 +530,29 @@ double polyline_length(const std::vector<Foot>& points)
   return sum;
 }
 
-double length_of_arc(const Foot& from, const Foot& to)
+double arc_length(const Projection& from, const Projection& to)
 {
-  Spatial edge;
-  double around;
-  if(find_edge(from, to, edge, around))
-    return around;
-  const Spatial chord = to.point - from.point;
+  Vec3 edge_point;
+  double length_around_edge;
+  if(find_sharp_edge(from, to, edge_point, length_around_edge))
+    return length_around_edge;
+  const Vec3 chord = to.point - from.point;
   const double length = norm(chord);
-  const auto angle = [&](const Spatial& normal)
+  const auto angle = [&](const Vec3& normal)
   { return length > 0. ? std::asin(std::clamp(dot(chord, normal) / length, -1., 1.)) : 0.; };
-  return arc_over(length, std::sin(0.5 * std::abs(angle(from.normal) - angle(to.normal))));
+  return arc_length_over_chord(length,
+                               std::sin(0.5 * std::abs(angle(from.normal) - angle(to.normal))));
 }
 
-double length_along_arcs(const std::vector<Foot>& points)
+double curve_length(const std::vector<Projection>& points)
 {
   const std::size_t n = points.size();
   std::vector<double> curvature(n, 0.);
   for(std::size_t i = 1; i + 1 < n; ++i)
   {
-    const Spatial before = points[i].point - points[i - 1].point,
-                  after = points[i + 1].point - points[i].point;
-    if(cosine_between(before, after) > corner)
+    const Vec3 before = points[i].point - points[i - 1].point,
+               after = points[i + 1].point - points[i].point;
+    if(cosine_between(before, after) > corner_cosine)
       curvature[i] = 2. * norm(cross(before, after)) /
                      std::max(norm(before) * norm(after) * norm(before + after), 1e-300);
   }
@@ -548,46 +577,46 @@ namespace {
 
 // What is known of a surface by squared distances: their gradient at p is twice the way from the foot
 // to p.
-class Distance_surface : public Path_surface
+class Squared_distance_surface : public Path_surface
 {
 public:
-  Distance_surface(const std::function<double(const Spatial&)>& squared_distance, double step)
+  Squared_distance_surface(const std::function<double(const Vec3&)>& squared_distance, double step)
       : m_squared_distance(squared_distance), m_step(step)
   {}
 
-  Foot foot(const Spatial& point, Index near) const override
+  Projection project(const Vec3& point, Index near) const override
   {
-    Foot foot;
-    foot.site = near;
-    Spatial half_gradient;
+    Projection projection;
+    projection.vertex = near;
+    Vec3 half_gradient;
     for(int k = 0; k < 3; ++k)
     {
-      Spatial ahead = point, behind = point;
-      ahead[k] += m_step;
-      behind[k] -= m_step;
-      half_gradient[k] =
-          (m_squared_distance(ahead) - m_squared_distance(behind)) / (2. * (ahead[k] - behind[k]));
+      Vec3 point_ahead = point, point_behind = point;
+      point_ahead[k] += m_step;
+      point_behind[k] -= m_step;
+      half_gradient[k] = (m_squared_distance(point_ahead) - m_squared_distance(point_behind)) /
+                         (2. * (point_ahead[k] - point_behind[k]));
       if(!std::isfinite(half_gradient[k]))
         throw Invalid_argument_error("A squared distance is not a finite number.");
     }
-    foot.point = point - half_gradient;
-    foot.normal = unit(half_gradient);
-    return foot;
+    projection.point = point - half_gradient;
+    projection.normal = unit(half_gradient);
+    return projection;
   }
 
 private:
-  const std::function<double(const Spatial&)>& m_squared_distance;
+  const std::function<double(const Vec3&)>& m_squared_distance;
   double m_step;
 };
 
 } // namespace
 
-Shortened_path shortened(const std::function<double(const Spatial&)>& squared_distance,
-                         Path_options options, const std::vector<Spatial>& chain)
+Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_distance,
+                            Path_options options, const std::vector<Vec3>& chain)
 {
   if(chain.size() < 2)
     throw Invalid_argument_error("A polyline needs two points.");
-  std::vector<Foot> feet(chain.size());
+  std::vector<Projection> feet(chain.size());
   double length = 0.;
   for(std::size_t i = 0; i < chain.size(); ++i)
   {
@@ -597,16 +626,16 @@ Shortened_path shortened(const std::function<double(const Spatial&)>& squared_di
     if(!std::isfinite(length) || !std::isfinite(norm(chain[i])))
       throw Invalid_argument_error("A point of the polyline is not finite.");
   }
-  options.hold = Path_hold::energy;
+  options.constraint = Path_constraint::energy;
   // A hundredth of a segment: what distances from a plane leave is rounding, and what curvature
   // leaves is as small as a hundredth of the sagitta.
-  const Distance_surface surface(squared_distance,
-                                 0.01 * length / double(options.control_points + 1));
-  return shortened(surface, options, feet);
+  const Squared_distance_surface surface(
+      squared_distance, 0.01 * length / double(options.number_of_control_points + 1));
+  return shorten_path(surface, options, feet);
 }
 
-Shortened_path shortened(const Path_surface& surface, const Path_options& options,
-                         const std::vector<Foot>& chain)
+Shortened_path shorten_path(const Path_surface& surface, const Path_options& options,
+                            const std::vector<Projection>& chain)
 {
   Shortened_path result;
   const double length = polyline_length(chain);
@@ -615,35 +644,36 @@ Shortened_path shortened(const Path_surface& surface, const Path_options& option
     result.points = {chain.front()};
     return result;
   }
-  std::size_t most = options.control_points + 2;
-  if(options.spacing > 0.)
-    most = std::min<std::size_t>(most, std::size_t(std::min(length / options.spacing, 1e9)) + 9);
+  std::size_t max_nodes = options.number_of_control_points + 2;
+  if(options.min_spacing > 0.)
+    max_nodes = std::min<std::size_t>(max_nodes,
+                                      std::size_t(std::min(length / options.min_spacing, 1e9)) + 9);
   // At each level half of the segments of the next one; the first follows the chain.
-  std::size_t nodes = most;
-  while(nodes > 16 && deviation(chain, (nodes + 1) / 2) < 0.1)
-    nodes = (nodes + 1) / 2;
-  std::vector<Foot> path = resampled(surface, chain, nodes);
-  std::vector<double> share(nodes - 1, 1.);
+  std::size_t number_of_nodes = max_nodes;
+  while(number_of_nodes > 16 && relative_deviation(chain, (number_of_nodes + 1) / 2) < 0.1)
+    number_of_nodes = (number_of_nodes + 1) / 2;
+  std::vector<Projection> path = resample(surface, chain, number_of_nodes);
+  std::vector<double> relative_length(number_of_nodes - 1, 1.);
   while(true)
   {
-    Path_options level = options;
-    if(nodes < most)
-      level.tolerance = std::max(options.tolerance, rough);
-    result.levels.push_back(minimize(surface, level, share, path));
-    if(nodes >= most)
+    Path_options level_options = options;
+    if(number_of_nodes < max_nodes)
+      level_options.tolerance = std::max(options.tolerance, coarse_level_tolerance);
+    result.levels.push_back(minimize_energy(surface, level_options, relative_length, path));
+    if(number_of_nodes >= max_nodes)
       break;
-    path = subdivided(surface, path);
-    nodes = std::min(2 * nodes - 1, most);
-    path = resampled(surface, path, nodes);
-    share.assign(nodes - 1, 1.);
+    path = subdivide_curve(surface, path);
+    number_of_nodes = std::min(2 * number_of_nodes - 1, max_nodes);
+    path = resample(surface, path, number_of_nodes);
+    relative_length.assign(number_of_nodes - 1, 1.);
   }
-  for(int i = 0; i < refinements && refined(surface, share, path); ++i)
-    result.levels.push_back(minimize(surface, options, share, path));
-  result.control_points = path.size() - 2;
-  if(options.hold == Path_hold::energy)
+  for(int i = 0; i < max_refinements && refine_segments(surface, relative_length, path); ++i)
+    result.levels.push_back(minimize_energy(surface, options, relative_length, path));
+  result.number_of_control_points = path.size() - 2;
+  if(options.constraint == Path_constraint::energy)
     for(std::size_t i = 1; i + 1 < path.size(); ++i)
-      path[i] = surface.foot(path[i].point, path[i].site);
-  draw_curve(surface, path, result);
+      path[i] = surface.project(path[i].point, path[i].vertex);
+  fit_curve(surface, path, result);
   return result;
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/paths/path_to_sources.h>
 
-#include "paths/cloud_path.h"
+#include "paths/shorten_on_cloud.h"
 #include "paths/descent.h"
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
-#include "paths/straighten.h"
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include "paths/shorten_geodesic.h"
 
 #include <algorithm>
 
@@ -15,63 +15,70 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // The place of a source that is nearest in space to a point.
-Location nearest_on(const Glued_triangles& t, const Source& source, const Spatial& point)
+Surface_location nearest_location_on(const Surface_arrays& t, const Front_source& source,
+                                     const Vec3& point)
 {
-  Location result = cleaned(t, source.polyline.front());
-  double least = norm(scaled_coordinates(t, result) - point);
+  Surface_location result = canonical(t, source.polyline.front());
+  double min_distance = norm(scaled_coordinates(t, result) - point);
   for(std::size_t i = 1; i < source.polyline.size(); ++i)
   {
-    const Location p = cleaned(t, source.polyline[i - 1]), q = cleaned(t, source.polyline[i]);
-    const Index triangle = common_triangle(t, p, q);
+    const Surface_location segment_begin = canonical(t, source.polyline[i - 1]),
+                           segment_end = canonical(t, source.polyline[i]);
+    const Index triangle = common_triangle(t, segment_begin, segment_end);
     if(triangle == none)
       continue;
-    const Spatial begin = scaled_coordinates(t, p), side = scaled_coordinates(t, q) - begin;
-    const double square = dot(side, side);
-    const double share = square > 0. ? std::clamp(dot(point - begin, side) / square, 0., 1.) : 0.;
-    const double distance = norm(begin + share * side - point);
-    if(distance < least)
+    const Vec3 origin = scaled_coordinates(t, segment_begin),
+               segment = scaled_coordinates(t, segment_end) - origin;
+    const double squared_length = dot(segment, segment);
+    const double fraction = squared_length > 0.
+                                ? std::clamp(dot(point - origin, segment) / squared_length, 0., 1.)
+                                : 0.;
+    const double distance = norm(origin + fraction * segment - point);
+    if(distance < min_distance)
     {
-      least = distance;
+      min_distance = distance;
       result = {triangle, none,
-                (1. - share) * *seen_from(t, triangle, p) + share * *seen_from(t, triangle, q)};
+                (1. - fraction) * *barycentric_in(t, triangle, segment_begin) +
+                    fraction * *barycentric_in(t, triangle, segment_end)};
     }
   }
   return result;
 }
 
-std::vector<Location> along_predecessors(const Glued_triangles& t, const Location& from,
-                                         const std::vector<Source>& sources,
-                                         const std::function<double(Index)>& distance,
-                                         const std::function<Index(Index)>& predecessor,
-                                         const std::function<Index(Index)>& source)
+std::vector<Surface_location> trace_predecessors(const Surface_arrays& t,
+                                                 const Surface_location& from,
+                                                 const std::vector<Front_source>& sources,
+                                                 const std::function<double(Index)>& distance,
+                                                 const std::function<Index(Index)>& predecessor,
+                                                 const std::function<Index(Index)>& source)
 {
-  std::vector<Location> path = {from};
-  Index site = site_of(t, from);
-  if(site == none)
+  std::vector<Surface_location> path = {from};
+  Index vertex = vertex_of(t, from);
+  if(vertex == none)
   {
-    double least = infinity;
+    double min_distance = infinity;
     for(Index k = 0; k < 3; ++k)
     {
       const Index corner = t.corner[3 * std::size_t(from.triangle) + k];
-      if(distance(corner) < least)
+      if(distance(corner) < min_distance)
       {
-        least = distance(corner);
-        site = corner;
+        min_distance = distance(corner);
+        vertex = corner;
       }
     }
-    if(site == none)
+    if(vertex == none)
       return {};
   }
-  if(!(distance(site) < infinity))
+  if(!(distance(vertex) < infinity))
     return {};
-  Index last = site;
-  for(; site != none; site = predecessor(site))
+  Index last = vertex;
+  for(; vertex != none; vertex = predecessor(vertex))
   {
-    if(!is_same_point(t, path.back(), at_site(t, site)))
-      path.push_back(at_site(t, site));
-    last = site;
+    if(!is_same_point(t, path.back(), vertex_location(t, vertex)))
+      path.push_back(vertex_location(t, vertex));
+    last = vertex;
   }
-  const Location end = nearest_on(t, sources[source(last)], t.point[last]);
+  const Surface_location end = nearest_location_on(t, sources[source(last)], t.point[last]);
   if(!is_same_point(t, path.back(), end))
     path.push_back(end);
   return path;
@@ -79,22 +86,23 @@ std::vector<Location> along_predecessors(const Glued_triangles& t, const Locatio
 
 } // namespace
 
-std::vector<Location> path_to_sources(const Glued_triangles& t, const Location& from,
-                                      const std::vector<Source>& sources,
-                                      const std::function<double(Index)>& distance,
-                                      const std::function<Index(Index)>& predecessor,
-                                      const std::function<Index(Index)>& source)
+std::vector<Surface_location> path_to_sources(const Surface_arrays& t, const Surface_location& from,
+                                              const std::vector<Front_source>& sources,
+                                              const std::function<double(Index)>& distance,
+                                              const std::function<Index(Index)>& predecessor,
+                                              const std::function<Index(Index)>& source)
 {
-  return shortened(t, t.is_cloud()
-                          ? along_predecessors(t, from, sources, distance, predecessor, source)
-                          : Descent(t, sources)(from, distance).locations);
+  return shorten_path(t, t.is_cloud()
+                             ? trace_predecessors(t, from, sources, distance, predecessor, source)
+                             : Descent(t, sources)(from, distance).locations);
 }
 
-std::vector<Location> shortened(const Glued_triangles& t, const std::vector<Location>& path)
+std::vector<Surface_location> shorten_path(const Surface_arrays& t,
+                                           const std::vector<Surface_location>& path)
 {
   if(path.size() < 2)
     return path;
-  return t.is_cloud() ? smoothed_on_cloud(t, path) : straighten(t, path).locations;
+  return t.is_cloud() ? shorten_on_cloud(t, path) : shorten_geodesic(t, path).locations;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -3,12 +3,12 @@
 #include <CGAL/Geodesic_processing/internal/remeshing/base_mesh.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/mesh/curves.h>
+#include <CGAL/Geodesic_processing/internal/mesh/feature_polylines.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/mesh/refinement.h>
-#include "paths/taut_strip.h"
+#include "paths/shorten_in_strip.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -24,431 +24,441 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Places on each side among which paths are searched, before they are straight.
-constexpr Index places = 3;
+constexpr Index points_per_edge = 3;
 // How much longer ways are made, for the first search, off the cells of an edge's ends: across those of
 // the corners opposite to it, and elsewhere.  A path around the other side of a limb can be shorter, but
 // leaves no room for the edges that belong there.
-struct Detours
+struct Detour_factors
 {
   double near, far;
-  bool are_samples_passed; // when paths are straightened
+  bool can_pass_samples; // when paths are straightened
 };
 // One after the other, until there is a way for each edge: cells are coarse where sites are few.
-constexpr std::array<Detours, 3> all_detours = {Detours{2., 16., false}, Detours{1., 1., true},
-                                                Detours{2., 4., true}};
+constexpr std::array<Detour_factors, 3> detour_levels = {
+    Detour_factors{2., 16., false}, Detour_factors{1., 1., true}, Detour_factors{2., 4., true}};
 // No edge leaves the cells of its ends.
-constexpr Detours no_detours = {infinity, infinity, false};
+constexpr Detour_factors no_detour = {infinity, infinity, false};
 // Far below what distances tell apart.
-constexpr double shortest_side = 0x1p-36;
+constexpr double min_edge_length = 0x1p-36;
 // Places looked at, for each side of the mesh and each edge to be drawn, before it is given up: in webs of
 // needles each edge drawn makes the next one longer.
-constexpr std::size_t most_for_a_side = 50, most_for_an_edge = 1500;
-constexpr Index curve = Divided_mesh::curve;
+constexpr std::size_t max_visits_per_halfedge = 50, max_visits_per_edge = 1500;
+constexpr Index curve_label = Split_mesh::curve_label;
 
 // The base of some samples, and the lines of its edges while they are drawn.
 class Builder
 {
 public:
-  Builder(const Glued_triangles& coarse, const std::vector<Location>& samples,
-          const std::vector<std::array<Index, 3>>& triangles, const std::vector<bool>& is_curve,
-          const Detours& detours, const std::vector<Index>& cells)
-      : m_mesh(coarse, is_curve), m_detours(detours)
+  Builder(const Surface_arrays& coarse, const std::vector<Surface_location>& samples,
+          const std::vector<std::array<Index, 3>>& triangles, const std::vector<bool>& is_feature,
+          const Detour_factors& factors, const std::vector<Index>& cells)
+      : m_mesh(coarse, is_feature), m_factors(factors)
   {
     m_result.triangles = triangles;
-    number_edges(samples.size());
-    for(const Location& sample : samples)
+    index_edges(samples.size());
+    for(const Surface_location& sample : samples)
     {
-      m_result.site.push_back(m_mesh.insert(sample));
-      m_result.samples.push_back(m_mesh.locations()[m_result.site.back()]);
+      m_result.vertex.push_back(m_mesh.insert(sample));
+      m_result.samples.push_back(m_mesh.locations()[m_result.vertex.back()]);
     }
     m_base_vertex.assign(m_mesh.locations().size(), none);
-    for(Index i = 0; i < m_result.site.size(); ++i)
-      m_base_vertex[m_result.site[i]] = i;
-    m_is_barred.assign(m_mesh.locations().size(), keeps_to_cells());
-    for(const Index site : m_result.site)
-      m_is_barred[site] = !detours.are_samples_passed;
+    for(Index i = 0; i < m_result.vertex.size(); ++i)
+      m_base_vertex[m_result.vertex[i]] = i;
+    m_is_blocked.assign(m_mesh.locations().size(), is_confined());
+    for(const Index vertex : m_result.vertex)
+      m_is_blocked[vertex] = !factors.can_pass_samples;
     m_cell = m_base_vertex;
-    for(Index site = 0; site < coarse.number_of_sites(); ++site)
-      if(m_cell[site] == none)
-        m_cell[site] = cells[site];
-    m_visits_left =
-        most_for_a_side * coarse.corner.size() + most_for_an_edge * m_result.side.size();
+    for(Index vertex = 0; vertex < coarse.number_of_vertices(); ++vertex)
+      if(m_cell[vertex] == none)
+        m_cell[vertex] = cells[vertex];
+    m_visits_left = max_visits_per_halfedge * coarse.corner.size() +
+                    max_visits_per_edge * m_result.halfedge.size();
   }
 
   // Nothing where an edge finds no way.
   std::optional<Base_mesh> run()
   {
-    if(!follow_curves() || !connect_all())
+    if(!trace_features() || !draw_edges())
       return std::nullopt;
-    open_shortcuts();
-    if(!fill_regions())
+    split_shortcuts();
+    if(!label_regions())
       return std::nullopt;
     finish();
     return std::move(m_result);
   }
 
 private:
-  const Glued_triangles& t() const { return m_mesh.triangles(); }
+  const Surface_arrays& t() const { return m_mesh.triangles(); }
 
-  void number_edges(std::size_t number_of_samples)
+  void index_edges(std::size_t number_of_samples)
   {
     std::vector<Index> corners;
     for(const auto& f : m_result.triangles)
       corners.insert(corners.end(), f.begin(), f.end());
     m_result.twin = twins_of_soup(number_of_samples, corners);
     m_result.edge.assign(corners.size(), none);
-    for(Index side = 0; side < corners.size(); ++side)
+    for(Index h = 0; h < corners.size(); ++h)
     {
-      const Index twin = m_result.twin[side];
-      if(twin != none && twin < side)
+      const Index twin = m_result.twin[h];
+      if(twin != none && twin < h)
         continue;
-      const Index edge = Index(m_result.side.size());
-      m_result.edge[side] = edge;
+      const Index edge = Index(m_result.halfedge.size());
+      m_result.edge[h] = edge;
       if(twin != none)
         m_result.edge[twin] = edge;
-      m_result.side.push_back(side);
-      m_edge_between[std::minmax(corners[side], corners[next_side(side)])] = edge;
+      m_result.halfedge.push_back(h);
+      m_edge_between[std::minmax(corners[h], corners[next_halfedge(h)])] = edge;
     }
-    m_result.path.resize(m_result.side.size());
+    m_result.path.resize(m_result.halfedge.size());
   }
 
-  Index base_corner(Index side) const { return m_result.triangles[side / 3][side % 3]; }
+  Index base_corner(Index h) const { return m_result.triangles[h / 3][h % 3]; }
 
-  void bar(Index site)
+  void block(Index vertex)
   {
-    if(m_is_barred.size() <= site)
-      m_is_barred.resize(t().point.size(), false);
-    m_is_barred[site] = true;
+    if(m_is_blocked.size() <= vertex)
+      m_is_blocked.resize(t().point.size(), false);
+    m_is_blocked[vertex] = true;
   }
 
   // Gives curves the labels of the edges that follow them.
-  bool follow_curves()
+  bool trace_features()
   {
     const std::vector<Index>& label = m_mesh.labels();
-    for(Index vertex = 0; vertex < m_result.site.size(); ++vertex)
-      for(const Index first : m_mesh.sides_around(m_result.site[vertex]))
+    for(Index base_vertex = 0; base_vertex < m_result.vertex.size(); ++base_vertex)
+      for(const Index first_halfedge : m_mesh.halfedges_around(m_result.vertex[base_vertex]))
       {
-        if(label[first] != curve)
+        if(label[first_halfedge] != curve_label)
           continue;
-        std::vector<Index> path = {m_result.site[vertex]}, sides = {first};
+        std::vector<Index> path = {m_result.vertex[base_vertex]}, halfedges = {first_halfedge};
         for(;;)
         {
-          const Index side = sides.back(), last = path.back();
-          const Index next =
-              m_mesh.source(side) == last ? m_mesh.target(side) : m_mesh.source(side);
-          path.push_back(next);
-          if(m_base_vertex[next] != none)
+          const Index h = halfedges.back(), last_vertex = path.back();
+          const Index next_vertex =
+              m_mesh.source(h) == last_vertex ? m_mesh.target(h) : m_mesh.source(h);
+          path.push_back(next_vertex);
+          if(m_base_vertex[next_vertex] != none)
             break;
-          Index on = none;
-          for(const Index other : m_mesh.sides_around(next))
-            if(label[other] == curve && other != side && t().twin[other] != side)
-              on = other;
-          if(on == none || path.size() > t().point.size())
+          Index continuation = none;
+          for(const Index other : m_mesh.halfedges_around(next_vertex))
+            if(label[other] == curve_label && other != h && t().twin[other] != h)
+              continuation = other;
+          if(continuation == none || path.size() > t().point.size())
             return false;
-          sides.push_back(on);
+          halfedges.push_back(continuation);
         }
-        const auto found = m_edge_between.find(std::minmax(vertex, m_base_vertex[path.back()]));
+        const auto found =
+            m_edge_between.find(std::minmax(base_vertex, m_base_vertex[path.back()]));
         if(found == m_edge_between.end() || !m_result.path[found->second].empty())
           return false;
-        for(const Index side : sides)
-          m_mesh.set_label(side, found->second);
-        keep(found->second, std::move(path));
+        for(const Index h : halfedges)
+          m_mesh.set_label(h, found->second);
+        store_path(found->second, std::move(path));
       }
-    return std::none_of(label.begin(), label.end(), [](Index l) { return l == curve; });
+    return std::none_of(label.begin(), label.end(), [](Index l) { return l == curve_label; });
   }
 
-  void keep(Index edge, std::vector<Index> path)
+  void store_path(Index edge, std::vector<Index> path)
   {
-    for(const Index site : path)
-      bar(site);
-    if(m_base_vertex[path.front()] != base_corner(m_result.side[edge]))
+    for(const Index vertex : path)
+      block(vertex);
+    if(m_base_vertex[path.front()] != base_corner(m_result.halfedge[edge]))
       std::reverse(path.begin(), path.end());
     m_result.path[edge] = std::move(path);
   }
 
-  bool connect_all()
+  bool draw_edges()
   {
     std::vector<Index> sorted, order, others;
     std::vector<double> length;
-    boost::disjoint_sets_with_storage<> parts(m_result.site.size());
-    const auto joins_parts = [&](Index edge)
+    boost::disjoint_sets_with_storage<> components(m_result.vertex.size());
+    const auto merges_components = [&](Index edge)
     {
-      const Index side = m_result.side[edge];
-      const auto p = parts.find_set(base_corner(side)),
-                 q = parts.find_set(base_corner(next_side(side)));
+      const Index h = m_result.halfedge[edge];
+      const auto p = components.find_set(base_corner(h)),
+                 q = components.find_set(base_corner(next_halfedge(h)));
       if(p != q)
-        parts.link(p, q);
+        components.link(p, q);
       return p != q;
     };
-    for(Index edge = 0; edge < m_result.side.size(); ++edge)
+    for(Index edge = 0; edge < m_result.halfedge.size(); ++edge)
     {
-      const Index side = m_result.side[edge];
-      length.push_back(m_mesh.between(m_result.site[base_corner(side)],
-                                      m_result.site[base_corner(next_side(side))]));
+      const Index h = m_result.halfedge[edge];
+      length.push_back(m_mesh.distance_between(m_result.vertex[base_corner(h)],
+                                               m_result.vertex[base_corner(next_halfedge(h))]));
       if(m_result.path[edge].empty())
         sorted.push_back(edge);
       else
-        joins_parts(edge);
+        merges_components(edge);
     }
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](Index a, Index b) { return length[a] < length[b]; });
     for(const Index edge : sorted)
-      (joins_parts(edge) ? order : others).push_back(edge);
+      (merges_components(edge) ? order : others).push_back(edge);
     order.insert(order.end(), others.begin(), others.end());
-    return std::all_of(order.begin(), order.end(), [&](Index edge) { return connect(edge); });
+    return std::all_of(order.begin(), order.end(), [&](Index edge) { return draw_edge(edge); });
   }
 
   // The corners of a base vertex between the edges, of those already drawn, that are next to the edge of
   // a side that leaves it.
-  std::vector<Index> sector(Index side) const
+  std::vector<Index> sector(Index h) const
   {
-    const std::vector<Index> corners = m_mesh.corners_around(m_result.site[base_corner(side)]);
-    Index right = side;
+    const std::vector<Index> corners = m_mesh.corners_around(m_result.vertex[base_corner(h)]);
+    Index right_halfedge = h;
     do
     {
-      const Index twin = m_result.twin[right];
-      right = twin == none ? none : next_side(twin);
-    } while(right != none && right != side && m_result.path[m_result.edge[right]].empty());
-    if(right == side || right == none)
+      const Index twin = m_result.twin[right_halfedge];
+      right_halfedge = twin == none ? none : next_halfedge(twin);
+    } while(right_halfedge != none && right_halfedge != h &&
+            m_result.path[m_result.edge[right_halfedge]].empty());
+    if(right_halfedge == h || right_halfedge == none)
       return corners;
     const std::vector<Index>& label = m_mesh.labels();
-    const auto begin = std::find_if(corners.begin(), corners.end(),
-                                    [&](Index c) { return label[c] == m_result.edge[right]; });
+    const auto begin =
+        std::find_if(corners.begin(), corners.end(),
+                     [&](Index c) { return label[c] == m_result.edge[right_halfedge]; });
     std::vector<Index> result;
     if(begin == corners.end())
       return result;
     for(std::size_t i = std::size_t(begin - corners.begin()), n = 0; n < corners.size(); ++n)
     {
       result.push_back(corners[i]);
-      if(label[previous_side(corners[i])] != none)
+      if(label[previous_halfedge(corners[i])] != none)
         break;
       i = (i + 1) % corners.size();
     }
     return result;
   }
 
-  bool connect(Index edge)
+  bool draw_edge(Index edge)
   {
-    const Index side = m_result.side[edge], twin = m_result.twin[side];
+    const Index h = m_result.halfedge[edge], twin = m_result.twin[h];
     if(twin == none)
       return false;
-    const Index from = m_result.site[base_corner(side)], to = m_result.site[base_corner(twin)];
-    const std::vector<Index> starts = sector(side), goals = sector(twin);
+    const Index from = m_result.vertex[base_corner(h)], to = m_result.vertex[base_corner(twin)];
+    const std::vector<Index> start_corners = sector(h), goal_corners = sector(twin);
     const auto is_goal = [&](Index corner)
-    { return std::find(goals.begin(), goals.end(), corner) != goals.end(); };
-    for(const Index corner : starts)
+    { return std::find(goal_corners.begin(), goal_corners.end(), corner) != goal_corners.end(); };
+    for(const Index corner : start_corners)
       if(m_mesh.target(corner) == to && m_mesh.labels()[corner] == none &&
-         is_goal(next_side(corner)))
+         is_goal(next_halfedge(corner)))
       {
         m_mesh.set_label(corner, edge);
-        keep(edge, {from, to});
+        store_path(edge, {from, to});
         return true;
       }
-    m_near = {base_corner(side), base_corner(twin), base_corner(previous_side(side)),
-              base_corner(previous_side(twin))};
-    const std::vector<Index> rough = search(starts, goals, to);
-    if(rough.empty())
+    m_nearby_cells = {base_corner(h), base_corner(twin), base_corner(previous_halfedge(h)),
+                      base_corner(previous_halfedge(twin))};
+    const std::vector<Index> crossed_halfedges = search(start_corners, goal_corners, to);
+    if(crossed_halfedges.empty())
       return false;
-    m_is_barred.resize(t().point.size(), false);
-    const Taut_strip strip = taut_strip(m_mesh, m_is_barred, from, to, rough);
-    return !strip.sides.empty() && draw(edge, from, to, strip);
+    m_is_blocked.resize(t().point.size(), false);
+    const Strip_path strip = shorten_in_strip(m_mesh, m_is_blocked, from, to, crossed_halfedges);
+    return !strip.halfedges.empty() && split_along(edge, from, to, strip);
   }
 
-  bool keeps_to_cells() const { return m_detours.far == infinity; }
-  bool is_at_ends(Index cell) const { return cell == m_near[0] || cell == m_near[1]; }
-  double how_far(Index site) const
+  bool is_confined() const { return m_factors.far == infinity; }
+  bool is_end_cell(Index cell) const
   {
-    const Index cell = m_cell[site];
-    return is_at_ends(cell) || cell == none         ? 1.
-           : cell == m_near[2] || cell == m_near[3] ? m_detours.near
-                                                    : m_detours.far;
+    return cell == m_nearby_cells[0] || cell == m_nearby_cells[1];
+  }
+  double detour_factor(Index vertex) const
+  {
+    const Index cell = m_cell[vertex];
+    return is_end_cell(cell) || cell == none                        ? 1.
+           : cell == m_nearby_cells[2] || cell == m_nearby_cells[3] ? m_factors.near
+                                                                    : m_factors.far;
   }
   // Across a side: next to a site of a cell one is still in it.
-  double how_far_across(Index side) const
+  double detour_factor_across(Index h) const
   {
-    const double from = how_far(m_mesh.source(side)), to = how_far(m_mesh.target(side));
-    return keeps_to_cells() ? std::min(from, to) : 0.5 * (from + to);
+    const double from = detour_factor(m_mesh.source(h)), to = detour_factor(m_mesh.target(h));
+    return is_confined() ? std::min(from, to) : 0.5 * (from + to);
   }
   // The cell of a new site on a side.
-  Index cell_on(Index side, double share) const
+  Index cell_on(Index h, double fraction) const
   {
-    const Index from = m_cell[m_mesh.source(side)], to = m_cell[m_mesh.target(side)];
-    if(keeps_to_cells() && is_at_ends(from) != is_at_ends(to))
-      return is_at_ends(from) ? from : to;
-    return share < 0.5 ? from : to;
+    const Index from = m_cell[m_mesh.source(h)], to = m_cell[m_mesh.target(h)];
+    if(is_confined() && is_end_cell(from) != is_end_cell(to))
+      return is_end_cell(from) ? from : to;
+    return fraction < 0.5 ? from : to;
   }
 
   // The sides that a short path crosses: the shortest through some places on each (A*, Hart, Nilsson and
   // Raphael 1968).  Empty when there is none.
-  std::vector<Index> search(const std::vector<Index>& starts, const std::vector<Index>& goals,
-                            Index to)
+  std::vector<Index> search(const std::vector<Index>& start_corners,
+                            const std::vector<Index>& goal_corners, Index to)
   {
     ++m_run;
-    m_nodes.resize(places * t().corner.size());
-    const Spatial& goal = t().point[to];
+    m_nodes.resize(points_per_edge * t().corner.size());
+    const Vec3& goal_point = t().point[to];
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     const auto point = [&](Index node)
     {
-      const Index side = node / places;
-      const double share = double(node % places + 1) / double(places + 1);
-      return (1. - share) * t().point[m_mesh.source(side)] + share * t().point[m_mesh.target(side)];
+      const Index h = node / points_per_edge;
+      const double fraction = double(node % points_per_edge + 1) / double(points_per_edge + 1);
+      return (1. - fraction) * t().point[m_mesh.source(h)] + fraction * t().point[m_mesh.target(h)];
     };
-    const auto reach = [&](Index side, const Spatial& from, double distance, Index last)
+    const auto reach = [&](Index h, const Vec3& from, double distance, Index previous)
     {
-      if(m_mesh.labels()[side] != none || t().twin[side] == none)
+      if(m_mesh.labels()[h] != none || t().twin[h] == none)
         return;
-      const double far = how_far_across(side);
+      const double far = detour_factor_across(h);
       if(far == infinity)
         return;
-      for(Index i = 0; i < places; ++i)
+      for(Index i = 0; i < points_per_edge; ++i)
       {
-        const Index number = places * m_mesh.first(side) + i;
-        const Spatial place = point(number);
-        const double length = distance + far * norm(place - from);
-        Node& node = m_nodes[number];
+        const Index node_index = points_per_edge * m_mesh.smaller_twin(h) + i;
+        const Vec3 position = point(node_index);
+        const double length = distance + far * norm(position - from);
+        Node& node = m_nodes[node_index];
         if(node.run == m_run && !(length < node.distance))
           continue;
-        node = {length, m_run, last, side};
-        queue.emplace(length + norm(goal - place), number);
+        node = {length, m_run, previous, h};
+        queue.emplace(length + norm(goal_point - position), node_index);
       }
     };
-    for(const Index corner : starts)
-      reach(next_side(corner), t().point[m_mesh.source(corner)], 0., none);
+    for(const Index corner : start_corners)
+      reach(next_halfedge(corner), t().point[m_mesh.source(corner)], 0., none);
     double best = infinity;
     Index end = none;
     while(!queue.empty() && queue.top().first < best)
     {
-      const auto [key, number] = queue.top();
+      const auto [key, node_index] = queue.top();
       queue.pop();
       if(m_visits_left == 0)
         return {};
       --m_visits_left;
-      const Node node = m_nodes[number];
-      const Spatial place = point(number);
-      if(key > node.distance + norm(goal - place))
+      const Node node = m_nodes[node_index];
+      const Vec3 position = point(node_index);
+      if(key > node.distance + norm(goal_point - position))
         continue;
-      const Index entry = t().twin[node.side], far = previous_side(entry);
-      if(m_mesh.source(far) == to && node.distance + norm(goal - place) < best &&
-         std::find(goals.begin(), goals.end(), far) != goals.end())
+      const Index entry = t().twin[node.halfedge], far = previous_halfedge(entry);
+      if(m_mesh.source(far) == to && node.distance + norm(goal_point - position) < best &&
+         std::find(goal_corners.begin(), goal_corners.end(), far) != goal_corners.end())
       {
-        best = node.distance + norm(goal - place);
-        end = number;
+        best = node.distance + norm(goal_point - position);
+        end = node_index;
       }
-      reach(next_side(entry), place, node.distance, number);
-      reach(far, place, node.distance, number);
+      reach(next_halfedge(entry), position, node.distance, node_index);
+      reach(far, position, node.distance, node_index);
     }
     std::vector<Index> result;
     for(Index node = end; node != none; node = m_nodes[node].from)
-      result.push_back(m_nodes[node].side);
+      result.push_back(m_nodes[node].halfedge);
     std::reverse(result.begin(), result.end());
     return result;
   }
 
   // Divides the triangles of a strip along a path.
-  bool draw(Index edge, Index from, Index to, const Taut_strip& strip)
+  bool split_along(Index edge, Index from, Index to, const Strip_path& strip)
   {
-    const std::vector<Index>& sides = strip.sides;
-    const std::vector<double>& shares = strip.shares;
-    std::vector<bool> turns;
-    for(std::size_t i = 0; i + 1 < sides.size(); ++i)
-      turns.push_back(sides[i + 1] == next_side(t().twin[sides[i]]));
+    const std::vector<Index>& halfedges = strip.halfedges;
+    const std::vector<double>& fractions = strip.fractions;
+    std::vector<bool> is_right_turn;
+    for(std::size_t i = 0; i + 1 < halfedges.size(); ++i)
+      is_right_turn.push_back(halfedges[i + 1] == next_halfedge(t().twin[halfedges[i]]));
     std::vector<Index> path = {from};
-    Index side = sides.front();
-    for(std::size_t i = 0; i < sides.size(); ++i)
+    Index h = halfedges.front();
+    for(std::size_t i = 0; i < halfedges.size(); ++i)
     {
-      if(m_mesh.apex(side) != path.back())
+      if(m_mesh.apex(h) != path.back())
         return false;
-      const Index entry = t().twin[side];
-      m_cell.push_back(cell_on(side, shares[i]));
-      path.push_back(m_mesh.split_side(side, shares[i]));
-      m_mesh.set_label(next_side(side), edge);
-      if(i + 1 < sides.size())
+      const Index entry = t().twin[h];
+      m_cell.push_back(cell_on(h, fractions[i]));
+      path.push_back(m_mesh.split_edge(h, fractions[i]));
+      m_mesh.set_label(next_halfedge(h), edge);
+      if(i + 1 < halfedges.size())
         // Of v u x are left v p x and, glued to the first part, p u x.
-        side = turns[i] ? next_side(t().twin[side]) : previous_side(entry);
+        h = is_right_turn[i] ? next_halfedge(t().twin[h]) : previous_halfedge(entry);
       else
       {
         if(m_mesh.apex(entry) != to)
           return false;
-        m_mesh.set_label(next_side(entry), edge);
+        m_mesh.set_label(next_halfedge(entry), edge);
       }
     }
     path.push_back(to);
-    keep(edge, std::move(path));
+    store_path(edge, std::move(path));
     return true;
   }
 
   // Halves sides that join two sites of one edge, without being a part of it.
-  void open_shortcuts()
+  void split_shortcuts()
   {
     std::vector<std::vector<Index>> edges(t().point.size());
     for(Index edge = 0; edge < m_result.path.size(); ++edge)
-      for(const Index site : m_result.path[edge])
-        edges[site].push_back(edge);
+      for(const Index vertex : m_result.path[edge])
+        edges[vertex].push_back(edge);
     // Those that a cut moves come later.
-    for(Index side = 0; side < t().corner.size(); ++side)
+    for(Index h = 0; h < t().corner.size(); ++h)
     {
-      if(m_mesh.labels()[side] != none || t().twin[side] < side)
+      if(m_mesh.labels()[h] != none || t().twin[h] < h)
         continue;
-      const Index p = m_mesh.source(side), q = m_mesh.target(side);
+      const Index p = m_mesh.source(h), q = m_mesh.target(h);
       if(p >= edges.size() || q >= edges.size())
         continue;
-      const auto& of_q = edges[q];
+      const auto& edges_of_q = edges[q];
       if(std::any_of(edges[p].begin(), edges[p].end(),
-                     [&](Index edge)
-                     { return std::find(of_q.begin(), of_q.end(), edge) != of_q.end(); }))
-        m_mesh.split_side(side, 0.5);
+                     [&](Index edge) {
+                       return std::find(edges_of_q.begin(), edges_of_q.end(), edge) !=
+                              edges_of_q.end();
+                     }))
+        m_mesh.split_edge(h, 0.5);
     }
   }
 
   // Whether the triangles of each region form a disc between the edges of its triangle of the base.
-  bool fill_regions()
+  bool label_regions()
   {
     const std::vector<Index>& label = m_mesh.labels();
     m_result.region.assign(t().number_of_triangles(), none);
-    std::vector<Index> waiting, seen(t().point.size(), none);
+    std::vector<Index> stack, last_region(t().point.size(), none);
     for(Index f = 0; f < m_result.triangles.size(); ++f)
     {
-      for(const Index corner : m_mesh.corners_around(m_result.site[m_result.triangles[f][0]]))
+      for(const Index corner : m_mesh.corners_around(m_result.vertex[m_result.triangles[f][0]]))
         if(label[corner] == m_result.edge[3 * f])
-          waiting.push_back(corner / 3);
-      if(waiting.size() != 1 || m_result.region[waiting[0]] != none)
+          stack.push_back(corner / 3);
+      if(stack.size() != 1 || m_result.region[stack[0]] != none)
         return false;
-      m_result.region[waiting[0]] = f;
-      std::size_t triangles = 0, sides = 0, border = 0, sites = 0;
-      while(!waiting.empty())
+      m_result.region[stack[0]] = f;
+      std::size_t number_of_triangles = 0, number_of_halfedges = 0, number_on_edges = 0,
+                  number_of_vertices = 0;
+      while(!stack.empty())
       {
-        const Index part = waiting.back();
-        waiting.pop_back();
-        ++triangles;
-        for(Index side = 3 * part; side < 3 * part + 3; ++side)
+        const Index triangle = stack.back();
+        stack.pop_back();
+        ++number_of_triangles;
+        for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
         {
-          if(seen[m_mesh.source(side)] != f)
+          if(last_region[m_mesh.source(h)] != f)
           {
-            seen[m_mesh.source(side)] = f;
-            ++sites;
+            last_region[m_mesh.source(h)] = f;
+            ++number_of_vertices;
           }
-          ++sides;
-          if(label[side] != none)
+          ++number_of_halfedges;
+          if(label[h] != none)
           {
             const Index* edge = &m_result.edge[3 * std::size_t(f)];
-            if(std::find(edge, edge + 3, label[side]) == edge + 3)
+            if(std::find(edge, edge + 3, label[h]) == edge + 3)
               return false;
-            ++border;
+            ++number_on_edges;
             continue;
           }
-          const Index other = t().twin[side] / 3;
+          const Index other = t().twin[h] / 3;
           if(m_result.region[other] == none)
           {
             m_result.region[other] = f;
-            waiting.push_back(other);
+            stack.push_back(other);
           }
         }
       }
       std::size_t perimeter = 0;
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
-        perimeter += m_result.path[m_result.edge[side]].size() - 1;
-      if(border != perimeter || sites + triangles != (sides + border) / 2 + 1)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        perimeter += m_result.path[m_result.edge[h]].size() - 1;
+      if(number_on_edges != perimeter || number_of_vertices + number_of_triangles !=
+                                             (number_of_halfedges + number_on_edges) / 2 + 1)
         return false;
     }
     return std::find(m_result.region.begin(), m_result.region.end(), none) == m_result.region.end();
@@ -456,94 +466,96 @@ private:
 
   void finish()
   {
-    Glued_triangles& fine = m_result.fine;
+    Surface_arrays& fine = m_result.fine;
     fine = m_mesh.triangles();
-    for(Index side = 0; side < fine.corner.size(); ++side)
-      fine.length.push_back(std::max(m_mesh.length(side), shortest_side));
-    build_stars(fine, fine.point.size());
-    for(Index side = 0; side < fine.corner.size(); ++side)
-      m_result.barycentric.push_back(m_mesh.barycentric(side / 3, fine.corner[side]));
-    m_result.whole = m_mesh.wholes();
-    m_result.edge_of_side = m_mesh.labels();
+    for(Index h = 0; h < fine.corner.size(); ++h)
+      fine.length.push_back(std::max(m_mesh.length(h), min_edge_length));
+    build_rings(fine, fine.point.size());
+    for(Index h = 0; h < fine.corner.size(); ++h)
+      m_result.barycentric.push_back(m_mesh.barycentric(h / 3, fine.corner[h]));
+    m_result.parent = m_mesh.coarse_triangles();
+    m_result.edge_of_halfedge = m_mesh.labels();
   }
 
   struct Node
   {
     double distance = infinity;
     Index run = 0;
-    Index from = none; // the place before
-    Index side = none; // seen from there
+    Index from = none;     // the place before
+    Index halfedge = none; // seen from there
   };
 
-  Divided_mesh m_mesh;
-  Detours m_detours;
+  Split_mesh m_mesh;
+  Detour_factors m_factors;
   Base_mesh m_result;
   std::map<std::pair<Index, Index>, Index> m_edge_between;
   std::vector<Index> m_base_vertex; // #sites without those of paths
-  std::vector<bool> m_is_barred;    // #sites: on edges, or samples
+  std::vector<bool> m_is_blocked;   // #sites: on edges, or samples
   std::vector<Index> m_cell;        // #sites: the sample of each
-  std::array<Index, 4> m_near = {}; // corners of the two triangles at the edge that is sought
+  std::array<Index, 4> m_nearby_cells =
+      {}; // corners of the two triangles at the edge that is sought
   std::vector<Node> m_nodes;
   Index m_run = 0;
   std::size_t m_visits_left = 0;
 };
 
 // The nearest sample of each site.
-std::vector<Index> cells_of(const Glued_triangles& coarse, const std::vector<Location>& samples)
+std::vector<Index> nearest_sample_cells(const Surface_arrays& coarse,
+                                        const std::vector<Surface_location>& samples)
 {
-  std::vector<Source> sources;
+  std::vector<Front_source> sources;
   for(Index i = 0; i < samples.size(); ++i)
     sources.push_back({{samples[i]}, 0., i});
-  Front front(std::shared_ptr<const Glued_triangles>(&coarse, [](const Glued_triangles*) {}),
+  Front front(std::shared_ptr<const Surface_arrays>(&coarse, [](const Surface_arrays*) {}),
               Front_kind::euclidean);
   front.run(sources);
   std::vector<Index> result;
-  for(Index site = 0; site < coarse.number_of_sites(); ++site)
-    result.push_back(front.source(site));
+  for(Index vertex = 0; vertex < coarse.number_of_vertices(); ++vertex)
+    result.push_back(front.source(vertex));
   return result;
 }
 
 // A base of a finer surface as that of the mesh which this is a refinement of.
-void make_coarse(const Refinement& surface, Base_mesh& base)
+void map_to_coarse(const Refinement& surface, Base_mesh& base)
 {
   if(surface.parent.empty())
     return;
-  for(Location& sample : base.samples)
+  for(Surface_location& sample : base.samples)
     sample = to_coarse(surface, sample);
-  for(Index side = 0; side < base.barycentric.size(); ++side)
-    base.barycentric[side] =
-        to_coarse(surface, {base.whole[side / 3], none, base.barycentric[side]}).barycentric;
-  for(Index& whole : base.whole)
-    whole = surface.parent[whole];
-  Glued_triangles& fine = base.fine;
+  for(Index h = 0; h < base.barycentric.size(); ++h)
+    base.barycentric[h] =
+        to_coarse(surface, {base.parent[h / 3], none, base.barycentric[h]}).barycentric;
+  for(Index& parent : base.parent)
+    parent = surface.parent[parent];
+  Surface_arrays& fine = base.fine;
   const double unit = fine.scale / surface.coarse->scale; // a power of two
-  for(Spatial& point : fine.point)
+  for(Vec3& point : fine.point)
     point = unit * point;
   for(double& length : fine.length)
-    length = std::max(unit * length, shortest_side);
+    length = std::max(unit * length, min_edge_length);
   fine.scale = surface.coarse->scale;
 }
 
 // On the finer surface: where none of the sites around a sample is of its cell, the nearest one that is.
-std::vector<Location> samples_in_cells(const Remeshing& found)
+std::vector<Surface_location> samples_in_cells(const Remeshing& found)
 {
-  const Glued_triangles& t = *found.surface.triangles;
-  std::vector<Location> result = to_fine(found.surface, found.samples);
-  std::vector<bool> is_beside(result.size(), true);
+  const Surface_arrays& t = *found.surface.triangles;
+  std::vector<Surface_location> result = to_fine(found.surface, found.samples);
+  std::vector<bool> is_off_cell(result.size(), true);
   for(Index i = 0; i < result.size(); ++i)
     for(const Index f : triangles_at(t, result[i]))
       for(Index k = 0; k < 3; ++k)
         if(found.cells[t.corner[3 * f + k]] == i)
-          is_beside[i] = false;
-  std::vector<double> least(result.size(), infinity);
-  const std::vector<Location> samples = result;
-  for(Index site = 0; site < found.cells.size(); ++site)
-    if(const Index cell = found.cells[site]; cell != none && is_beside[cell])
-      if(const double distance = norm(t.point[site] - scaled_coordinates(t, samples[cell]));
-         distance < least[cell])
+          is_off_cell[i] = false;
+  std::vector<double> min_distance(result.size(), infinity);
+  const std::vector<Surface_location> samples = result;
+  for(Index vertex = 0; vertex < found.cells.size(); ++vertex)
+    if(const Index cell = found.cells[vertex]; cell != none && is_off_cell[cell])
+      if(const double distance = norm(t.point[vertex] - scaled_coordinates(t, samples[cell]));
+         distance < min_distance[cell])
       {
-        least[cell] = distance;
-        result[cell] = at_site(t, site);
+        min_distance[cell] = distance;
+        result[cell] = vertex_location(t, vertex);
       }
   return result;
 }
@@ -551,50 +563,50 @@ std::vector<Location> samples_in_cells(const Remeshing& found)
 // The base that has an edge where two cells meet: as each is a disc, and they meet in an arc, there is
 // room for it in both.
 std::optional<Base_mesh> base_mesh_in_cells(const Remeshing& found,
-                                            const std::vector<bool>& is_curve)
+                                            const std::vector<bool>& is_feature)
 {
   const Refinement& surface = found.surface;
-  const std::vector<Index> coarse = coarse_sides(surface);
-  std::vector<bool> is_fine_curve;
-  for(const Index side : coarse)
-    is_fine_curve.push_back(side != none && is_curve[side]);
-  auto result = Builder(*surface.triangles, samples_in_cells(found), found.between_cells,
-                        is_fine_curve, no_detours, found.cells)
+  const std::vector<Index> coarse = coarse_halfedges(surface);
+  std::vector<bool> is_fine_feature;
+  for(const Index h : coarse)
+    is_fine_feature.push_back(h != none && is_feature[h]);
+  auto result = Builder(*surface.triangles, samples_in_cells(found), found.dual_triangles,
+                        is_fine_feature, no_detour, found.cells)
                     .run();
   if(result)
-    make_coarse(surface, *result);
+    map_to_coarse(surface, *result);
   return result;
 }
 
 } // namespace
 
-std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
-                                   const std::vector<Location>& samples,
-                                   const std::vector<std::array<Index, 3>>& triangles,
-                                   const std::vector<bool>& is_curve)
+std::optional<Base_mesh> build_base_mesh(const Surface_arrays& coarse,
+                                         const std::vector<Surface_location>& samples,
+                                         const std::vector<std::array<Index, 3>>& triangles,
+                                         const std::vector<bool>& is_feature)
 {
-  const std::vector<Index> cells = cells_of(coarse, samples);
-  for(const Detours& detours : all_detours)
-    if(auto result = Builder(coarse, samples, triangles, is_curve, detours, cells).run())
+  const std::vector<Index> cells = nearest_sample_cells(coarse, samples);
+  for(const Detour_factors& factors : detour_levels)
+    if(auto result = Builder(coarse, samples, triangles, is_feature, factors, cells).run())
       return result;
   return std::nullopt;
 }
 
-Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles,
-                    const Remeshing_goal& goal)
+Base_mesh build_base_mesh(const std::shared_ptr<const Surface_arrays>& triangles,
+                          const Remeshing_options& options)
 {
-  const std::vector<bool> is_curve =
-      goal.is_curve.empty() ? border_and_sharp_sides(*triangles) : goal.is_curve;
-  const Remeshing found = remeshing(triangles, goal);
+  const std::vector<bool> is_feature =
+      options.is_feature.empty() ? boundary_and_sharp_halfedges(*triangles) : options.is_feature;
+  const Remeshing found = remesh(triangles, options);
   if(!found.is_finished)
   {
-    Base_mesh nothing;
-    nothing.is_finished = false;
-    return nothing;
+    Base_mesh cancelled;
+    cancelled.is_finished = false;
+    return cancelled;
   }
-  auto result = base_mesh(*triangles, found.samples, found.triangles, is_curve);
+  auto result = build_base_mesh(*triangles, found.samples, found.triangles, is_feature);
   if(!result)
-    result = base_mesh_in_cells(found, is_curve);
+    result = base_mesh_in_cells(found, is_feature);
   if(!result)
     throw Unsupported_surface_error(
         "The edges of no base mesh can be drawn on the surface: it is too thin or too coarse.");

@@ -12,147 +12,148 @@ namespace {
 
 // Parts of a cell, and its Euler characteristic: sites and sides of one label, and triangles.  A cell,
 // which reaches a little into the triangles around them, has the same.
-class Parts
+class Cell_topology
 {
 public:
-  Parts(const std::vector<Index>& labels, Index number_of_cells)
-      : m_labels(labels), m_up(labels.size()), m_parts(number_of_cells, 0),
-        m_characteristic(number_of_cells, 0)
+  Cell_topology(const std::vector<Index>& labels, Index number_of_cells)
+      : m_labels(labels), m_parent(labels.size()), m_number_of_components(number_of_cells, 0),
+        m_euler_characteristic(number_of_cells, 0)
   {
-    std::iota(m_up.begin(), m_up.end(), Index(0));
+    std::iota(m_parent.begin(), m_parent.end(), Index(0));
   }
 
-  void add_site(Index site)
+  void add_vertex(Index vertex)
   {
-    ++m_parts[m_labels[site]];
-    ++m_characteristic[m_labels[site]];
+    ++m_number_of_components[m_labels[vertex]];
+    ++m_euler_characteristic[m_labels[vertex]];
   }
-  void add_side(Index x, Index z)
+  void add_edge(Index x, Index z)
   {
-    --m_characteristic[m_labels[x]];
+    --m_euler_characteristic[m_labels[x]];
     x = root(x);
     z = root(z);
     if(x == z)
       return;
-    m_up[std::max(x, z)] = std::min(x, z);
-    --m_parts[m_labels[x]];
+    m_parent[std::max(x, z)] = std::min(x, z);
+    --m_number_of_components[m_labels[x]];
   }
-  void add_triangle(Index label) { ++m_characteristic[label]; }
+  void add_triangle(Index label) { ++m_euler_characteristic[label]; }
 
-  bool is_empty(Index cell) const { return m_parts[cell] == 0; }
+  bool is_empty(Index cell) const { return m_number_of_components[cell] == 0; }
   // One part without holes.
   bool is_contractible(Index cell) const
   {
-    return m_parts[cell] == 1 && m_characteristic[cell] == 1;
+    return m_number_of_components[cell] == 1 && m_euler_characteristic[cell] == 1;
   }
 
 private:
-  Index root(Index site)
+  Index root(Index vertex)
   {
-    while(m_up[site] != site)
-      site = m_up[site] = m_up[m_up[site]];
-    return site;
+    while(m_parent[vertex] != vertex)
+      vertex = m_parent[vertex] = m_parent[m_parent[vertex]];
+    return vertex;
   }
 
   const std::vector<Index>& m_labels;
-  std::vector<Index> m_up; // #sites: towards the root of its part
-  std::vector<std::ptrdiff_t> m_parts, m_characteristic;
+  std::vector<Index> m_parent; // #sites: towards the root of its part
+  std::vector<std::ptrdiff_t> m_number_of_components, m_euler_characteristic;
 };
 
 // The tuples of cells that come more than once, each once, sorted.
 template <typename Tuple>
-std::vector<Tuple> repeated(const std::vector<Tuple>& tuples, Index number_of_cells)
+std::vector<Tuple> duplicates(const std::vector<Tuple>& tuples, Index number_of_cells)
 {
   // Those of one cell are few.
-  std::vector<Index> end(number_of_cells + 1, 0);
+  std::vector<Index> offsets(number_of_cells + 1, 0);
   for(const Tuple& tuple : tuples)
-    ++end[tuple[0] + 1];
-  std::partial_sum(end.begin(), end.end(), end.begin());
+    ++offsets[tuple[0] + 1];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<Tuple> sorted(tuples.size());
   for(const Tuple& tuple : tuples)
-    sorted[end[tuple[0]]++] = tuple;
+    sorted[offsets[tuple[0]]++] = tuple;
   std::vector<Tuple> result;
   for(Index cell = 0, i = 0; cell < number_of_cells; ++cell)
   {
-    std::sort(sorted.begin() + i, sorted.begin() + end[cell]);
-    for(++i; i < end[cell]; ++i)
+    std::sort(sorted.begin() + i, sorted.begin() + offsets[cell]);
+    for(++i; i < offsets[cell]; ++i)
       if(sorted[i] == sorted[i - 1] && (result.empty() || result.back() != sorted[i]))
         result.push_back(sorted[i]);
-    i = end[cell];
+    i = offsets[cell];
   }
   return result;
 }
 
 // How the lines between cells end, followed across sides from triangle to triangle.
-class Arcs
+class Interfaces
 {
 public:
-  Arcs(const Glued_triangles& t, const std::vector<Index>& labels)
-      : m_triangles(t), m_labels(labels), m_is_done(t.corner.size(), false)
+  Interfaces(const Surface_arrays& t, const std::vector<Index>& labels)
+      : m_triangles(t), m_labels(labels), m_is_visited(t.corner.size(), false)
   {
-    for(Index side = 0; side < t.corner.size(); ++side)
-      if(is_crossed(side) && !m_is_done[side])
-        add(side);
+    for(Index h = 0; h < t.corner.size(); ++h)
+      if(is_crossed(h) && !m_is_visited[h])
+        add(h);
   }
 
   // The cells that meet in more than one arc, or in one that ends at no third cell.
-  std::vector<std::array<Index, 2>> torn(Index number_of_cells) const
+  std::vector<std::array<Index, 2>> disconnected(Index number_of_cells) const
   {
-    return repeated(m_arcs, number_of_cells);
+    return duplicates(m_interfaces, number_of_cells);
   }
 
 private:
-  bool is_crossed(Index side) const
+  bool is_crossed(Index h) const
   {
-    const Index a = m_labels[m_triangles.corner[side]],
-                b = m_labels[m_triangles.corner[next_side(side)]];
+    const Index a = m_labels[m_triangles.corner[h]],
+                b = m_labels[m_triangles.corner[next_halfedge(h)]];
     return a != b && a != none && b != none;
   }
-  void mark(Index side)
+  void mark(Index h)
   {
-    m_is_done[side] = true;
-    if(m_triangles.twin[side] != none)
-      m_is_done[m_triangles.twin[side]] = true;
+    m_is_visited[h] = true;
+    if(m_triangles.twin[h] != none)
+      m_is_visited[m_triangles.twin[h]] = true;
   }
-  void add(Index side)
+  void add(Index h)
   {
-    const Index a = m_labels[m_triangles.corner[side]],
-                b = m_labels[m_triangles.corner[next_side(side)]];
-    mark(side);
-    const bool begins = meets_third(m_triangles.twin[side]), ends = meets_third(side);
-    m_arcs.push_back({std::min(a, b), std::max(a, b)});
-    if(!begins && !ends)
-      m_arcs.push_back(m_arcs.back());
+    const Index a = m_labels[m_triangles.corner[h]],
+                b = m_labels[m_triangles.corner[next_halfedge(h)]];
+    mark(h);
+    const bool begins_at_third_cell = reaches_third_cell(m_triangles.twin[h]),
+               ends_at_third_cell = reaches_third_cell(h);
+    m_interfaces.push_back({std::min(a, b), std::max(a, b)});
+    if(!begins_at_third_cell && !ends_at_third_cell)
+      m_interfaces.push_back(m_interfaces.back());
   }
   // Whether the line through a side's triangle comes to a third cell; not when it comes to where the
   // surface ends, or back.
-  bool meets_third(Index side)
+  bool reaches_third_cell(Index h)
   {
-    while(side != none)
+    while(h != none)
     {
-      const Index third = m_labels[m_triangles.corner[previous_side(side)]];
-      const Index a = m_labels[m_triangles.corner[side]];
-      if(third != a && third != m_labels[m_triangles.corner[next_side(side)]])
+      const Index third = m_labels[m_triangles.corner[previous_halfedge(h)]];
+      const Index a = m_labels[m_triangles.corner[h]];
+      if(third != a && third != m_labels[m_triangles.corner[next_halfedge(h)]])
         return third != none;
-      side = third == a ? next_side(side) : previous_side(side);
-      if(m_is_done[side])
+      h = third == a ? next_halfedge(h) : previous_halfedge(h);
+      if(m_is_visited[h])
         return false;
-      mark(side);
-      side = m_triangles.twin[side];
+      mark(h);
+      h = m_triangles.twin[h];
     }
     return false;
   }
 
-  const Glued_triangles& m_triangles;
+  const Surface_arrays& m_triangles;
   const std::vector<Index>& m_labels;
-  std::vector<bool> m_is_done;
-  std::vector<std::array<Index, 2>> m_arcs;
+  std::vector<bool> m_is_visited;
+  std::vector<std::array<Index, 2>> m_interfaces;
 };
 
 } // namespace
 
-std::vector<std::array<Index, 3>> triangles_between(const Glued_triangles& t,
-                                                    const std::vector<Index>& labels)
+std::vector<std::array<Index, 3>> compute_dual_triangles(const Surface_arrays& t,
+                                                         const std::vector<Index>& labels)
 {
   std::vector<std::array<Index, 3>> result;
   for(Index f = 0; f < t.number_of_triangles(); ++f)
@@ -165,62 +166,63 @@ std::vector<std::array<Index, 3>> triangles_between(const Glued_triangles& t,
   return result;
 }
 
-Dual dual(const Glued_triangles& t, const std::vector<Index>& labels, Index number_of_cells,
-          const std::vector<bool>& is_border)
+Dual dual(const Surface_arrays& t, const std::vector<Index>& labels, Index number_of_cells,
+          const std::vector<bool>& is_boundary)
 {
   Dual result;
 
-  Parts inside(labels, number_of_cells), border(labels, number_of_cells);
-  const auto is_on_border = [&](Index side)
-  { return is_border.empty() ? t.twin[side] == none : bool(is_border[side]); };
-  std::vector<bool> is_border_site(labels.size(), false);
-  for(Index side = 0; side < t.corner.size(); ++side)
-    if(is_on_border(side))
-      is_border_site[t.corner[side]] = is_border_site[t.corner[next_side(side)]] = true;
-  for(Index site = 0; site < labels.size(); ++site)
-    if(labels[site] != none)
+  Cell_topology interior(labels, number_of_cells), boundary(labels, number_of_cells);
+  const auto is_on_boundary = [&](Index h)
+  { return is_boundary.empty() ? t.twin[h] == none : bool(is_boundary[h]); };
+  std::vector<bool> is_boundary_vertex(labels.size(), false);
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(is_on_boundary(h))
+      is_boundary_vertex[t.corner[h]] = is_boundary_vertex[t.corner[next_halfedge(h)]] = true;
+  for(Index vertex = 0; vertex < labels.size(); ++vertex)
+    if(labels[vertex] != none)
     {
-      inside.add_site(site);
-      if(is_border_site[site])
-        border.add_site(site);
+      interior.add_vertex(vertex);
+      if(is_boundary_vertex[vertex])
+        boundary.add_vertex(vertex);
     }
-  std::vector<std::array<Index, 2>> crossings; // of the border by lines between cells
-  for(Index side = 0; side < t.corner.size(); ++side)
+  std::vector<std::array<Index, 2>> boundary_crossings; // of the border by lines between cells
+  for(Index h = 0; h < t.corner.size(); ++h)
   {
-    const Index x = t.corner[side], z = t.corner[next_side(side)];
-    const bool is_first = t.twin[side] == none || t.twin[side] > side;
+    const Index x = t.corner[h], z = t.corner[next_halfedge(h)];
+    const bool is_first = t.twin[h] == none || t.twin[h] > h;
     if(!is_first || labels[x] == none || labels[z] == none)
       continue;
     if(labels[x] != labels[z])
     {
-      if(is_on_border(side))
-        crossings.push_back({std::min(labels[x], labels[z]), std::max(labels[x], labels[z])});
+      if(is_on_boundary(h))
+        boundary_crossings.push_back(
+            {std::min(labels[x], labels[z]), std::max(labels[x], labels[z])});
       continue;
     }
-    inside.add_side(x, z);
-    if(is_on_border(side))
-      border.add_side(x, z);
+    interior.add_edge(x, z);
+    if(is_on_boundary(h))
+      boundary.add_edge(x, z);
   }
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
     const Index cell = labels[t.corner[3 * f]];
     if(cell != none && cell == labels[t.corner[3 * f + 1]] && cell == labels[t.corner[3 * f + 2]])
-      inside.add_triangle(cell);
+      interior.add_triangle(cell);
   }
-  result.triangles = triangles_between(t, labels);
-  std::vector<std::array<Index, 3>> places = result.triangles;
-  for(auto& cells : places)
+  result.triangles = compute_dual_triangles(t, labels);
+  std::vector<std::array<Index, 3>> triple_points = result.triangles;
+  for(auto& cells : triple_points)
     std::sort(cells.begin(), cells.end());
-  result.repeated_places = repeated(places, number_of_cells);
+  result.repeated_triple_points = duplicates(triple_points, number_of_cells);
   for(Index cell = 0; cell < number_of_cells; ++cell)
   {
-    if(!inside.is_contractible(cell))
-      result.no_discs.push_back(cell);
-    if(!border.is_empty(cell) && !border.is_contractible(cell))
-      result.torn_borders.push_back(cell);
+    if(!interior.is_contractible(cell))
+      result.non_disks.push_back(cell);
+    if(!boundary.is_empty(cell) && !boundary.is_contractible(cell))
+      result.disconnected_boundaries.push_back(cell);
   }
-  result.torn_curves = repeated(crossings, number_of_cells);
-  result.torn_arcs = Arcs(t, labels).torn(number_of_cells);
+  result.repeated_boundary_crossings = duplicates(boundary_crossings, number_of_cells);
+  result.disconnected_interfaces = Interfaces(t, labels).disconnected(number_of_cells);
   return result;
 }
 

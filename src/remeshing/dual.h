@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_DUAL_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_DUAL_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <array>
 #include <vector>
@@ -13,8 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 // The cells around each triangle whose corners are in three, counterclockwise.
 // labels: #sites, the cell of each, or none
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<std::array<Index, 3>> triangles_between(const Glued_triangles& triangles,
-                                                    const std::vector<Index>& labels);
+std::vector<std::array<Index, 3>> compute_dual_triangles(const Surface_arrays& triangles,
+                                                         const std::vector<Index>& labels);
 
 // The triangles between cells of sites on a mesh, those of a Voronoi diagram for example, and what
 // keeps them from being a surface like the mesh: the closed ball property asks that each cell is a
@@ -25,28 +25,31 @@ struct Dual
   std::vector<std::array<Index, 3>> triangles; // cells around each place of three, as above
 
   // All sorted, each once.
-  std::vector<Index> no_discs;                 // cells, those without a site as well
-  std::vector<Index> torn_borders;             // cells that meet the border in more than an arc
-  std::vector<std::array<Index, 2>> torn_arcs; // cells that meet in more than an arc, or alone
+  std::vector<Index> non_disks;               // cells, those without a site as well
+  std::vector<Index> disconnected_boundaries; // cells that meet the border in more than an arc
   std::vector<std::array<Index, 2>>
-      torn_curves; // cells that meet in more than one place of the border
-  std::vector<std::array<Index, 3>> repeated_places; // cells that meet in more than one place
+      disconnected_interfaces; // cells that meet in more than an arc, or alone
+  std::vector<std::array<Index, 2>>
+      repeated_boundary_crossings; // cells that meet in more than one place of the border
+  std::vector<std::array<Index, 3>>
+      repeated_triple_points; // cells that meet in more than one place
 
   bool is_closed_ball() const
   {
-    return no_discs.empty() && torn_borders.empty() && torn_arcs.empty() && torn_curves.empty() &&
-           repeated_places.empty();
+    return non_disks.empty() && disconnected_boundaries.empty() &&
+           disconnected_interfaces.empty() && repeated_boundary_crossings.empty() &&
+           repeated_triple_points.empty();
   }
 };
 
 // O(n log n).
 // labels: #sites, the cell of each, below number_of_cells; sites of none are no part of it
-// is_border: #sides, with other sides that cells are to meet as they meet the border: twins alike.
+// is_boundary: #sides, with other sides that cells are to meet as they meet the border: twins alike.
 // Empty: the border alone.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Dual dual(const Glued_triangles& triangles, const std::vector<Index>& labels, Index number_of_cells,
-          const std::vector<bool>& is_border = {});
+Dual dual(const Surface_arrays& triangles, const std::vector<Index>& labels, Index number_of_cells,
+          const std::vector<bool>& is_boundary = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DUAL_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_DUAL_H

@@ -13,11 +13,11 @@ namespace {
 
 // The mean distance of a scan from 5,000 vertices falls from 0.031 percent of the diagonal to 0.018 in one
 // step, 0.0174 in two and 0.016 in ten; but the least angles fall too, with each.
-constexpr int steps_of_fit = 2;
+constexpr int number_of_fit_steps = 2;
 
 // In steps with care no triangle gets a smaller angle than this of 42 degrees: next to none of a mesh that is
 // relaxed well have, so that careful steps cost a tenth of a degree of the mean, and nothing of its first percentile.
-constexpr double cosine_to_keep = 0.743;
+constexpr double min_angle_cosine = 0.743;
 
 // The triangles around each point.
 std::vector<std::vector<Index>> triangles_around(const Coarse_mesh& mesh)
@@ -30,105 +30,105 @@ std::vector<std::vector<Index>> triangles_around(const Coarse_mesh& mesh)
 }
 
 // What is nearest to a place on some triangles.
-struct Nearest
+struct Projection
 {
   Index triangle = none;
   std::array<double, 3> barycentric;
-  Spatial way; // from there to the place
+  Vec3 offset; // from there to the place
   double length = infinity;
 };
 
 // The triangles around points, and what tells from afar which of them is near.
-class Stars
+class Ring_projector
 {
 public:
-  explicit Stars(const Coarse_mesh& mesh)
-      : m_mesh(mesh), m_star(triangles_around(mesh)), m_slabs(mesh.triangles.size())
+  explicit Ring_projector(const Coarse_mesh& mesh)
+      : m_mesh(mesh), m_ring(triangles_around(mesh)), m_frames(mesh.triangles.size())
   {
-    for(std::size_t f = 0; f < m_slabs.size(); ++f)
+    for(std::size_t f = 0; f < m_frames.size(); ++f)
     {
-      const std::array<Spatial, 3> p = corners(Index(f));
-      Slab& slab = m_slabs[f];
-      slab.normal = unit(cross(p[1] - p[0], p[2] - p[0]));
+      const std::array<Vec3, 3> p = corners(Index(f));
+      Triangle_frame& frame = m_frames[f];
+      frame.normal = unit(cross(p[1] - p[0], p[2] - p[0]));
       for(int k = 0; k < 3; ++k)
-        slab.outwards[k] = unit(cross(p[(k + 1) % 3] - p[k], slab.normal));
+        frame.outwards[k] = unit(cross(p[(k + 1) % 3] - p[k], frame.normal));
     }
   }
 
   // On the triangles around a point.
-  Nearest nearest(Index point, const Spatial& p)
+  Projection nearest(Index point, const Vec3& p)
   {
-    const std::vector<Index>& star = m_star[point];
+    const std::vector<Index>& ring = m_ring[point];
     m_bounds.clear();
-    std::size_t first = 0;
-    for(const Index f : star)
+    std::size_t closest = 0;
+    for(const Index f : ring)
     {
-      m_bounds.push_back(squared_bound(f, p));
-      if(m_bounds.back() < m_bounds[first])
-        first = m_bounds.size() - 1;
+      m_bounds.push_back(squared_lower_bound(f, p));
+      if(m_bounds.back() < m_bounds[closest])
+        closest = m_bounds.size() - 1;
     }
-    Nearest result;
-    const auto look_at = [&](Index f)
+    Projection result;
+    const auto project_on = [&](Index f)
     {
       const auto [a, b, c] = corners(f);
       const auto nearest = nearest_in_triangle(a, b, c, p);
-      const Spatial way = p - (nearest[0] * a + nearest[1] * b + nearest[2] * c);
-      if(const double length = norm(way); length < result.length)
-        result = {f, nearest, way, length};
+      const Vec3 offset = p - (nearest[0] * a + nearest[1] * b + nearest[2] * c);
+      if(const double length = norm(offset); length < result.length)
+        result = {f, nearest, offset, length};
     };
-    if(!star.empty())
-      look_at(star[first]);
-    for(std::size_t i = 0; i < star.size(); ++i)
-      if(i != first && m_bounds[i] < result.length * result.length)
-        look_at(star[i]);
+    if(!ring.empty())
+      project_on(ring[closest]);
+    for(std::size_t i = 0; i < ring.size(); ++i)
+      if(i != closest && m_bounds[i] < result.length * result.length)
+        project_on(ring[i]);
     return result;
   }
 
 private:
-  struct Slab
+  struct Triangle_frame
   {
-    Spatial normal;
-    std::array<Spatial, 3> outwards; // from each side, in the plane
+    Vec3 normal;
+    std::array<Vec3, 3> outwards; // from each side, in the plane
   };
 
-  std::array<Spatial, 3> corners(Index f) const
+  std::array<Vec3, 3> corners(Index f) const
   {
     const auto& triangle = m_mesh.triangles[f];
     return {m_mesh.points[triangle[0]], m_mesh.points[triangle[1]], m_mesh.points[triangle[2]]};
   }
 
   // No place of the triangle is nearer.
-  double squared_bound(Index f, const Spatial& p) const
+  double squared_lower_bound(Index f, const Vec3& p) const
   {
-    const Slab& slab = m_slabs[f];
+    const Triangle_frame& frame = m_frames[f];
     const auto& triangle = m_mesh.triangles[f];
-    double aside = 0.;
+    double in_plane = 0.;
     for(int k = 0; k < 3; ++k)
-      aside = std::max(aside, dot(slab.outwards[k], p - m_mesh.points[triangle[k]]));
-    const double above = dot(slab.normal, p - m_mesh.points[triangle[0]]);
-    return aside * aside + above * above;
+      in_plane = std::max(in_plane, dot(frame.outwards[k], p - m_mesh.points[triangle[k]]));
+    const double height = dot(frame.normal, p - m_mesh.points[triangle[0]]);
+    return in_plane * in_plane + height * height;
   }
 
   const Coarse_mesh& m_mesh;
-  std::vector<std::vector<Index>> m_star;
-  std::vector<Slab> m_slabs;
+  std::vector<std::vector<Index>> m_ring;
+  std::vector<Triangle_frame> m_frames;
   std::vector<double> m_bounds; // of a star
 };
 
 // Takes points back to where they were before, until no triangle has got a smaller angle that is small.
-void undo_where_angles_suffer(const std::vector<Spatial>& before, Coarse_mesh& mesh)
+void undo_angle_decrease(const std::vector<Vec3>& before, Coarse_mesh& mesh)
 {
   for(bool is_undone = true; is_undone;)
   {
     is_undone = false;
     for(const auto& [a, b, c] : mesh.triangles)
     {
-      std::vector<Spatial>& now = mesh.points;
-      const double cosine = largest_cosine(now[a], now[b], now[c]);
-      if(cosine <= cosine_to_keep || cosine <= largest_cosine(before[a], before[b], before[c]))
+      std::vector<Vec3>& points = mesh.points;
+      const double cosine = largest_cosine(points[a], points[b], points[c]);
+      if(cosine <= min_angle_cosine || cosine <= largest_cosine(before[a], before[b], before[c]))
         continue;
       for(const Index i : {a, b, c})
-        now[i] = before[i];
+        points[i] = before[i];
       is_undone = true;
     }
   }
@@ -136,56 +136,59 @@ void undo_where_angles_suffer(const std::vector<Spatial>& before, Coarse_mesh& m
 
 } // namespace
 
-std::vector<Index> far_sites(const Glued_triangles& fine, const std::vector<Index>& labels,
-                             const Coarse_mesh& coarse, double most)
+std::vector<Index> far_vertices(const Surface_arrays& fine, const std::vector<Index>& labels,
+                                const Coarse_mesh& coarse, double max_distance)
 {
-  Stars stars(coarse);
-  std::vector<std::pair<double, Index>> farthest(coarse.points.size(), {most, none});
-  for(Index site = 0; site < labels.size(); ++site)
-    if(const Index cell = labels[site]; cell != none)
-      if(const double length = stars.nearest(cell, fine.point[site]).length;
+  Ring_projector projector(coarse);
+  std::vector<std::pair<double, Index>> farthest(coarse.points.size(), {max_distance, none});
+  for(Index vertex = 0; vertex < labels.size(); ++vertex)
+    if(const Index cell = labels[vertex]; cell != none)
+      if(const double length = projector.nearest(cell, fine.point[vertex]).length;
          length < infinity && length > farthest[cell].first)
-        farthest[cell] = {length, site};
+        farthest[cell] = {length, vertex};
   std::vector<Index> result;
-  for(const auto& [length, site] : farthest)
-    if(site != none)
-      result.push_back(site);
+  for(const auto& [length, vertex] : farthest)
+    if(vertex != none)
+      result.push_back(vertex);
   return result;
 }
 
-void fit(const Glued_triangles& fine, const std::vector<Index>& labels,
-         const std::vector<bool>& is_fixed, Coarse_mesh& coarse, double most, int careful_steps)
+void fit(const Surface_arrays& fine, const std::vector<Index>& labels,
+         const std::vector<bool>& is_fixed, Coarse_mesh& coarse, double max_distance,
+         int angle_preserving_steps)
 {
-  const std::vector<Spatial> first = coarse.points;
+  const std::vector<Vec3> initial_points = coarse.points;
   std::vector<double> area(labels.size(), 0.);
   for(Index f = 0; f < fine.number_of_triangles(); ++f)
-    for(Index side = 3 * f; side < 3 * f + 3; ++side)
-      area[fine.corner[side]] +=
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      area[fine.corner[h]] +=
           twice_area(fine.length[3 * f], fine.length[3 * f + 1], fine.length[3 * f + 2]);
-  for(int step = 0; step < steps_of_fit + careful_steps; ++step)
+  for(int step = 0; step < number_of_fit_steps + angle_preserving_steps; ++step)
   {
-    const std::vector<Spatial> before = coarse.points;
-    Stars stars(coarse);
-    std::vector<Spatial> moves(coarse.points.size(), Spatial{0., 0., 0.});
+    const std::vector<Vec3> previous_points = coarse.points;
+    Ring_projector projector(coarse);
+    std::vector<Vec3> displacements(coarse.points.size(), Vec3{0., 0., 0.});
     std::vector<double> weights(coarse.points.size(), 0.);
-    for(Index site = 0; site < labels.size(); ++site)
-      if(const Index cell = labels[site]; cell != none)
-        if(const Nearest nearest = stars.nearest(cell, fine.point[site]); nearest.triangle != none)
+    for(Index vertex = 0; vertex < labels.size(); ++vertex)
+      if(const Index cell = labels[vertex]; cell != none)
+        if(const Projection nearest = projector.nearest(cell, fine.point[vertex]);
+           nearest.triangle != none)
           for(int k = 0; k < 3; ++k)
           {
             const Index point = coarse.triangles[nearest.triangle][k];
-            const double weight = area[site] * nearest.barycentric[k];
-            moves[point] = moves[point] + weight * nearest.way;
+            const double weight = area[vertex] * nearest.barycentric[k];
+            displacements[point] = displacements[point] + weight * nearest.offset;
             weights[point] += weight;
           }
     for(std::size_t i = 0; i < coarse.points.size(); ++i)
       if(weights[i] > 0. && !is_fixed[i])
       {
-        const Spatial way = coarse.points[i] + (1. / weights[i]) * moves[i] - first[i];
-        coarse.points[i] = first[i] + std::min(1., most / norm(way)) * way;
+        const Vec3 offset =
+            coarse.points[i] + (1. / weights[i]) * displacements[i] - initial_points[i];
+        coarse.points[i] = initial_points[i] + std::min(1., max_distance / norm(offset)) * offset;
       }
-    if(step >= steps_of_fit)
-      undo_where_angles_suffer(before, coarse);
+    if(step >= number_of_fit_steps)
+      undo_angle_decrease(previous_points, coarse);
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/spatial_search/Triangle_tree.h>
-#include "mesh/crossings.h"
-#include <CGAL/Geodesic_processing/internal/mesh/curves.h>
+#include "mesh/self_intersections.h"
+#include <CGAL/Geodesic_processing/internal/mesh/feature_polylines.h>
 #include "remeshing/dual.h"
 #include "remeshing/fitting.h"
 #include "mesh/flips.h"
@@ -14,7 +14,7 @@
 #include "sampling/relaxation.h"
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 #include "remeshing/smoothing.h"
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include "core/unfold.h"
 
 #include <algorithm>
@@ -28,40 +28,40 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Sides longer than this part of the spacing of samples are halved: then a cell has some four sites.
-constexpr double longest_part = 0.65;
+constexpr double max_edge_ratio = 0.65;
 // Where samples move, a little longer ones, which saves time.
-constexpr double longest_part_of_relaxed = 0.75;
+constexpr double max_edge_ratio_relaxed = 0.75;
 // But not with so many steps: a tenth to three quarters more time for 0.1 degrees of the mean of the least angles, 0.4 of
 // their first percentile, and a distance of fitted vertices that is up to a tenth smaller, on six models.
 constexpr std::size_t many_steps = 30;
-constexpr double longest_part_of_well_relaxed = 0.5;
+constexpr double max_edge_ratio_well_relaxed = 0.5;
 
 // Of a fit after many steps: nearer by 2 to 5 percent.
-constexpr int careful_steps = 3;
+constexpr int angle_preserving_steps = 3;
 // One in so many may be longer, by this factor at most: else all triangles would be glued anew for the sake of
 // the last few sides.
-constexpr std::size_t few_of = 50;
-constexpr double little_longer = 1.5;
+constexpr std::size_t few_edges_divisor = 50;
+constexpr double long_edge_factor = 1.5;
 // But not beyond so many sites for each there was and for each sample: webs of needles would become
 // webs of longer ones.
-constexpr std::size_t most_for_a_site = 4, most_for_a_sample = 32;
+constexpr std::size_t max_vertices_per_input_vertex = 4, max_vertices_per_sample = 32;
 // Each has six half-edges.
-constexpr std::size_t most_vertices = (std::size_t(1) << 31) / 6;
+constexpr std::size_t max_number_of_vertices = (std::size_t(1) << 31) / 6;
 // Of so many samples one is strewn where they are moved anyway: these take one front together, and what is
 // farthest from all of them then fills the gaps.  With one of twenty the samples take three times as long,
 // for 0.2 degrees of the mean of the least angles after twelve steps.
-constexpr std::size_t strewn_part = 2;
+constexpr std::size_t stratified_ratio = 2;
 // After samples have moved on the surface, between each other: as long as six steps there take, for 1.2 degrees of the
 // mean of the least angles after twelve of these.  Half as many give 0.3 degrees less, twice as many 0.5 more.
-constexpr int smoothing_steps = 20;
+constexpr int number_of_smoothing_steps = 20;
 // Farther than any curve is long, in the domain's scale: it has less than 2^31 sides.
-constexpr double longest_curve = 0x1p32;
+constexpr double max_feature_length = 0x1p32;
 // How often samples are added where triangles cross: on the models whose surfaces do not cross themselves
 // five times are the most that were seen, in the folds of a brain.
-constexpr int most_rounds_at_crossings = 10;
+constexpr int max_intersection_rounds = 10;
 // How often sides are halved where all sites are samples: once or twice is enough for two triangles of
 // the same corners.
-constexpr int most_refinements = 20;
+constexpr int max_refinements = 20;
 
 // The cells of samples, numbered: those that come to a site.
 struct Cells
@@ -72,17 +72,17 @@ struct Cells
 
 // The cells that a sampling knows, each in one part: where fronts were wrong by a rounding, or came
 // around others, sites go over to a cell next to them.
-Cells connected_cells(const Glued_triangles& t, const Sampling& sampling)
+Cells connected_cells(const Surface_arrays& t, const Sampling& sampling)
 {
   const std::vector<double>& distances = sampling.distances();
   std::vector<Index> nearest(sampling.samples().size(), none); // the site of each sample
-  for(const Index site : sampling.sites())
-    if(Index& known = nearest[sampling.labels()[site]];
-       known == none || distances[site] < distances[known])
-      known = site;
+  for(const Index vertex : sampling.sampled_vertices())
+    if(Index& known = nearest[sampling.labels()[vertex]];
+       known == none || distances[vertex] < distances[known])
+      known = vertex;
 
   Cells result;
-  result.labels.assign(t.number_of_sites(), none);
+  result.labels.assign(t.number_of_vertices(), none);
   std::vector<Index> reached;
   for(Index sample = 0; sample < nearest.size(); ++sample)
   {
@@ -94,10 +94,10 @@ Cells connected_cells(const Glued_triangles& t, const Sampling& sampling)
     result.labels[nearest[sample]] = cell;
     while(!reached.empty())
     {
-      const Index site = reached.back();
+      const Index vertex = reached.back();
       reached.pop_back();
-      for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-        for(const Index corner : {next_side(t.star[i]), previous_side(t.star[i])})
+      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+        for(const Index corner : {next_halfedge(t.ring[i]), previous_halfedge(t.ring[i])})
           if(const Index next = t.corner[corner];
              result.labels[next] == none && sampling.labels()[next] == sample)
           {
@@ -107,40 +107,40 @@ Cells connected_cells(const Glued_triangles& t, const Sampling& sampling)
     }
   }
 
-  std::vector<Index> apart;
-  for(const Index site : sampling.sites())
-    if(result.labels[site] == none)
-      apart.push_back(site);
-  while(!apart.empty())
+  std::vector<Index> disconnected;
+  for(const Index vertex : sampling.sampled_vertices())
+    if(result.labels[vertex] == none)
+      disconnected.push_back(vertex);
+  while(!disconnected.empty())
   {
     std::vector<std::pair<Index, Index>> found; // site and cell
-    std::vector<Index> left;
-    for(const Index site : apart)
+    std::vector<Index> remaining;
+    for(const Index vertex : disconnected)
     {
       Index best = none;
-      double least = infinity;
-      const auto reach = [&](Index next, double length)
+      double min_distance = infinity;
+      const auto visit = [&](Index next, double length)
       {
-        if(result.labels[next] != none && distances[next] + length < least)
+        if(result.labels[next] != none && distances[next] + length < min_distance)
         {
           best = result.labels[next];
-          least = distances[next] + length;
+          min_distance = distances[next] + length;
         }
       };
-      for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
       {
-        const Index corner = t.star[i], previous = previous_side(corner);
-        reach(t.corner[next_side(corner)], t.length[corner]);
-        reach(t.corner[previous], t.length[previous]);
+        const Index corner = t.ring[i], previous = previous_halfedge(corner);
+        visit(t.corner[next_halfedge(corner)], t.length[corner]);
+        visit(t.corner[previous], t.length[previous]);
       }
       if(best == none)
-        left.push_back(site);
+        remaining.push_back(vertex);
       else
-        found.emplace_back(site, best);
+        found.emplace_back(vertex, best);
     }
-    for(const auto& [site, cell] : found)
-      result.labels[site] = cell;
-    apart = std::move(left);
+    for(const auto& [vertex, cell] : found)
+      result.labels[vertex] = cell;
+    disconnected = std::move(remaining);
   }
   return result;
 }
@@ -148,192 +148,203 @@ Cells connected_cells(const Glued_triangles& t, const Sampling& sampling)
 class Remesher
 {
 public:
-  Remesher(const std::shared_ptr<const Glued_triangles>& triangles, const Remeshing_goal& goal)
-      : m_goal(goal),
-        m_coarse_curves(goal.is_curve.empty() ? border_and_sharp_sides(*triangles) : goal.is_curve),
-        m_has_curves(std::find(m_coarse_curves.begin(), m_coarse_curves.end(), true) !=
-                     m_coarse_curves.end())
+  Remesher(const std::shared_ptr<const Surface_arrays>& triangles, const Remeshing_options& options)
+      : m_options(options),
+        m_coarse_features(options.is_feature.empty() ? boundary_and_sharp_halfedges(*triangles)
+                                                     : options.is_feature),
+        m_has_features(std::find(m_coarse_features.begin(), m_coarse_features.end(), true) !=
+                       m_coarse_features.end())
   {
-    use(refinement(triangles));
+    set_surface(make_refinement(triangles));
   }
 
   Remeshing run()
   {
     set_spacing();
-    open_folds();
+    split_duplicate_faces();
     refine();
-    begin();
-    m_result.is_finished = sample() && relax() && complete();
+    start_sampling();
+    m_result.is_finished = place_samples() && relax() && enforce_topology();
     return std::move(m_result);
   }
 
 private:
-  const Glued_triangles& t() const { return *m_surface.triangles; }
+  const Surface_arrays& t() const { return *m_surface.triangles; }
   double slowness(Index triangle) const { return m_slowness ? (*m_slowness)[triangle] : 1.; }
   // The size of our unit in that of the coarse triangles: a power of two.
   double unit_size() const { return t().scale / m_surface.coarse->scale; }
-  bool tell(double done) const { return !m_goal.callback || m_goal.callback(done); }
+  bool report_progress(double done) const
+  {
+    return !m_options.callback || m_options.callback(done);
+  }
 
-  void use(Refinement surface)
+  void set_surface(Refinement surface)
   {
     m_surface = std::move(surface);
     // Where all sites are one point no site is farther than others: any lengths will do.
     if(std::all_of(t().length.begin(), t().length.end(), [](double l) { return l == 0.; }))
     {
-      Glued_triangles spread = t();
-      std::fill(spread.length.begin(), spread.length.end(), 1.);
-      m_surface.triangles = std::make_shared<const Glued_triangles>(std::move(spread));
+      Surface_arrays uniform = t();
+      std::fill(uniform.length.begin(), uniform.length.end(), 1.);
+      m_surface.triangles = std::make_shared<const Surface_arrays>(std::move(uniform));
     }
-    m_is_curve.assign(t().corner.size(), false);
-    m_is_curve_site.assign(t().number_of_sites(), false);
-    if(m_has_curves)
-      mark_curves();
-    m_slowness = m_goal.slowness;
+    m_is_feature.assign(t().corner.size(), false);
+    m_is_feature_vertex.assign(t().number_of_vertices(), false);
+    if(m_has_features)
+      mark_features();
+    m_slowness = m_options.slowness;
     if(m_slowness && !m_surface.parent.empty())
     {
       std::vector<double> slownesses;
       for(const Index parent : m_surface.parent)
-        slownesses.push_back((*m_goal.slowness)[parent]);
+        slownesses.push_back((*m_options.slowness)[parent]);
       m_slowness = std::make_shared<const std::vector<double>>(std::move(slownesses));
     }
   }
 
-  void mark_curves()
+  void mark_features()
   {
-    const std::vector<Index> coarse = coarse_sides(m_surface);
-    for(Index side = 0; side < coarse.size(); ++side)
-      if(coarse[side] != none && m_coarse_curves[coarse[side]])
+    const std::vector<Index> coarse = coarse_halfedges(m_surface);
+    for(Index h = 0; h < coarse.size(); ++h)
+      if(coarse[h] != none && m_coarse_features[coarse[h]])
       {
-        m_is_curve[side] = true;
-        for(const Index corner : {side, next_side(side)})
-          m_is_curve_site[t().corner[corner]] = true;
+        m_is_feature[h] = true;
+        for(const Index corner : {h, next_halfedge(h)})
+          m_is_feature_vertex[t().corner[corner]] = true;
       }
   }
 
   // Of a honeycomb of so many cells, those at the border halved by it, that covers as much.
   void set_spacing()
   {
-    double area = 0., border = 0.;
+    double area = 0., boundary_length = 0.;
     for(Index f = 0; f < t().number_of_triangles(); ++f)
     {
       const double* const l = &t().length[3 * std::size_t(f)];
       area += 0.5 * slowness(f) * slowness(f) * twice_area(l[0], l[1], l[2]);
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
-        if(t().twin[side] == none)
-          border += slowness(f) * t().length[side];
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if(t().twin[h] == none)
+          boundary_length += slowness(f) * t().length[h];
     }
-    const double n = double(std::max<std::size_t>(m_goal.number, 1));
-    const double quarter = border / 4.;
-    m_spacing = std::max(
-        (quarter + std::sqrt(quarter * quarter + 2. / std::sqrt(3.) * area * n)) / n, border / n);
+    const double n = double(std::max<std::size_t>(m_options.number_of_samples, 1));
+    const double quarter = boundary_length / 4.;
+    m_spacing =
+        std::max((quarter + std::sqrt(quarter * quarter + 2. / std::sqrt(3.) * area * n)) / n,
+                 boundary_length / n);
     m_spacing *= unit_size();
   }
 
   // Halves the sides of two triangles of the same corners, which no samples at these can tell apart.
-  void open_folds()
+  void split_duplicate_faces()
   {
     std::vector<bool> is_halved(t().corner.size(), false);
-    bool has_folds = false;
-    for(Index side = 0; side < is_halved.size(); ++side)
+    bool has_duplicates = false;
+    for(Index h = 0; h < is_halved.size(); ++h)
     {
-      const Index other = t().twin[side], next = t().twin[next_side(side)];
-      if(other == none || next == none || other / 3 != next / 3 || other / 3 == side / 3)
+      const Index other = t().twin[h], next = t().twin[next_halfedge(h)];
+      if(other == none || next == none || other / 3 != next / 3 || other / 3 == h / 3)
         continue;
-      has_folds = true;
+      has_duplicates = true;
       for(Index k = 0; k < 3; ++k)
-        for(const Index around : {3 * (side / 3) + k, 3 * (other / 3) + k})
+        for(const Index marked : {3 * (h / 3) + k, 3 * (other / 3) + k})
         {
-          is_halved[around] = true;
-          if(t().twin[around] != none)
-            is_halved[t().twin[around]] = true;
+          is_halved[marked] = true;
+          if(t().twin[marked] != none)
+            is_halved[t().twin[marked]] = true;
         }
     }
-    if(has_folds)
-      use(halved(m_surface, is_halved));
+    if(has_duplicates)
+      set_surface(split_edges(m_surface, is_halved));
   }
 
-  double part_of_spacing() const
+  double target_edge_ratio() const
   {
-    if(m_goal.relaxation_steps == 0)
-      return longest_part;
-    return m_goal.relaxation_steps < many_steps ? longest_part_of_relaxed
-                                                : longest_part_of_well_relaxed;
+    if(m_options.number_of_relaxation_steps == 0)
+      return max_edge_ratio;
+    return m_options.number_of_relaxation_steps < many_steps ? max_edge_ratio_relaxed
+                                                             : max_edge_ratio_well_relaxed;
   }
 
   void refine()
   {
-    const std::size_t most = most_for_a_site * t().number_of_sites() +
-                             most_for_a_sample * (m_goal.number + number_asked_for_on_curves());
-    const double part = part_of_spacing();
+    const std::size_t max_vertices =
+        max_vertices_per_input_vertex * t().number_of_vertices() +
+        max_vertices_per_sample * (m_options.number_of_samples + number_requested_on_features());
+    const double ratio = target_edge_ratio();
     for(;;)
     {
-      const double longest = part * m_spacing / unit_size();
-      const std::vector<double> on_curves =
-          m_goal.curve_spacing.empty() ? std::vector<double>() : spacing_on_curves();
+      const double max_length = ratio * m_spacing / unit_size();
+      const std::vector<double> spacing =
+          m_options.feature_spacing.empty() ? std::vector<double>() : feature_spacing();
       std::vector<bool> is_long(t().corner.size(), false);
       std::size_t number_of_long = 0;
-      bool is_fine = true;
-      for(Index side = 0; side < is_long.size(); ++side)
+      bool is_fine_enough = true;
+      for(Index h = 0; h < is_long.size(); ++h)
       {
-        const double length = slowness(side / 3) * t().length[side];
-        const bool is_long_on_curve =
-            !on_curves.empty() && m_is_curve[side] && t().length[side] > part * on_curves[side];
-        if(!(length > longest) && !is_long_on_curve)
+        const double length = slowness(h / 3) * t().length[h];
+        const bool is_long_feature =
+            !spacing.empty() && m_is_feature[h] && t().length[h] > ratio * spacing[h];
+        if(!(length > max_length) && !is_long_feature)
           continue;
         ++number_of_long;
-        is_fine = is_fine && !is_long_on_curve && length <= little_longer * longest;
-        is_long[side] = true;
-        if(t().twin[side] != none)
-          is_long[t().twin[side]] = true;
+        is_fine_enough =
+            is_fine_enough && !is_long_feature && length <= long_edge_factor * max_length;
+        is_long[h] = true;
+        if(t().twin[h] != none)
+          is_long[t().twin[h]] = true;
       }
-      is_fine = is_fine && number_of_long * few_of <= is_long.size();
-      if(is_fine || t().number_of_sites() >= most)
+      is_fine_enough = is_fine_enough && number_of_long * few_edges_divisor <= is_long.size();
+      if(is_fine_enough || t().number_of_vertices() >= max_vertices)
         return;
-      use(halved(m_surface, is_long));
+      set_surface(split_edges(m_surface, is_long));
     }
   }
 
-  void begin()
+  void start_sampling()
   {
     m_front.emplace(m_surface.triangles, Front_kind::euclidean);
-    m_sampling.emplace(m_surface.triangles, *m_front, Sample_place::triangle, m_slowness);
+    m_sampling.emplace(m_surface.triangles, *m_front, Sample_location::triangle, m_slowness);
   }
 
-  bool sample()
+  bool place_samples()
   {
-    std::vector<Location> first = to_fine(m_surface, m_goal.first_samples);
-    const std::vector<Location> on_curves = spread_on_curves(t(), spacing_on_curves());
-    first.insert(first.end(), on_curves.begin(), on_curves.end());
-    m_number_of_fixed = first.size();
-    if(!first.empty())
-      m_sampling->add(first);
-    if(m_goal.relaxation_steps > 0 && first.size() < m_goal.number)
-      m_sampling->add(strewn((m_goal.number - first.size()) / strewn_part));
+    std::vector<Surface_location> initial_samples = to_fine(m_surface, m_options.first_samples);
+    const std::vector<Surface_location> on_features =
+        sample_feature_polylines(t(), feature_spacing());
+    initial_samples.insert(initial_samples.end(), on_features.begin(), on_features.end());
+    m_number_of_fixed = initial_samples.size();
+    if(!initial_samples.empty())
+      m_sampling->add(initial_samples);
+    if(m_options.number_of_relaxation_steps > 0 &&
+       initial_samples.size() < m_options.number_of_samples)
+      m_sampling->add(stratified_samples((m_options.number_of_samples - initial_samples.size()) /
+                                         stratified_ratio));
     const std::size_t number = m_sampling->samples().size();
-    return add_farthest(m_goal.number - std::min(m_goal.number, number), 0., 0.4);
+    return add_farthest(m_options.number_of_samples - std::min(m_options.number_of_samples, number),
+                        0., 0.4);
   }
 
   // Places after equal parts of the area, in the order of triangles, which have near numbers where they are
   // neighbours; none nearer to other samples than all will be.
-  std::vector<Location> strewn(std::size_t number) const
+  std::vector<Surface_location> stratified_samples(std::size_t number) const
   {
-    const auto mass = [&](Index f)
+    const auto triangle_area = [&](Index f)
     {
       const double* const l = &t().length[3 * std::size_t(f)];
       return slowness(f) * slowness(f) * twice_area(l[0], l[1], l[2]);
     };
     double total = 0.;
     for(Index f = 0; f < t().number_of_triangles(); ++f)
-      total += mass(f);
-    const double part = total / double(number);
-    std::vector<Location> result;
-    double sum = part * double(std::mt19937(m_goal.seed)()) / 0x1p32;
+      total += triangle_area(f);
+    const double stratum = total / double(number);
+    std::vector<Surface_location> result;
+    double sum = stratum * double(std::mt19937(m_options.seed)()) / 0x1p32;
     for(Index f = 0; f < t().number_of_triangles() && number > 0; ++f)
     {
-      sum += mass(f);
-      if(!(sum >= part))
+      sum += triangle_area(f);
+      if(!(sum >= stratum))
         continue;
-      sum = std::fmod(sum, part);
+      sum = std::fmod(sum, stratum);
       if(m_sampling->distances()[t().corner[3 * f]] > m_spacing / unit_size())
         result.push_back({f, none, {1. / 3., 1. / 3., 1. / 3.}});
     }
@@ -341,14 +352,14 @@ private:
   }
 
   // At most: both sides of an edge count.
-  std::size_t number_asked_for_on_curves() const
+  std::size_t number_requested_on_features() const
   {
     double result = 0.;
-    const std::vector<double>& spacing = m_goal.curve_spacing;
-    for(Index side = 0; side < spacing.size(); ++side)
-      if(m_coarse_curves[side] && spacing[side] > 0.)
-        result += m_surface.coarse->length[side] / spacing[side];
-    if(!(result <= double(most_vertices)))
+    const std::vector<double>& spacing = m_options.feature_spacing;
+    for(Index h = 0; h < spacing.size(); ++h)
+      if(m_coarse_features[h] && spacing[h] > 0.)
+        result += m_surface.coarse->length[h] / spacing[h];
+    if(!(result <= double(max_number_of_vertices)))
       throw Invalid_argument_error(
           "A mesh with vertices so near to each other along curves has more "
           "than 2^31 half-edges.");
@@ -356,22 +367,23 @@ private:
   }
 
   // #sides: the one asked for, or that of all samples; zero off the curves.
-  std::vector<double> spacing_on_curves() const
+  std::vector<double> feature_spacing() const
   {
     std::vector<double> result(t().corner.size(), 0.);
-    if(!m_has_curves)
+    if(!m_has_features)
       return result;
-    const std::vector<Index> coarse = coarse_sides(m_surface);
-    for(Index side = 0; side < result.size(); ++side)
+    const std::vector<Index> coarse = coarse_halfedges(m_surface);
+    for(Index h = 0; h < result.size(); ++h)
     {
-      if(!m_is_curve[side])
+      if(!m_is_feature[h])
         continue;
-      const double given = m_goal.curve_spacing.empty() ? 0. : m_goal.curve_spacing[coarse[side]];
-      const Index twin = t().twin[side];
-      const double least =
-          twin == none ? slowness(side / 3) : std::min(slowness(side / 3), slowness(twin / 3));
-      const double spacing = (given > 0. ? given : m_spacing / least) / unit_size();
-      result[side] = std::min(spacing, longest_curve);
+      const double requested =
+          m_options.feature_spacing.empty() ? 0. : m_options.feature_spacing[coarse[h]];
+      const Index twin = t().twin[h];
+      const double min_slowness =
+          twin == none ? slowness(h / 3) : std::min(slowness(h / 3), slowness(twin / 3));
+      const double spacing = (requested > 0. ? requested : m_spacing / min_slowness) / unit_size();
+      result[h] = std::min(spacing, max_feature_length);
     }
     return result;
   }
@@ -379,17 +391,18 @@ private:
   // Adds so many, and more where no sample has come yet.
   bool add_farthest(std::size_t number, double begin, double end)
   {
-    Sampling_goal goal;
-    goal.seed = m_goal.seed;
-    goal.number = number;
-    if(m_goal.callback)
-      goal.callback = [&](double done) { return m_goal.callback(begin + (end - begin) * done); };
-    const auto nothing = [](double) {};
-    if(number > 0 && !sample_farthest(*m_sampling, goal, nothing))
+    Sampling_options options;
+    options.seed = m_options.seed;
+    options.number_of_samples = number;
+    if(m_options.callback)
+      options.callback = [&](double done)
+      { return m_options.callback(begin + (end - begin) * done); };
+    const auto ignore = [](double) {};
+    if(number > 0 && !sample_farthest_points(*m_sampling, options, ignore))
       return false;
-    goal.number = 1;
+    options.number_of_samples = 1;
     while(m_sampling->covering_radius() == infinity)
-      if(!sample_farthest(*m_sampling, goal, nothing))
+      if(!sample_farthest_points(*m_sampling, options, ignore))
         return false;
     return true;
   }
@@ -397,110 +410,110 @@ private:
   // Moves samples to the centroids of their cells.
   bool relax()
   {
-    const std::size_t steps = m_goal.relaxation_steps;
+    const std::size_t steps = m_options.number_of_relaxation_steps;
     if(steps == 0)
       return true;
-    const std::vector<Location>& samples = m_sampling->samples();
+    const std::vector<Surface_location>& samples = m_sampling->samples();
     std::vector<bool> is_fixed;
     for(std::size_t i = 0; i < samples.size(); ++i)
-      is_fixed.push_back(i < m_number_of_fixed || is_on_curve(samples[i]));
+      is_fixed.push_back(i < m_number_of_fixed || is_on_feature(samples[i]));
     Relaxation relaxation(m_surface.triangles, m_slowness, samples, m_sampling->labels(), is_fixed);
     for(std::size_t step = 0; step < steps; ++step)
     {
-      if(!tell(0.4 + 0.4 * double(step) / double(steps)))
+      if(!report_progress(0.4 + 0.4 * double(step) / double(steps)))
         return false;
       relaxation.step(step + 1 == steps);
     }
     Smoothing smoothing(t(), m_slowness.get(), relaxation.samples(),
-                        triangles_between(t(), relaxation.labels()), is_fixed, m_is_curve);
-    for(int step = 0; step < smoothing_steps; ++step)
+                        compute_dual_triangles(t(), relaxation.labels()), is_fixed, m_is_feature);
+    for(int step = 0; step < number_of_smoothing_steps; ++step)
     {
-      if(!tell(0.8))
+      if(!report_progress(0.8))
         return false;
       smoothing.step();
     }
-    begin();
+    start_sampling();
     m_sampling->add(smoothing.samples());
     return true;
   }
 
-  bool is_on_curve(const Location& sample) const
+  bool is_on_feature(const Surface_location& sample) const
   {
-    const Location clean = cleaned(t(), sample);
-    if(const Index site = site_of(t(), clean); site != none)
-      return m_is_curve_site[site];
-    const Index side = side_of(clean);
-    return side != none && m_is_curve[side];
+    const Surface_location clean = canonical(t(), sample);
+    if(const Index vertex = vertex_of(t(), clean); vertex != none)
+      return m_is_feature_vertex[vertex];
+    const Index h = halfedge_of(clean);
+    return h != none && m_is_feature[h];
   }
 
-  bool complete()
+  bool enforce_topology()
   {
     for(;;)
     {
-      if(!tell(0.9))
+      if(!report_progress(0.9))
         return false;
       const Cells cells = connected_cells(t(), *m_sampling);
       // Some samples came to no site.
-      if(cells.samples.size() < m_goal.number && m_sampling->covering_radius() > 0.)
+      if(cells.samples.size() < m_options.number_of_samples && m_sampling->covering_radius() > 0.)
       {
-        if(!add_farthest(m_goal.number - cells.samples.size(), 0.8, 0.9))
+        if(!add_farthest(m_options.number_of_samples - cells.samples.size(), 0.8, 0.9))
           return false;
         continue;
       }
-      Dual found = dual(t(), cells.labels, Index(cells.samples.size()), m_is_curve);
-      const std::vector<Index> strays = cells_off_curves(cells);
-      m_stuck = cells_beside_samples(cells);
-      if(found.is_closed_ball() && strays.empty() && m_stuck.empty())
+      Dual found = dual(t(), cells.labels, Index(cells.samples.size()), m_is_feature);
+      const std::vector<Index> off_feature_cells = find_off_feature_cells(cells);
+      m_unresolved = cells_without_own_sample(cells);
+      if(found.is_closed_ball() && off_feature_cells.empty() && m_unresolved.empty())
       {
-        Coarse_mesh mesh = joined(cells, found.triangles);
-        std::vector<Location> more = far_places(cells, mesh);
+        Coarse_mesh mesh = build_mesh(cells, found.triangles);
+        std::vector<Surface_location> more = far_locations(cells, mesh);
         if(more.empty())
         {
-          Remeshing now = finished(cells, std::move(mesh), std::move(found.triangles));
-          if(m_goal.avoids_crossings)
-            more = places_at_crossings(cells, now);
-          if(is_result(std::move(now), more.empty()))
+          Remeshing candidate = build_result(cells, std::move(mesh), std::move(found.triangles));
+          if(m_options.does_avoid_self_intersections)
+            more = locations_at_intersections(cells, candidate);
+          if(accept_result(std::move(candidate), more.empty()))
             return true;
         }
         m_sampling->add(more);
         continue;
       }
-      m_is_touched.assign(cells.samples.size(), false);
-      const std::vector<Location> more = places_to_add(cells, found, strays);
+      m_is_handled.assign(cells.samples.size(), false);
+      const std::vector<Surface_location> more = locations_to_add(cells, found, off_feature_cells);
       if(!more.empty())
         m_sampling->add(more);
       else
-        refine_around(cells);
+        refine_unresolved(cells);
     }
   }
 
   // Cells that come to a curve, on which their sample is not.
-  std::vector<Index> cells_off_curves(const Cells& cells) const
+  std::vector<Index> find_off_feature_cells(const Cells& cells) const
   {
-    std::vector<bool> comes_to_curve(cells.samples.size(), false);
-    for(Index site = 0; site < cells.labels.size(); ++site)
-      if(m_is_curve_site[site] && cells.labels[site] != none)
-        comes_to_curve[cells.labels[site]] = true;
+    std::vector<bool> touches_feature(cells.samples.size(), false);
+    for(Index vertex = 0; vertex < cells.labels.size(); ++vertex)
+      if(m_is_feature_vertex[vertex] && cells.labels[vertex] != none)
+        touches_feature[cells.labels[vertex]] = true;
     std::vector<Index> result;
     for(Index cell = 0; cell < cells.samples.size(); ++cell)
-      if(comes_to_curve[cell] && !is_on_curve(m_sampling->samples()[cells.samples[cell]]))
+      if(touches_feature[cell] && !is_on_feature(m_sampling->samples()[cells.samples[cell]]))
         result.push_back(cell);
     return result;
   }
 
   // Cells whose sample is on a curve, on none of whose sites there they are, and those that are there.
-  std::vector<Index> cells_beside_samples(const Cells& cells) const
+  std::vector<Index> cells_without_own_sample(const Cells& cells) const
   {
     std::vector<Index> result;
     for(Index cell = 0; cell < cells.samples.size(); ++cell)
     {
-      const Location& sample = m_sampling->samples()[cells.samples[cell]];
-      if(!is_on_curve(sample))
+      const Surface_location& sample = m_sampling->samples()[cells.samples[cell]];
+      if(!is_on_feature(sample))
         continue;
-      const Location clean = cleaned(t(), sample);
-      const Index site = site_of(t(), clean), side = side_of(clean);
-      const std::array<Index, 2> ends = {site != none ? site : t().corner[side],
-                                         site != none ? site : t().corner[next_side(side)]};
+      const Surface_location clean = canonical(t(), sample);
+      const Index vertex = vertex_of(t(), clean), h = halfedge_of(clean);
+      const std::array<Index, 2> ends = {vertex != none ? vertex : t().corner[h],
+                                         vertex != none ? vertex : t().corner[next_halfedge(h)]};
       const Index a = cells.labels[ends[0]], b = cells.labels[ends[1]];
       if(a != cell && b != cell)
         for(const Index c : {cell, a, b})
@@ -511,199 +524,211 @@ private:
 
   // Samples at the farthest sites where something is wrong, if they are not samples already; one for
   // several faults next to each other.
-  std::vector<Location> places_to_add(const Cells& cells, const Dual& found,
-                                      const std::vector<Index>& strays)
+  std::vector<Surface_location> locations_to_add(const Cells& cells, const Dual& found,
+                                                 const std::vector<Index>& off_feature_cells)
   {
     const std::size_t n = cells.samples.size();
     const std::vector<double>& distances = m_sampling->distances();
-    std::vector<Index> farthest(n, none), on_curve(n, none), nearest_on_curve(n, none);
-    const auto raise = [&](Index& best, Index site)
+    std::vector<Index> farthest(n, none), farthest_on_feature(n, none), nearest_on_feature(n, none);
+    const auto keep_farthest = [&](Index& best, Index vertex)
     {
-      if(best == none || distances[site] > distances[best])
-        best = site;
+      if(best == none || distances[vertex] > distances[best])
+        best = vertex;
     };
-    for(Index site = 0; site < cells.labels.size(); ++site)
-      if(const Index cell = cells.labels[site]; cell != none)
+    for(Index vertex = 0; vertex < cells.labels.size(); ++vertex)
+      if(const Index cell = cells.labels[vertex]; cell != none)
       {
-        raise(farthest[cell], site);
-        if(!m_is_curve_site[site])
+        keep_farthest(farthest[cell], vertex);
+        if(!m_is_feature_vertex[vertex])
           continue;
-        raise(on_curve[cell], site);
-        Index& nearest = nearest_on_curve[cell];
-        if(nearest == none || distances[site] < distances[nearest])
-          nearest = site;
+        keep_farthest(farthest_on_feature[cell], vertex);
+        Index& nearest = nearest_on_feature[cell];
+        if(nearest == none || distances[vertex] < distances[nearest])
+          nearest = vertex;
       }
-    std::vector<Index> at_arc(found.torn_arcs.size(), none),
-        at_curve(found.torn_curves.size(), none), at_place(found.repeated_places.size(), none);
-    std::vector<bool> is_torn(n, false), is_repeated(n, false);
-    for(const auto* arcs : {&found.torn_arcs, &found.torn_curves})
-      for(const auto& cells_of_arc : *arcs)
-        for(const Index cell : cells_of_arc)
-          is_torn[cell] = true;
-    for(const auto& cells_of_place : found.repeated_places)
-      for(const Index cell : cells_of_place)
+    std::vector<Index> at_interface(found.disconnected_interfaces.size(), none),
+        at_boundary_crossing(found.repeated_boundary_crossings.size(), none),
+        at_triple_point(found.repeated_triple_points.size(), none);
+    std::vector<bool> is_disconnected(n, false), is_repeated(n, false);
+    for(const auto* contacts : {&found.disconnected_interfaces, &found.repeated_boundary_crossings})
+      for(const auto& contact : *contacts)
+        for(const Index cell : contact)
+          is_disconnected[cell] = true;
+    for(const auto& triple_point : found.repeated_triple_points)
+      for(const Index cell : triple_point)
         is_repeated[cell] = true;
-    const auto is_in = [](const auto& list, const auto& element)
+    const auto find_index = [](const auto& list, const auto& element)
     {
-      const auto place = std::lower_bound(list.begin(), list.end(), element);
-      return place != list.end() && *place == element ? std::size_t(place - list.begin())
-                                                      : list.size();
+      const auto position = std::lower_bound(list.begin(), list.end(), element);
+      return position != list.end() && *position == element ? std::size_t(position - list.begin())
+                                                            : list.size();
     };
-    for(Index side = 0; side < t().corner.size(); ++side)
+    for(Index h = 0; h < t().corner.size(); ++h)
     {
-      const Index x = t().corner[side], z = t().corner[next_side(side)];
+      const Index x = t().corner[h], z = t().corner[next_halfedge(h)];
       const Index a = cells.labels[x], b = cells.labels[z];
-      if(a == b || !is_torn[a] || !is_torn[b])
+      if(a == b || !is_disconnected[a] || !is_disconnected[b])
         continue;
-      const std::array<Index, 2> both = {std::min(a, b), std::max(a, b)};
-      if(const auto i = is_in(found.torn_arcs, both); i < at_arc.size())
+      const std::array<Index, 2> cell_pair = {std::min(a, b), std::max(a, b)};
+      if(const auto i = find_index(found.disconnected_interfaces, cell_pair);
+         i < at_interface.size())
       {
-        raise(at_arc[i], x);
-        raise(at_arc[i], z);
+        keep_farthest(at_interface[i], x);
+        keep_farthest(at_interface[i], z);
       }
-      if(const auto i = is_in(found.torn_curves, both); i < at_curve.size() && m_is_curve[side])
+      if(const auto i = find_index(found.repeated_boundary_crossings, cell_pair);
+         i < at_boundary_crossing.size() && m_is_feature[h])
       {
-        raise(at_curve[i], x);
-        raise(at_curve[i], z);
+        keep_farthest(at_boundary_crossing[i], x);
+        keep_farthest(at_boundary_crossing[i], z);
       }
     }
-    for(Index f = 0; f < t().number_of_triangles() && !at_place.empty(); ++f)
+    for(Index f = 0; f < t().number_of_triangles() && !at_triple_point.empty(); ++f)
     {
-      std::array<Index, 3> around;
+      std::array<Index, 3> cells_around;
       for(Index k = 0; k < 3; ++k)
-        around[k] = cells.labels[t().corner[3 * f + k]];
-      if(!is_repeated[around[0]] || !is_repeated[around[1]] || !is_repeated[around[2]])
+        cells_around[k] = cells.labels[t().corner[3 * f + k]];
+      if(!is_repeated[cells_around[0]] || !is_repeated[cells_around[1]] ||
+         !is_repeated[cells_around[2]])
         continue;
-      std::sort(around.begin(), around.end());
-      if(const auto i = is_in(found.repeated_places, around); i < at_place.size())
+      std::sort(cells_around.begin(), cells_around.end());
+      if(const auto i = find_index(found.repeated_triple_points, cells_around);
+         i < at_triple_point.size())
         for(Index k = 0; k < 3; ++k)
-          raise(at_place[i], t().corner[3 * f + k]);
+          keep_farthest(at_triple_point[i], t().corner[3 * f + k]);
     }
 
-    std::vector<Location> result;
-    const auto add = [&](std::initializer_list<Index> around, Index site)
+    std::vector<Surface_location> result;
+    const auto add = [&](std::initializer_list<Index> cells_around, Index vertex)
     {
-      if(std::any_of(around.begin(), around.end(), [&](Index c) { return m_is_touched[c]; }))
+      if(std::any_of(cells_around.begin(), cells_around.end(),
+                     [&](Index c) { return m_is_handled[c]; }))
         return;
       // Else anywhere in these cells.
-      for(const Index cell : around)
-        if(distances[site] == 0.)
-          site = farthest[cell];
-      for(const Index cell : around)
-        m_is_touched[cell] = true;
-      if(distances[site] > 0.)
-        result.push_back({none, site, {}});
+      for(const Index cell : cells_around)
+        if(distances[vertex] == 0.)
+          vertex = farthest[cell];
+      for(const Index cell : cells_around)
+        m_is_handled[cell] = true;
+      if(distances[vertex] > 0.)
+        result.push_back({none, vertex, {}});
       else
-        m_stuck.insert(m_stuck.end(), around);
+        m_unresolved.insert(m_unresolved.end(), cells_around);
     };
-    for(const Index cell : found.torn_borders)
-      add({cell}, on_curve[cell]);
-    for(const Index cell : strays)
-      add({cell}, nearest_on_curve[cell]);
-    for(const Index cell : found.no_discs)
+    for(const Index cell : found.disconnected_boundaries)
+      add({cell}, farthest_on_feature[cell]);
+    for(const Index cell : off_feature_cells)
+      add({cell}, nearest_on_feature[cell]);
+    for(const Index cell : found.non_disks)
       add({cell}, farthest[cell]);
-    for(std::size_t i = 0; i < at_curve.size(); ++i)
-      add({found.torn_curves[i][0], found.torn_curves[i][1]}, at_curve[i]);
-    for(std::size_t i = 0; i < at_arc.size(); ++i)
-      add({found.torn_arcs[i][0], found.torn_arcs[i][1]}, at_arc[i]);
-    for(std::size_t i = 0; i < at_place.size(); ++i)
-      add({found.repeated_places[i][0], found.repeated_places[i][1], found.repeated_places[i][2]},
-          at_place[i]);
+    for(std::size_t i = 0; i < at_boundary_crossing.size(); ++i)
+      add({found.repeated_boundary_crossings[i][0], found.repeated_boundary_crossings[i][1]},
+          at_boundary_crossing[i]);
+    for(std::size_t i = 0; i < at_interface.size(); ++i)
+      add({found.disconnected_interfaces[i][0], found.disconnected_interfaces[i][1]},
+          at_interface[i]);
+    for(std::size_t i = 0; i < at_triple_point.size(); ++i)
+      add({found.repeated_triple_points[i][0], found.repeated_triple_points[i][1],
+           found.repeated_triple_points[i][2]},
+          at_triple_point[i]);
     return result;
   }
 
   // Where each site is a sample and the triangles are no surface of their own yet: two that share
   // their corners.
-  void refine_around(const Cells& cells)
+  void refine_unresolved(const Cells& cells)
   {
-    if(++m_number_of_refinements > most_refinements)
+    if(++m_number_of_refinements > max_refinements)
       throw Unsupported_surface_error(
           "The mesh folds onto itself so that samples cannot be joined.");
-    std::vector<bool> is_stuck(cells.samples.size(), false), is_halved(t().corner.size(), false);
-    for(const Index cell : m_stuck)
-      is_stuck[cell] = true;
+    std::vector<bool> is_unresolved(cells.samples.size(), false),
+        is_halved(t().corner.size(), false);
+    for(const Index cell : m_unresolved)
+      is_unresolved[cell] = true;
     for(Index f = 0; f < t().number_of_triangles(); ++f)
       for(Index k = 0; k < 3; ++k)
-        if(is_stuck[cells.labels[t().corner[3 * f + k]]])
-          for(Index side = 3 * f; side < 3 * f + 3; ++side)
+        if(is_unresolved[cells.labels[t().corner[3 * f + k]]])
+          for(Index h = 3 * f; h < 3 * f + 3; ++h)
           {
-            is_halved[side] = true;
-            if(t().twin[side] != none)
-              is_halved[t().twin[side]] = true;
+            is_halved[h] = true;
+            if(t().twin[h] != none)
+              is_halved[t().twin[h]] = true;
           }
-    std::vector<Location> samples;
-    for(const Location& sample : m_sampling->samples())
+    std::vector<Surface_location> samples;
+    for(const Surface_location& sample : m_sampling->samples())
       samples.push_back(to_coarse(m_surface, sample));
-    use(halved(m_surface, is_halved));
-    begin();
+    set_surface(split_edges(m_surface, is_halved));
+    start_sampling();
     m_sampling->add(to_fine(m_surface, samples));
   }
 
   // Where four cells almost meet in one place, sites do not tell which two do.
-  Coarse_mesh joined(const Cells& cells, std::vector<std::array<Index, 3>> triangles) const
+  Coarse_mesh build_mesh(const Cells& cells, std::vector<std::array<Index, 3>> triangles) const
   {
     Coarse_mesh result{{}, std::move(triangles)};
-    std::vector<bool> is_kept;
-    const bool is_limited = m_goal.maximum_deviation < infinity;
-    const std::vector<Index> farthest = is_limited ? farthest_sites(cells) : std::vector<Index>();
+    std::vector<bool> is_fixed;
+    const bool has_max_deviation = m_options.maximum_deviation < infinity;
+    const std::vector<Index> farthest =
+        has_max_deviation ? farthest_vertices(cells) : std::vector<Index>();
     for(Index cell = 0; cell < cells.samples.size(); ++cell)
     {
-      const Location& sample = m_sampling->samples()[cells.samples[cell]];
+      const Surface_location& sample = m_sampling->samples()[cells.samples[cell]];
       result.points.push_back(scaled_coordinates(t(), sample));
       // Where no sample can be added, the surface is what it was.
-      is_kept.push_back(is_on_curve(sample) || (is_limited && farthest[cell] == none));
+      is_fixed.push_back(is_on_feature(sample) || (has_max_deviation && farthest[cell] == none));
     }
-    flip_to_larger_angles(result.points, is_kept, result.triangles);
-    if(m_goal.is_fitted)
-      fit(t(), cells.labels, is_kept, result, m_goal.maximum_deviation / unit_size(),
-          m_goal.relaxation_steps < many_steps ? 0 : careful_steps);
+    flip_to_larger_angles(result.points, is_fixed, result.triangles);
+    if(m_options.does_fit_to_input)
+      fit(t(), cells.labels, is_fixed, result, m_options.maximum_deviation / unit_size(),
+          m_options.number_of_relaxation_steps < many_steps ? 0 : angle_preserving_steps);
     return result;
   }
 
   // Of each cell the site farthest from its sample; none where all are samples.
-  std::vector<Index> farthest_sites(const Cells& cells) const
+  std::vector<Index> farthest_vertices(const Cells& cells) const
   {
     std::vector<Index> result(cells.samples.size(), none);
     const std::vector<double>& distances = m_sampling->distances();
-    for(Index site = 0; site < cells.labels.size(); ++site)
-      if(const Index cell = cells.labels[site];
-         cell != none && distances[site] > 0. &&
-         (result[cell] == none || distances[site] > distances[result[cell]]))
-        result[cell] = site;
+    for(Index vertex = 0; vertex < cells.labels.size(); ++vertex)
+      if(const Index cell = cells.labels[vertex];
+         cell != none && distances[vertex] > 0. &&
+         (result[cell] == none || distances[vertex] > distances[result[cell]]))
+        result[cell] = vertex;
     return result;
   }
 
   // Sites that are farther from the mesh than they may be, or else those of its triangles that are
   // farther from the surface; no samples, which fitting moves by no more than they may be off.
-  std::vector<Location> far_places(const Cells& cells, const Coarse_mesh& mesh)
+  std::vector<Surface_location> far_locations(const Cells& cells, const Coarse_mesh& mesh)
   {
-    if(!(m_goal.maximum_deviation < infinity))
+    if(!(m_options.maximum_deviation < infinity))
       return {};
     const std::vector<double>& distances = m_sampling->distances();
     std::vector<Index> labels = cells.labels;
-    for(Index site = 0; site < labels.size(); ++site)
-      if(distances[site] == 0.)
-        labels[site] = none;
-    std::vector<Index> sites = far_sites(t(), labels, mesh, m_goal.maximum_deviation / unit_size());
-    if(sites.empty())
+    for(Index vertex = 0; vertex < labels.size(); ++vertex)
+      if(distances[vertex] == 0.)
+        labels[vertex] = none;
+    std::vector<Index> vertices =
+        far_vertices(t(), labels, mesh, m_options.maximum_deviation / unit_size());
+    if(vertices.empty())
     {
-      const std::vector<Index> farthest = farthest_sites(cells);
+      const std::vector<Index> farthest = farthest_vertices(cells);
       for(const auto& f : mesh.triangles)
       {
         Index best = none;
         for(const Index cell : f)
-          if(const Index site = farthest[cell];
-             site != none && (best == none || distances[site] > distances[best]))
-            best = site;
+          if(const Index vertex = farthest[cell];
+             vertex != none && (best == none || distances[vertex] > distances[best]))
+            best = vertex;
         if(best != none && is_far(mesh, f))
-          sites.push_back(best);
+          vertices.push_back(best);
       }
-      std::sort(sites.begin(), sites.end());
-      sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     }
-    std::vector<Location> result;
-    for(const Index site : sites)
-      result.push_back({none, site, {}});
+    std::vector<Surface_location> result;
+    for(const Index vertex : vertices)
+      result.push_back({none, vertex, {}});
     return result;
   }
 
@@ -712,113 +737,116 @@ private:
   {
     if(!m_tree)
       m_tree.emplace(m_surface.coarse);
-    const Glued_triangles& coarse = *m_surface.coarse;
-    const auto is_far_place = [&](const Spatial& p)
+    const Surface_arrays& coarse = *m_surface.coarse;
+    const auto is_point_far = [&](const Vec3& p)
     {
-      const Spatial place = t().origin + t().scale * p;
-      return norm(place - coordinates(coarse, m_tree->nearest(place))) >
-             m_goal.maximum_deviation * coarse.scale;
+      const Vec3 point = t().origin + t().scale * p;
+      return norm(point - coordinates(coarse, m_tree->nearest(point))) >
+             m_options.maximum_deviation * coarse.scale;
     };
-    const Spatial &a = mesh.points[triangle[0]], &b = mesh.points[triangle[1]],
-                  &c = mesh.points[triangle[2]];
-    return is_far_place((1. / 3.) * (a + b + c)) || is_far_place(0.5 * (a + b)) ||
-           is_far_place(0.5 * (b + c)) || is_far_place(0.5 * (c + a));
+    const Vec3 &a = mesh.points[triangle[0]], &b = mesh.points[triangle[1]],
+               &c = mesh.points[triangle[2]];
+    return is_point_far((1. / 3.) * (a + b + c)) || is_point_far(0.5 * (a + b)) ||
+           is_point_far(0.5 * (b + c)) || is_point_far(0.5 * (c + a));
   }
 
   // Where triangles cross and the surface does not, some of them are too far from it.
-  std::vector<Location> places_at_crossings(const Cells& cells, Remeshing& now)
+  std::vector<Surface_location> locations_at_intersections(const Cells& cells, Remeshing& candidate)
   {
-    const std::size_t most = now.triangles.size();
-    const auto crossings = crossing_triangles(now.points, now.triangles, most);
-    now.crossings = crossings.size();
+    const std::size_t max_pairs = candidate.triangles.size();
+    const auto intersections = self_intersections(candidate.points, candidate.triangles, max_pairs);
+    candidate.number_of_self_intersections = intersections.size();
     // So many are not for want of samples.
-    if(crossings.empty() || crossings.size() == most)
+    if(intersections.empty() || intersections.size() == max_pairs)
       return {};
-    const std::vector<bool> is_cut = cells_that_cross(cells);
-    std::vector<bool> is_concerned(cells.samples.size(), false);
-    for(const auto& crossing : crossings)
+    const std::vector<bool> is_self_intersecting = self_intersecting_cells(cells);
+    std::vector<bool> is_affected(cells.samples.size(), false);
+    for(const auto& triangle_pair : intersections)
     {
-      const auto is_clean = [&](Index f)
+      const auto is_intersection_free = [&](Index f)
       {
-        const auto& corners = now.triangles[f];
-        return !is_cut[corners[0]] && !is_cut[corners[1]] && !is_cut[corners[2]];
+        const auto& corners = candidate.triangles[f];
+        return !is_self_intersecting[corners[0]] && !is_self_intersecting[corners[1]] &&
+               !is_self_intersecting[corners[2]];
       };
-      if(is_clean(crossing[0]) || is_clean(crossing[1]))
-        for(const Index f : crossing)
-          for(const Index cell : now.triangles[f])
-            is_concerned[cell] = true;
+      if(is_intersection_free(triangle_pair[0]) || is_intersection_free(triangle_pair[1]))
+        for(const Index f : triangle_pair)
+          for(const Index cell : candidate.triangles[f])
+            is_affected[cell] = true;
     }
-    const std::vector<Index> farthest = farthest_sites(cells);
-    std::vector<Location> result;
+    const std::vector<Index> farthest = farthest_vertices(cells);
+    std::vector<Surface_location> result;
     for(Index cell = 0; cell < farthest.size(); ++cell)
-      if(is_concerned[cell] && farthest[cell] != none)
+      if(is_affected[cell] && farthest[cell] != none)
         result.push_back({none, farthest[cell], {}});
     return result;
   }
 
   // Whether it is settled what comes out: this, or what there was before samples were added at crossings
   // in vain.
-  bool is_result(Remeshing now, bool is_last)
+  bool accept_result(Remeshing candidate, bool is_last)
   {
-    const bool is_given_up = !is_last && ++m_rounds_at_crossings > most_rounds_at_crossings;
-    if(is_given_up || (is_last && m_crossing && m_crossing->crossings <= now.crossings))
-      m_result = std::move(*m_crossing);
+    const bool is_given_up = !is_last && ++m_intersection_rounds > max_intersection_rounds;
+    if(is_given_up ||
+       (is_last && m_fallback &&
+        m_fallback->number_of_self_intersections <= candidate.number_of_self_intersections))
+      m_result = std::move(*m_fallback);
     else if(is_last)
-      m_result = std::move(now);
-    else if(!m_crossing)
-      m_crossing = std::move(now);
+      m_result = std::move(candidate);
+    else if(!m_fallback)
+      m_fallback = std::move(candidate);
     return is_last || is_given_up;
   }
 
   // Cells in which the surface itself crosses a part of it: no samples would help.
-  std::vector<bool> cells_that_cross(const Cells& cells)
+  std::vector<bool> self_intersecting_cells(const Cells& cells)
   {
-    if(!m_crosses)
+    if(!m_is_self_intersecting)
     {
-      const Glued_triangles& coarse = *m_surface.coarse;
+      const Surface_arrays& coarse = *m_surface.coarse;
       std::vector<std::array<Index, 3>> corners(coarse.number_of_triangles());
       for(Index f = 0; f < corners.size(); ++f)
         std::copy_n(&coarse.corner[3 * std::size_t(f)], 3, corners[f].begin());
-      m_crosses.emplace(corners.size(), false);
-      for(const auto& crossing : crossing_triangles(coarse.point, corners, corners.size()))
-        for(const Index f : crossing)
-          (*m_crosses)[f] = true;
+      m_is_self_intersecting.emplace(corners.size(), false);
+      for(const auto& triangle_pair : self_intersections(coarse.point, corners, corners.size()))
+        for(const Index f : triangle_pair)
+          (*m_is_self_intersecting)[f] = true;
     }
     std::vector<bool> result(cells.samples.size(), false);
     for(Index f = 0; f < t().number_of_triangles(); ++f)
-      if((*m_crosses)[m_surface.parent.empty() ? f : m_surface.parent[f]])
+      if((*m_is_self_intersecting)[m_surface.parent.empty() ? f : m_surface.parent[f]])
         for(Index k = 0; k < 3; ++k)
           result[cells.labels[t().corner[3 * f + k]]] = true;
     return result;
   }
 
   // On the triangles that were given.
-  Remeshing finished(const Cells& cells, Coarse_mesh mesh,
-                     std::vector<std::array<Index, 3>> between_cells) const
+  Remeshing build_result(const Cells& cells, Coarse_mesh mesh,
+                         std::vector<std::array<Index, 3>> dual_triangles) const
   {
     Remeshing result;
     for(std::size_t i = 0; i < mesh.points.size(); ++i)
     {
-      result.samples.push_back(cleaned(
+      result.samples.push_back(canonical(
           *m_surface.coarse, to_coarse(m_surface, m_sampling->samples()[cells.samples[i]])));
-      result.points.push_back(m_goal.is_fitted
+      result.points.push_back(m_options.does_fit_to_input
                                   ? t().origin + t().scale * mesh.points[i]
                                   : coordinates(*m_surface.coarse, result.samples.back()));
     }
     result.triangles = std::move(mesh.triangles);
     result.surface = m_surface;
     result.cells = cells.labels;
-    result.between_cells = std::move(between_cells);
+    result.dual_triangles = std::move(dual_triangles);
     return result;
   }
 
-  const Remeshing_goal& m_goal;
-  std::vector<bool> m_coarse_curves;
-  bool m_has_curves;
+  const Remeshing_options& m_options;
+  std::vector<bool> m_coarse_features;
+  bool m_has_features;
   double m_spacing = 0.; // in the unit of the coarse triangles
 
   Refinement m_surface;
-  std::vector<bool> m_is_curve, m_is_curve_site; // #sides, #sites
+  std::vector<bool> m_is_feature, m_is_feature_vertex; // #sides, #sites
   std::shared_ptr<const std::vector<double>> m_slowness;
   std::optional<Front> m_front;
   std::optional<Sampling> m_sampling;
@@ -826,22 +854,23 @@ private:
   Remeshing m_result;
 
   // Of a round
-  std::vector<bool> m_is_touched; // #cells
-  std::vector<Index> m_stuck;     // cells that have a fault and no site left
-  int m_number_of_refinements = 0, m_rounds_at_crossings = 0;
-  std::optional<Remeshing> m_crossing;        // before any samples were added at crossings
-  std::optional<std::vector<bool>> m_crosses; // #coarse triangles, once some of the result do
-  std::optional<Triangle_tree> m_tree;        // of the coarse triangles, once it is asked
+  std::vector<bool> m_is_handled;  // #cells
+  std::vector<Index> m_unresolved; // cells that have a fault and no site left
+  int m_number_of_refinements = 0, m_intersection_rounds = 0;
+  std::optional<Remeshing> m_fallback; // before any samples were added at crossings
+  std::optional<std::vector<bool>>
+      m_is_self_intersecting;          // #coarse triangles, once some of the result do
+  std::optional<Triangle_tree> m_tree; // of the coarse triangles, once it is asked
 };
 
 } // namespace
 
-Remeshing remeshing(const std::shared_ptr<const Glued_triangles>& triangles,
-                    const Remeshing_goal& goal)
+Remeshing remesh(const std::shared_ptr<const Surface_arrays>& triangles,
+                 const Remeshing_options& options)
 {
-  if(goal.number > most_vertices)
+  if(options.number_of_samples > max_number_of_vertices)
     throw Invalid_argument_error("A mesh of so many vertices has more than 2^31 half-edges.");
-  return Remesher(triangles, goal).run();
+  return Remesher(triangles, options).run();
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -3,7 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/remeshing/semi_regular.h>
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <algorithm>
 #include <utility>
@@ -12,26 +12,27 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-std::array<double, 3> point_at(const Base_map& map, const Glued_triangles& coarse,
-                               const Base_place& place)
+std::array<double, 3> point_at(const Base_map& map, const Surface_arrays& coarse,
+                               const Coarse_location& base_place)
 {
-  const auto& c = place.coordinates;
+  const auto& c = base_place.coordinates;
   const double sum = double(c[0]) + double(c[1]) + double(c[2]);
-  return coordinates(coarse, map.inverse({place.triangle, {c[0] / sum, c[1] / sum, c[2] / sum}}));
+  return coordinates(coarse,
+                     map.inverse({base_place.triangle, {c[0] / sum, c[1] / sum, c[2] / sum}}));
 }
 
 // How far sites are at most from the points of a level's triangles that have their place on the base.
-double deviation(const std::vector<Base_location>& places, const Glued_triangles& coarse,
-                 const Subdivision::Level& level, unsigned times,
-                 const std::vector<Spatial>& points)
+double deviation(const std::vector<Base_location>& base_locations, const Surface_arrays& coarse,
+                 const Subdivision::Level& level, unsigned number_of_levels,
+                 const std::vector<Vec3>& points)
 {
   double result = 0.;
-  for(Index site = 0; site < places.size(); ++site)
+  for(Index vertex = 0; vertex < base_locations.size(); ++vertex)
   {
-    auto [triangle, b] = places[site];
+    auto [triangle, b] = base_locations[vertex];
     if(triangle == none)
       continue;
-    for(unsigned i = 0; i < times; ++i)
+    for(unsigned i = 0; i < number_of_levels; ++i)
     {
       // A corner's child, or the middle one, each of whose corners lies across from one.
       const std::size_t k = std::size_t(std::max_element(b.begin(), b.end()) - b.begin());
@@ -48,10 +49,10 @@ double deviation(const std::vector<Base_location>& places, const Glued_triangles
       for(double& x : b)
         x = 1. - x;
     }
-    Spatial p = {0., 0., 0.};
+    Vec3 p = {0., 0., 0.};
     for(std::size_t k = 0; k < 3; ++k)
       p = p + b[k] * points[level.triangles[triangle][k]];
-    const Spatial q = coordinates(coarse, at_site(coarse, site));
+    const Vec3 q = coordinates(coarse, vertex_location(coarse, vertex));
     result = std::max(result, norm(p - q));
   }
   return result;
@@ -59,30 +60,31 @@ double deviation(const std::vector<Base_location>& places, const Glued_triangles
 
 } // namespace
 
-Semi_regular semi_regular(const Base_map& map, const Glued_triangles& coarse, unsigned times,
-                          double maximum_deviation)
+Semi_regular_mesh build_semi_regular_mesh(const Base_map& map, const Surface_arrays& coarse,
+                                          unsigned number_of_levels, double maximum_deviation)
 {
   const bool has_maximum = maximum_deviation > 0.;
-  Subdivision subdivision =
-      subdivide(map.base().triangles, Index(map.base().samples.size()), has_maximum ? 0 : times);
-  std::vector<Base_location> of_sites;
+  Subdivision subdivision = subdivide(map.base().triangles, Index(map.base().samples.size()),
+                                      has_maximum ? 0 : number_of_levels);
+  std::vector<Base_location> base_locations;
   if(has_maximum)
-    for(Index site = 0; site < coarse.number_of_sites(); ++site)
+    for(Index vertex = 0; vertex < coarse.number_of_vertices(); ++vertex)
     {
-      const Location location = at_site(coarse, site);
-      of_sites.push_back(location.triangle == none ? Base_location() : map(location));
+      const Surface_location location = vertex_location(coarse, vertex);
+      base_locations.push_back(location.triangle == none ? Base_location() : map(location));
     }
-  Semi_regular result;
+  Semi_regular_mesh result;
   for(;;)
   {
-    const std::vector<Base_place> place = base_places(subdivision);
-    while(result.points.size() < place.size())
-      result.points.push_back(point_at(map, coarse, place[result.points.size()]));
+    const std::vector<Coarse_location> places = coarse_locations(subdivision);
+    while(result.points.size() < places.size())
+      result.points.push_back(point_at(map, coarse, places[result.points.size()]));
     if(!has_maximum)
       break;
     const unsigned levels = unsigned(subdivision.levels.size() - 1);
-    result.deviation = deviation(of_sites, coarse, subdivision.finest(), levels, result.points);
-    if(levels == times || result.deviation <= maximum_deviation * coarse.scale)
+    result.deviation =
+        deviation(base_locations, coarse, subdivision.finest(), levels, result.points);
+    if(levels == number_of_levels || result.deviation <= maximum_deviation * coarse.scale)
       break;
     subdivide(subdivision);
   }
@@ -92,13 +94,14 @@ Semi_regular semi_regular(const Base_map& map, const Glued_triangles& coarse, un
   return result;
 }
 
-Semi_regular semi_regular_quads(const Base_map& map, const Glued_triangles& coarse, unsigned times)
+Semi_regular_mesh build_semi_regular_quads(const Base_map& map, const Surface_arrays& coarse,
+                                           unsigned number_of_levels)
 {
-  Quad_subdivision subdivision =
-      subdivide_into_quads(map.base().triangles, Index(map.base().samples.size()), times + 1);
-  Semi_regular result;
-  for(const Base_place& place : subdivision.places)
-    result.points.push_back(point_at(map, coarse, place));
+  Quad_subdivision subdivision = subdivide_into_quads(
+      map.base().triangles, Index(map.base().samples.size()), number_of_levels + 1);
+  Semi_regular_mesh result;
+  for(const Coarse_location& base_place : subdivision.locations)
+    result.points.push_back(point_at(map, coarse, base_place));
   result.number_of_vertices = std::move(subdivision.number_of_vertices);
   result.quads = std::move(subdivision.levels.back());
   return result;

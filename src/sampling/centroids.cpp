@@ -3,7 +3,7 @@
 #include "sampling/centroids.h"
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include "mesh/walk.h"
+#include "mesh/locate_by_walking.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 struct Mass
 {
   double mass = 0.;
-  Spatial moment = {0., 0., 0.};
+  Vec3 moment = {0., 0., 0.};
 
   Mass operator-(const Mass& other) const { return {mass - other.mass, moment - other.moment}; }
   void add(const Mass& other)
@@ -28,18 +28,18 @@ struct Mass
 // A convex polygon in a triangle, cut from it by up to two lines.
 struct Polygon
 {
-  std::array<Spatial, 5> points;
+  std::array<Vec3, 5> points;
   int size = 0;
 
   // Keeps what is nearer to p than to q.
-  void cut(const Spatial& p, const Spatial& q)
+  void cut(const Vec3& p, const Vec3& q)
   {
-    const Spatial way = q - p, middle = 0.5 * (p + q);
+    const Vec3 direction = q - p, midpoint = 0.5 * (p + q);
     Polygon result;
     for(int i = 0; i < size; ++i)
     {
-      const Spatial &a = points[i], &b = points[(i + 1) % size];
-      const double at_a = dot(a - middle, way), at_b = dot(b - middle, way);
+      const Vec3 &a = points[i], &b = points[(i + 1) % size];
+      const double at_a = dot(a - midpoint, direction), at_b = dot(b - midpoint, direction);
       if(at_a <= 0. && result.size < 5)
         result.points[result.size++] = a;
       if((at_a < 0.) != (at_b < 0.) && at_a != 0. && at_b != 0. && result.size < 5)
@@ -53,128 +53,142 @@ struct Polygon
     Mass result;
     for(int i = 2; i < size; ++i)
     {
-      const Spatial &a = points[0], &b = points[i - 1], &c = points[i];
-      const double part = density * norm(cross(b - a, c - a));
-      result.add({part, (part / 3.) * (a + b + c)});
+      const Vec3 &a = points[0], &b = points[i - 1], &c = points[i];
+      const double triangle_mass = density * norm(cross(b - a, c - a));
+      result.add({triangle_mass, (triangle_mass / 3.) * (a + b + c)});
     }
     return result;
   }
 };
 
 // The corner of a triangle that is cut off at these shares of its sides.
-Mass corner_part(const std::array<Spatial, 3>& corners, const Mass& whole, int k, double to_next,
+Mass corner_mass(const std::array<Vec3, 3>& corners, const Mass& whole, int k, double to_next,
                  double to_previous)
 {
-  const Spatial& tip = corners[k];
+  const Vec3& tip = corners[k];
   const double mass = to_next * to_previous * whole.mass;
   return {mass, mass * (tip + (to_next / 3.) * (corners[(k + 1) % 3] - tip) +
                         (to_previous / 3.) * (corners[(k + 2) % 3] - tip))};
 }
 
 // What of a triangle is nearer to p than to q: the corner that one of its corners has for itself, or the rest.
-Mass nearer_part(const std::array<Spatial, 3>& corners, const Mass& whole, const Spatial& p,
-                 const Spatial& q)
+Mass closer_mass(const std::array<Vec3, 3>& corners, const Mass& whole, const Vec3& p,
+                 const Vec3& q)
 {
-  const Spatial way = q - p, middle = 0.5 * (p + q);
-  std::array<double, 3> at;
-  int near = 0;
+  const Vec3 direction = q - p, midpoint = 0.5 * (p + q);
+  std::array<double, 3> signed_distance;
+  int closer_mask = 0;
   for(int k = 0; k < 3; ++k)
   {
-    at[k] = dot(corners[k] - middle, way);
-    near |= int(at[k] <= 0.) << k;
+    signed_distance[k] = dot(corners[k] - midpoint, direction);
+    closer_mask |= int(signed_distance[k] <= 0.) << k;
   }
-  if(near == 0)
+  if(closer_mask == 0)
     return {};
-  if(near == 7)
+  if(closer_mask == 7)
     return whole;
-  constexpr std::array<int, 8> corner_alone = {0, 0, 1, 2, 2, 1, 0, 0};
-  const int k = corner_alone[near];
-  const Mass corner = corner_part(corners, whole, k, at[k] / (at[k] - at[(k + 1) % 3]),
-                                  at[k] / (at[k] - at[(k + 2) % 3]));
-  return near == 1 << k ? corner : whole - corner;
+  constexpr std::array<int, 8> single_corner = {0, 0, 1, 2, 2, 1, 0, 0};
+  const int k = single_corner[closer_mask];
+  const Mass corner = corner_mass(
+      corners, whole, k, signed_distance[k] / (signed_distance[k] - signed_distance[(k + 1) % 3]),
+      signed_distance[k] / (signed_distance[k] - signed_distance[(k + 2) % 3]));
+  return closer_mask == 1 << k ? corner : whole - corner;
 }
 
-using Parts = std::array<Mass, 3>;
+using Cell_masses = std::array<Mass, 3>;
 
 // Of any triangle: what is cut from it for two, and the rest.
-Parts cut_parts(const std::array<Spatial, 3>& corners, const Mass& whole,
-                const std::array<Spatial, 3>& centres)
+Cell_masses split_by_clipping(const std::array<Vec3, 3>& corners, const Mass& whole,
+                              const std::array<Vec3, 3>& centers)
 {
   const double area = norm(cross(corners[1] - corners[0], corners[2] - corners[0]));
-  Parts parts;
+  Cell_masses masses;
   for(int k = 0; k < 2; ++k)
   {
-    Polygon part{{corners[0], corners[1], corners[2]}, 3};
-    part.cut(centres[k], centres[1 - k]);
-    part.cut(centres[k], centres[2]);
-    parts[k] = part.mass(whole.mass / area);
+    Polygon polygon{{corners[0], corners[1], corners[2]}, 3};
+    polygon.cut(centers[k], centers[1 - k]);
+    polygon.cut(centers[k], centers[2]);
+    masses[k] = polygon.mass(whole.mass / area);
   }
-  parts[2] = whole - parts[0] - parts[1];
-  return parts;
+  masses[2] = whole - masses[0] - masses[1];
+  return masses;
 }
 
 // Three quadrangles about a place in the triangle.
 // share: along each side, where they meet
-Parts parts_around(const Spatial& place, const std::array<double, 3>& share,
-                   const std::array<Spatial, 3>& corners, const Mass& whole)
+Cell_masses split_at_point(const Vec3& barycentric, const std::array<double, 3>& fraction,
+                           const std::array<Vec3, 3>& corners, const Mass& whole)
 {
-  Parts parts;
+  Cell_masses masses;
   for(int k = 0; k < 3; ++k)
   {
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
-    const double along = share[k], back = 1. - share[previous];
-    const double first = along * place[previous], last = back * place[next];
-    const double to_next = (first * (along + place[next]) + last * place[next]) / 3.,
-                 to_previous = (first * place[previous] + last * (place[previous] + back)) / 3.;
-    parts[k].mass = whole.mass * (first + last);
-    parts[k].moment = whole.mass * ((first + last - to_next - to_previous) * corners[k] +
-                                    to_next * corners[next] + to_previous * corners[previous]);
+    const double fraction_next = fraction[k], fraction_previous = 1. - fraction[previous];
+    const double first_area = fraction_next * barycentric[previous],
+                 last_area = fraction_previous * barycentric[next];
+    const double weight_next = (first_area * (fraction_next + barycentric[next]) +
+                                last_area * barycentric[next]) /
+                               3.,
+                 weight_previous = (first_area * barycentric[previous] +
+                                    last_area * (barycentric[previous] + fraction_previous)) /
+                                   3.;
+    masses[k].mass = whole.mass * (first_area + last_area);
+    masses[k].moment =
+        whole.mass * ((first_area + last_area - weight_next - weight_previous) * corners[k] +
+                      weight_next * corners[next] + weight_previous * corners[previous]);
   }
-  return parts;
+  return masses;
 }
 
 // What three samples have of a triangle each.
-Parts three_parts(const std::array<Spatial, 3>& corners, const Mass& whole,
-                  const std::array<Spatial, 3>& centres)
+Cell_masses split_among_three(const std::array<Vec3, 3>& corners, const Mass& whole,
+                              const std::array<Vec3, 3>& centers)
 {
   // Half the squared distances of the corners to each sample less those to the first.
-  std::array<std::array<double, 3>, 3> at{};
+  std::array<std::array<double, 3>, 3> difference{};
   for(int i = 1; i < 3; ++i)
   {
-    const Spatial way = centres[i] - centres[0], middle = 0.5 * (centres[i] + centres[0]);
+    const Vec3 direction = centers[i] - centers[0], midpoint = 0.5 * (centers[i] + centers[0]);
     for(int k = 0; k < 3; ++k)
-      at[i][k] = -dot(corners[k] - middle, way);
+      difference[i][k] = -dot(corners[k] - midpoint, direction);
   }
-  bool is_own = true;          // every corner is nearest to its own sample
-  std::array<double, 3> share; // along each side, where two are equally near
+  bool is_closest_to_own = true;  // every corner is nearest to its own sample
+  std::array<double, 3> fraction; // along each side, where two are equally near
   for(int k = 0; k < 3; ++k)
   {
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
-    is_own = is_own && at[k][k] < at[next][k] && at[k][k] < at[previous][k];
-    const double here = at[next][k] - at[k][k], there = at[k][next] - at[next][next];
-    share[k] = here / (here + there);
+    is_closest_to_own = is_closest_to_own && difference[k][k] < difference[next][k] &&
+                        difference[k][k] < difference[previous][k];
+    const double here = difference[next][k] - difference[k][k],
+                 there = difference[k][next] - difference[next][next];
+    fraction[k] = here / (here + there);
   }
-  if(!is_own)
-    return cut_parts(corners, whole, centres);
+  if(!is_closest_to_own)
+    return split_by_clipping(corners, whole, centers);
   for(int k = 0; k < 3; ++k)
   {
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
-    const auto there = [&](int i) { return at[i][k] + share[k] * (at[i][next] - at[i][k]); };
+    const auto there = [&](int i)
+    { return difference[i][k] + fraction[k] * (difference[i][next] - difference[i][k]); };
     if(there(k) < there(previous))
       continue;
     // The third one lies between the two, which have a corner each.
-    const auto lead = [&](int i, int corner) { return at[previous][corner] - at[i][corner]; };
-    Parts parts;
-    parts[k] = corner_part(corners, whole, k, lead(k, k) / (lead(k, k) - lead(k, next)),
-                           1. - share[previous]);
-    parts[next] = corner_part(corners, whole, next, share[next],
-                              lead(next, next) / (lead(next, next) - lead(next, k)));
-    parts[previous] = whole - parts[k] - parts[next];
-    return parts;
+    const auto difference_to_third = [&](int i, int corner)
+    { return difference[previous][corner] - difference[i][corner]; };
+    Cell_masses masses;
+    masses[k] = corner_mass(corners, whole, k,
+                            difference_to_third(k, k) /
+                                (difference_to_third(k, k) - difference_to_third(k, next)),
+                            1. - fraction[previous]);
+    masses[next] = corner_mass(corners, whole, next, fraction[next],
+                               difference_to_third(next, next) / (difference_to_third(next, next) -
+                                                                  difference_to_third(next, k)));
+    masses[previous] = whole - masses[k] - masses[next];
+    return masses;
   }
-  const Spatial meeting = cross(at[1], at[2]);
-  return parts_around((1. / (meeting[0] + meeting[1] + meeting[2])) * meeting, share, corners,
-                      whole);
+  const Vec3 intersection = cross(difference[1], difference[2]);
+  return split_at_point((1. / (intersection[0] + intersection[1] + intersection[2])) * intersection,
+                        fraction, corners, whole);
 }
 
 bool is_obstacle(const std::vector<double>* slowness, Index triangle)
@@ -183,15 +197,15 @@ bool is_obstacle(const std::vector<double>* slowness, Index triangle)
 }
 
 // The cells of a triangle's corners, each once.
-struct Labels
+struct Corner_labels
 {
   std::array<Index, 3> labels;
   int size = 0;
 
-  Labels(const Index* corner, const std::vector<Index>& labels_of_sites)
+  Corner_labels(const Index* corner, const std::vector<Index>& vertex_labels)
   {
     for(int k = 0; k < 3; ++k)
-      if(const Index label = labels_of_sites[corner[k]];
+      if(const Index label = vertex_labels[corner[k]];
          label != none && !(size > 0 && labels[0] == label) && !(size > 1 && labels[1] == label))
         labels[size++] = label;
   }
@@ -201,13 +215,13 @@ struct Labels
 
 } // namespace
 
-std::vector<double> triangle_masses(const Glued_triangles& t, const std::vector<double>* slowness)
+std::vector<double> triangle_masses(const Surface_arrays& t, const std::vector<double>* slowness)
 {
   std::vector<double> result(t.number_of_triangles(), 0.);
   for(Index f = 0; f < result.size(); ++f)
   {
     const Index* const corner = &t.corner[3 * std::size_t(f)];
-    const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+    const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
     if(is_obstacle(slowness, f))
       continue;
     const double square = slowness ? (*slowness)[f] * (*slowness)[f] : 1.;
@@ -216,98 +230,99 @@ std::vector<double> triangle_masses(const Glued_triangles& t, const std::vector<
   return result;
 }
 
-std::vector<Location> centroids(const Glued_triangles& t, const std::vector<double>& masses,
-                                const std::vector<Index>& labels,
-                                const std::vector<Location>& samples,
-                                const std::vector<double>* slowness, double way,
-                                const std::vector<Spatial>& onward)
+std::vector<Surface_location> centroids(const Surface_arrays& t, const std::vector<double>& masses,
+                                        const std::vector<Index>& labels,
+                                        const std::vector<Surface_location>& samples,
+                                        const std::vector<double>* slowness, double step_factor,
+                                        const std::vector<Vec3>& momentum)
 {
-  std::vector<Spatial> centre;
-  centre.reserve(samples.size());
-  for(const Location& sample : samples)
-    centre.push_back(scaled_coordinates(t, sample));
+  std::vector<Vec3> center;
+  center.reserve(samples.size());
+  for(const Surface_location& sample : samples)
+    center.push_back(scaled_coordinates(t, sample));
   std::vector<Mass> mass(samples.size());
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
     if(!(masses[f] > 0.))
       continue;
     const Index* const corner = &t.corner[3 * std::size_t(f)];
-    const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
-    const Labels here(corner, labels);
+    const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+    const Corner_labels corner_labels(corner, labels);
     const Mass whole = {masses[f], (masses[f] / 3.) * (a + b + c)};
     // What is left by rounding has no centre.
-    const auto give = [&](int k, const Mass& part)
+    const auto add_mass = [&](int k, const Mass& piece)
     {
-      if(part.mass > 1e-12 * masses[f])
-        mass[here.labels[k]].add(part);
+      if(piece.mass > 1e-12 * masses[f])
+        mass[corner_labels.labels[k]].add(piece);
     };
-    if(here.size == 1)
-      give(0, whole);
-    else if(here.size == 2)
+    if(corner_labels.size == 1)
+      add_mass(0, whole);
+    else if(corner_labels.size == 2)
     {
-      const Mass first =
-          nearer_part({a, b, c}, whole, centre[here.labels[0]], centre[here.labels[1]]);
-      give(0, first);
-      give(1, whole - first);
+      const Mass first = closer_mass({a, b, c}, whole, center[corner_labels.labels[0]],
+                                     center[corner_labels.labels[1]]);
+      add_mass(0, first);
+      add_mass(1, whole - first);
     }
-    else if(here.size == 3)
+    else if(corner_labels.size == 3)
     {
-      const std::array<Mass, 3> parts =
-          three_parts({a, b, c}, whole,
-                      {centre[here.labels[0]], centre[here.labels[1]], centre[here.labels[2]]});
+      const std::array<Mass, 3> pieces =
+          split_among_three({a, b, c}, whole,
+                            {center[corner_labels.labels[0]], center[corner_labels.labels[1]],
+                             center[corner_labels.labels[2]]});
       for(int k = 0; k < 3; ++k)
-        give(k, parts[k]);
+        add_mass(k, pieces[k]);
     }
   }
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)
     {
-      centre[i] = (1. - way) * centre[i] + (way / mass[i].mass) * mass[i].moment;
-      if(!onward.empty())
-        centre[i] = centre[i] + onward[i];
+      center[i] = (1. - step_factor) * center[i] + (step_factor / mass[i].mass) * mass[i].moment;
+      if(!momentum.empty())
+        center[i] = center[i] + momentum[i];
     }
 
   // A sample mostly moves to a triangle beside its own; where it does not, all of its cell's are tried.
-  std::vector<Location> result = samples;
-  std::vector<double> least(samples.size(), 0.);
-  bool is_open = false;
-  const auto is_no_wall = [](Index) { return false; };
+  std::vector<Surface_location> result = samples;
+  std::vector<double> min_distance(samples.size(), 0.);
+  bool has_unplaced = false;
+  const auto is_wall = [](Index) { return false; };
   for(Index i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)
     {
-      const auto is_of_cell = [&](Index f)
+      const auto is_in_cell = [&](Index f)
       {
         const Index* const corner = &t.corner[3 * std::size_t(f)];
         return !is_obstacle(slowness, f) &&
                (labels[corner[0]] == i || labels[corner[1]] == i || labels[corner[2]] == i);
       };
-      result[i] = walk_to_nearest(t, triangle_at(t, samples[i]), centre[i], is_of_cell, is_no_wall);
+      result[i] = locate_by_walking(t, triangle_at(t, samples[i]), center[i], is_in_cell, is_wall);
       if(result[i].triangle != none)
         continue;
       result[i] = samples[i];
-      least[i] = infinity;
-      is_open = true;
+      min_distance[i] = infinity;
+      has_unplaced = true;
     }
-  for(Index f = 0; is_open && f < t.number_of_triangles(); ++f)
+  for(Index f = 0; has_unplaced && f < t.number_of_triangles(); ++f)
   {
     const Index* const corner = &t.corner[3 * std::size_t(f)];
-    const Spatial &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
-    for(const Index label : Labels(corner, labels))
+    const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+    for(const Index label : Corner_labels(corner, labels))
     {
-      if(least[label] == 0. || !has_area(a, b, c) || is_obstacle(slowness, f))
+      if(min_distance[label] == 0. || !has_area(a, b, c) || is_obstacle(slowness, f))
         continue;
-      const auto nearest = nearest_in_triangle(a, b, c, centre[label]);
+      const auto nearest = nearest_in_triangle(a, b, c, center[label]);
       const double distance =
-          norm(nearest[0] * a + nearest[1] * b + nearest[2] * c - centre[label]);
-      if(distance < least[label])
+          norm(nearest[0] * a + nearest[1] * b + nearest[2] * c - center[label]);
+      if(distance < min_distance[label])
       {
-        least[label] = distance;
+        min_distance[label] = distance;
         result[label] = {f, none, nearest};
       }
     }
   }
-  for(Location& location : result)
-    location = cleaned(t, location);
+  for(Surface_location& location : result)
+    location = canonical(t, location);
   return result;
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 
-#include "core/arcs.h"
+#include "core/edges.h"
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include "core/unfold.h"
 
 #include <algorithm>
@@ -23,81 +23,84 @@ namespace {
 constexpr double refill_factor = 0.8;
 
 // Of a site along arcs, in the mean: most take one.  A bound for webs of needles.
-constexpr std::size_t most_visits = 5;
+constexpr std::size_t max_visits_per_vertex = 5;
 
-bool is_sampled(const Glued_triangles& t, const std::vector<double>* slowness, Index site)
+bool is_sampled(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex)
 {
-  if(t.is_cloud() && t.first[site] == t.first[site + 1])
-    return t.graph.first[site] < t.graph.first[site + 1];
-  const auto is_open = [&](Index corner)
+  if(t.is_cloud() && t.ring_begin[vertex] == t.ring_begin[vertex + 1])
+    return t.graph.begin[vertex] < t.graph.begin[vertex + 1];
+  const auto is_passable = [&](Index corner)
   { return !slowness || (*slowness)[corner / 3] < infinity; };
-  return std::any_of(t.star.begin() + t.first[site], t.star.begin() + t.first[site + 1], is_open);
+  return std::any_of(t.ring.begin() + t.ring_begin[vertex],
+                     t.ring.begin() + t.ring_begin[vertex + 1], is_passable);
 }
 
 } // namespace
 
-Sampling::Sampling(std::shared_ptr<const Glued_triangles> triangles, Front front,
-                   Sample_place place, std::shared_ptr<const std::vector<double>> slowness)
+Sampling::Sampling(std::shared_ptr<const Surface_arrays> triangles, Front front,
+                   Sample_location sample_location,
+                   std::shared_ptr<const std::vector<double>> slowness)
     : m_triangles(std::move(triangles)), m_front(std::move(front)),
-      m_place(m_triangles->is_cloud() ? Sample_place::site : place),
-      m_distances(m_triangles->number_of_sites(), infinity),
-      m_labels(m_triangles->number_of_sites(), none)
+      m_sample_location(m_triangles->is_cloud() ? Sample_location::vertex : sample_location),
+      m_distances(m_triangles->number_of_vertices(), infinity),
+      m_labels(m_triangles->number_of_vertices(), none)
 {
   m_limits.slowness = std::move(slowness);
-  if(m_place == Sample_place::triangle)
-    m_is_taken.resize(m_triangles->number_of_triangles());
-  for(Index site = 0; site < m_distances.size(); ++site)
-    if(is_sampled(*m_triangles, m_limits.slowness.get(), site))
-      m_sites.push_back(site);
+  if(m_sample_location == Sample_location::triangle)
+    m_has_sample.resize(m_triangles->number_of_triangles());
+  for(Index vertex = 0; vertex < m_distances.size(); ++vertex)
+    if(is_sampled(*m_triangles, m_limits.slowness.get(), vertex))
+      m_sampled_vertices.push_back(vertex);
 }
 
-bool Sampling::add(const std::vector<Location>& samples,
+bool Sampling::add(const std::vector<Surface_location>& samples,
                    const std::function<bool(double)>& callback)
 {
-  m_limits.known = &m_distances;
+  m_limits.known_distance = &m_distances;
   m_limits.callback = callback;
-  std::vector<Source> sources;
+  std::vector<Front_source> sources;
   sources.reserve(samples.size());
-  for(const Location& sample : samples)
+  for(const Surface_location& sample : samples)
     sources.push_back({{sample}, 0., 0});
   const bool is_finished = m_front.run(sources, m_limits);
-  const Index first = Index(m_samples.size());
-  for(const Location& sample : samples)
+  const Index first_label = Index(m_samples.size());
+  for(const Surface_location& sample : samples)
   {
     m_samples.push_back(sample);
-    if(!m_is_taken.empty() && sample.triangle != none)
-      m_is_taken[sample.triangle] = true;
+    if(!m_has_sample.empty() && sample.triangle != none)
+      m_has_sample[sample.triangle] = true;
   }
-  for(const Index site : m_front.reached())
-    if(const double distance = m_front.distance(site); distance < m_distances[site])
+  for(const Index vertex : m_front.reached())
+    if(const double distance = m_front.distance(vertex); distance < m_distances[vertex])
     {
-      m_distances[site] = distance;
-      m_labels[site] = first + m_front.source(site);
+      m_distances[vertex] = distance;
+      m_labels[vertex] = first_label + m_front.source(vertex);
     }
   return is_finished;
 }
 
-Index Sampling::farthest_site()
+Index Sampling::farthest_vertex()
 {
-  while(m_first_unreached < m_sites.size() && m_distances[m_sites[m_first_unreached]] < infinity)
+  while(m_first_unreached < m_sampled_vertices.size() &&
+        m_distances[m_sampled_vertices[m_first_unreached]] < infinity)
     ++m_first_unreached;
-  if(m_first_unreached < m_sites.size())
-    return m_sites[m_first_unreached];
+  if(m_first_unreached < m_sampled_vertices.size())
+    return m_sampled_vertices[m_first_unreached];
   for(;;)
   {
     if(m_heap.empty())
       refill();
     if(m_heap.empty())
       return none;
-    const auto [key, site] = m_heap.front();
-    const double distance = m_distances[site];
+    const auto [key, vertex] = m_heap.front();
+    const double distance = m_distances[vertex];
     if(distance == key)
-      return site;
+      return vertex;
     std::pop_heap(m_heap.begin(), m_heap.end());
     m_heap.pop_back();
     if(distance >= m_threshold)
     {
-      m_heap.push_back({distance, site});
+      m_heap.push_back({distance, vertex});
       std::push_heap(m_heap.begin(), m_heap.end());
     }
   }
@@ -111,12 +114,12 @@ void Sampling::refill()
   {
     m_threshold = refill_factor * largest;
     largest = 0.;
-    for(const Index site : m_sites)
+    for(const Index vertex : m_sampled_vertices)
     {
-      const double distance = m_distances[site];
+      const double distance = m_distances[vertex];
       largest = std::max(largest, distance);
       if(distance >= m_threshold && distance > 0.)
-        m_heap.push_back({distance, site});
+        m_heap.push_back({distance, vertex});
     }
   }
   std::make_heap(m_heap.begin(), m_heap.end());
@@ -124,60 +127,61 @@ void Sampling::refill()
 
 double Sampling::covering_radius()
 {
-  const Index site = farthest_site();
-  return site == none ? 0. : m_distances[site];
+  const Index vertex = farthest_vertex();
+  return vertex == none ? 0. : m_distances[vertex];
 }
 
-Location Sampling::farthest(Index start)
+Surface_location Sampling::farthest_location(Index start)
 {
-  const Index site = farthest_site();
-  if(site == none)
+  const Index vertex = farthest_vertex();
+  if(vertex == none)
     return {};
-  if(m_distances[site] == infinity)
-    return {none, end_of_part(start == none ? site : start), {}};
-  return m_place == Sample_place::site ? Location{none, site, {}} : beside(site);
+  if(m_distances[vertex] == infinity)
+    return {none, farthest_in_component(start == none ? vertex : start), {}};
+  return m_sample_location == Sample_location::vertex ? Surface_location{none, vertex, {}}
+                                                      : front_meeting_point(vertex);
 }
 
 // A site at an end of the part of the surface that holds a site: the farthest one along arcs, which is
 // near enough to the farthest one.  What waits is not sorted: all that is nearer than the mean comes next,
 // and once more where a later way is shorter (Glover and others 1985), in a third of the time of a heap.
-Index Sampling::end_of_part(Index start)
+Index Sampling::farthest_in_component(Index start)
 {
-  m_ways.resize(m_distances.size(), infinity);
-  m_waits.resize(m_distances.size(), false);
+  m_path_lengths.resize(m_distances.size(), infinity);
+  m_is_queued.resize(m_distances.size(), false);
   std::vector<Index> reached = {start}, near = {start}, far;
-  m_ways[start] = 0.;
+  m_path_lengths[start] = 0.;
   double threshold = 0.;
   std::size_t visits = 0;
-  const auto go_on_from = [&](Index site)
+  const auto expand = [&](Index vertex)
   {
-    const double way = m_ways[site];
-    m_waits[site] = false;
+    const double distance = m_path_lengths[vertex];
+    m_is_queued[vertex] = false;
     ++visits;
-    const auto reach = [&](Index target, double length)
+    const auto relax = [&](Index target, double length)
     {
-      const double last = m_ways[target];
-      if(!(way + length < last))
+      const double old_distance = m_path_lengths[target];
+      if(!(distance + length < old_distance))
         return;
-      m_ways[target] = way + length;
-      if(last == infinity)
+      m_path_lengths[target] = distance + length;
+      if(old_distance == infinity)
         reached.push_back(target);
-      else if(m_waits[target] || visits > most_visits * reached.size())
+      else if(m_is_queued[target] || visits > max_visits_per_vertex * reached.size())
         return;
-      m_waits[target] = true;
-      (way + length <= threshold ? near : far).push_back(target);
+      m_is_queued[target] = true;
+      (distance + length <= threshold ? near : far).push_back(target);
     };
-    for_each_arc(*m_triangles, m_limits.slowness.get(), site, reach);
+    for_each_edge(*m_triangles, m_limits.slowness.get(), vertex, relax);
   };
   while(!near.empty())
   {
     for(std::size_t i = 0; i < near.size(); ++i)
-      go_on_from(near[i]);
+      expand(near[i]);
     double sum = 0.;
-    for(const Index site : far)
-      sum += m_ways[site];
+    for(const Index vertex : far)
+      sum += m_path_lengths[vertex];
     threshold = sum / double(far.size());
-    const auto is_far = [&](Index site) { return m_ways[site] > threshold; };
+    const auto is_far = [&](Index vertex) { return m_path_lengths[vertex] > threshold; };
     const auto middle = std::partition(far.begin(), far.end(), is_far);
     near.assign(middle, far.end());
     far.erase(middle, far.end());
@@ -186,113 +190,117 @@ Index Sampling::end_of_part(Index start)
       near.swap(far);
   }
   Entry farthest = {0., start};
-  for(const Index site : reached)
+  for(const Index vertex : reached)
   {
-    farthest = std::max(farthest, Entry{m_ways[site], site});
-    m_ways[site] = infinity;
+    farthest = std::max(farthest, Entry{m_path_lengths[vertex], vertex});
+    m_path_lengths[vertex] = infinity;
   }
-  return farthest.site;
+  return farthest.vertex;
 }
 
 // Peyré and Cohen 2003, section 3.1: between the farthest site, its farthest neighbour, and the
 // farther of the two behind the side that joins them, where the fronts meet that came to them.
-Location Sampling::beside(Index site) const
+Surface_location Sampling::front_meeting_point(Index vertex) const
 {
-  const Glued_triangles& t = *m_triangles;
-  const Location at_site = {none, site, {}};
-  Entry neighbour = {-1., none}, third = {-1., none};
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-    for(const Index corner : {next_side(t.star[i]), previous_side(t.star[i])})
-      neighbour = std::max(neighbour, Entry{m_distances[t.corner[corner]], t.corner[corner]});
+  const Surface_arrays& t = *m_triangles;
+  const Surface_location at_vertex = {none, vertex, {}};
+  Entry neighbor = {-1., none}, third = {-1., none};
+  for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    for(const Index corner : {next_halfedge(t.ring[i]), previous_halfedge(t.ring[i])})
+      neighbor = std::max(neighbor, Entry{m_distances[t.corner[corner]], t.corner[corner]});
   Index triangle = none;
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+  for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
   {
-    const Index next = t.corner[next_side(t.star[i])],
-                previous = t.corner[previous_side(t.star[i])];
-    if(next != neighbour.site && previous != neighbour.site)
+    const Index next = t.corner[next_halfedge(t.ring[i])],
+                previous = t.corner[previous_halfedge(t.ring[i])];
+    if(next != neighbor.vertex && previous != neighbor.vertex)
       continue;
-    const Index opposite = next == neighbour.site ? previous : next;
+    const Index opposite = next == neighbor.vertex ? previous : next;
     if(third < Entry{m_distances[opposite], opposite})
     {
       third = {m_distances[opposite], opposite};
-      triangle = t.star[i] / 3;
+      triangle = t.ring[i] / 3;
     }
   }
   // One sample inside a triangle is enough: more of them would not be told apart by its corners.
-  if(triangle == none || m_is_taken[triangle] || !(neighbour.key < infinity) ||
+  if(triangle == none || m_has_sample[triangle] || !(neighbor.key < infinity) ||
      !(third.key < infinity) || !(slowness(triangle) < infinity))
-    return at_site;
+    return at_vertex;
 
   // At a border fronts meet along it.
-  std::vector<Index> sides;
-  for(Index side = 3 * triangle; side < 3 * triangle + 3; ++side)
+  std::vector<Index> halfedges;
+  for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
-    const std::array<Index, 2> ends = {t.corner[side], t.corner[next_side(side)]};
-    const bool joins = (ends[0] == site && ends[1] == neighbour.site) ||
-                       (ends[1] == site && ends[0] == neighbour.site);
-    if(joins && t.twin[side] == none)
-      sides = {side};
+    const std::array<Index, 2> ends = {t.corner[h], t.corner[next_halfedge(h)]};
+    const bool is_joining_edge = (ends[0] == vertex && ends[1] == neighbor.vertex) ||
+                                 (ends[1] == vertex && ends[0] == neighbor.vertex);
+    if(is_joining_edge && t.twin[h] == none)
+      halfedges = {h};
   }
-  if(sides.empty())
-    sides = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+  if(halfedges.empty())
+    halfedges = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
 
-  Location result = {triangle, none, {0., 0., 0.}};
-  for(const Index side : sides)
+  Surface_location result = {triangle, none, {0., 0., 0.}};
+  for(const Index h : halfedges)
   {
-    const double width = slowness(triangle) * t.length[side];
-    const double rise = m_distances[t.corner[next_side(side)]] - m_distances[t.corner[side]];
-    const double share = width > 0. ? std::clamp(0.5 + 0.5 * rise / width, 0., 1.) : 0.5;
-    const auto meeting = on_side(side, share);
+    const double travel_time = slowness(triangle) * t.length[h];
+    const double difference = m_distances[t.corner[next_halfedge(h)]] - m_distances[t.corner[h]];
+    const double fraction =
+        travel_time > 0. ? std::clamp(0.5 + 0.5 * difference / travel_time, 0., 1.) : 0.5;
+    const auto meeting_point = barycentric_on_halfedge(h, fraction);
     for(int j = 0; j < 3; ++j)
-      result.barycentric[j] += meeting[j] / double(sides.size());
+      result.barycentric[j] += meeting_point[j] / double(halfedges.size());
   }
-  result = cleaned(t, result);
+  result = canonical(t, result);
   // Where one front came to all three of them, at a border or around a tip, they do not meet.
-  return distance_in(triangle, result.barycentric) > m_distances[site] ? result : at_site;
+  return distance_in_triangle(triangle, result.barycentric) > m_distances[vertex] ? result
+                                                                                  : at_vertex;
 }
 
 // The distance of a place in a triangle, where fronts enter it as straight lines.
-double Sampling::distance_in(Index triangle, const std::array<double, 3>& barycentric) const
+double Sampling::distance_in_triangle(Index triangle,
+                                      const std::array<double, 3>& barycentric) const
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   const auto corners = unfolded(t, triangle);
-  const Planar p = unfolded_point(corners, barycentric);
+  const Vec2 p = unfolded_point(corners, barycentric);
   double result = infinity;
   for(Index k = 0; k < 3; ++k)
   {
-    const Index side = 3 * triangle + k, x = t.corner[side], z = t.corner[next_side(side)];
-    const Planar way = p - corners[k], base = corners[(k + 1) % 3] - corners[k];
-    result = std::min(result, m_distances[x] + slowness(triangle) * norm(way));
-    const double length = norm(base);
-    const double rise = (m_distances[z] - m_distances[x]) / (slowness(triangle) * length);
-    if(m_labels[x] != m_labels[z] || !(std::abs(rise) < 1.))
+    const Index h = 3 * triangle + k, x = t.corner[h], z = t.corner[next_halfedge(h)];
+    const Vec2 offset = p - corners[k], edge = corners[(k + 1) % 3] - corners[k];
+    result = std::min(result, m_distances[x] + slowness(triangle) * norm(offset));
+    const double length = norm(edge);
+    const double slope = (m_distances[z] - m_distances[x]) / (slowness(triangle) * length);
+    if(m_labels[x] != m_labels[z] || !(std::abs(slope) < 1.))
       continue;
-    const Straight_front front(length, rise, turned_back(way, (1. / length) * base));
-    result = std::min(result, m_distances[x] + slowness(triangle) * front.gain);
+    const Straight_front front(length, slope, rotated_back(offset, (1. / length) * edge));
+    result = std::min(result, m_distances[x] + slowness(triangle) * front.delay);
   }
   return result;
 }
 
-bool sample_farthest(Sampling& sampling, const Sampling_goal& goal,
-                     const std::function<void(double)>& out)
+bool sample_farthest_points(Sampling& sampling, const Sampling_options& options,
+                            const std::function<void(double)>& report_radius)
 {
-  std::size_t added = 0;
+  std::size_t number_added = 0;
   std::function<bool(double)> callback;
-  if(goal.callback)
-    callback = [&](double) { return goal.callback(double(added) / double(goal.number)); };
-  const std::vector<Index>& sites = sampling.sites();
+  if(options.callback)
+    callback = [&](double)
+    { return options.callback(double(number_added) / double(options.number_of_samples)); };
+  const std::vector<Index>& vertices = sampling.sampled_vertices();
   Index start = none;
-  if(sampling.samples().empty() && !sites.empty())
-    start = sites[std::mt19937(goal.seed)() % sites.size()];
+  if(sampling.samples().empty() && !vertices.empty())
+    start = vertices[std::mt19937(options.seed)() % vertices.size()];
   for(double radius = sampling.covering_radius();
-      added < goal.number && radius > goal.covering_radius; start = none)
+      number_added < options.number_of_samples && radius > options.covering_radius; start = none)
   {
     if(callback && !callback(0.))
       return false;
-    const bool is_finished = sampling.add(sampling.farthest(start), callback);
-    ++added;
+    const bool is_finished = sampling.add(sampling.farthest_location(start), callback);
+    ++number_added;
     radius = sampling.covering_radius();
-    out(radius);
+    report_radius(radius);
     if(!is_finished)
       return false;
   }

@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/log_map/log_map.h>
 #include "mesh/patches.h"
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include "distances/rows.h"
+#include "distances/for_each_row.h"
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 #include <CGAL/Geodesic_processing/internal/log_map/tangent_plane.h>
 #include "core/unfold.h"
@@ -21,61 +21,63 @@ namespace {
 
 // The stencil by which the gradient is measured: three directions are the least that do not see the even
 // terms, and on a plane any length is right.  A longer one averages the errors of fronts.
-constexpr std::size_t directions = 3;
-constexpr double stencil_part = 0.25; // of the radius of the cell
+constexpr std::size_t number_of_directions = 3;
+constexpr double stencil_ratio = 0.25; // of the radius of the cell
 
 // What is gone of the way to the mean, at first: cells follow their centres, so that further steps go on in
 // the same direction.
 constexpr double overrelaxation = 1.8;
 
 // A centre that would go less far, in radii of its cell, stays.
-constexpr double least_move = 1e-3;
+constexpr double min_move_ratio = 1e-3;
 
 // What is lower by less may be so by rounding.
-constexpr double rounding = 1e-12;
+constexpr double round_off_tolerance = 1e-12;
 
 // How often cells are added, and up to how many for each site, before patches are cut in two.
-constexpr unsigned most_rounds = 20;
-constexpr double most_cells = 0.1;
+constexpr unsigned max_rounds = 20;
+constexpr double max_cell_ratio = 0.1;
 
 // Where handles ask for so many times as many cells as the caller did, these are moved once: each is where a
 // handle is, and of a surface with thousands of handles every step costs seconds.
-constexpr double many_more = 4.;
+constexpr double many_cells_ratio = 4.;
 
-class Lloyd
+class Lloyd_relaxation
 {
 public:
-  Lloyd(std::shared_ptr<const Glued_triangles> triangles, const Front& front,
-        std::shared_ptr<const std::vector<double>> slowness, const Tessellation_options& options)
+  Lloyd_relaxation(std::shared_ptr<const Surface_arrays> triangles, const Front& front,
+                   std::shared_ptr<const std::vector<double>> slowness,
+                   const Tessellation_options& options)
       : m_triangles(std::move(triangles)), m_front(front), m_options(options),
-        m_mass(m_triangles->number_of_sites(), 0.)
+        m_area(m_triangles->number_of_vertices(), 0.)
   {
     m_limits.slowness = std::move(slowness);
-    const Glued_triangles& t = *m_triangles;
+    const Surface_arrays& t = *m_triangles;
     for(Index f = 0; f < t.number_of_triangles(); ++f)
       if(const double s = slowness_of(f); s < infinity)
       {
-        const double* const side = &t.length[3 * std::size_t(f)];
+        const double* const lengths = &t.length[3 * std::size_t(f)];
         const double weight = t.weight.empty() ? 1. : double(t.weight[f]);
         for(Index corner = 3 * f; corner < 3 * f + 3; ++corner)
-          m_mass[t.corner[corner]] += weight * s * s * twice_area(side[0], side[1], side[2]) / 6.;
+          m_area[t.corner[corner]] +=
+              weight * s * s * twice_area(lengths[0], lengths[1], lengths[2]) / 6.;
       }
   }
 
   Tessellation run()
   {
-    m_is_finished = start() && (has_many_handles() || relax(m_options.most_steps));
+    m_is_finished = initialize() && (has_many_handles() || relax(m_options.max_steps));
     if(m_triangles->is_cloud())
       return {m_state.centers, m_state.cells, m_state.energies, m_is_finished};
     make_patches();
-    leave_out_empty_patches();
+    remove_empty_patches();
     return {m_state.centers, m_state.patches, m_state.energies, m_is_finished};
   }
 
 private:
   struct State
   {
-    std::vector<Location> centers;
+    std::vector<Surface_location> centers;
     std::vector<double> distances; // #sites: from the nearest centre
     std::vector<Index> cells;      // #sites: of this centre
     std::vector<Index> patches;    // #triangles, on a mesh
@@ -91,42 +93,42 @@ private:
   // much as a handle: nearly each cell will be cut, and what it costs to move them before that is lost.
   bool has_many_handles() const
   {
-    if(!m_options.makes_discs)
+    if(!m_options.does_make_disks)
       return false;
-    const Glued_triangles& t = *m_triangles;
+    const Surface_arrays& t = *m_triangles;
     long long euler = t.number_of_triangles();
-    for(Index side = 0; side < t.twin.size(); ++side)
-      euler -= t.twin[side] == none || side < t.twin[side];
-    for(Index site = 0; site < t.number_of_sites(); ++site)
-      euler += t.first[site] < t.first[site + 1];
-    return euler < -2 * static_cast<long long>(m_options.number);
+    for(Index lengths = 0; lengths < t.twin.size(); ++lengths)
+      euler -= t.twin[lengths] == none || lengths < t.twin[lengths];
+    for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+      euler += t.ring_begin[vertex] < t.ring_begin[vertex + 1];
+    return euler < -2 * static_cast<long long>(m_options.number_of_cells);
   }
 
   double energy() const
   {
     double sum = 0.;
-    for(Index site = 0; site < m_mass.size(); ++site)
-      if(m_state.cells[site] != none)
-        sum += m_mass[site] * m_state.distances[site] * m_state.distances[site];
+    for(Index vertex = 0; vertex < m_area.size(); ++vertex)
+      if(m_state.cells[vertex] != none)
+        sum += m_area[vertex] * m_state.distances[vertex] * m_state.distances[vertex];
     return sum;
   }
 
-  bool start()
+  bool initialize()
   {
     Sampling sampling(m_triangles, m_front,
-                      m_triangles->is_cloud() ? Sample_place::site : Sample_place::triangle,
+                      m_triangles->is_cloud() ? Sample_location::vertex : Sample_location::triangle,
                       m_limits.slowness);
-    Sampling_goal goal;
-    goal.number = m_options.number;
-    goal.seed = m_options.seed;
+    Sampling_options options;
+    options.number_of_samples = m_options.number_of_cells;
+    options.seed = m_options.seed;
     if(m_options.callback)
-      goal.callback = [&](double) { return m_options.callback(0.); };
-    const bool is_whole = sample_farthest(sampling, goal, [](double) {});
+      options.callback = [&](double) { return m_options.callback(0.); };
+    const bool is_complete = sample_farthest_points(sampling, options, [](double) {});
     m_state.centers = sampling.samples();
     m_state.distances = sampling.distances();
     m_state.cells = sampling.labels();
     m_state.energies = {energy()};
-    return is_whole;
+    return is_complete;
   }
 
   bool relax(unsigned steps)
@@ -135,7 +137,7 @@ private:
     {
       if(!take_step(double(step) / double(steps)))
         return false;
-      if(is_stalled())
+      if(has_converged())
         break;
     }
     return true;
@@ -151,279 +153,289 @@ private:
     return true;
   }
 
-  bool is_stalled() const
+  bool has_converged() const
   {
     const double before = m_state.energies[m_state.energies.size() - 2];
-    return !(m_state.energies.back() < (1. - m_options.least_gain) * before);
+    return !(m_state.energies.back() < (1. - m_options.energy_tolerance) * before);
   }
 
   // Every cell on its own, as its centre and the distances of its sites belong to no other.
   void move_centers()
   {
-    std::vector<std::vector<Index>> sites(m_state.centers.size());
-    for(Index site = 0; site < m_mass.size(); ++site)
-      if(m_state.cells[site] != none && m_mass[site] > 0.)
-        sites[m_state.cells[site]].push_back(site);
-    for_each_row(m_front, sites.size(), m_limits, m_options.threads,
+    std::vector<std::vector<Index>> vertices(m_state.centers.size());
+    for(Index vertex = 0; vertex < m_area.size(); ++vertex)
+      if(m_state.cells[vertex] != none && m_area[vertex] > 0.)
+        vertices[m_state.cells[vertex]].push_back(vertex);
+    for_each_row(m_front, vertices.size(), m_limits, m_options.threads,
                  [&](std::size_t cell, Front& front, const Front_limits& limits)
-                 { move_center(m_state.centers[cell], sites[cell], front, limits); });
+                 { move_center(m_state.centers[cell], vertices[cell], front, limits); });
   }
 
-  void move_center(Location& center, const std::vector<Index>& sites, Front& front,
+  void move_center(Surface_location& center, const std::vector<Index>& vertices, Front& front,
                    Front_limits limits)
   {
-    const Glued_triangles& t = *m_triangles;
-    double mass = 0., before = 0., radius = 0.;
+    const Surface_arrays& t = *m_triangles;
+    double mass = 0., energy_before = 0., radius = 0.;
     std::vector<double> distances;
-    for(const Index site : sites)
+    for(const Index vertex : vertices)
     {
-      distances.push_back(m_state.distances[site]);
-      mass += m_mass[site];
-      before += m_mass[site] * distances.back() * distances.back();
+      distances.push_back(m_state.distances[vertex]);
+      mass += m_area[vertex];
+      energy_before += m_area[vertex] * distances.back() * distances.back();
       radius = std::max(radius, distances.back());
     }
-    const Location at = t.is_cloud() ? center : cleaned(t, center);
-    const Index triangle = triangle_around(at);
+    const Surface_location start_location = t.is_cloud() ? center : canonical(t, center);
+    const Index triangle = containing_triangle(start_location);
     if(!(radius > 0.) || triangle == none)
       return;
     const double slowness = slowness_of(triangle);
     if(!(slowness < infinity))
       return;
-    const double length = stencil_part * radius / slowness;
+    const double length = stencil_ratio * radius / slowness;
     // The integral of squared distances from a place; what its front does not reach counts as much as
     // if it went by the centre.
-    const auto measure = [&](const Location& place, double way, std::vector<double>* found)
+    const auto compute_energy = [&](const Surface_location& location, double step_length,
+                                    std::vector<double>* new_distances)
     {
-      limits.maximum_distance = radius + 2. * way * slowness;
-      front.run({Source{{place}}}, limits);
+      limits.maximum_distance = radius + 2. * step_length * slowness;
+      front.run({Front_source{{location}}}, limits);
       double sum = 0.;
-      for(std::size_t i = 0; i < sites.size(); ++i)
+      for(std::size_t i = 0; i < vertices.size(); ++i)
       {
-        double distance = front.distance(sites[i]);
+        double distance = front.distance(vertices[i]);
         if(!(distance < infinity))
-          distance = distances[i] + way * slowness;
-        sum += m_mass[sites[i]] * distance * distance;
-        if(found)
-          (*found)[i] = distance;
+          distance = distances[i] + step_length * slowness;
+        sum += m_area[vertices[i]] * distance * distance;
+        if(new_distances)
+          (*new_distances)[i] = distance;
       }
       return sum;
     };
 
-    const Tangent_plane plane(t, at);
-    const Stencil stencil = make_stencil(plane, sites, length);
+    const Tangent_plane plane(t, start_location);
+    const Stencil stencil = make_stencil(plane, vertices, length);
     // Of the gradient g at the centre, by least squares of E(q) - E(0) = g q + M |q|^2.
     double xx = 0., xy = 0., yy = 0.;
-    Planar b = {0., 0.};
-    for(std::size_t j = 0; j < stencil.places.size(); ++j)
+    Vec2 b = {0., 0.};
+    for(std::size_t j = 0; j < stencil.locations.size(); ++j)
     {
-      const Planar& q = stencil.vectors[j];
-      const double way = norm(q), square = slowness * slowness * way * way;
-      const double rise = measure(stencil.places[j], way, nullptr) - before - mass * square;
+      const Vec2& q = stencil.vectors[j];
+      const double step_length = norm(q),
+                   squared_time = slowness * slowness * step_length * step_length;
+      const double energy_change = compute_energy(stencil.locations[j], step_length, nullptr) -
+                                   energy_before - mass * squared_time;
       xx += q[0] * q[0];
       xy += q[0] * q[1];
       yy += q[1] * q[1];
-      b = b + rise * q;
+      b = b + energy_change * q;
     }
     const double determinant = xx * yy - xy * xy;
     if(!(determinant > 1e-4 * (xx + yy) * (xx + yy)))
       return;
-    const Planar gradient =
-        (1. / determinant) * Planar{yy * b[0] - xy * b[1], xx * b[1] - xy * b[0]};
+    const Vec2 gradient = (1. / determinant) * Vec2{yy * b[0] - xy * b[1], xx * b[1] - xy * b[0]};
     // Beyond the mean of the logarithms, to it, or a part of the way.
-    const Planar mean = (-0.5 / (mass * slowness * slowness)) * gradient;
-    std::vector<double> found(sites.size());
-    for(double way = std::min(overrelaxation * norm(mean), radius / slowness);
-        way * slowness > least_move * radius; way /= 2.)
+    const Vec2 mean = (-0.5 / (mass * slowness * slowness)) * gradient;
+    std::vector<double> new_distances(vertices.size());
+    for(double step_length = std::min(overrelaxation * norm(mean), radius / slowness);
+        step_length * slowness > min_move_ratio * radius; step_length /= 2.)
     {
-      const Location place = end_of(plane, (way / norm(mean)) * mean, sites);
-      if(measure(place, way, &found) < (1. - rounding) * before)
+      const Surface_location location =
+          endpoint(plane, (step_length / norm(mean)) * mean, vertices);
+      if(compute_energy(location, step_length, &new_distances) <
+         (1. - round_off_tolerance) * energy_before)
       {
-        center = place;
-        for(std::size_t i = 0; i < sites.size(); ++i)
-          m_state.distances[sites[i]] = found[i];
+        center = location;
+        for(std::size_t i = 0; i < vertices.size(); ++i)
+          m_state.distances[vertices[i]] = new_distances[i];
         return;
       }
     }
   }
 
-  Index triangle_around(const Location& at) const
+  Index containing_triangle(const Surface_location& location) const
   {
-    const Glued_triangles& t = *m_triangles;
+    const Surface_arrays& t = *m_triangles;
     if(!t.is_cloud())
-      return triangle_at(t, at);
-    return t.first[at.site] == t.first[at.site + 1] ? none : t.star[t.first[at.site]] / 3;
+      return triangle_at(t, location);
+    return t.ring_begin[location.vertex] == t.ring_begin[location.vertex + 1]
+               ? none
+               : t.ring[t.ring_begin[location.vertex]] / 3;
   }
 
-  Stencil make_stencil(const Tangent_plane& plane, const std::vector<Index>& sites,
+  Stencil make_stencil(const Tangent_plane& plane, const std::vector<Index>& vertices,
                        double length) const
   {
-    return m_triangles->is_cloud()
-               ? stencil_of_sites(*m_triangles, plane, sites, m_state.distances, length, directions)
-               : straight_stencil(plane, length, directions);
+    return m_triangles->is_cloud() ? vertex_stencil(*m_triangles, plane, vertices,
+                                                    m_state.distances, length, number_of_directions)
+                                   : straightest_stencil(plane, length, number_of_directions);
   }
 
   // Where a tangent vector leads: on a cloud to the site of the cell that is the nearest to it.
-  Location end_of(const Tangent_plane& plane, const Planar& vector,
-                  const std::vector<Index>& sites) const
+  Surface_location endpoint(const Tangent_plane& plane, const Vec2& vector,
+                            const std::vector<Index>& vertices) const
   {
-    const Glued_triangles& t = *m_triangles;
+    const Surface_arrays& t = *m_triangles;
     if(!t.is_cloud())
-      return plane.straight(std::atan2(vector[1], vector[0]), norm(vector)).locations.back();
-    const Spatial end = plane.point() + vector[0] * plane.x() + vector[1] * plane.y();
-    const auto squared = [&](Index site)
+      return plane.straightest_path(std::atan2(vector[1], vector[0]), norm(vector))
+          .locations.back();
+    const Vec3 end = plane.point() + vector[0] * plane.x() + vector[1] * plane.y();
+    const auto squared_distance = [&](Index vertex)
     {
-      const Spatial way = t.point[site] - end;
-      return dot(way, way);
+      const Vec3 offset = t.point[vertex] - end;
+      return dot(offset, offset);
     };
-    Location result;
-    result.site = *std::min_element(sites.begin(), sites.end(),
-                                    [&](Index a, Index b) { return squared(a) < squared(b); });
+    Surface_location result;
+    result.vertex = *std::min_element(vertices.begin(), vertices.end(),
+                                      [&](Index a, Index b)
+                                      { return squared_distance(a) < squared_distance(b); });
     return result;
   }
 
   // Sites that are nearer to other centres than to their own, of which all from `first` on are looked at.
-  void update_cells(std::size_t first)
+  void update_cells(std::size_t first_center)
   {
     // The sites of its own cell are as far from a centre as is known: it has to get to their end.
     std::vector<double> known = m_state.distances;
     for(double& distance : known)
       distance *= 1. + 1e-9;
     Front_limits limits = m_limits;
-    limits.known = &known;
-    std::vector<std::vector<std::pair<Index, double>>> nearer(m_state.centers.size() - first);
-    for_each_row(m_front, nearer.size(), limits, m_options.threads,
-                 [&](std::size_t i, Front& front, const Front_limits& own)
+    limits.known_distance = &known;
+    std::vector<std::vector<std::pair<Index, double>>> closer(m_state.centers.size() -
+                                                              first_center);
+    for_each_row(m_front, closer.size(), limits, m_options.threads,
+                 [&](std::size_t i, Front& front, const Front_limits& own_limits)
                  {
-                   front.run({Source{{m_state.centers[first + i]}}}, own);
-                   for(const Index site : front.reached())
-                     if(front.distance(site) < m_state.distances[site])
-                       nearer[i].emplace_back(site, front.distance(site));
+                   front.run({Front_source{{m_state.centers[first_center + i]}}}, own_limits);
+                   for(const Index vertex : front.reached())
+                     if(front.distance(vertex) < m_state.distances[vertex])
+                       closer[i].emplace_back(vertex, front.distance(vertex));
                  });
-    for(std::size_t i = 0; i < nearer.size(); ++i)
-      for(const auto& [site, distance] : nearer[i])
-        if(distance < m_state.distances[site])
+    for(std::size_t i = 0; i < closer.size(); ++i)
+      for(const auto& [vertex, distance] : closer[i])
+        if(distance < m_state.distances[vertex])
         {
-          m_state.distances[site] = distance;
-          m_state.cells[site] = Index(first + i);
+          m_state.distances[vertex] = distance;
+          m_state.cells[vertex] = Index(first_center + i);
         }
   }
 
   void make_patches()
   {
-    const Glued_triangles& t = *m_triangles;
-    m_state.patches = tidied_patches();
-    if(!m_options.makes_discs || !m_is_finished)
+    const Surface_arrays& t = *m_triangles;
+    m_state.patches = merged_patches();
+    if(!m_options.does_make_disks || !m_is_finished)
       return;
     // A cell around a tube becomes two where it is farthest from its centre.
-    const std::size_t asked = m_state.centers.size();
-    for(unsigned round = 0; round < most_rounds; ++round)
+    const std::size_t number_requested = m_state.centers.size();
+    for(unsigned round = 0; round < max_rounds; ++round)
     {
-      const std::vector<Location> added = farthest_of_no_discs();
-      const std::size_t before = m_state.centers.size();
-      if(added.empty() || before + added.size() > most_cells * double(m_mass.size()))
+      const std::vector<Surface_location> new_centers = farthest_in_non_disks();
+      const std::size_t number_before = m_state.centers.size();
+      if(new_centers.empty() ||
+         number_before + new_centers.size() > max_cell_ratio * double(m_area.size()))
         break;
-      m_state.centers.insert(m_state.centers.end(), added.begin(), added.end());
-      update_cells(before);
+      m_state.centers.insert(m_state.centers.end(), new_centers.begin(), new_centers.end());
+      update_cells(number_before);
       m_state.energies.push_back(energy());
-      m_state.patches = tidied_patches();
+      m_state.patches = merged_patches();
     }
-    if(m_state.centers.size() > asked)
-      relax_discs(asked);
-    for(const Index triangle : split_into_discs(t, m_state.patches, Index(m_state.centers.size())))
+    if(m_state.centers.size() > number_requested)
+      relax_keeping_disks(number_requested);
+    for(const Index triangle : split_into_disks(t, m_state.patches, Index(m_state.centers.size())))
       m_state.centers.push_back({triangle, none, {1. / 3., 1. / 3., 1. / 3.}});
   }
 
   // As long as as many patches are discs.
-  void relax_discs(std::size_t asked)
+  void relax_keeping_disks(std::size_t number_requested)
   {
-    const auto number_of_discs = [&]
+    const auto number_of_disks = [&]
     {
-      const std::vector<bool> is_disc =
-          are_discs(*m_triangles, m_state.patches, Index(m_state.centers.size()));
-      return std::count(is_disc.begin(), is_disc.end(), true);
+      const std::vector<bool> is_disk =
+          are_disks(*m_triangles, m_state.patches, Index(m_state.centers.size()));
+      return std::count(is_disk.begin(), is_disk.end(), true);
     };
-    const auto before = number_of_discs();
-    const bool are_many_more = m_state.centers.size() > many_more * double(asked);
-    const unsigned most_steps = std::min(are_many_more ? 1u : ~0u, m_options.most_steps);
-    for(unsigned step = 0; step < most_steps; ++step)
+    const auto number_before = number_of_disks();
+    const bool has_many_more = m_state.centers.size() > many_cells_ratio * double(number_requested);
+    const unsigned max_steps = std::min(has_many_more ? 1u : ~0u, m_options.max_steps);
+    for(unsigned step = 0; step < max_steps; ++step)
     {
-      State last = m_state;
+      State previous = m_state;
       m_is_finished = take_step(1.);
       if(!m_is_finished)
         break;
-      m_state.patches = tidied_patches();
-      const bool is_worse = number_of_discs() < before, is_last = is_stalled();
+      m_state.patches = merged_patches();
+      const bool is_worse = number_of_disks() < number_before, is_last = has_converged();
       if(is_worse)
-        m_state = std::move(last);
+        m_state = std::move(previous);
       if(is_worse || is_last)
         break;
     }
   }
 
   // Cells between vertices, and those that were given away.
-  void leave_out_empty_patches()
+  void remove_empty_patches()
   {
-    std::vector<Index> number(m_state.centers.size(), none);
+    std::vector<Index> new_index(m_state.centers.size(), none);
     for(const Index patch : m_state.patches)
       if(patch != none)
-        number[patch] = 0;
-    std::vector<Location> kept;
-    for(std::size_t i = 0; i < number.size(); ++i)
-      if(number[i] == 0)
+        new_index[patch] = 0;
+    std::vector<Surface_location> kept;
+    for(std::size_t i = 0; i < new_index.size(); ++i)
+      if(new_index[i] == 0)
       {
-        number[i] = Index(kept.size());
+        new_index[i] = Index(kept.size());
         kept.push_back(m_state.centers[i]);
       }
     for(Index& patch : m_state.patches)
       if(patch != none)
-        patch = number[patch];
+        patch = new_index[patch];
     m_state.centers = std::move(kept);
   }
 
-  std::vector<Index> tidied_patches() const
+  std::vector<Index> merged_patches() const
   {
-    std::vector<Index> result = patches(*m_triangles, m_state.distances, m_state.cells);
-    tidy(*m_triangles, result);
+    std::vector<Index> result = label_patches(*m_triangles, m_state.distances, m_state.cells);
+    merge_patch_fragments(*m_triangles, result);
     return result;
   }
 
   // A site of each patch that is no disc.
-  std::vector<Location> farthest_of_no_discs() const
+  std::vector<Surface_location> farthest_in_non_disks() const
   {
-    const Glued_triangles& t = *m_triangles;
-    const std::vector<bool> is_disc = are_discs(t, m_state.patches, Index(m_state.centers.size()));
-    std::vector<Index> farthest(is_disc.size(), none);
+    const Surface_arrays& t = *m_triangles;
+    const std::vector<bool> is_disk = are_disks(t, m_state.patches, Index(m_state.centers.size()));
+    std::vector<Index> farthest(is_disk.size(), none);
     for(Index corner = 0; corner < t.corner.size(); ++corner)
-      if(const Index patch = m_state.patches[corner / 3]; patch != none && !is_disc[patch])
+      if(const Index patch = m_state.patches[corner / 3]; patch != none && !is_disk[patch])
       {
-        const Index site = t.corner[corner];
+        const Index vertex = t.corner[corner];
         Index& best = farthest[patch];
-        if(m_state.distances[site] > (best == none ? 0. : m_state.distances[best]))
-          best = site;
+        if(m_state.distances[vertex] > (best == none ? 0. : m_state.distances[best]))
+          best = vertex;
       }
-    std::vector<Location> result;
-    for(const Index site : farthest)
-      if(site != none)
-        result.push_back(at_site(t, site));
+    std::vector<Surface_location> result;
+    for(const Index vertex : farthest)
+      if(vertex != none)
+        result.push_back(vertex_location(t, vertex));
     return result;
   }
 
-  std::shared_ptr<const Glued_triangles> m_triangles;
+  std::shared_ptr<const Surface_arrays> m_triangles;
   const Front& m_front;
   const Tessellation_options& m_options;
   Front_limits m_limits;
-  std::vector<double> m_mass; // #sites: the area around, in the metric
+  std::vector<double> m_area; // #sites: the area around, in the metric
   State m_state;
   bool m_is_finished = true;
 };
 
 } // namespace
 
-Tessellation tessellate(std::shared_ptr<const Glued_triangles> triangles, const Front& front,
+Tessellation tessellate(std::shared_ptr<const Surface_arrays> triangles, const Front& front,
                         std::shared_ptr<const std::vector<double>> slowness,
                         const Tessellation_options& options)
 {
-  return Lloyd(std::move(triangles), front, std::move(slowness), options).run();
+  return Lloyd_relaxation(std::move(triangles), front, std::move(slowness), options).run();
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -11,20 +11,20 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-Voronoi::Voronoi(std::shared_ptr<const Glued_triangles> triangles, Front front,
-                 const std::vector<Source>& sources, Index number_of_cells,
-                 const Front_limits& limits)
+Voronoi_diagram::Voronoi_diagram(std::shared_ptr<const Surface_arrays> triangles, Front front,
+                                 const std::vector<Front_source>& sources, Index number_of_cells,
+                                 const Front_limits& limits)
     : m_triangles(std::move(triangles)), m_slowness(limits.slowness),
-      m_distances(m_triangles->number_of_sites(), infinity),
-      m_labels(m_triangles->number_of_sites(), none)
+      m_distances(m_triangles->number_of_vertices(), infinity),
+      m_labels(m_triangles->number_of_vertices(), none)
 {
-  std::vector<std::vector<Source>> cells(number_of_cells);
-  for(const Source& source : sources)
+  std::vector<std::vector<Front_source>> cells(number_of_cells);
+  for(const Front_source& source : sources)
   {
     cells[source.label].push_back(source);
-    m_is_circular = m_is_circular && source.offset == 0.;
+    m_has_circular_fronts = m_has_circular_fronts && source.offset == 0.;
   }
-  m_is_circular = m_is_circular && !m_slowness;
+  m_has_circular_fronts = m_has_circular_fronts && !m_slowness;
 
   std::size_t done = 0;
   Front_limits bounded = limits;
@@ -33,83 +33,84 @@ Voronoi::Voronoi(std::shared_ptr<const Glued_triangles> triangles, Front front,
     bounded.callback = [&](double)
     { return limits.callback(double(done) / double(number_of_cells + 1)); };
   m_is_finished = front.run(sources, bounded);
-  for(const Index site : front.reached())
+  for(const Index vertex : front.reached())
   {
-    m_distances[site] = front.distance(site);
-    m_labels[site] = sources[front.source(site)].label;
+    m_distances[vertex] = front.distance(vertex);
+    m_labels[vertex] = sources[front.source(vertex)].label;
   }
 
   // Where the fronts of two cells met, a circle may have been fitted to what came from both: each cell's
   // own front knows better.  It goes on beyond the cell as far as the sites that share triangles with it,
   // by the ways that are shortest: these may be late, and so may what lies on them, by two sides.
   std::vector<double> known = m_distances;
-  for(Index site = 0; site < known.size(); ++site)
-    known[site] += 2. * longest_around(site);
-  bounded.known = &known;
-  std::vector<bool> is_own(known.size(), false);
+  for(Index vertex = 0; vertex < known.size(); ++vertex)
+    known[vertex] += 2. * max_edge_time(vertex);
+  bounded.known_distance = &known;
+  std::vector<bool> has_own_distance(known.size(), false);
   for(Index label = 0; label < number_of_cells && m_is_finished; ++label)
   {
     ++done;
     m_is_finished = front.run(cells[label], bounded);
-    for(const Index site : front.reached())
+    for(const Index vertex : front.reached())
     {
-      const double distance = front.distance(site);
-      if(is_own[site] && distance >= m_distances[site])
+      const double distance = front.distance(vertex);
+      if(has_own_distance[vertex] && distance >= m_distances[vertex])
       {
-        m_others.push_back({site, label, distance});
+        m_other_distances.push_back({vertex, label, distance});
         continue;
       }
-      if(is_own[site])
-        m_others.push_back({site, m_labels[site], m_distances[site]});
-      m_distances[site] = distance;
-      m_labels[site] = label;
-      is_own[site] = true;
+      if(has_own_distance[vertex])
+        m_other_distances.push_back({vertex, m_labels[vertex], m_distances[vertex]});
+      m_distances[vertex] = distance;
+      m_labels[vertex] = label;
+      has_own_distance[vertex] = true;
     }
   }
-  std::sort(m_others.begin(), m_others.end());
+  std::sort(m_other_distances.begin(), m_other_distances.end());
 }
 
 // The longest time that a front takes along a side of the triangles around a site.
-double Voronoi::longest_around(Index site) const
+double Voronoi_diagram::max_edge_time(Index vertex) const
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   double result = 0.;
-  for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
+  for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
   {
-    const Index f = t.star[i] / 3;
+    const Index f = t.ring[i] / 3;
     const double slowness = m_slowness ? (*m_slowness)[f] : 1.;
     if(slowness < infinity)
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
-        result = std::max(result, slowness * t.length[side]);
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        result = std::max(result, slowness * t.length[h]);
   }
   return result;
 }
 
-double Voronoi::distance(Index site, Index label) const
+double Voronoi_diagram::distance(Index vertex, Index label) const
 {
-  if(m_labels[site] == label)
-    return m_distances[site];
-  const auto found =
-      std::lower_bound(m_others.begin(), m_others.end(), Other{site, label, -infinity});
-  const bool is_there = found != m_others.end() && found->site == site && found->label == label;
-  return is_there ? found->distance : infinity;
+  if(m_labels[vertex] == label)
+    return m_distances[vertex];
+  const auto found = std::lower_bound(m_other_distances.begin(), m_other_distances.end(),
+                                      Other_distance{vertex, label, -infinity});
+  const bool is_found =
+      found != m_other_distances.end() && found->vertex == vertex && found->label == label;
+  return is_found ? found->distance : infinity;
 }
 
 // What decides between cells inside a triangle, where it changes linearly but for what all cells have in
 // common: |p - a|^2 - |p - b|^2 is linear in p, and so is the difference of straight fronts.
-double Voronoi::height(Index site, Index label) const
+double Voronoi_diagram::comparison_value(Index vertex, Index label) const
 {
-  const double result = distance(site, label);
-  return m_is_circular ? result * result : result;
+  const double result = distance(vertex, label);
+  return m_has_circular_fronts ? result * result : result;
 }
 
-bool Voronoi::is_crossed(Index side) const
+bool Voronoi_diagram::is_crossed(Index h) const
 {
-  return m_labels[m_triangles->corner[side]] != m_labels[m_triangles->corner[next_side(side)]];
+  return m_labels[m_triangles->corner[h]] != m_labels[m_triangles->corner[next_halfedge(h)]];
 }
 
 // How many cells meet in a triangle; 0 where it is not reached.
-int Voronoi::number_of_labels(Index triangle) const
+int Voronoi_diagram::number_of_labels(Index triangle) const
 {
   const Index* const c = &m_triangles->corner[3 * std::size_t(triangle)];
   const Index a = m_labels[c[0]], b = m_labels[c[1]], d = m_labels[c[2]];
@@ -119,29 +120,30 @@ int Voronoi::number_of_labels(Index triangle) const
 }
 
 // How far along a side the cells of its ends meet; seen from both of its triangles alike.
-double Voronoi::share(Index side) const
+double Voronoi_diagram::crossing_fraction(Index h) const
 {
-  const Glued_triangles& t = *m_triangles;
-  if(t.twin[side] < side)
-    return 1. - share(t.twin[side]);
-  const Index x = t.corner[side], z = t.corner[next_side(side)];
+  const Surface_arrays& t = *m_triangles;
+  if(t.twin[h] < h)
+    return 1. - crossing_fraction(t.twin[h]);
+  const Index x = t.corner[h], z = t.corner[next_halfedge(h)];
   const Index a = m_labels[x], b = m_labels[z];
-  const double at_x = height(x, b) - height(x, a), at_z = height(z, a) - height(z, b);
-  if(at_x + at_z > 0. && at_x + at_z < infinity)
-    return std::clamp(at_x / (at_x + at_z), 0., 1.);
+  const double difference_at_x = comparison_value(x, b) - comparison_value(x, a),
+               difference_at_z = comparison_value(z, a) - comparison_value(z, b);
+  if(difference_at_x + difference_at_z > 0. && difference_at_x + difference_at_z < infinity)
+    return std::clamp(difference_at_x / (difference_at_x + difference_at_z), 0., 1.);
   // Next to an obstacle one front may not have come around it: both go along the side then.
-  const double width = (m_slowness ? (*m_slowness)[side / 3] : 1.) * t.length[side];
-  return width > 0. && width < infinity
-             ? std::clamp(0.5 + 0.5 * (m_distances[z] - m_distances[x]) / width, 0., 1.)
+  const double travel_time = (m_slowness ? (*m_slowness)[h / 3] : 1.) * t.length[h];
+  return travel_time > 0. && travel_time < infinity
+             ? std::clamp(0.5 + 0.5 * (m_distances[z] - m_distances[x]) / travel_time, 0., 1.)
              : 0.5;
 }
 
-Location Voronoi::crossing(Index side) const
+Surface_location Voronoi_diagram::crossing_location(Index h) const
 {
-  return {side / 3, none, on_side(side, share(side))};
+  return {h / 3, none, barycentric_on_halfedge(h, crossing_fraction(h))};
 }
 
-Location Voronoi::triple_point(Index triangle) const
+Surface_location Voronoi_diagram::triple_point(Index triangle) const
 {
   const Index* const c = &m_triangles->corner[3 * std::size_t(triangle)];
   const Index a = m_labels[c[0]], b = m_labels[c[1]], d = m_labels[c[2]];
@@ -149,8 +151,8 @@ Location Voronoi::triple_point(Index triangle) const
   std::array<double, 3> u, v, p;
   for(int k = 0; k < 3; ++k)
   {
-    u[k] = height(c[k], a) - height(c[k], b);
-    v[k] = height(c[k], b) - height(c[k], d);
+    u[k] = comparison_value(c[k], a) - comparison_value(c[k], b);
+    v[k] = comparison_value(c[k], b) - comparison_value(c[k], d);
   }
   double sum = 0.;
   for(int k = 0; k < 3; ++k)
@@ -167,124 +169,125 @@ Location Voronoi::triple_point(Index triangle) const
   if(is_inside)
     return {triangle, none, p};
   // A cell that has a corner only, cut off by the other two.
-  Location result = {triangle, none, {0., 0., 0.}};
+  Surface_location result = {triangle, none, {0., 0., 0.}};
   for(Index k = 0; k < 3; ++k)
   {
-    const Location on = crossing(3 * triangle + k);
+    const Surface_location edge_point = crossing_location(3 * triangle + k);
     for(int j = 0; j < 3; ++j)
-      result.barycentric[j] += on.barycentric[j] / 3.;
+      result.barycentric[j] += edge_point.barycentric[j] / 3.;
   }
   return result;
 }
 
-Index Voronoi::label_of_triangle(Index triangle) const
+Index Voronoi_diagram::triangle_label(Index triangle) const
 {
   if(number_of_labels(triangle) == 0)
     return none;
   const Index* const c = &m_triangles->corner[3 * std::size_t(triangle)];
   Index result = none;
-  double least = infinity, nearest = infinity;
+  double min_value = infinity, min_distance = infinity;
   for(int k = 0; k < 3; ++k)
   {
     const Index label = m_labels[c[k]];
-    const double at_centre = height(c[0], label) + height(c[1], label) + height(c[2], label);
+    const double at_center = comparison_value(c[0], label) + comparison_value(c[1], label) +
+                             comparison_value(c[2], label);
     // Where one of them is not known at all corners, the nearest corner decides.
-    if(at_centre < least || (least == infinity && m_distances[c[k]] < nearest))
+    if(at_center < min_value || (min_value == infinity && m_distances[c[k]] < min_distance))
       result = label;
-    least = std::min(least, at_centre);
-    nearest = std::min(nearest, m_distances[c[k]]);
+    min_value = std::min(min_value, at_center);
+    min_distance = std::min(min_distance, m_distances[c[k]]);
   }
   return result;
 }
 
 // Follows a line between cells from triangle to triangle.
-struct Voronoi::Trace
+struct Voronoi_diagram::Bisector_tracer
 {
-  const Voronoi& voronoi;
-  std::vector<bool> is_done = std::vector<bool>(voronoi.m_triangles->corner.size(), false);
+  const Voronoi_diagram& voronoi;
+  std::vector<bool> is_visited = std::vector<bool>(voronoi.m_triangles->corner.size(), false);
 
-  Index across(Index side) const
+  Index reached_twin(Index h) const
   {
-    const Index twin = voronoi.m_triangles->twin[side];
+    const Index twin = voronoi.m_triangles->twin[h];
     return twin != none && voronoi.number_of_labels(twin / 3) > 0 ? twin : none;
   }
-  void mark(Index side)
+  void mark(Index h)
   {
-    is_done[side] = true;
-    if(const Index twin = voronoi.m_triangles->twin[side]; twin != none)
-      is_done[twin] = true;
+    is_visited[h] = true;
+    if(const Index twin = voronoi.m_triangles->twin[h]; twin != none)
+      is_visited[twin] = true;
   }
   // Goes on through the triangle behind a side on which the line is.
-  void follow(Index side, std::vector<Location>& line)
+  void follow(Index h, std::vector<Surface_location>& polyline)
   {
-    while(side != none)
+    while(h != none)
     {
-      if(voronoi.number_of_labels(side / 3) == 3)
-        return line.push_back(voronoi.triple_point(side / 3));
-      const Index other =
-          voronoi.is_crossed(next_side(side)) ? next_side(side) : previous_side(side);
-      line.push_back(voronoi.crossing(other));
-      if(is_done[other]) // around
+      if(voronoi.number_of_labels(h / 3) == 3)
+        return polyline.push_back(voronoi.triple_point(h / 3));
+      const Index exit_halfedge =
+          voronoi.is_crossed(next_halfedge(h)) ? next_halfedge(h) : previous_halfedge(h);
+      polyline.push_back(voronoi.crossing_location(exit_halfedge));
+      if(is_visited[exit_halfedge]) // around
         return;
-      mark(other);
-      side = across(other);
+      mark(exit_halfedge);
+      h = reached_twin(exit_halfedge);
     }
   }
 };
 
-std::vector<Voronoi::Bisector> Voronoi::bisectors() const
+std::vector<Voronoi_diagram::Bisector> Voronoi_diagram::bisectors() const
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   std::vector<Bisector> result;
-  Trace trace{*this};
+  Bisector_tracer tracer{*this};
   // Inwards across a side the cell of its first end is on the left.
-  const auto begin_inwards = [&](Index side)
+  const auto trace_inwards = [&](Index h)
   {
-    trace.mark(side);
+    tracer.mark(h);
     result.push_back(
-        {m_labels[t.corner[side]], m_labels[t.corner[next_side(side)]], {crossing(side)}});
-    trace.follow(side, result.back().line);
+        {m_labels[t.corner[h]], m_labels[t.corner[next_halfedge(h)]], {crossing_location(h)}});
+    tracer.follow(h, result.back().polyline);
   };
   for(Index f = 0; f < t.number_of_triangles(); ++f)
     if(number_of_labels(f) == 3)
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
-        if(!trace.is_done[side])
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if(!tracer.is_visited[h])
         {
-          trace.mark(side);
-          result.push_back({m_labels[t.corner[next_side(side)]],
-                            m_labels[t.corner[side]],
-                            {triple_point(f), crossing(side)}});
-          trace.follow(trace.across(side), result.back().line);
+          tracer.mark(h);
+          result.push_back({m_labels[t.corner[next_halfedge(h)]],
+                            m_labels[t.corner[h]],
+                            {triple_point(f), crossing_location(h)}});
+          tracer.follow(tracer.reached_twin(h), result.back().polyline);
         }
   for(const bool is_loop : {false, true})
-    for(Index side = 0; side < t.corner.size(); ++side)
-      if(!trace.is_done[side] && number_of_labels(side / 3) > 0 && is_crossed(side) &&
-         (is_loop || trace.across(side) == none))
+    for(Index h = 0; h < t.corner.size(); ++h)
+      if(!tracer.is_visited[h] && number_of_labels(h / 3) > 0 && is_crossed(h) &&
+         (is_loop || tracer.reached_twin(h) == none))
       {
-        begin_inwards(side);
+        trace_inwards(h);
         result.back().is_closed = is_loop;
       }
   return result;
 }
 
-Voronoi::Cut Voronoi::cut() const
+Voronoi_diagram::Cut_mesh Voronoi_diagram::cut() const
 {
-  const Glued_triangles& t = *m_triangles;
-  Cut result;
-  for(Index site = 0; site < m_labels.size(); ++site)
-    result.vertices.push_back({none, site, {}});
-  const auto add = [&](const Location& place)
+  const Surface_arrays& t = *m_triangles;
+  Cut_mesh result;
+  for(Index vertex = 0; vertex < m_labels.size(); ++vertex)
+    result.vertices.push_back({none, vertex, {}});
+  const auto add_vertex = [&](const Surface_location& location)
   {
-    result.vertices.push_back(place);
+    result.vertices.push_back(location);
     return Index(result.vertices.size() - 1);
   };
-  std::vector<Index> middle(t.corner.size(), none); // of each side that is crossed
-  for(Index side = 0; side < t.corner.size(); ++side)
-    if(t.twin[side] < side)
-      middle[side] = middle[t.twin[side]];
-    else if(m_labels[t.corner[side]] != none && m_labels[t.corner[next_side(side)]] != none &&
-            is_crossed(side))
-      middle[side] = add(crossing(side));
+  std::vector<Index> crossing_vertex(t.corner.size(), none); // of each side that is crossed
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(t.twin[h] < h)
+      crossing_vertex[h] = crossing_vertex[t.twin[h]];
+    else if(m_labels[t.corner[h]] != none && m_labels[t.corner[next_halfedge(h)]] != none &&
+            is_crossed(h))
+      crossing_vertex[h] = add_vertex(crossing_location(h));
 
   const auto add_triangle = [&](Index a, Index b, Index c, Index label)
   {
@@ -293,38 +296,38 @@ Voronoi::Cut Voronoi::cut() const
   };
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
-    const int count = number_of_labels(f);
-    const Index centre = count == 3 ? add(triple_point(f)) : none;
-    bool is_whole = true;
+    const int number_of_cells = number_of_labels(f);
+    const Index center = number_of_cells == 3 ? add_vertex(triple_point(f)) : none;
+    bool is_uncut = true;
     for(Index right = 3 * f; right < 3 * f + 3; ++right)
     {
       // Counterclockwise from a corner, with the middles of its sides.
-      const Index left = previous_side(right);
-      const Index a = t.corner[right], b = t.corner[next_side(right)], c = t.corner[left];
-      const Index label = count > 0 ? m_labels[a] : none;
-      if(middle[right] == none)
+      const Index left = previous_halfedge(right);
+      const Index a = t.corner[right], b = t.corner[next_halfedge(right)], c = t.corner[left];
+      const Index label = number_of_cells > 0 ? m_labels[a] : none;
+      if(crossing_vertex[right] == none)
         continue;
-      is_whole = false;
-      if(count == 3)
+      is_uncut = false;
+      if(number_of_cells == 3)
       {
-        add_triangle(a, middle[right], centre, label);
-        add_triangle(a, centre, middle[left], label);
+        add_triangle(a, crossing_vertex[right], center, label);
+        add_triangle(a, center, crossing_vertex[left], label);
       }
-      else if(count == 0)
+      else if(number_of_cells == 0)
       {
-        add_triangle(a, middle[right], c, none);
-        add_triangle(middle[right], b, c, none);
+        add_triangle(a, crossing_vertex[right], c, none);
+        add_triangle(crossing_vertex[right], b, c, none);
       }
-      else if(middle[left] != none)
+      else if(crossing_vertex[left] != none)
       {
-        add_triangle(a, middle[right], middle[left], label);
-        add_triangle(middle[right], b, c, m_labels[b]);
-        add_triangle(middle[right], c, middle[left], m_labels[b]);
+        add_triangle(a, crossing_vertex[right], crossing_vertex[left], label);
+        add_triangle(crossing_vertex[right], b, c, m_labels[b]);
+        add_triangle(crossing_vertex[right], c, crossing_vertex[left], m_labels[b]);
       }
     }
-    if(is_whole)
+    if(is_uncut)
       add_triangle(t.corner[3 * f], t.corner[3 * f + 1], t.corner[3 * f + 2],
-                   count > 0 ? m_labels[t.corner[3 * f]] : none);
+                   number_of_cells > 0 ? m_labels[t.corner[3 * f]] : none);
   }
   return result;
 }

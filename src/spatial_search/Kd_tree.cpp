@@ -24,7 +24,7 @@ double squared_distance(const std::array<double, 3>& p, const std::array<double,
 struct Entry
 {
   std::array<double, 3> point;
-  Index place;
+  Index position;
 };
 
 } // namespace
@@ -68,7 +68,7 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
     {
       return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis]
              : a.point != b.point           ? a.point < b.point
-                                            : a.place < b.place;
+                                            : a.position < b.position;
     };
     if(level == m_levels)
       std::sort(first, last, less);
@@ -104,7 +104,7 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
                    for(std::size_t i = begin; i < end; ++i)
                    {
                      points[i] = entries[i].point;
-                     order[i] = entries[i].place;
+                     order[i] = entries[i].position;
                    }
                  });
 }
@@ -174,32 +174,34 @@ void Kd_tree::nearest(const std::vector<Point>& points, const Point& query, std:
   if(result.empty())
     return;
   std::size_t size = 0;
-  visit_leaves(query, bound,
-               [&](std::size_t begin, std::size_t end)
-               {
-                 // What the loop needs, where no write can change it.
-                 const Point* const point = points.data();
-                 const Point at = query;
-                 Neighbor* const nearest = result.data();
-                 const std::size_t most = result.size();
-                 double far = bound;
-                 for(std::size_t i = begin; i < end; ++i)
-                 {
-                   const Neighbor found = {squared_distance(point[i], at), static_cast<Index>(i)};
-                   if(found.squared_distance > far ||
-                      (size == most && !(found < nearest[most - 1])))
-                     continue;
-                   if(size < most)
-                     ++size;
-                   std::size_t place = size - 1;
-                   for(; place > 0 && found < nearest[place - 1]; --place)
-                     nearest[place] = nearest[place - 1];
-                   nearest[place] = found;
-                   if(size == most)
-                     far = std::min(far, nearest[most - 1].squared_distance);
-                 }
-                 bound = far;
-               });
+  visit_leaves(
+      query, bound,
+      [&](std::size_t begin, std::size_t end)
+      {
+        // What the loop needs, where no write can change it.
+        const Point* const point = points.data();
+        const Point query_point = query;
+        Neighbor* const nearest = result.data();
+        const std::size_t capacity = result.size();
+        double max_squared_distance = bound;
+        for(std::size_t i = begin; i < end; ++i)
+        {
+          const Neighbor found = {squared_distance(point[i], query_point), static_cast<Index>(i)};
+          if(found.squared_distance > max_squared_distance ||
+             (size == capacity && !(found < nearest[capacity - 1])))
+            continue;
+          if(size < capacity)
+            ++size;
+          std::size_t position = size - 1;
+          for(; position > 0 && found < nearest[position - 1]; --position)
+            nearest[position] = nearest[position - 1];
+          nearest[position] = found;
+          if(size == capacity)
+            max_squared_distance =
+                std::min(max_squared_distance, nearest[capacity - 1].squared_distance);
+        }
+        bound = max_squared_distance;
+      });
   result.resize(size);
 }
 
@@ -225,18 +227,18 @@ std::pair<Index, Index> Kd_tree::ancestor(Index point, std::size_t size) const
 }
 
 bool Kd_tree::leaves_near(const std::vector<Point>& points, Index first, Index last,
-                          double squared_distance, std::size_t most,
+                          double squared_distance, std::size_t max_number,
                           std::vector<std::pair<Index, Index>>& result) const
 {
-  Box own = {points[first], points[first]};
+  Box query_box = {points[first], points[first]};
   for(Index i = first; i < last; ++i)
     for(int k = 0; k < 3; ++k)
     {
-      own.low[k] = std::min(own.low[k], points[i][k]);
-      own.high[k] = std::max(own.high[k], points[i][k]);
+      query_box.low[k] = std::min(query_box.low[k], points[i][k]);
+      query_box.high[k] = std::max(query_box.high[k], points[i][k]);
     }
   result.clear();
-  std::size_t number = 0;
+  std::size_t count = 0;
   std::array<std::pair<std::size_t, unsigned>, 34> stack; // as in visit_leaves()
   std::size_t top = 0;
   stack[top++] = {0, 0};
@@ -247,7 +249,8 @@ bool Kd_tree::leaves_near(const std::vector<Point>& points, Index first, Index l
     double sum = 0.;
     for(int k = 0; k < 3; ++k)
     {
-      const double d = std::max(std::max(box.low[k] - own.high[k], own.low[k] - box.high[k]), 0.);
+      const double d =
+          std::max(std::max(box.low[k] - query_box.high[k], query_box.low[k] - box.high[k]), 0.);
       sum += d * d;
     }
     if(sum > squared_distance)
@@ -259,8 +262,8 @@ bool Kd_tree::leaves_near(const std::vector<Point>& points, Index first, Index l
       continue;
     }
     result.emplace_back(Index(begin(node, level)), Index(begin(node + 1, level)));
-    number += result.back().second - result.back().first;
-    if(number > most)
+    count += result.back().second - result.back().first;
+    if(count > max_number)
       return false;
   }
   return true;

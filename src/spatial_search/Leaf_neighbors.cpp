@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/spatial_search/Leaf_neighbors.h>
 
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
-#include "numerics/wide.h"
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include "numerics/simd.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // More would take longer to go through than the tree does.
-constexpr std::size_t most_around = 768, most_kept = 160;
+constexpr std::size_t max_gathered = 768, max_candidates = 160;
 
-constexpr std::size_t at_once = 4;
+constexpr std::size_t batch_size = 4;
 
-struct Places
+struct Coordinates
 {
   const double *x, *y, *z;
   std::size_t size;
@@ -27,27 +27,28 @@ struct Places
 
 // Appends the places and squared distances of those within a bound.
 template <typename Pack>
-GEODESIC_PROCESSING_INLINE std::size_t keep_near(const Places& places, const Kd_tree::Point& from,
-                                                 double bound, double* distance, Index* kept)
+GEODESIC_PROCESSING_INLINE std::size_t filter_near(const Coordinates& coordinate_arrays,
+                                                   const Kd_tree::Point& from, double bound,
+                                                   double* distance, Index* kept_index)
 {
   constexpr std::size_t lanes = sizeof(Pack) / sizeof(double);
   std::size_t number = 0;
-  for(std::size_t i = 0; i < places.size; i += lanes)
+  for(std::size_t i = 0; i < coordinate_arrays.size; i += lanes)
   {
     Pack u, v, w;
-    load(places.x + i, u);
-    load(places.y + i, v);
-    load(places.z + i, w);
+    load(coordinate_arrays.x + i, u);
+    load(coordinate_arrays.y + i, v);
+    load(coordinate_arrays.z + i, w);
     u -= from[0];
     v -= from[1];
     w -= from[2];
-    double square[lanes];
-    store(u * u + v * v + w * w, square);
+    double squared_distance[lanes];
+    store(u * u + v * v + w * w, squared_distance);
     for(std::size_t j = 0; j < lanes; ++j)
     {
-      distance[number] = square[j];
-      kept[number] = Index(i + j);
-      number += square[j] <= bound ? 1 : 0;
+      distance[number] = squared_distance[j];
+      kept_index[number] = Index(i + j);
+      number += squared_distance[j] <= bound ? 1 : 0;
     }
   }
   return number;
@@ -58,77 +59,77 @@ template <typename Pack>
 GEODESIC_PROCESSING_INLINE void rank(const double* value, std::size_t size, std::int64_t* result)
 {
   constexpr std::size_t lanes = sizeof(Pack) / sizeof(double);
-  for(std::size_t i = 0; i < size; i += at_once)
+  for(std::size_t i = 0; i < size; i += batch_size)
   {
-    decltype(Pack() < Pack()) smaller[at_once] = {};
+    decltype(Pack() < Pack()) smaller[batch_size] = {};
     for(std::size_t j = 0; j < size; j += lanes)
     {
       Pack other;
       load(value + j, other);
-      for(std::size_t k = 0; k < at_once; ++k)
+      for(std::size_t k = 0; k < batch_size; ++k)
         smaller[k] += other < value[i + k];
     }
-    for(std::size_t k = 0; k < at_once; ++k)
+    for(std::size_t k = 0; k < batch_size; ++k)
     {
-      std::int64_t part[lanes];
-      store(smaller[k], part);
+      std::int64_t counts[lanes];
+      store(smaller[k], counts);
       result[i + k] = 0;
       for(std::size_t j = 0; j < lanes; ++j)
-        result[i + k] -= part[j]; // what is true is -1
+        result[i + k] -= counts[j]; // what is true is -1
     }
   }
 }
 
-std::size_t keep_near_narrow(const Places& places, const Kd_tree::Point& from, double bound,
-                             double* distance, Index* kept)
+std::size_t filter_near_narrow(const Coordinates& coordinate_arrays, const Kd_tree::Point& from,
+                               double bound, double* distance, Index* kept_index)
 {
-  return keep_near<Narrow<double>>(places, from, bound, distance, kept);
+  return filter_near<Baseline_pack<double>>(coordinate_arrays, from, bound, distance, kept_index);
 }
-GEODESIC_PROCESSING_FOR_WIDE_UNFUSED
-std::size_t keep_near_wide(const Places& places, const Kd_tree::Point& from, double bound,
-                           double* distance, Index* kept)
+GEODESIC_PROCESSING_TARGET_AVX2
+std::size_t filter_near_wide(const Coordinates& coordinate_arrays, const Kd_tree::Point& from,
+                             double bound, double* distance, Index* kept_index)
 {
-  return keep_near<Wide<double>>(places, from, bound, distance, kept);
+  return filter_near<Avx2_pack<double>>(coordinate_arrays, from, bound, distance, kept_index);
 }
 void rank_narrow(const double* value, std::size_t size, std::int64_t* result)
 {
-  rank<Narrow<double>>(value, size, result);
+  rank<Baseline_pack<double>>(value, size, result);
 }
-GEODESIC_PROCESSING_FOR_WIDE_UNFUSED
+GEODESIC_PROCESSING_TARGET_AVX2
 void rank_wide(const double* value, std::size_t size, std::int64_t* result)
 {
-  rank<Wide<double>>(value, size, result);
+  rank<Avx2_pack<double>>(value, size, result);
 }
 
-const auto quickest_keep_near = has_wide_instructions() ? keep_near_wide : keep_near_narrow;
-const auto quickest_rank = has_wide_instructions() ? rank_wide : rank_narrow;
+const auto dispatched_filter_near = has_avx2() ? filter_near_wide : filter_near_narrow;
+const auto dispatched_rank = has_avx2() ? rank_wide : rank_narrow;
 
 } // namespace
 
-void Leaf_neighbors::Gathered::clear()
+void Leaf_neighbors::Gathered_points::clear()
 {
   x.clear();
   y.clear();
   z.clear();
-  place.clear();
+  index.clear();
 }
 
-void Leaf_neighbors::Gathered::append(const std::vector<Kd_tree::Point>& points,
-                                      std::pair<Index, Index> range)
+void Leaf_neighbors::Gathered_points::append(const std::vector<Kd_tree::Point>& points,
+                                             std::pair<Index, Index> range)
 {
   for(Index i = range.first; i < range.second; ++i)
   {
     x.push_back(points[i][0]);
     y.push_back(points[i][1]);
     z.push_back(points[i][2]);
-    place.push_back(i);
+    index.push_back(i);
   }
 }
 
 // To a multiple of what is treated at once, by points that are near to none.
-void Leaf_neighbors::Gathered::fill_up()
+void Leaf_neighbors::Gathered_points::pad()
 {
-  while(x.size() % at_once != 0)
+  while(x.size() % batch_size != 0)
     for(std::vector<double>* coordinates : {&x, &y, &z})
       coordinates->push_back(infinity);
 }
@@ -140,71 +141,74 @@ Leaf_neighbors::Leaf_neighbors(const std::vector<Kd_tree::Point>& points, const 
 
 const std::vector<Kd_tree::Neighbor>& Leaf_neighbors::find(Index first, Index last)
 {
-  std::int64_t rank[most_kept + at_once];
+  std::int64_t rank[max_candidates + batch_size];
   double bound[64];
   const std::size_t n = last - first;
-  m_kept.resize(most_around + 2 * at_once);
-  m_kept_place.resize(most_around + 2 * at_once);
-  const auto keep = [&](Index i, double bound)
+  m_candidate_distances.resize(max_gathered + 2 * batch_size);
+  m_candidate_indices.resize(max_gathered + 2 * batch_size);
+  const auto filter_and_rank = [&](Index i, double bound)
   {
-    const Places places = {m_around.x.data(), m_around.y.data(), m_around.z.data(),
-                           m_around.x.size()};
-    const std::size_t kept =
-        quickest_keep_near(places, m_points[i], bound, m_kept.data(), m_kept_place.data());
-    std::fill_n(m_kept.begin() + kept, at_once, infinity);
-    if(kept <= most_kept)
-      quickest_rank(m_kept.data(), kept, rank);
-    return kept;
+    const Coordinates coordinate_arrays = {m_gathered.x.data(), m_gathered.y.data(),
+                                           m_gathered.z.data(), m_gathered.x.size()};
+    const std::size_t number_kept =
+        dispatched_filter_near(coordinate_arrays, m_points[i], bound, m_candidate_distances.data(),
+                               m_candidate_indices.data());
+    std::fill_n(m_candidate_distances.begin() + number_kept, batch_size, infinity);
+    if(number_kept <= max_candidates)
+      dispatched_rank(m_candidate_distances.data(), number_kept, rank);
+    return number_kept;
   };
 
   // Among enough points there are as many as that within this distance of each.
-  m_around.clear();
-  const auto family = m_tree.ancestor(first, m_size + m_size / 4);
-  bool is_even = family.second - family.first <= most_kept && n <= 64;
-  if(is_even)
+  m_gathered.clear();
+  const auto ancestor = m_tree.ancestor(first, m_size + m_size / 4);
+  bool is_gathered = ancestor.second - ancestor.first <= max_candidates && n <= 64;
+  if(is_gathered)
   {
-    m_around.append(m_points, family);
-    m_around.fill_up();
+    m_gathered.append(m_points, ancestor);
+    m_gathered.pad();
   }
   double farthest = 0.;
-  for(std::size_t i = 0; is_even && i < n; ++i)
+  for(std::size_t i = 0; is_gathered && i < n; ++i)
   {
-    const std::size_t kept = keep(first + Index(i), std::numeric_limits<double>::max());
+    const std::size_t number_kept =
+        filter_and_rank(first + Index(i), std::numeric_limits<double>::max());
     // The largest one with a rank below the number: as many are not larger.
     bound[i] = 0.;
-    for(std::size_t j = 0; j < kept; ++j)
-      bound[i] = std::max(bound[i], rank[j] < std::int64_t(m_size) ? m_kept[j] : 0.);
+    for(std::size_t j = 0; j < number_kept; ++j)
+      bound[i] = std::max(bound[i], rank[j] < std::int64_t(m_size) ? m_candidate_distances[j] : 0.);
     farthest = std::max(farthest, bound[i]);
   }
-  if(is_even)
+  if(is_gathered)
   {
-    is_even = m_tree.leaves_near(m_points, first, last, farthest, most_around, m_leaves);
-    m_around.clear();
+    is_gathered = m_tree.leaves_near(m_points, first, last, farthest, max_gathered, m_leaves);
+    m_gathered.clear();
     for(const auto& leaf : m_leaves)
-      m_around.append(m_points, leaf);
-    m_around.fill_up();
+      m_gathered.append(m_points, leaf);
+    m_gathered.pad();
   }
   m_rows.resize(n * m_size);
   Neighbor* row = m_rows.data();
   for(std::size_t i = 0; i < n; ++i, row += m_size)
   {
-    const std::size_t kept = is_even ? keep(first + Index(i), bound[i]) : most_kept + 1;
-    if(kept > most_kept)
+    const std::size_t number_kept =
+        is_gathered ? filter_and_rank(first + Index(i), bound[i]) : max_candidates + 1;
+    if(number_kept > max_candidates)
     {
       // As many were found around the point before: none of ours is farther than they.
-      double limit = i == 0 ? infinity : 0.;
+      double max_squared_distance = i == 0 ? infinity : 0.;
       for(std::size_t j = 0; i > 0 && j < m_size; ++j)
       {
-        const Spatial way = m_points[(row - m_size)[j].point] - m_points[first + i];
-        limit = std::max(limit, dot(way, way));
+        const Vec3 offset = m_points[(row - m_size)[j].point] - m_points[first + i];
+        max_squared_distance = std::max(max_squared_distance, dot(offset, offset));
       }
-      m_tree.nearest(m_points, m_points[first + i], m_size, m_row, limit);
+      m_tree.nearest(m_points, m_points[first + i], m_size, m_row, max_squared_distance);
       std::copy(m_row.begin(), m_row.end(), row);
       continue;
     }
     // Of equal ones the first gets the first place.
     m_is_taken.assign(m_size, 0);
-    for(std::size_t j = 0; j < kept; ++j)
+    for(std::size_t j = 0; j < number_kept; ++j)
     {
       std::size_t k = std::size_t(rank[j]);
       while(k < m_size && m_is_taken[k])
@@ -212,7 +216,7 @@ const std::vector<Kd_tree::Neighbor>& Leaf_neighbors::find(Index first, Index la
       if(k >= m_size)
         continue;
       m_is_taken[k] = 1;
-      row[k] = {m_kept[j], m_around.place[m_kept_place[j]]};
+      row[k] = {m_candidate_distances[j], m_gathered.index[m_candidate_indices[j]]};
     }
   }
   return m_rows;

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -25,7 +25,7 @@ using Triangle_list = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangle_list::const_iterator>;
 using Aabb_tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-Kernel::Point_3 to_point(const Spatial& p) { return {p[0], p[1], p[2]}; }
+Kernel::Point_3 to_point(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
 } // namespace
 
@@ -36,16 +36,16 @@ struct Triangle_tree::Tree
   Aabb_tree tree;
 };
 
-Triangle_tree::Triangle_tree(std::shared_ptr<const Glued_triangles> triangles)
+Triangle_tree::Triangle_tree(std::shared_ptr<const Surface_arrays> triangles)
     : m_triangles(std::move(triangles))
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   auto data = std::make_shared<Tree>();
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
-    const Spatial &a = t.point[t.corner[3 * f]], &b = t.point[t.corner[3 * f + 1]],
-                  &c = t.point[t.corner[3 * f + 2]];
-    const Spatial normal = cross(b - a, c - a);
+    const Vec3 &a = t.point[t.corner[3 * f]], &b = t.point[t.corner[3 * f + 1]],
+               &c = t.point[t.corner[3 * f + 2]];
+    const Vec3 normal = cross(b - a, c - a);
     if(!(dot(normal, normal) > 0.))
       continue;
     data->index.push_back(f);
@@ -56,30 +56,30 @@ Triangle_tree::Triangle_tree(std::shared_ptr<const Glued_triangles> triangles)
   m_tree = std::move(data);
 }
 
-Location Triangle_tree::nearest(const std::array<double, 3>& point) const
+Surface_location Triangle_tree::nearest(const std::array<double, 3>& point) const
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   for(const double x : point)
     if(!std::isfinite(x))
       throw Invalid_argument_error("A coordinate of the point to locate is not finite.");
-  if(t.number_of_sites() == 0)
+  if(t.number_of_vertices() == 0)
     throw Invalid_argument_error("There is nothing to locate a point on: the surface is empty.");
   // Far away from the surface directions are all that counts: distances must not overflow.
-  Spatial p;
+  Vec3 p;
   for(int k = 0; k < 3; ++k)
     p[k] = std::clamp((point[k] - t.origin[k]) / t.scale, -1e100, 1e100);
   if(m_tree->triangles.empty())
   {
-    const auto nearest = std::min_element(t.point.begin(), t.point.end(),
-                                          [&](const Spatial& q, const Spatial& r)
-                                          { return norm(q - p) < norm(r - p); });
-    return at_site(t, static_cast<Index>(nearest - t.point.begin()));
+    const auto nearest =
+        std::min_element(t.point.begin(), t.point.end(),
+                         [&](const Vec3& q, const Vec3& r) { return norm(q - p) < norm(r - p); });
+    return vertex_location(t, static_cast<Index>(nearest - t.point.begin()));
   }
   const auto hit = m_tree->tree.closest_point_and_primitive(to_point(p));
   const Index f = m_tree->index[hit.second - m_tree->triangles.cbegin()];
-  return cleaned(t, {f, none,
-                     nearest_in_triangle(t.point[t.corner[3 * f]], t.point[t.corner[3 * f + 1]],
-                                         t.point[t.corner[3 * f + 2]], p)});
+  return canonical(t, {f, none,
+                       nearest_in_triangle(t.point[t.corner[3 * f]], t.point[t.corner[3 * f + 1]],
+                                           t.point[t.corner[3 * f + 2]], p)});
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ARITHMETIC_CODING_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_ARITHMETIC_CODING_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_ARITHMETIC_CODING_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_ARITHMETIC_CODING_H
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
@@ -16,9 +16,9 @@ namespace CGAL::Geodesic_processing::internal {
 struct Bit_model
 {
   std::uint16_t probability = 1u << 15; // that the bit is set, of 2^16
-  std::uint16_t seen = 0;
+  std::uint16_t number_of_bits = 0;
 
-  CGAL_GEODESIC_PROCESSING_EXPORT void learn(bool bit);
+  CGAL_GEODESIC_PROCESSING_EXPORT void update(bool bit);
 };
 
 // Bits to bytes, by an interval of 32 bits that shrinks by the probability of each (Witten, Neal and Cleary 1987).
@@ -42,8 +42,8 @@ private:
 class CGAL_GEODESIC_PROCESSING_EXPORT Bit_decoder
 {
 public:
-  // is_whole: the bytes are all that the encoder made
-  Bit_decoder(const std::uint8_t* bytes, std::size_t size, bool is_whole);
+  // is_complete: the bytes are all that the encoder made
+  Bit_decoder(const std::uint8_t* bytes, std::size_t size, bool is_complete);
 
   bool get(Bit_model& model);
   bool get();
@@ -53,14 +53,14 @@ public:
 
 private:
   bool get(std::uint32_t probability);
-  void shift();
+  void read_byte();
 
   const std::uint8_t *m_next, *m_end;
-  bool m_is_whole, m_is_exhausted = false;
+  bool m_is_complete, m_is_exhausted = false;
   std::uint32_t m_low = 0, m_high = 0xffffffff;
-  std::uint32_t m_least = 0, m_most = 0; // what the code may be, as far as it is known
+  std::uint32_t m_min_code = 0, m_max_code = 0; // what the code may be, as far as it is known
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ARITHMETIC_CODING_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_ARITHMETIC_CODING_H

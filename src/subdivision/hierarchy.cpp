@@ -27,38 +27,38 @@ class Tiling
 {
 public:
   explicit Tiling(const Level& level)
-      : m_level(level), m_middle(level.triangles.size(), none),
-        m_role(level.number_of_vertices, Role::unknown), m_is_found(level.triangles.size(), false)
+      : m_level(level), m_tile_of_face(level.triangles.size(), none),
+        m_role(level.number_of_vertices, Role::unknown), m_is_counted(level.triangles.size(), false)
   {}
 
   // The tiles of all components; nothing when one of them has none.
   std::optional<std::vector<Tile>> find()
   {
     std::vector<Tile> result;
-    for(Index f = 0; f < m_middle.size(); ++f)
+    for(Index f = 0; f < m_tile_of_face.size(); ++f)
     {
-      if(m_middle[f] != none)
+      if(m_tile_of_face[f] != none)
         continue;
-      const std::size_t size = component(f);
+      const std::size_t size = component_size(f);
       std::vector<Tile> best;
-      std::array<Index, 4> middles = {f, none, none, none};
+      std::array<Index, 4> candidates = {f, none, none, none};
       for(Index k = 0; k < 3; ++k)
         if(const Index twin = m_level.twin[3 * f + k]; twin != none)
-          middles[k + 1] = twin / 3;
-      for(const Index middle : middles)
+          candidates[k + 1] = twin / 3;
+      for(const Index middle : candidates)
       {
         if(middle == none)
           continue;
-        std::vector<Tile> tiles = grow(middle);
-        if(4 * tiles.size() == size && (best.empty() || rank(tiles) < rank(best)))
+        std::vector<Tile> tiles = grow_tiling(middle);
+        if(4 * tiles.size() == size && (best.empty() || corner_sum(tiles) < corner_sum(best)))
           best = std::move(tiles);
-        forget();
+        reset();
       }
       if(best.empty())
         return {};
-      grow(best.front().middle);
-      m_faces.clear();
-      m_vertices.clear();
+      grow_tiling(best.front().middle);
+      m_claimed_faces.clear();
+      m_claimed_vertices.clear();
       result.insert(result.end(), best.begin(), best.end());
     }
     std::sort(result.begin(), result.end(),
@@ -74,27 +74,27 @@ private:
     midpoint
   };
 
-  std::size_t component(Index first)
+  std::size_t component_size(Index seed)
   {
-    std::vector<Index> stack = {first};
-    std::size_t number = 1;
-    m_is_found[first] = true;
+    std::vector<Index> stack = {seed};
+    std::size_t size = 1;
+    m_is_counted[seed] = true;
     while(!stack.empty())
     {
       const Index f = stack.back();
       stack.pop_back();
-      for(Index side = 3 * f; side < 3 * f + 3; ++side)
-        if(const Index twin = m_level.twin[side]; twin != none && !m_is_found[twin / 3])
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if(const Index twin = m_level.twin[h]; twin != none && !m_is_counted[twin / 3])
         {
-          m_is_found[twin / 3] = true;
+          m_is_counted[twin / 3] = true;
           stack.push_back(twin / 3);
-          ++number;
+          ++size;
         }
     }
-    return number;
+    return size;
   }
 
-  static std::uint64_t rank(const std::vector<Tile>& tiles)
+  static std::uint64_t corner_sum(const std::vector<Tile>& tiles)
   {
     std::uint64_t result = 0;
     for(const Tile& tile : tiles)
@@ -105,10 +105,10 @@ private:
 
   bool claim(Index face, Index middle)
   {
-    if(m_middle[face] != none)
+    if(m_tile_of_face[face] != none)
       return false;
-    m_middle[face] = middle;
-    m_faces.push_back(face);
+    m_tile_of_face[face] = middle;
+    m_claimed_faces.push_back(face);
     return true;
   }
 
@@ -117,30 +117,30 @@ private:
     if(m_role[vertex] == Role::unknown)
     {
       m_role[vertex] = role;
-      m_vertices.push_back(vertex);
+      m_claimed_vertices.push_back(vertex);
     }
     return m_role[vertex] == role;
   }
 
-  void forget()
+  void reset()
   {
-    for(const Index f : m_faces)
-      m_middle[f] = none;
-    for(const Index v : m_vertices)
+    for(const Index f : m_claimed_faces)
+      m_tile_of_face[f] = none;
+    for(const Index v : m_claimed_vertices)
       m_role[v] = Role::unknown;
-    m_faces.clear();
-    m_vertices.clear();
+    m_claimed_faces.clear();
+    m_claimed_vertices.clear();
   }
 
   // All tiles that follow from a middle one; none where they contradict each other.
-  std::vector<Tile> grow(Index first)
+  std::vector<Tile> grow_tiling(Index seed)
   {
     std::vector<Tile> result;
-    std::vector<Index> waiting = {first};
-    for(std::size_t i = 0; i < waiting.size(); ++i)
+    std::vector<Index> queue = {seed};
+    for(std::size_t i = 0; i < queue.size(); ++i)
     {
-      const Index middle = waiting[i];
-      if(m_middle[middle] == middle)
+      const Index middle = queue[i];
+      if(m_tile_of_face[middle] == middle)
         continue;
       if(!claim(middle, middle))
         return {};
@@ -154,21 +154,23 @@ private:
         const Index inner = m_level.twin[3 * middle + (k + 1) % 3];
         if(inner == none || !claim(inner / 3, middle))
           return {};
-        const Index corner = tile.corners[k] = opposite(m_level, inner);
+        const Index corner = tile.corners[k] = opposite_vertex(m_level, inner);
         if(!claim(corner, Role::corner))
           return {};
-        for(const Index outer : {next_side(inner), previous_side(inner)})
+        for(const Index outer : {next_halfedge(inner), previous_halfedge(inner)})
         {
           const Index twin = m_level.twin[outer];
           if(twin == none)
             continue;
           // The side of the neighbour that does not meet the corner leads to its middle.
-          const Index across =
-              internal::corner(m_level, twin) == corner ? next_side(twin) : previous_side(twin);
-          const Index beyond = m_level.twin[across];
-          if(beyond == none || (m_middle[twin / 3] != none && m_middle[twin / 3] != beyond / 3))
+          const Index across = internal::source_vertex(m_level, twin) == corner
+                                   ? next_halfedge(twin)
+                                   : previous_halfedge(twin);
+          const Index opposite_inner = m_level.twin[across];
+          if(opposite_inner == none ||
+             (m_tile_of_face[twin / 3] != none && m_tile_of_face[twin / 3] != opposite_inner / 3))
             return {};
-          waiting.push_back(beyond / 3);
+          queue.push_back(opposite_inner / 3);
         }
       }
       result.push_back(tile);
@@ -177,36 +179,39 @@ private:
   }
 
   const Level& m_level;
-  std::vector<Index> m_middle;            // #triangles: the middle of the tile that each belongs to
-  std::vector<Role> m_role;               // #vertices
-  std::vector<bool> m_is_found;           // #triangles: in a component that was counted
-  std::vector<Index> m_faces, m_vertices; // that were claimed
+  std::vector<Index> m_tile_of_face; // #triangles: the middle of the tile that each belongs to
+  std::vector<Role> m_role;          // #vertices
+  std::vector<bool> m_is_counted;    // #triangles: in a component that was counted
+  std::vector<Index> m_claimed_faces, m_claimed_vertices; // that were claimed
 };
 
-std::uint64_t key(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+std::uint64_t edge_key(Index a, Index b)
+{
+  return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+}
 
 using Midpoints = std::unordered_map<std::uint64_t, Index>;
 
 } // namespace
 
 Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number_of_vertices,
-                            unsigned most_levels)
+                            unsigned max_number_of_levels)
 {
-  Subdivision level = subdivide(triangles, number_of_vertices, 0);
+  Subdivision current = subdivide(triangles, number_of_vertices, 0);
   std::vector<bool> is_midpoint(number_of_vertices, false);
   std::vector<Midpoints> midpoints; // of edges of each level, the coarsest last
-  while(midpoints.size() < most_levels && !level.finest().triangles.empty())
+  while(midpoints.size() < max_number_of_levels && !current.finest().triangles.empty())
   {
-    const auto tiles = Tiling(level.finest()).find();
+    const auto tiles = Tiling(current.finest()).find();
     if(!tiles)
       break;
     std::vector<Triangle> coarser;
-    Midpoints middles;
+    Midpoints edge_midpoints;
     for(const Tile& tile : *tiles)
     {
       coarser.push_back(tile.corners);
       for(int k = 0; k < 3; ++k)
-        middles[key(tile.corners[k], tile.corners[(k + 1) % 3])] = tile.midpoints[k];
+        edge_midpoints[edge_key(tile.corners[k], tile.corners[(k + 1) % 3])] = tile.midpoints[k];
     }
     Subdivision next;
     try
@@ -217,33 +222,35 @@ Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number
     {
       break; // two edges between the same vertices
     }
-    for(const auto& [edge, middle] : middles)
+    for(const auto& [edge, middle] : edge_midpoints)
       is_midpoint[middle] = true;
-    midpoints.push_back(std::move(middles));
-    level = std::move(next);
+    midpoints.push_back(std::move(edge_midpoints));
+    current = std::move(next);
   }
 
   Hierarchy result;
-  std::vector<Index> number(number_of_vertices, none);
+  std::vector<Index> coarse_index(number_of_vertices, none);
   for(Index v = 0; v < number_of_vertices; ++v)
     if(!is_midpoint[v])
     {
-      number[v] = Index(result.vertex.size());
-      result.vertex.push_back(v);
+      coarse_index[v] = Index(result.input_vertex.size());
+      result.input_vertex.push_back(v);
     }
-  std::vector<Triangle> base = level.finest().triangles;
+  std::vector<Triangle> base = current.finest().triangles;
   for(Triangle& t : base)
     for(Index& v : t)
-      v = number[v];
+      v = coarse_index[v];
   result.subdivision = std::make_shared<Subdivision>(
-      subdivide(base, Index(result.vertex.size()), unsigned(midpoints.size())));
-  for(Index v = Index(result.vertex.size()); v < result.subdivision->number_of_vertices(); ++v)
+      subdivide(base, Index(result.input_vertex.size()), unsigned(midpoints.size())));
+  for(Index v = Index(result.input_vertex.size()); v < result.subdivision->number_of_vertices();
+      ++v)
   {
     const auto [a, b] = result.subdivision->parents[v];
     while(v >= result.subdivision->levels[result.subdivision->levels.size() - midpoints.size()]
                    .number_of_vertices)
       midpoints.pop_back();
-    result.vertex.push_back(midpoints.back().at(key(result.vertex[a], result.vertex[b])));
+    result.input_vertex.push_back(
+        midpoints.back().at(edge_key(result.input_vertex[a], result.input_vertex[b])));
   }
   return result;
 }

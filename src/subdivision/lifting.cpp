@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/subdivision/lifting.h>
 
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,32 +17,32 @@ namespace {
 using Level = Subdivision::Level;
 
 // What is known of the vertices of a level.
-struct Vicinity
+struct Vertex_types
 {
   std::vector<Index> valence; // #vertices: edges
-  std::vector<bool> is_on_border;
+  std::vector<bool> is_on_boundary;
 
   // A ring that is not that of the regular triangulation.
   bool is_extraordinary(Index vertex) const
   {
-    return !is_on_border[vertex] && valence[vertex] != 6;
+    return !is_on_boundary[vertex] && valence[vertex] != 6;
   }
 };
 
-Vicinity vicinity(const Level& level)
+Vertex_types classify_vertices(const Level& level)
 {
-  Vicinity result;
+  Vertex_types result;
   result.valence.assign(level.number_of_vertices, 0);
-  result.is_on_border.assign(level.number_of_vertices, false);
-  for(Index side = 0; side < level.twin.size(); ++side)
+  result.is_on_boundary.assign(level.number_of_vertices, false);
+  for(Index h = 0; h < level.twin.size(); ++h)
   {
-    if(!is_first_of_edge(level, side))
+    if(!is_edge_representative(level, h))
       continue;
-    for(const Index end : ends(level, side))
+    for(const Index end : edge_vertices(level, h))
     {
       ++result.valence[end];
-      if(level.twin[side] == none)
-        result.is_on_border[end] = true;
+      if(level.twin[h] == none)
+        result.is_on_boundary[end] = true;
     }
   }
   return result;
@@ -52,96 +52,97 @@ class Stencil_builder
 {
 public:
   Stencil_builder(const Level& level, Prediction prediction)
-      : m_level(level), m_prediction(prediction), m_vicinity(vicinity(level))
+      : m_level(level), m_prediction(prediction), m_vertex_types(classify_vertices(level))
   {
-    m_result.first.push_back(0);
+    m_result.begin.push_back(0);
   }
 
-  void add(Index side)
+  void add(Index h)
   {
-    const auto [a, b] = ends(m_level, side);
-    const Index twin = m_level.twin[side];
+    const auto [a, b] = edge_vertices(m_level, h);
+    const Index twin = m_level.twin[h];
     if(m_prediction == Prediction::linear)
-      put_halves(side);
+      add_midpoint_weights(h);
     else if(twin == none)
-      put_border(side);
-    else if(const bool at_a = m_vicinity.is_extraordinary(a), at_b = m_vicinity.is_extraordinary(b);
-            at_a || at_b)
+      add_boundary_weights(h);
+    else if(const bool is_a_extraordinary = m_vertex_types.is_extraordinary(a),
+            is_b_extraordinary = m_vertex_types.is_extraordinary(b);
+            is_a_extraordinary || is_b_extraordinary)
     {
-      const double share = at_a && at_b ? 0.5 : 1.;
-      if(at_a)
-        put_ring(side, share);
-      if(at_b)
-        put_ring(twin, share);
+      const double factor = is_a_extraordinary && is_b_extraordinary ? 0.5 : 1.;
+      if(is_a_extraordinary)
+        add_ring_weights(h, factor);
+      if(is_b_extraordinary)
+        add_ring_weights(twin, factor);
     }
     else
     {
-      put_halves(side);
-      put_wings(side);
-      put_wings(twin);
+      add_midpoint_weights(h);
+      add_butterfly_wings(h);
+      add_butterfly_wings(twin);
     }
-    m_result.first.push_back(Index(m_result.vertex.size()));
+    m_result.begin.push_back(Index(m_result.vertex.size()));
   }
 
-  Stencils result() { return std::move(m_result); }
+  Prediction_stencils result() { return std::move(m_result); }
 
 private:
-  void put(Index vertex, double weight)
+  void add_weight(Index vertex, double weight)
   {
     m_result.vertex.push_back(vertex);
     m_result.weight.push_back(weight);
   }
 
-  void put_halves(Index side, double share = 1.)
+  void add_midpoint_weights(Index h, double factor = 1.)
   {
-    for(const Index end : ends(m_level, side))
-      put(end, 0.5 * share);
+    for(const Index end : edge_vertices(m_level, h))
+      add_weight(end, 0.5 * factor);
   }
 
   // Four points at equal steps along the border.
-  void put_border(Index side)
+  void add_boundary_weights(Index h)
   {
-    Index before = previous_side(side), after = next_side(side);
-    while(m_level.twin[before] != none)
-      before = previous_side(m_level.twin[before]);
-    while(m_level.twin[after] != none)
-      after = next_side(m_level.twin[after]);
-    for(const Index end : ends(m_level, side))
-      put(end, 9. / 16.);
-    put(ends(m_level, before)[0], -1. / 16.);
-    put(ends(m_level, after)[1], -1. / 16.);
+    Index previous_boundary = previous_halfedge(h), next_boundary = next_halfedge(h);
+    while(m_level.twin[previous_boundary] != none)
+      previous_boundary = previous_halfedge(m_level.twin[previous_boundary]);
+    while(m_level.twin[next_boundary] != none)
+      next_boundary = next_halfedge(m_level.twin[next_boundary]);
+    for(const Index end : edge_vertices(m_level, h))
+      add_weight(end, 9. / 16.);
+    add_weight(edge_vertices(m_level, previous_boundary)[0], -1. / 16.);
+    add_weight(edge_vertices(m_level, next_boundary)[1], -1. / 16.);
   }
 
   // The part of the eight points on one side of an edge.  A wing beyond the border is the reflection of the corner
   // across, so that linear values are still met.
-  void put_wings(Index side)
+  void add_butterfly_wings(Index h)
   {
-    put(opposite(m_level, side), 1. / 8.);
-    for(const Index wing : {next_side(side), previous_side(side)})
+    add_weight(opposite_vertex(m_level, h), 1. / 8.);
+    for(const Index wing : {next_halfedge(h), previous_halfedge(h)})
       if(m_level.twin[wing] != none)
-        put(opposite(m_level, m_level.twin[wing]), -1. / 16.);
+        add_weight(opposite_vertex(m_level, m_level.twin[wing]), -1. / 16.);
       else
       {
-        for(const Index end : ends(m_level, wing))
-          put(end, -1. / 16.);
-        put(opposite(m_level, wing), 1. / 16.);
+        for(const Index end : edge_vertices(m_level, wing))
+          add_weight(end, -1. / 16.);
+        add_weight(opposite_vertex(m_level, wing), 1. / 16.);
       }
   }
 
   // The vertex that a side starts from, and its ring (Zorin and others 1996, section 3).
-  void put_ring(Index side, double share)
+  void add_ring_weights(Index h, double factor)
   {
     std::vector<Index> ring;
-    Index at = side;
+    Index current = h;
     do
     {
-      ring.push_back(corner(m_level, next_side(at)));
-      at = m_level.twin[previous_side(at)];
-    } while(at != none && at != side);
+      ring.push_back(source_vertex(m_level, next_halfedge(current)));
+      current = m_level.twin[previous_halfedge(current)];
+    } while(current != none && current != h);
     const std::size_t k = ring.size();
-    if(at == none || k < 3)
-      return put_halves(side, share);
-    put(corner(m_level, side), 0.75 * share);
+    if(current == none || k < 3)
+      return add_midpoint_weights(h, factor);
+    add_weight(source_vertex(m_level, h), 0.75 * factor);
     for(std::size_t i = 0; i < k; ++i)
     {
       double weight = 0.;
@@ -154,90 +155,93 @@ private:
         const double angle = 2. * pi * double(i) / double(k);
         weight = (0.25 + std::cos(angle) + 0.5 * std::cos(2. * angle)) / double(k);
       }
-      put(ring[i], weight * share);
+      add_weight(ring[i], weight * factor);
     }
   }
 
   const Level& m_level;
   Prediction m_prediction;
-  Vicinity m_vicinity;
-  Stencils m_result;
+  Vertex_types m_vertex_types;
+  Prediction_stencils m_result;
 };
 
 // One side for each midpoint of a level, in their order.
 template <typename Use>
 void for_each_midpoint(const Level& level, const Use& use)
 {
-  for(Index side = 0; side < level.twin.size(); ++side)
-    if(is_first_of_edge(level, side))
-      use(side);
+  for(Index h = 0; h < level.twin.size(); ++h)
+    if(is_edge_representative(level, h))
+      use(h);
 }
 
-Spatial place(const std::vector<double>& values, Index vertex)
+Vec3 position(const std::vector<double>& values, Index vertex)
 {
   return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
 }
 
-using Frame = std::array<Spatial, 3>; // normal, along the edge, across
+using Local_frame = std::array<Vec3, 3>; // normal, along the edge, across
 
 // Of the coarser surface at an edge.  Where its triangles have angles below half a degree, rounding would turn the
 // frame: there the axes of space serve.
-Frame frame(const Level& level, const std::vector<double>& values, Index side)
+Local_frame local_frame(const Level& level, const std::vector<double>& values, Index h)
 {
-  constexpr double least_sine = 0.01;
-  const Frame axes = {Spatial{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}};
-  const auto [a, b] = ends(level, side);
-  const Spatial along = place(values, b) - place(values, a);
-  const double length = norm(along);
-  Spatial normal = {0., 0., 0.};
-  for(const Index s : {side, level.twin[side]})
+  constexpr double min_sine = 0.01;
+  const Local_frame axes = {Vec3{1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}};
+  const auto [a, b] = edge_vertices(level, h);
+  const Vec3 edge = position(values, b) - position(values, a);
+  const double length = norm(edge);
+  Vec3 normal = {0., 0., 0.};
+  for(const Index g : {h, level.twin[h]})
   {
-    if(s == none)
+    if(g == none)
       continue;
-    const Spatial first = place(values, ends(level, s)[1]) - place(values, ends(level, s)[0]),
-                  second = place(values, opposite(level, s)) - place(values, ends(level, s)[0]);
-    const Spatial turn = cross(first, second);
-    const double size = norm(first) * norm(second);
-    if(!(norm(turn) > least_sine * size && size > 1e-280 && size < 1e280))
+    const Vec3 u = position(values, edge_vertices(level, g)[1]) -
+                   position(values, edge_vertices(level, g)[0]),
+               w = position(values, opposite_vertex(level, g)) -
+                   position(values, edge_vertices(level, g)[0]);
+    const Vec3 area_vector = cross(u, w);
+    const double size = norm(u) * norm(w);
+    if(!(norm(area_vector) > min_sine * size && size > 1e-280 && size < 1e280))
       return axes;
-    normal = normal + (1. / norm(turn)) * turn;
+    normal = normal + (1. / norm(area_vector)) * area_vector;
   }
   const double size = norm(normal);
-  if(!(size > least_sine))
+  if(!(size > min_sine))
     return axes;
   normal = (1. / size) * normal;
-  const Spatial tangent = (1. / length) * along;
+  const Vec3 tangent = (1. / length) * edge;
   return {normal, tangent, cross(normal, tangent)};
 }
 
 } // namespace
 
-Stencils stencils(const Subdivision& subdivision, std::size_t level, Prediction prediction)
+Prediction_stencils prediction_stencils(const Subdivision& subdivision, std::size_t level,
+                                        Prediction prediction)
 {
   Stencil_builder builder(subdivision.levels[level], prediction);
-  for_each_midpoint(subdivision.levels[level], [&](Index side) { builder.add(side); });
+  for_each_midpoint(subdivision.levels[level], [&](Index h) { builder.add(h); });
   return builder.result();
 }
 
 Lifting::Lifting(std::shared_ptr<const Subdivision> subdivision, Prediction prediction,
-                 bool is_updating)
+                 bool use_update)
     : m_subdivision(std::move(subdivision)), m_weights(m_subdivision->levels.size()),
-      m_is_updating(is_updating)
+      m_use_update(use_update)
 {
   const std::size_t last = m_subdivision->levels.size() - 1;
   for(std::size_t level = 0; level < last; ++level)
-    m_stencils.push_back(stencils(*m_subdivision, level, prediction));
+    m_stencils.push_back(prediction_stencils(*m_subdivision, level, prediction));
   // Integrals of the scaling functions: a midpoint's weight goes where it is foretold from.
   m_weights[last].assign(m_subdivision->number_of_vertices(), 1.);
   for(std::size_t level = last; level-- > 0;)
   {
-    const Stencils& rows = m_stencils[level];
+    const Prediction_stencils& rows = m_stencils[level];
     const Index n = m_subdivision->levels[level].number_of_vertices;
     const std::vector<double>& fine = m_weights[level + 1];
     std::vector<double>& coarse = m_weights[level];
     coarse.assign(fine.begin(), fine.begin() + n);
     for(Index m = n; m < fine.size(); ++m)
-      for(Index i = rows.first[m - n]; i < rows.first[m - n + 1]; ++i)
+      for(Index i = rows.begin[m - n]; i < rows.begin[m - n + 1]; ++i)
         coarse[rows.vertex[i]] += rows.weight[i] * fine[m];
   }
 }
@@ -245,13 +249,13 @@ Lifting::Lifting(std::shared_ptr<const Subdivision> subdivision, Prediction pred
 void Lifting::predict(std::vector<double>& values, std::size_t channels, std::size_t level,
                       double sign) const
 {
-  const Stencils& rows = m_stencils[level];
+  const Prediction_stencils& rows = m_stencils[level];
   double* midpoint = &values[channels * m_subdivision->levels[level].number_of_vertices];
-  for(std::size_t m = 0; m + 1 < rows.first.size(); ++m, midpoint += channels)
+  for(std::size_t m = 0; m + 1 < rows.begin.size(); ++m, midpoint += channels)
     for(std::size_t c = 0; c < channels; ++c)
     {
       double sum = 0.;
-      for(Index i = rows.first[m]; i < rows.first[m + 1]; ++i)
+      for(Index i = rows.begin[m]; i < rows.begin[m + 1]; ++i)
         sum += rows.weight[i] * values[channels * rows.vertex[i] + c];
       midpoint[c] += sign * sum;
     }
@@ -260,7 +264,7 @@ void Lifting::predict(std::vector<double>& values, std::size_t channels, std::si
 void Lifting::update(std::vector<double>& values, std::size_t channels, std::size_t level,
                      double sign) const
 {
-  if(!m_is_updating)
+  if(!m_use_update)
     return;
   const std::vector<double>&coarse = m_weights[level], &fine = m_weights[level + 1];
   for(Index m = Index(coarse.size()); m < fine.size(); ++m)
@@ -275,22 +279,22 @@ void Lifting::update(std::vector<double>& values, std::size_t channels, std::siz
     }
 }
 
-void Lifting::turn(std::vector<double>& values, std::size_t level, bool is_into_frames) const
+void Lifting::rotate_details(std::vector<double>& values, std::size_t level, bool is_forward) const
 {
   const Level& coarse = m_subdivision->levels[level];
   for_each_midpoint(coarse,
-                    [&](Index side)
+                    [&](Index h)
                     {
-                      const Frame axes = frame(coarse, values, side);
-                      const Index m = coarse.midpoint[side];
-                      const Spatial detail = place(values, m);
-                      Spatial turned = {0., 0., 0.};
+                      const Local_frame axes = local_frame(coarse, values, h);
+                      const Index m = coarse.midpoint[h];
+                      const Vec3 detail = position(values, m);
+                      Vec3 rotated = {0., 0., 0.};
                       for(std::size_t k = 0; k < 3; ++k)
-                        if(is_into_frames)
-                          turned[k] = dot(axes[k], detail);
+                        if(is_forward)
+                          rotated[k] = dot(axes[k], detail);
                         else
-                          turned = turned + detail[k] * axes[k];
-                      std::copy(turned.begin(), turned.end(), &values[3 * std::size_t(m)]);
+                          rotated = rotated + detail[k] * axes[k];
+                      std::copy(rotated.begin(), rotated.end(), &values[3 * std::size_t(m)]);
                     });
 }
 
@@ -301,7 +305,7 @@ void Lifting::analyze(std::vector<double>& values, std::size_t channels, bool is
     predict(values, channels, level, -1.);
     update(values, channels, level, 1.);
     if(is_in_frames)
-      turn(values, level, true);
+      rotate_details(values, level, true);
   }
 }
 
@@ -310,7 +314,7 @@ void Lifting::synthesize(std::vector<double>& values, std::size_t channels, bool
   for(std::size_t level = 0; level < m_stencils.size(); ++level)
   {
     if(is_in_frames)
-      turn(values, level, false);
+      rotate_details(values, level, false);
     update(values, channels, level, -1.);
     predict(values, channels, level, 1.);
   }

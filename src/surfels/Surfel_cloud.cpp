@@ -16,55 +16,57 @@ namespace {
 
 // Arcs to the neighbours that `meet`, nearest first, and back from those that look at us although we
 // do not look at them.  All have seen what is nearer than their `reach`.
-template <typename Meet>
-Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
-                      const std::vector<double>& reach, unsigned threads, const Meet& meet)
+template <typename Are_connected>
+Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& neighbors,
+                           const std::vector<double>& search_radius, unsigned threads,
+                           const Are_connected& are_connected)
 {
   const std::size_t n = point.size();
-  Site_graph graph;
-  graph.first.assign(n + 1, 0);
-  std::vector<std::vector<std::pair<Index, Index>>> missing((n + surfel_block - 1) / surfel_block);
-  for_each_block(n, surfel_block, threads,
+  Proximity_graph graph;
+  graph.begin.assign(n + 1, 0);
+  std::vector<std::vector<std::pair<Index, Index>>> missing_edges((n + surfel_block_size - 1) /
+                                                                  surfel_block_size);
+  for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
                    for(Index i = static_cast<Index>(begin); i < end; ++i)
-                     for(const Index* j = near.begin(i); j != near.end(i); ++j)
+                     for(const Index* j = neighbors.begin(i); j != neighbors.end(i); ++j)
                      {
                        const double length = norm(point[*j] - point[i]);
-                       if(!meet(i, *j, length))
+                       if(!are_connected(i, *j, length))
                          continue;
-                       ++graph.first[i + 1];
-                       if(length > reach[*j] * (1. - 1e-12) &&
-                          std::find(near.begin(*j), near.end(*j), i) == near.end(*j))
-                         missing[block].emplace_back(*j, i);
+                       ++graph.begin[i + 1];
+                       if(length > search_radius[*j] * (1. - 1e-12) &&
+                          std::find(neighbors.begin(*j), neighbors.end(*j), i) == neighbors.end(*j))
+                         missing_edges[block].emplace_back(*j, i);
                      }
                  });
   // Dealt out to where they begin; those of a site are in their order.
-  std::vector<Index> first_back(n + 1, 0);
-  for(const auto& part : missing)
-    for(const auto& arc : part)
+  std::vector<Index> reverse_begin(n + 1, 0);
+  for(const auto& block_edges : missing_edges)
+    for(const auto& e : block_edges)
     {
-      ++graph.first[arc.first + 1];
-      ++first_back[arc.first + 1];
+      ++graph.begin[e.first + 1];
+      ++reverse_begin[e.first + 1];
     }
-  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
-  std::partial_sum(first_back.begin(), first_back.end(), first_back.begin());
-  std::vector<Index> back(first_back.back()), end_of_back = first_back;
-  for(const auto& part : missing)
-    for(const auto& arc : part)
-      back[end_of_back[arc.first]++] = arc.second;
-  graph.target.resize(graph.first.back());
-  for_each_block(n, surfel_block, threads,
+  std::partial_sum(graph.begin.begin(), graph.begin.end(), graph.begin.begin());
+  std::partial_sum(reverse_begin.begin(), reverse_begin.end(), reverse_begin.begin());
+  std::vector<Index> reverse_targets(reverse_begin.back()), reverse_end = reverse_begin;
+  for(const auto& block_edges : missing_edges)
+    for(const auto& e : block_edges)
+      reverse_targets[reverse_end[e.first]++] = e.second;
+  graph.target.resize(graph.begin.back());
+  for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
-                   Index i = static_cast<Index>(begin), arc = graph.first[i];
+                   Index i = static_cast<Index>(begin), e = graph.begin[i];
                    for(; i < end; ++i)
                    {
-                     for(const Index* j = near.begin(i); j != near.end(i); ++j)
-                       if(meet(i, *j, norm(point[*j] - point[i])))
-                         graph.target[arc++] = *j;
-                     for(Index k = first_back[i]; k < first_back[i + 1]; ++k)
-                       graph.target[arc++] = back[k];
+                     for(const Index* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+                       if(are_connected(i, *j, norm(point[*j] - point[i])))
+                         graph.target[e++] = *j;
+                     for(Index k = reverse_begin[i]; k < reverse_begin[i + 1]; ++k)
+                       graph.target[e++] = reverse_targets[k];
                    }
                  });
   return graph;
@@ -73,48 +75,49 @@ Site_graph make_graph(const std::vector<Spatial>& point, const Rows& near,
 // Joins sites by arcs, within blocks first, which threads can do side by side, then between them.
 void label_components(unsigned threads, Surfel_cloud& cloud)
 {
-  const Site_graph& graph = cloud.graph;
+  const Proximity_graph& graph = cloud.graph;
   std::vector<Index>& label = cloud.component; // a site of the same component, none later
-  const std::size_t n = cloud.number_of_sites();
+  const std::size_t n = cloud.number_of_vertices();
   label.resize(n);
-  const auto root = [&](Index site)
+  const auto find_root = [&](Index v)
   {
-    while(label[site] != site)
-      site = label[site] = label[label[site]];
-    return site;
+    while(label[v] != v)
+      v = label[v] = label[label[v]];
+    return v;
   };
-  const auto join = [&](Index a, Index b)
+  const auto unite = [&](Index a, Index b)
   {
-    a = root(a);
-    b = root(b);
+    a = find_root(a);
+    b = find_root(b);
     return label[std::max(a, b)] = std::min(a, b);
   };
-  std::vector<std::vector<std::pair<Index, Index>>> between((n + surfel_block - 1) / surfel_block);
-  for_each_block(n, surfel_block, threads,
+  std::vector<std::vector<std::pair<Index, Index>>> cross_block_edges((n + surfel_block_size - 1) /
+                                                                      surfel_block_size);
+  for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t block, std::size_t begin, std::size_t end)
                  {
-                   for(Index site = static_cast<Index>(begin); site < end; ++site)
+                   for(Index v = static_cast<Index>(begin); v < end; ++v)
                    {
-                     Index own = label[site] = site;
-                     for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-                       if(const Index other = graph.target[arc]; other < begin)
-                         between[block].emplace_back(other, site);
-                       else if(other < site && label[other] != own) // most are the same already
-                         own = join(other, own);
+                     Index root = label[v] = v;
+                     for(Index e = graph.begin[v]; e < graph.begin[v + 1]; ++e)
+                       if(const Index other = graph.target[e]; other < begin)
+                         cross_block_edges[block].emplace_back(other, v);
+                       else if(other < v && label[other] != root) // most are the same already
+                         root = unite(other, root);
                    }
                  });
-  for(const auto& part : between)
-    for(const auto& [a, b] : part)
-      join(a, b);
+  for(const auto& block_edges : cross_block_edges)
+    for(const auto& [a, b] : block_edges)
+      unite(a, b);
   // In the order of their first sites, each of which is a root.
-  for(Index site = 0; site < n; ++site)
-    label[site] = label[site] == site ? cloud.number_of_components++ : label[label[site]];
+  for(Index v = 0; v < n; ++v)
+    label[v] = label[v] == v ? cloud.number_of_components++ : label[label[v]];
 }
 
 } // namespace
 
-Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
-                        const std::vector<double>& radii, const Cloud_options& options,
+Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
+                        const std::vector<double>& radii, const Surfel_cloud_options& options,
                         const Frame* frame)
 {
   check_sizes(points.size(), normals.size(), radii.size());
@@ -123,39 +126,43 @@ Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normal
     throw Invalid_argument_error(
         "The angle between neighbours must lie between 0 and pi, and their "
         "number and rank above 0.");
-  const Agree agree = {std::cos(options.maximum_angle)};
+  const Compatibility_test compatibility_test = {std::cos(options.maximum_angle)};
   normalize(normals);
   Surfel_cloud cloud;
   static_cast<Sorted_surfels&>(cloud) =
-      sort_surfels(std::move(points), normals, agree.cosine, options.threads, frame);
-  Surroundings around;
-  const Rows near = find_neighbors(cloud.point, cloud.normal, cloud.tree, &agree, options.neighbors,
-                                   options.threads, around);
-  cloud.radius = site_radii(cloud, radii, near, options.rank, options.threads);
-  const auto graph = [&](const Rows& rows, const auto& meet)
-  { cloud.graph = make_graph(cloud.point, rows, around.seen, options.threads, meet); };
+      sort_surfels(std::move(points), normals, compatibility_test.cosine, options.threads, frame);
+  Neighbor_distances distances;
+  const Ragged_rows neighbors =
+      find_neighbors(cloud.point, cloud.normal, cloud.tree, &compatibility_test, options.neighbors,
+                     options.threads, distances);
+  cloud.radius = surfel_radii(cloud, radii, neighbors, options.rank, options.threads);
+  const auto graph = [&](const Ragged_rows& rows, const auto& are_connected)
+  {
+    cloud.graph =
+        make_graph(cloud.point, rows, distances.search_radius, options.threads, are_connected);
+  };
   if(options.graph == Surfel_graph::extended_spheres)
-    graph(near, [&](Index i, Index j, double length)
-          { return length <= options.influence * (cloud.radius[i] + cloud.radius[j]); });
+    graph(neighbors, [&](Index i, Index j, double length)
+          { return length <= options.influence_ratio * (cloud.radius[i] + cloud.radius[j]); });
   else
   {
-    const Rows all = find_neighbors(cloud.point, cloud.normal, cloud.tree, nullptr,
-                                    options.neighbors, options.threads, around);
+    const Ragged_rows all_neighbors = find_neighbors(cloud.point, cloud.normal, cloud.tree, nullptr,
+                                                     options.neighbors, options.threads, distances);
     if(options.graph == Surfel_graph::nearest)
-      graph(all, [](Index, Index, double) { return true; });
+      graph(all_neighbors, [](Index, Index, double) { return true; });
     else
     {
-      std::vector<double> nearest(cloud.number_of_sites(), 0.);
+      std::vector<double> nearest(cloud.number_of_vertices(), 0.);
       for(Index i = 0; i < nearest.size(); ++i)
-        if(all.begin(i) != all.end(i))
-          nearest[i] = norm(cloud.point[*all.begin(i)] - cloud.point[i]);
-      graph(all,
+        if(all_neighbors.begin(i) != all_neighbors.end(i))
+          nearest[i] = norm(cloud.point[*all_neighbors.begin(i)] - cloud.point[i]);
+      graph(all_neighbors,
             [&](Index i, Index j, double length) { return length <= nearest[i] + nearest[j]; });
     }
   }
   label_components(options.threads, cloud);
-  cloud.spacing = std::move(around.spacing);
-  cloud.seen = std::move(around.seen);
+  cloud.spacing = std::move(distances.spacing);
+  cloud.search_radius = std::move(distances.search_radius);
   return cloud;
 }
 

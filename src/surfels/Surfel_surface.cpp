@@ -14,27 +14,28 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // With a support of 3 the error on a torus is 2.3 times as large.
-constexpr double support_in_radii = 2.3, reach_in_radii = 1.5;
+constexpr double support_ratio = 2.3, extent_ratio = 1.5;
 // Of the ninth decile of the radii around.  On four scans, paths then are farther from the surfels than
 // the 95th percentile of the spacing at 114 points of 70,000; with 1.2 at 176, with 1.3 at 275.
-constexpr double reach_in_large_radii = 1.1;
+constexpr double large_radius_extent_ratio = 1.1;
 
 // Cosines of the differences of normals at which weights begin to fall, and are zero.
-constexpr double full = 0.76604444311897804 /* 40 degrees */, zero = 0.5 /* 60 degrees */;
+constexpr double full_weight_cosine = 0.76604444311897804 /* 40 degrees */,
+                 zero_weight_cosine = 0.5 /* 60 degrees */;
 
 // Of robust weights: how many surfels take part, the height at which they do not, in standard
 // deviations, and the least of these, in spacings: below it there is no noise that matters.
-constexpr std::size_t robust_neighbors = 24;
-constexpr double outlying = 2.5, least_deviation = 0.02;
-constexpr double deviation_over_median = 1.4826; // of absolute values of a normal distribution
+constexpr std::size_t number_of_robust_neighbors = 24;
+constexpr double outlier_tolerance = 2.5, min_deviation = 0.02;
+constexpr double deviation_to_median_ratio = 1.4826; // of absolute values of a normal distribution
 
 // Weighted sums over surfels, seen from the point in question.
-struct Sums
+struct Weighted_sums
 {
   double weight = 0., point_normal = 0., point_point = 0.;
-  Spatial point = {0., 0., 0.}, normal = {0., 0., 0.};
+  Vec3 point = {0., 0., 0.}, normal = {0., 0., 0.};
 
-  void add(double w, const Spatial& p, const Spatial& n)
+  void add(double w, const Vec3& p, const Vec3& n)
   {
     weight += w;
     point_normal += w * dot(p, n);
@@ -49,131 +50,139 @@ struct Sums
 struct Sphere
 {
   double height, curvature; // along the normal; positive where the normal points to the outside
-  Spatial normal;
+  Vec3 normal;
 };
 
-Sphere fitted_sphere(const Sums& s)
+Sphere fit_sphere(const Weighted_sums& s)
 {
-  const double over = 1. / s.weight;
-  const double spread = s.point_point - over * dot(s.point, s.point);
-  const double square =
-      spread > 0. ? 0.5 * (s.point_normal - over * dot(s.point, s.normal)) / spread : 0.;
-  const Spatial linear = over * (s.normal - 2. * square * s.point);
-  const double constant = -over * (dot(linear, s.point) + square * s.point_point);
-  const double slope = norm(linear);
-  const double discriminant = slope * slope - 4. * constant * square;
+  const double inverse_weight = 1. / s.weight;
+  const double point_variance = s.point_point - inverse_weight * dot(s.point, s.point);
+  const double quadratic =
+      point_variance > 0.
+          ? 0.5 * (s.point_normal - inverse_weight * dot(s.point, s.normal)) / point_variance
+          : 0.;
+  const Vec3 linear = inverse_weight * (s.normal - 2. * quadratic * s.point);
+  const double constant = -inverse_weight * (dot(linear, s.point) + quadratic * s.point_point);
+  const double gradient_norm = norm(linear);
+  const double discriminant = gradient_norm * gradient_norm - 4. * constant * quadratic;
   // The centre of the sphere, or a place that sees it from too far: no better than a plane.
-  if(!(discriminant > 0.) || !(slope * slope > 0.25 * discriminant))
-    return {dot(s.point, unit(s.normal)) * over, 0., unit(s.normal)};
-  return {-2. * constant / (slope + std::sqrt(discriminant)), 2. * square / std::sqrt(discriminant),
-          (1. / slope) * linear};
+  if(!(discriminant > 0.) || !(gradient_norm * gradient_norm > 0.25 * discriminant))
+    return {dot(s.point, unit(s.normal)) * inverse_weight, 0., unit(s.normal)};
+  return {-2. * constant / (gradient_norm + std::sqrt(discriminant)),
+          2. * quadratic / std::sqrt(discriminant), (1. / gradient_norm) * linear};
 }
 
 // What robust weights have as a factor.
-std::vector<double> robust_factors(const Surfel_cloud& cloud)
+std::vector<double> robust_weights(const Surfel_cloud& cloud)
 {
-  std::vector<Kd_tree::Neighbor> near;
+  std::vector<Kd_tree::Neighbor> neighbors;
   std::vector<double> values;
   // The median of value(other) over the surfels around a site.
-  const auto median_around = [&](Index site, const auto& value)
+  const auto local_median = [&](Index vertex, const auto& value)
   {
-    cloud.tree.nearest(cloud.point, cloud.point[site], robust_neighbors, near);
+    cloud.tree.nearest(cloud.point, cloud.point[vertex], number_of_robust_neighbors, neighbors);
     values.clear();
-    for(const Kd_tree::Neighbor& neighbor : near)
-      if(dot(cloud.normal[site], cloud.normal[neighbor.point]) > zero)
+    for(const Kd_tree::Neighbor& neighbor : neighbors)
+      if(dot(cloud.normal[vertex], cloud.normal[neighbor.point]) > zero_weight_cosine)
         values.push_back(value(neighbor.point));
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
   };
-  std::vector<double> height(cloud.number_of_sites()), factor(cloud.number_of_sites());
-  for(Index site = 0; site < height.size(); ++site)
+  std::vector<double> height(cloud.number_of_vertices()), weight(cloud.number_of_vertices());
+  for(Index vertex = 0; vertex < height.size(); ++vertex)
   {
     // By the planes of both: zero on planes and spheres.
-    const Spatial &point = cloud.point[site], &normal = cloud.normal[site];
-    height[site] = std::abs(median_around(
-        site, [&](Index other)
+    const Vec3 &point = cloud.point[vertex], &normal = cloud.normal[vertex];
+    height[vertex] = std::abs(local_median(
+        vertex, [&](Index other)
         { return 0.5 * dot(normal + cloud.normal[other], cloud.point[other] - point); }));
   }
-  for(Index site = 0; site < height.size(); ++site)
+  for(Index vertex = 0; vertex < height.size(); ++vertex)
   {
-    const double deviation = std::max(
-        deviation_over_median * median_around(site, [&](Index other) { return height[other]; }),
-        least_deviation * cloud.spacing[site]);
-    const double ratio = deviation > 0. ? height[site] / (outlying * deviation) : 0.;
-    factor[site] = ratio < 1. ? (1. - ratio * ratio) * (1. - ratio * ratio) : 0.;
+    const double deviation =
+        std::max(deviation_to_median_ratio *
+                     local_median(vertex, [&](Index other) { return height[other]; }),
+                 min_deviation * cloud.spacing[vertex]);
+    const double ratio = deviation > 0. ? height[vertex] / (outlier_tolerance * deviation) : 0.;
+    weight[vertex] = ratio < 1. ? (1. - ratio * ratio) * (1. - ratio * ratio) : 0.;
   }
-  return factor;
+  return weight;
 }
 
 } // namespace
 
 Surfel_surface::Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit,
-                               const Surfel_vicinity& vicinity, const std::vector<Index>& home)
-    : m_cloud(cloud), m_fit(fit), m_vicinity(vicinity), m_home(home),
-      m_squared_support(cloud.number_of_sites()), m_disk(cloud.number_of_sites()),
-      m_reach(cloud.number_of_sites()),
-      m_factor(fit == Surfel_fit::robust_spheres ? robust_factors(cloud) : std::vector<double>())
+                               const Surfel_coverage& coverage,
+                               const std::vector<Index>& original_vertex)
+    : m_cloud(cloud), m_fit(fit), m_coverage(coverage), m_original_vertex(original_vertex),
+      m_squared_support(cloud.number_of_vertices()), m_disk_radius(cloud.number_of_vertices()),
+      m_extent(cloud.number_of_vertices()),
+      m_robust_weight(fit == Surfel_fit::robust_spheres ? robust_weights(cloud)
+                                                        : std::vector<double>())
 {
-  const Site_graph& graph = cloud.graph;
-  std::vector<double> around;
-  for(Index site = 0; site < m_squared_support.size(); ++site)
+  const Proximity_graph& graph = cloud.graph;
+  std::vector<double> neighbor_radii;
+  for(Index vertex = 0; vertex < m_squared_support.size(); ++vertex)
   {
-    around = {cloud.radius[site]};
-    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-      around.push_back(cloud.radius[graph.target[arc]]);
-    const double mean = std::accumulate(around.begin(), around.end(), 0.) / double(around.size());
-    const auto large = around.begin() + std::ptrdiff_t(9 * around.size() / 10);
-    std::nth_element(around.begin(), large, around.end());
-    m_squared_support[site] = support_in_radii * mean * (support_in_radii * mean);
-    m_disk[site] = std::min(mean, cloud.radius[site]);
-    m_reach[site] = std::min(reach_in_radii * m_disk[site], reach_in_large_radii * *large);
-    if(home.empty())
+    neighbor_radii = {cloud.radius[vertex]};
+    for(Index e = graph.begin[vertex]; e < graph.begin[vertex + 1]; ++e)
+      neighbor_radii.push_back(cloud.radius[graph.target[e]]);
+    const double mean = std::accumulate(neighbor_radii.begin(), neighbor_radii.end(), 0.) /
+                        double(neighbor_radii.size());
+    const auto ninth_decile =
+        neighbor_radii.begin() + std::ptrdiff_t(9 * neighbor_radii.size() / 10);
+    std::nth_element(neighbor_radii.begin(), ninth_decile, neighbor_radii.end());
+    m_squared_support[vertex] = support_ratio * mean * (support_ratio * mean);
+    m_disk_radius[vertex] = std::min(mean, cloud.radius[vertex]);
+    m_extent[vertex] =
+        std::min(extent_ratio * m_disk_radius[vertex], large_radius_extent_ratio * *ninth_decile);
+    if(original_vertex.empty())
     {
-      m_disk[site] = std::min(m_disk[site], vicinity.reach(site));
-      m_reach[site] = std::min(m_reach[site], vicinity.reach(site));
+      m_disk_radius[vertex] = std::min(m_disk_radius[vertex], coverage.radius(vertex));
+      m_extent[vertex] = std::min(m_extent[vertex], coverage.radius(vertex));
     }
   }
 }
 
-Index Surfel_surface::nearest(const Spatial& point, Index near) const
+Index Surfel_surface::nearest(const Vec3& point, Index near_vertex) const
 {
-  const Site_graph& graph = m_cloud.graph;
-  const auto squared_distance = [&](Index site)
+  const Proximity_graph& graph = m_cloud.graph;
+  const auto squared_distance = [&](Index v)
   {
-    if(!m_factor.empty() && m_factor[site] == 0.)
+    if(!m_robust_weight.empty() && m_robust_weight[v] == 0.)
       return infinity;
-    const Spatial way = m_cloud.point[site] - point;
-    return dot(way, way);
+    const Vec3 offset = m_cloud.point[v] - point;
+    return dot(offset, offset);
   };
-  double least = squared_distance(near);
-  for(Index site = none; site != near;)
+  double min_squared_distance = squared_distance(near_vertex);
+  for(Index v = none; v != near_vertex;)
   {
-    site = near;
-    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-      if(const double d = squared_distance(graph.target[arc]); d < least)
+    v = near_vertex;
+    for(Index e = graph.begin[v]; e < graph.begin[v + 1]; ++e)
+      if(const double d = squared_distance(graph.target[e]); d < min_squared_distance)
       {
-        least = d;
-        near = graph.target[arc];
+        min_squared_distance = d;
+        near_vertex = graph.target[e];
       }
   }
-  return near;
+  return near_vertex;
 }
 
-double Surfel_surface::walk(Index from, Index to) const
+double Surfel_surface::walk_length(Index from, Index to) const
 {
-  const Site_graph& graph = m_cloud.graph;
+  const Proximity_graph& graph = m_cloud.graph;
   double length = 0.;
   while(from != to)
   {
     Index next = none;
-    double least = norm(m_cloud.point[to] - m_cloud.point[from]);
-    for(Index arc = graph.first[from]; arc < graph.first[from + 1]; ++arc)
-      if(const double d = norm(m_cloud.point[to] - m_cloud.point[graph.target[arc]]);
-         d < least || graph.target[arc] == to)
+    double min_distance = norm(m_cloud.point[to] - m_cloud.point[from]);
+    for(Index e = graph.begin[from]; e < graph.begin[from + 1]; ++e)
+      if(const double d = norm(m_cloud.point[to] - m_cloud.point[graph.target[e]]);
+         d < min_distance || graph.target[e] == to)
       {
-        least = d;
-        next = graph.target[arc];
+        min_distance = d;
+        next = graph.target[e];
       }
     if(next == none)
       return infinity;
@@ -183,187 +192,200 @@ double Surfel_surface::walk(Index from, Index to) const
   return length;
 }
 
-Foot Surfel_surface::on_disk(const Spatial& point, Index site) const
+Projection Surfel_surface::project_to_disk(const Vec3& point, Index vertex) const
 {
-  const Spatial way = point - m_cloud.point[site], normal = m_cloud.normal[site];
-  const Spatial tangent = way - dot(way, normal) * normal;
-  const double length = norm(tangent), radius = m_disk[site];
-  Foot foot = {m_cloud.point[site] + tangent, normal, {0., 0., 0.}, site};
+  const Vec3 offset = point - m_cloud.point[vertex], normal = m_cloud.normal[vertex];
+  const Vec3 tangent = offset - dot(offset, normal) * normal;
+  const double length = norm(tangent), radius = m_disk_radius[vertex];
+  Projection projection = {m_cloud.point[vertex] + tangent, normal, {0., 0., 0.}, vertex};
   if(length > radius)
-    foot.point = m_cloud.point[site] + (radius / length) * tangent;
-  return foot;
+    projection.point = m_cloud.point[vertex] + (radius / length) * tangent;
+  return projection;
 }
 
 // Calls v(weight, other) for the surfels that count around a point.
 template <typename Visit>
-void Surfel_surface::visit(const Spatial& point, Index site, Visit v) const
+void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) const
 {
-  const double over = 1. / m_squared_support[site];
+  const double inverse_squared_support = 1. / m_squared_support[vertex];
   const auto consider = [&](Index other, double factor)
   {
-    const Spatial way = m_cloud.point[other] - point;
-    const double rest = 1. - over * dot(way, way);
-    const double cosine = dot(m_cloud.normal[site], m_cloud.normal[other]);
-    if(!(rest > 0.) || cosine <= zero)
+    const Vec3 offset = m_cloud.point[other] - point;
+    const double falloff = 1. - inverse_squared_support * dot(offset, offset);
+    const double cosine = dot(m_cloud.normal[vertex], m_cloud.normal[other]);
+    if(!(falloff > 0.) || cosine <= zero_weight_cosine)
       return;
-    const double weight = factor * rest * rest * rest * rest;
-    v(cosine < full ? weight * (cosine - zero) / (full - zero) : weight, other);
+    const double weight = factor * falloff * falloff * falloff * falloff;
+    v(cosine < full_weight_cosine
+          ? weight * (cosine - zero_weight_cosine) / (full_weight_cosine - zero_weight_cosine)
+          : weight,
+      other);
   };
   if(m_fit != Surfel_fit::robust_spheres)
   {
-    const Site_graph& graph = m_cloud.graph;
-    consider(site, 1.);
-    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-      consider(graph.target[arc], 1.);
+    const Proximity_graph& graph = m_cloud.graph;
+    consider(vertex, 1.);
+    for(Index e = graph.begin[vertex]; e < graph.begin[vertex + 1]; ++e)
+      consider(graph.target[e], 1.);
     return;
   }
-  thread_local std::vector<Kd_tree::Neighbor> near;
-  m_cloud.tree.nearest(m_cloud.point, point, robust_neighbors, near);
-  for(const Kd_tree::Neighbor& neighbor : near)
-    consider(neighbor.point, m_factor[neighbor.point]);
+  thread_local std::vector<Kd_tree::Neighbor> neighbors;
+  m_cloud.tree.nearest(m_cloud.point, point, number_of_robust_neighbors, neighbors);
+  for(const Kd_tree::Neighbor& neighbor : neighbors)
+    consider(neighbor.point, m_robust_weight[neighbor.point]);
 }
 
 // Moves a foot to the surface fitted around it; false where there is none.
-bool Surfel_surface::step(Foot& foot) const
+bool Surfel_surface::project_step(Projection& projection) const
 {
-  Sums sums;
-  visit(foot.point, foot.site,
-        [&](double weight, Index other)
-        { sums.add(weight, m_cloud.point[other] - foot.point, m_cloud.normal[other]); });
+  Weighted_sums sums;
+  visit_neighbors(
+      projection.point, projection.vertex,
+      [&](double weight, Index other)
+      { sums.add(weight, m_cloud.point[other] - projection.point, m_cloud.normal[other]); });
   if(!(sums.weight > 0.))
     return false;
   if(m_fit == Surfel_fit::planes)
   {
-    foot.normal = unit(sums.normal);
-    foot.point = foot.point + dot(sums.point, foot.normal) / sums.weight * foot.normal;
+    projection.normal = unit(sums.normal);
+    projection.point =
+        projection.point + dot(sums.point, projection.normal) / sums.weight * projection.normal;
     return true;
   }
-  const Sphere sphere = fitted_sphere(sums);
-  const Foot from = foot;
-  foot.normal = sphere.normal;
-  foot.point = foot.point + sphere.height * foot.normal;
+  const Sphere sphere = fit_sphere(sums);
+  const Projection from = projection;
+  projection.normal = sphere.normal;
+  projection.point = projection.point + sphere.height * projection.normal;
   if(m_fit == Surfel_fit::quadrics)
-    correct(from, sphere.curvature, foot);
+    add_quadric_correction(from, sphere.curvature, projection);
   return true;
 }
 
 // Adds to a fitted sphere the surface of second order that fits what it leaves of heights and
 // slopes, with the weights of the place that it was fitted at.
-void Surfel_surface::correct(const Foot& from, double curvature, Foot& foot) const
+void Surfel_surface::add_quadric_correction(const Projection& from, double curvature,
+                                            Projection& projection) const
 {
-  Spatial &point = foot.point, &normal = foot.normal;
+  Vec3 &point = projection.point, &normal = projection.normal;
   const auto [u, v] = tangent_frame(normal);
-  const double unit_length = std::sqrt(m_squared_support[foot.site]) / support_in_radii;
-  const double over = 1. / unit_length, bend = curvature * unit_length;
-  Quadric_fit rest;
-  visit(from.point, from.site,
-        [&, &u = u, &v = v](double weight, Index other)
-        {
-          const Spatial way = over * (m_cloud.point[other] - point), n = m_cloud.normal[other];
-          const double x = dot(way, u), y = dot(way, v), up = dot(n, normal);
-          const double square = 1. - bend * bend * (x * x + y * y);
-          if(!(square > 0.04) || !(up > 0.2))
-            return;
-          // Of the sphere:  height = (cosine - 1) / bend,  slope = -bend (x, y) / cosine.
-          const double cosine = std::sqrt(square), slope = bend / cosine;
-          const Quadric_fit::Place place = {x, y, x * x, x * y, y * y};
-          rest.add_height(weight, place,
-                          dot(way, normal) + bend * (place.xx + place.yy) / (1. + cosine));
-          rest.add_slopes(weight, place, slope * x - dot(n, u) / up, slope * y - dot(n, v) / up);
-        });
-  if(rest.factorize() < 6)
+  const double unit_length = std::sqrt(m_squared_support[projection.vertex]) / support_ratio;
+  const double inverse_length = 1. / unit_length, scaled_curvature = curvature * unit_length;
+  Quadric_fit residual_fit;
+  visit_neighbors(
+      from.point, from.vertex,
+      [&, &u = u, &v = v](double weight, Index other)
+      {
+        const Vec3 offset = inverse_length * (m_cloud.point[other] - point),
+                   n = m_cloud.normal[other];
+        const double x = dot(offset, u), y = dot(offset, v), normal_cosine = dot(n, normal);
+        const double squared_cosine = 1. - scaled_curvature * scaled_curvature * (x * x + y * y);
+        if(!(squared_cosine > 0.04) || !(normal_cosine > 0.2))
+          return;
+        // Of the sphere:  height = (cosine - 1) / bend,  slope = -bend (x, y) / cosine.
+        const double cosine = std::sqrt(squared_cosine), slope = scaled_curvature / cosine;
+        const Quadric_fit::Moments monomials = {x, y, x * x, x * y, y * y};
+        residual_fit.add_height(
+            weight, monomials,
+            dot(offset, normal) + scaled_curvature * (monomials.xx + monomials.yy) / (1. + cosine));
+        residual_fit.add_slopes(weight, monomials, slope * x - dot(n, u) / normal_cosine,
+                                slope * y - dot(n, v) / normal_cosine);
+      });
+  if(residual_fit.factorize() < 6)
     return;
-  const Quadric_fit::Coefficients c = rest.coefficients(6);
-  const Spatial upward = normal - c[1] * u - c[2] * v;
-  normal = unit(upward);
-  point = point + unit_length * c[0] * dot(normal, upward) / dot(upward, upward) * normal;
+  const Quadric_fit::Coefficients c = residual_fit.coefficients(6);
+  const Vec3 tilted_normal = normal - c[1] * u - c[2] * v;
+  normal = unit(tilted_normal);
+  point = point + unit_length * c[0] * dot(normal, tilted_normal) /
+                      dot(tilted_normal, tilted_normal) * normal;
 }
 
 // Whether a point is as near to a surfel as it may be.
-bool Surfel_surface::holds(const Spatial& point, Index site) const
+bool Surfel_surface::is_covered(const Vec3& point, Index vertex) const
 {
-  const Index own = home(site);
-  return norm(point - m_vicinity.cloud().point[own]) <= m_vicinity.reach(own);
+  const Index original = original_vertex(vertex);
+  return norm(point - m_coverage.cloud().point[original]) <= m_coverage.radius(original);
 }
 
-Spatial Surfel_surface::drawn_near(const Spatial& point, Index near) const
+Vec3 Surfel_surface::clamped_to_coverage(const Vec3& point, Index near_vertex) const
 {
-  return m_vicinity.drawn_near(point, home(near));
+  return m_coverage.clamped_to_coverage(point, original_vertex(near_vertex));
 }
 
-Foot Surfel_surface::foot(const Spatial& given, Index near) const
+Projection Surfel_surface::project(const Vec3& query, Index near_vertex) const
 {
-  Foot foot = free_foot(given, near);
-  if(holds(foot.point, foot.site))
-    return foot;
+  Projection projection = project_unclamped(query, near_vertex);
+  if(is_covered(projection.point, projection.vertex))
+    return projection;
   // Of the balls around the surfels that hold the surface, where they reach, the one that is missed by
   // least.
-  const Site_graph& graph = m_cloud.graph;
-  Index best = foot.site;
-  double least = infinity;
-  const auto consider = [&](Index site)
+  const Proximity_graph& graph = m_cloud.graph;
+  Index nearest_original = projection.vertex;
+  double min_excess = infinity;
+  const auto consider = [&](Index vertex)
   {
-    const Index own = home(site);
-    const double beyond = norm(foot.point - m_vicinity.cloud().point[own]) - m_vicinity.reach(own);
-    if(beyond < least)
+    const Index original = original_vertex(vertex);
+    const double excess =
+        norm(projection.point - m_coverage.cloud().point[original]) - m_coverage.radius(original);
+    if(excess < min_excess)
     {
-      least = beyond;
-      best = own;
+      min_excess = excess;
+      nearest_original = original;
     }
   };
-  consider(foot.site);
-  for(Index arc = graph.first[foot.site]; arc < graph.first[foot.site + 1]; ++arc)
-    consider(graph.target[arc]);
-  if(!(least > 0.))
-    return foot;
-  const Spatial centre = m_vicinity.cloud().point[best], way = foot.point - centre;
-  foot.point = centre + m_vicinity.reach(best) / norm(way) * way;
-  return foot;
+  consider(projection.vertex);
+  for(Index e = graph.begin[projection.vertex]; e < graph.begin[projection.vertex + 1]; ++e)
+    consider(graph.target[e]);
+  if(!(min_excess > 0.))
+    return projection;
+  const Vec3 center = m_coverage.cloud().point[nearest_original],
+             offset = projection.point - center;
+  projection.point = center + m_coverage.radius(nearest_original) / norm(offset) * offset;
+  return projection;
 }
 
-Foot Surfel_surface::free_foot(const Spatial& given, Index near) const
+Projection Surfel_surface::project_unclamped(const Vec3& query, Index near_vertex) const
 {
-  const Index site = nearest(given, near);
+  const Index vertex = nearest(query, near_vertex);
   if(m_fit == Surfel_fit::disks)
   {
-    const Site_graph& graph = m_cloud.graph;
-    Foot best = on_disk(given, site);
-    double least = norm(given - best.point);
-    for(Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
+    const Proximity_graph& graph = m_cloud.graph;
+    Projection best = project_to_disk(query, vertex);
+    double min_distance = norm(query - best.point);
+    for(Index e = graph.begin[vertex]; e < graph.begin[vertex + 1]; ++e)
     {
-      const Foot foot = on_disk(given, graph.target[arc]);
-      if(const double distance = norm(given - foot.point); distance < least)
+      const Projection projection = project_to_disk(query, graph.target[e]);
+      if(const double distance = norm(query - projection.point); distance < min_distance)
       {
-        least = distance;
-        best = foot;
+        min_distance = distance;
+        best = projection;
       }
     }
     return best;
   }
 
-  Foot foot = {given, m_cloud.normal[site], {0., 0., 0.}, site};
-  const Spatial way = given - m_cloud.point[site];
-  const Spatial tangent = way - dot(way, foot.normal) * foot.normal;
-  const double length = norm(tangent), most = m_reach[site];
-  if(length > most)
+  Projection projection = {query, m_cloud.normal[vertex], {0., 0., 0.}, vertex};
+  const Vec3 offset = query - m_cloud.point[vertex];
+  const Vec3 tangent = offset - dot(offset, projection.normal) * projection.normal;
+  const double length = norm(tangent), max_length = m_extent[vertex];
+  if(length > max_length)
   {
-    foot.rim = (1. / length) * tangent;
-    foot.point = foot.point - (length - most) * foot.rim;
+    projection.conormal = (1. / length) * tangent;
+    projection.point = projection.point - (length - max_length) * projection.conormal;
   }
   // From far away the fit is one to the wrong surfels: again from the first foot, until that is near.
   for(int i = 0; i < 4; ++i)
   {
-    const Spatial before = foot.point;
-    if(!step(foot))
+    const Vec3 previous_point = projection.point;
+    if(!project_step(projection))
     {
-      foot.point = m_cloud.point[site];
+      projection.point = m_cloud.point[vertex];
       continue;
     }
-    const Spatial moved = foot.point - before;
-    if(dot(moved, moved) < 1e-4 * m_squared_support[site])
+    const Vec3 displacement = projection.point - previous_point;
+    if(dot(displacement, displacement) < 1e-4 * m_squared_support[vertex])
       break;
   }
-  return foot;
+  return projection;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -3,8 +3,8 @@
 #include "surfels/denoise.h"
 
 #include "numerics/Quadric_fit.h"
-#include <CGAL/Geodesic_processing/internal/mesh/locality.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
 
 #include <algorithm>
@@ -17,21 +17,22 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr std::size_t neighbors = 24;
+constexpr std::size_t number_of_neighbors = 24;
 
 // Radii of fits in spacings: the first holds 24 surfels of a plane.
-constexpr int scales = 12;
-constexpr double first_radius = 2.8, growth = 1.25;
+constexpr int number_of_scales = 12;
+constexpr double smallest_radius = 2.8, radius_ratio = 1.25;
 // From this one on surfels are taken in clusters.
-constexpr int first_clustered = 5;
+constexpr int first_clustered_scale = 5;
 constexpr Index cluster_size = 8;
 
 // In standard deviations: how far the heights and the slopes of estimates may be apart, and surfels from
 // a fit.  Slopes of scans are not independent: with 3 for them as well, paths on a scanned plane are off
 // by 0.060 % instead of 0.046 %.
-constexpr double agreement = 3., slope_agreement = 5., outlying = 3.5;
+constexpr double height_tolerance = 3., slope_tolerance = 5., outlier_tolerance = 3.5;
 
-constexpr double normals_agree = 0.5; // 60 degrees: the other side of a thin sheet does not count
+constexpr double min_normal_cosine =
+    0.5; // 60 degrees: the other side of a thin sheet does not count
 
 template <typename Value>
 Value median(std::vector<Value>& values)
@@ -42,14 +43,14 @@ Value median(std::vector<Value>& values)
 }
 
 // The means over several surfels.
-struct Sample
+struct Surfel_mean
 {
-  Spatial point = {0., 0., 0.}, normal = {0., 0., 0.};
-  std::array<double, 6> spread = {}; // of the points around their mean: xx, yy, zz, yz, zx, xy
+  Vec3 point = {0., 0., 0.}, normal = {0., 0., 0.};
+  std::array<double, 6> covariance = {}; // of the points around their mean: xx, yy, zz, yz, zx, xy
 };
 
 // A quadratic form of the spread.
-double spread_along(const std::array<double, 6>& s, const Spatial& p, const Spatial& q)
+double quadratic_form(const std::array<double, 6>& s, const Vec3& p, const Vec3& q)
 {
   return s[0] * p[0] * q[0] + s[1] * p[1] * q[1] + s[2] * p[2] * q[2] +
          s[3] * (p[1] * q[2] + p[2] * q[1]) + s[4] * (p[2] * q[0] + p[0] * q[2]) +
@@ -57,24 +58,25 @@ double spread_along(const std::array<double, 6>& s, const Spatial& p, const Spat
 }
 
 // Surfels in the order of their tree, and what is known of each.
-struct Scan
+struct Denoising_cloud
 {
   Frame frame;
-  std::vector<Spatial> point, normal;
+  std::vector<Vec3> point, normal;
   std::vector<Index> order;
   Kd_tree tree;
-  Rows near;                   // the nearest ones with normals that agree, and itself
-  std::vector<Spatial> up;     // the mean of their normals
-  std::vector<double> spacing; // the side of a square for each surfel
-  std::vector<double> rise;    // the median of the neighbours, in spacings
+  Ragged_rows neighbors;         // the nearest ones with normals that agree, and itself
+  std::vector<Vec3> mean_normal; // the mean of their normals
+  std::vector<double> spacing;   // the side of a square for each surfel
+  std::vector<double> noise;     // the median of the neighbours, in spacings
 
-  Scan(std::vector<Spatial> points, std::vector<Spatial> normals, unsigned threads);
+  Denoising_cloud(std::vector<Vec3> points, std::vector<Vec3> normals, unsigned threads);
   std::size_t size() const { return point.size(); }
 };
 
-Scan::Scan(std::vector<Spatial> points, std::vector<Spatial> normals, unsigned threads)
-    : frame(unit_frame(points)), point(std::move(points)), near(point.size()), up(point.size()),
-      spacing(point.size()), rise(point.size())
+Denoising_cloud::Denoising_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
+                                 unsigned threads)
+    : frame(unit_frame(points)), point(std::move(points)), neighbors(point.size()),
+      mean_normal(point.size()), spacing(point.size()), noise(point.size())
 {
   check_sizes(point.size(), normals.size(), 0);
   normalize(normals);
@@ -83,104 +85,107 @@ Scan::Scan(std::vector<Spatial> points, std::vector<Spatial> normals, unsigned t
   for(const Index i : order)
     normal.push_back(normals[i]);
   visit_nearest(
-      point, tree, neighbors, threads,
+      point, tree, number_of_neighbors, threads,
       [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
       {
-        std::vector<double> rises = {0.};
-        Spatial sum = normal[i];
-        near.part(block).push_back(i);
-        for(const auto& [square, j] : found)
-          if(j != i && dot(normal[i], normal[j]) > normals_agree)
+        std::vector<double> offsets = {0.};
+        Vec3 sum = normal[i];
+        neighbors.buffer(block).push_back(i);
+        for(const auto& [squared_distance, j] : found)
+          if(j != i && dot(normal[i], normal[j]) > min_normal_cosine)
           {
-            near.part(block).push_back(j);
+            neighbors.buffer(block).push_back(j);
             sum = sum + normal[j];
-            rises.push_back(0.5 * std::abs(dot(normal[i] + normal[j], point[j] - point[i])));
+            offsets.push_back(0.5 * std::abs(dot(normal[i] + normal[j], point[j] - point[i])));
           }
-        near.end_row(block, i);
-        up[i] = unit(sum);
+        neighbors.end_row(block, i);
+        mean_normal[i] = unit(sum);
         spacing[i] =
             std::sqrt(pi * found.back().squared_distance / std::max<double>(1., found.size() - 1.));
-        rise[i] = spacing[i] > 0. ? median(rises) / spacing[i] : 0.;
+        noise[i] = spacing[i] > 0. ? median(offsets) / spacing[i] : 0.;
       });
-  near.join();
+  neighbors.join();
 }
 
 struct Surfel
 {
-  Spatial point, normal;
+  Vec3 point, normal;
 };
 
 // The surface over the plane of a surfel, in its spacings.
-class Chart
+class Local_frame
 {
 public:
-  Chart(const Scan& scan, Index i)
-      : m_origin(scan.point[i]), m_up(scan.up[i]), m_over(1. / scan.spacing[i])
+  Local_frame(const Denoising_cloud& cloud, Index i)
+      : m_origin(cloud.point[i]), m_normal(cloud.mean_normal[i]),
+        m_inverse_spacing(1. / cloud.spacing[i])
   {
-    std::tie(m_u, m_v) = tangent_frame(m_up);
+    std::tie(m_u, m_v) = tangent_frame(m_normal);
   }
 
-  struct Seen
+  struct Sample
   {
-    Quadric_fit::Place place;
+    Quadric_fit::Moments monomials;
     double height, slope_x, slope_y;
   };
   // False where the normal does not agree.
-  bool see(const Spatial& point, const Spatial& normal, Seen& seen) const
+  bool project(const Vec3& point, const Vec3& normal, Sample& sample) const
   {
-    const double up = dot(normal, m_up);
-    if(!(up > normals_agree))
+    const double cosine = dot(normal, m_normal);
+    if(!(cosine > min_normal_cosine))
       return false;
-    const Spatial way = m_over * (point - m_origin);
-    const double x = dot(way, m_u), y = dot(way, m_v);
-    seen = {{x, y, x * x, x * y, y * y},
-            dot(way, m_up),
-            -dot(normal, m_u) / up,
-            -dot(normal, m_v) / up};
+    const Vec3 offset = m_inverse_spacing * (point - m_origin);
+    const double x = dot(offset, m_u), y = dot(offset, m_v);
+    sample = {{x, y, x * x, x * y, y * y},
+              dot(offset, m_normal),
+              -dot(normal, m_u) / cosine,
+              -dot(normal, m_v) / cosine};
     return true;
   }
-  bool see(const Sample& sample, Seen& seen) const
+  bool project(const Surfel_mean& mean, Sample& sample) const
   {
-    if(!see(sample.point, sample.normal, seen))
+    if(!project(mean.point, mean.normal, sample))
       return false;
-    const double square = m_over * m_over;
-    seen.place.xx += square * spread_along(sample.spread, m_u, m_u);
-    seen.place.xy += square * spread_along(sample.spread, m_u, m_v);
-    seen.place.yy += square * spread_along(sample.spread, m_v, m_v);
+    const double squared_scale = m_inverse_spacing * m_inverse_spacing;
+    sample.monomials.xx += squared_scale * quadratic_form(mean.covariance, m_u, m_u);
+    sample.monomials.xy += squared_scale * quadratic_form(mean.covariance, m_u, m_v);
+    sample.monomials.yy += squared_scale * quadratic_form(mean.covariance, m_v, m_v);
     return true;
   }
 
   // Takes from what is seen how much it rises beyond the second order where the surface goes on
   // bending as the fit says: with the Hessian H by  x H x / (1 + sqrt(1 - |H x|^2))  in all, which is
   // right for spheres and cylinders.
-  static void straighten(const Quadric_fit::Coefficients& c, Seen& seen)
+  static void remove_higher_order_terms(const Quadric_fit::Coefficients& c, Sample& sample)
   {
-    const Quadric_fit::Place& p = seen.place;
+    const Quadric_fit::Moments& p = sample.monomials;
     const double x = c[3] * p.x + c[4] * p.y, y = c[4] * p.x + c[5] * p.y;
-    const double cosine = std::sqrt(1. - std::min(x * x + y * y, steepest));
-    seen.height -= (c[3] * p.xx + 2. * c[4] * p.xy + c[5] * p.yy) * (1. / (1. + cosine) - 0.5);
-    seen.slope_x -= x * (1. / cosine - 1.);
-    seen.slope_y -= y * (1. / cosine - 1.);
+    const double cosine = std::sqrt(1. - std::min(x * x + y * y, max_squared_sine));
+    sample.height -= (c[3] * p.xx + 2. * c[4] * p.xy + c[5] * p.yy) * (1. / (1. + cosine) - 0.5);
+    sample.slope_x -= x * (1. / cosine - 1.);
+    sample.slope_y -= y * (1. / cosine - 1.);
   }
 
   // What a fit suggests for a surfel nearby.
-  Surfel moved(const Spatial& point, const Quadric_fit::Coefficients& c) const
+  Surfel moved_to_fit(const Vec3& point, const Quadric_fit::Coefficients& c) const
   {
-    const Spatial way = m_over * (point - m_origin);
-    const double x = dot(way, m_u), y = dot(way, m_v);
-    const double rise = Quadric_fit::height(c, {x, y, x * x, x * y, y * y}) - dot(way, m_up);
-    const Spatial upward =
-        m_up - (c[1] + c[3] * x + c[4] * y) * m_u - (c[2] + c[4] * x + c[5] * y) * m_v;
-    const double slope = norm(upward);
-    return {point + rise / (m_over * slope * slope) * upward, (1. / slope) * upward};
+    const Vec3 offset = m_inverse_spacing * (point - m_origin);
+    const double x = dot(offset, m_u), y = dot(offset, m_v);
+    const double height_offset =
+        Quadric_fit::height(c, {x, y, x * x, x * y, y * y}) - dot(offset, m_normal);
+    const Vec3 scaled_normal =
+        m_normal - (c[1] + c[3] * x + c[4] * y) * m_u - (c[2] + c[4] * x + c[5] * y) * m_v;
+    const double length = norm(scaled_normal);
+    return {point + height_offset / (m_inverse_spacing * length * length) * scaled_normal,
+            (1. / length) * scaled_normal};
   }
 
 private:
   // Of the squared sine of the slope: normals that differ by more do not agree.
-  static constexpr double steepest = 1. - normals_agree * normals_agree;
+  static constexpr double max_squared_sine = 1. - min_normal_cosine * min_normal_cosine;
 
-  Spatial m_origin, m_up, m_u, m_v;
-  double m_over;
+  Vec3 m_origin, m_normal, m_u, m_v;
+  double m_inverse_spacing;
 };
 
 // Variances of heights, in squared spacings, and of slopes.
@@ -190,57 +195,58 @@ struct Variances
 };
 
 // What fits to the nearest surfels leave, with these weights of slopes.
-Variances left_by_fits(const Scan& scan, double slope_weight, unsigned threads)
+Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, unsigned threads)
 {
-  Variances result = {std::vector<double>(scan.size(), 0.), std::vector<double>(scan.size(), 0.)};
-  for_each_block(scan.size(), surfel_block, threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   std::vector<Chart::Seen> all;
-                   for(Index i = Index(begin); i < end; ++i)
-                   {
-                     if(!(scan.spacing[i] > 0.))
-                       continue;
-                     const Chart chart(scan, i);
-                     Quadric_fit fit;
-                     all.clear();
-                     Chart::Seen seen;
-                     for(const Index* j = scan.near.begin(i); j != scan.near.end(i); ++j)
-                       if(chart.see(scan.point[*j], scan.normal[*j], seen))
-                       {
-                         all.push_back(seen);
-                         fit.add_height(1., seen.place, seen.height);
-                         fit.add_slopes(slope_weight, seen.place, seen.slope_x, seen.slope_y);
-                       }
-                     if(fit.factorize() < 6)
-                       continue;
-                     const Quadric_fit::Coefficients c = fit.coefficients(6);
-                     double heights = 0., slopes = 0.;
-                     for(const auto& [p, height, slope_x, slope_y] : all)
-                     {
-                       const double h = height - Quadric_fit::height(c, p);
-                       const double a = slope_x - c[1] - c[3] * p.x - c[4] * p.y;
-                       const double b = slope_y - c[2] - c[4] * p.x - c[5] * p.y;
-                       heights += h * h;
-                       slopes += a * a + b * b;
-                     }
-                     // Six of the numbers are used up, about half of them by the heights.
-                     const double n = double(all.size());
-                     result.height[i] = heights / std::max(1., n - 3.);
-                     result.slope[i] = slopes / std::max(1., 2. * n - 3.);
-                   }
-                 });
+  Variances result = {std::vector<double>(cloud.size(), 0.), std::vector<double>(cloud.size(), 0.)};
+  for_each_block(
+      cloud.size(), surfel_block_size, threads,
+      [&](std::size_t, std::size_t begin, std::size_t end)
+      {
+        std::vector<Local_frame::Sample> samples;
+        for(Index i = Index(begin); i < end; ++i)
+        {
+          if(!(cloud.spacing[i] > 0.))
+            continue;
+          const Local_frame local_frame(cloud, i);
+          Quadric_fit fit;
+          samples.clear();
+          Local_frame::Sample sample;
+          for(const Index* j = cloud.neighbors.begin(i); j != cloud.neighbors.end(i); ++j)
+            if(local_frame.project(cloud.point[*j], cloud.normal[*j], sample))
+            {
+              samples.push_back(sample);
+              fit.add_height(1., sample.monomials, sample.height);
+              fit.add_slopes(slope_weight, sample.monomials, sample.slope_x, sample.slope_y);
+            }
+          if(fit.factorize() < 6)
+            continue;
+          const Quadric_fit::Coefficients c = fit.coefficients(6);
+          double height_sum = 0., slope_sum = 0.;
+          for(const auto& [p, height, slope_x, slope_y] : samples)
+          {
+            const double h = height - Quadric_fit::height(c, p);
+            const double a = slope_x - c[1] - c[3] * p.x - c[4] * p.y;
+            const double b = slope_y - c[2] - c[4] * p.x - c[5] * p.y;
+            height_sum += h * h;
+            slope_sum += a * a + b * b;
+          }
+          // Six of the numbers are used up, about half of them by the heights.
+          const double n = double(samples.size());
+          result.height[i] = height_sum / std::max(1., n - 3.);
+          result.slope[i] = slope_sum / std::max(1., 2. * n - 3.);
+        }
+      });
   return result;
 }
 
 // The medians over the neighbours.
-Variances variances(const Scan& scan, unsigned threads)
+Variances estimate_variances(const Denoising_cloud& cloud, unsigned threads)
 {
   // At first as if heights were known as well as slopes are over one spacing.
-  Variances rough = left_by_fits(scan, 1., threads);
-  const double slope = median(rough.slope), height = median(rough.height);
-  const Variances fine = left_by_fits(scan, slope > 0. ? height / slope : 1., threads);
-  for_each_block(scan.size(), surfel_block, threads,
+  Variances result = residual_variances(cloud, 1., threads);
+  const double slope = median(result.slope), height = median(result.height);
+  const Variances refined = residual_variances(cloud, slope > 0. ? height / slope : 1., threads);
+  for_each_block(cloud.size(), surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    std::vector<double> heights, slopes;
@@ -248,82 +254,82 @@ Variances variances(const Scan& scan, unsigned threads)
                    {
                      heights.clear();
                      slopes.clear();
-                     for(const Index* j = scan.near.begin(i); j != scan.near.end(i); ++j)
+                     for(const Index* j = cloud.neighbors.begin(i); j != cloud.neighbors.end(i);
+                         ++j)
                      {
-                       const double ratio = scan.spacing[*j] / scan.spacing[i];
-                       heights.push_back(ratio * ratio * fine.height[*j]);
-                       slopes.push_back(fine.slope[*j]);
+                       const double ratio = cloud.spacing[*j] / cloud.spacing[i];
+                       heights.push_back(ratio * ratio * refined.height[*j]);
+                       slopes.push_back(refined.slope[*j]);
                      }
-                     rough.height[i] = median(heights);
-                     rough.slope[i] = median(slopes);
+                     result.height[i] = median(heights);
+                     result.slope[i] = median(slopes);
                    }
                  });
-  return rough;
+  return result;
 }
 
 // Means of surfels that are neighbours in the order of the tree, but for those on different sheets.
 struct Clusters
 {
-  std::vector<Sample> samples;
-  std::vector<Spatial> point; // their means, in the order of a tree of their own
+  std::vector<Surfel_mean> means;
+  std::vector<Vec3> point; // their means, in the order of a tree of their own
   Kd_tree tree;
 };
 
-Clusters clusters(const Scan& scan, unsigned threads)
+Clusters build_clusters(const Denoising_cloud& cloud, unsigned threads)
 {
-  std::vector<Sample> samples;
+  std::vector<Surfel_mean> means;
   Clusters result;
-  constexpr double part = 1. / cluster_size;
-  for(Index begin = 0; begin + cluster_size <= scan.size(); begin += cluster_size)
+  constexpr double weight = 1. / cluster_size;
+  for(Index begin = 0; begin + cluster_size <= cloud.size(); begin += cluster_size)
   {
     const Index end = begin + cluster_size;
-    Sample mean;
+    Surfel_mean mean;
     double spacing = 0.;
     for(Index i = begin; i < end; ++i)
     {
-      mean.point = mean.point + part * scan.point[i];
-      mean.normal = mean.normal + part * scan.normal[i];
-      spacing = std::max(spacing, scan.spacing[i]);
+      mean.point = mean.point + weight * cloud.point[i];
+      mean.normal = mean.normal + weight * cloud.normal[i];
+      spacing = std::max(spacing, cloud.spacing[i]);
     }
-    bool is_one = true;
+    bool is_cluster = true;
     for(Index i = begin; i < end; ++i)
     {
-      const Spatial way = scan.point[i] - mean.point;
-      is_one =
-          is_one && norm(way) < 5. * spacing && dot(scan.normal[i], mean.normal) > normals_agree;
+      const Vec3 offset = cloud.point[i] - mean.point;
+      is_cluster = is_cluster && norm(offset) < 5. * spacing &&
+                   dot(cloud.normal[i], mean.normal) > min_normal_cosine;
       for(int k = 0; k < 3; ++k)
       {
-        mean.spread[k] += part * way[k] * way[k];
-        mean.spread[3 + k] += part * way[(k + 1) % 3] * way[(k + 2) % 3];
+        mean.covariance[k] += weight * offset[k] * offset[k];
+        mean.covariance[3 + k] += weight * offset[(k + 1) % 3] * offset[(k + 2) % 3];
       }
     }
-    if(is_one)
+    if(is_cluster)
     {
-      samples.push_back(mean);
+      means.push_back(mean);
       result.point.push_back(mean.point);
     }
   }
   std::vector<Index> order;
   result.tree = Kd_tree(result.point, order, threads);
   for(const Index i : order)
-    result.samples.push_back(samples[i]);
+    result.means.push_back(means[i]);
   return result;
 }
 
 // A fit: its radius, and how many of its coefficients count.
-struct Choice
+struct Fit_choice
 {
-  int scale = 0, number = 3;
+  int scale = 0, count = 3;
 
-  friend bool operator==(const Choice& a, const Choice& b)
+  friend bool operator==(const Fit_choice& a, const Fit_choice& b)
   {
-    return a.scale == b.scale && a.number == b.number;
+    return a.scale == b.scale && a.count == b.count;
   }
   // By how sure they are: a plane is as sure as a quadric through four times as many surfels.
-  friend bool operator<(const Choice& a, const Choice& b)
+  friend bool operator<(const Fit_choice& a, const Fit_choice& b)
   {
-    const int rank_a = a.scale + (a.number == 3 ? 3 : 0),
-              rank_b = b.scale + (b.number == 3 ? 3 : 0);
+    const int rank_a = a.scale + (a.count == 3 ? 3 : 0), rank_b = b.scale + (b.count == 3 ? 3 : 0);
     return rank_a != rank_b ? rank_a < rank_b : a.scale < b.scale;
   }
 };
@@ -335,94 +341,95 @@ public:
   struct Scratch
   {
     std::vector<Index> found;
-    std::array<std::vector<Index>, scales> rings;
+    std::array<std::vector<Index>, number_of_scales> rings;
   };
 
-  Denoiser(const Scan& scan, unsigned threads)
-      : m_scan(scan), m_variances(variances(scan, threads)), m_clusters(clusters(scan, threads))
+  Denoiser(const Denoising_cloud& cloud, unsigned threads)
+      : m_cloud(cloud), m_variances(estimate_variances(cloud, threads)),
+        m_clusters(build_clusters(cloud, threads))
   {
-    for(int k = 0; k < scales; ++k)
-      m_squared_radius[k] = std::pow(first_radius * std::pow(growth, k), 2);
+    for(int k = 0; k < number_of_scales; ++k)
+      m_squared_radius[k] = std::pow(smallest_radius * std::pow(radius_ratio, k), 2);
   }
 
   // The surest fit that agrees with all that are less sure.
-  Quadric_fit::Coefficients choose(Index i, Scratch& scratch, Choice& choice) const
+  Quadric_fit::Coefficients choose_fit(Index i, Scratch& scratch, Fit_choice& choice) const
   {
     Quadric_fit::Coefficients result = {};
     choice = {};
     if(!is_noisy(i))
       return result;
-    std::array<Estimate, 2 * scales> estimates;
+    std::array<Estimate, 2 * number_of_scales> estimates;
     std::size_t size = 0;
-    double least = infinity;
+    double min_variance = infinity;
     visit_fits(i, scratch,
-               [&](int scale, const Quadric_fit& fit, int number)
+               [&](int scale, const Quadric_fit& fit, int count)
                {
-                 bool is_any = number < 6;
+                 bool has_estimate = count < 6;
                  for(const int n : {6, 3})
                  {
-                   if(n > number)
+                   if(n > count)
                      continue;
                    const Quadric_fit::Coefficients c = fit.coefficients(n);
                    const Estimate e = {
                        {c[0], c[1], c[2]},
                        {fit.variance(0, n), fit.variance(1, n), fit.variance(2, n)}};
                    if(!std::all_of(estimates.begin(), estimates.begin() + size,
-                                   [&](const Estimate& other) { return agree(e, other); }))
+                                   [&](const Estimate& other) { return are_consistent(e, other); }))
                      continue;
-                   is_any = true;
+                   has_estimate = true;
                    estimates[size++] = e;
-                   if(e.variance[0] < least)
+                   if(e.variance[0] < min_variance)
                    {
-                     least = e.variance[0];
+                     min_variance = e.variance[0];
                      choice = {scale, n};
                      result = c;
                    }
                  }
-                 return is_any;
+                 return has_estimate;
                });
     return result;
   }
 
   // The fit that is chosen.
-  Quadric_fit::Coefficients fit(Index i, Scratch& scratch, const Choice& choice) const
+  Quadric_fit::Coefficients fit(Index i, Scratch& scratch, const Fit_choice& choice) const
   {
     Quadric_fit::Coefficients result = {};
     if(is_noisy(i))
       visit_fits(i, scratch,
-                 [&](int scale, const Quadric_fit& fit, int number)
+                 [&](int scale, const Quadric_fit& fit, int count)
                  {
                    if(scale < choice.scale)
                      return true;
-                   if(number > 0)
-                     result = fit.coefficients(std::min(number, choice.number));
+                   if(count > 0)
+                     result = fit.coefficients(std::min(count, choice.count));
                    return false;
                  });
     return result;
   }
 
   // The mean of what the neighbours' fits suggest, such that no step is left between surfels.
-  Surfel blended(Index i, const std::vector<Quadric_fit::Coefficients>& fits) const
+  Surfel blended_surfel(Index i, const std::vector<Quadric_fit::Coefficients>& fits) const
   {
-    const Spatial& point = m_scan.point[i];
-    double farthest = 0., weights = 0.;
-    for(const Index* j = m_scan.near.begin(i); j != m_scan.near.end(i); ++j)
-      farthest = std::max(farthest, norm(m_scan.point[*j] - point));
+    const Vec3& point = m_cloud.point[i];
+    double max_distance = 0., weight_sum = 0.;
+    for(const Index* j = m_cloud.neighbors.begin(i); j != m_cloud.neighbors.end(i); ++j)
+      max_distance = std::max(max_distance, norm(m_cloud.point[*j] - point));
     Surfel sum = {{0., 0., 0.}, {0., 0., 0.}};
-    for(const Index* j = m_scan.near.begin(i); j != m_scan.near.end(i); ++j)
+    for(const Index* j = m_cloud.neighbors.begin(i); j != m_cloud.neighbors.end(i); ++j)
     {
       if(!is_noisy(*j))
         continue;
-      const double ratio = farthest > 0. ? norm(m_scan.point[*j] - point) / farthest : 0.;
+      const double ratio = max_distance > 0. ? norm(m_cloud.point[*j] - point) / max_distance : 0.;
       const double weight = std::pow(1. - 0.9 * ratio * ratio, 2);
-      const Surfel one = Chart(m_scan, *j).moved(point, fits[*j]);
-      sum.point = sum.point + weight * one.point;
-      sum.normal = sum.normal + weight * one.normal;
-      weights += weight;
+      const Surfel moved = Local_frame(m_cloud, *j).moved_to_fit(point, fits[*j]);
+      sum.point = sum.point + weight * moved.point;
+      sum.normal = sum.normal + weight * moved.normal;
+      weight_sum += weight;
     }
-    if(!(weights > 0.))
-      return {point, m_scan.up[i]};
-    return {(1. / weights) * sum.point, unit(sum.normal)};
+    if(!(weight_sum > 0.))
+      return {point, m_cloud.mean_normal[i]};
+    return {(1. / weight_sum) * sum.point, unit(sum.normal)};
   }
 
 private:
@@ -433,13 +440,13 @@ private:
   };
 
   // Whether the difference of two estimates, one of which has used what the other has, is chance.
-  static bool agree(const Estimate& a, const Estimate& b)
+  static bool are_consistent(const Estimate& a, const Estimate& b)
   {
     for(int k = 0; k < 3; ++k)
     {
       const double difference = a.value[k] - b.value[k];
-      const double most = k == 0 ? agreement : slope_agreement;
-      if(difference * difference > most * most * std::abs(a.variance[k] - b.variance[k]))
+      const double tolerance = k == 0 ? height_tolerance : slope_tolerance;
+      if(difference * difference > tolerance * tolerance * std::abs(a.variance[k] - b.variance[k]))
         return false;
     }
     return true;
@@ -447,27 +454,28 @@ private:
 
   bool is_noisy(Index i) const
   {
-    return m_scan.spacing[i] > 0. && m_variances.height[i] > 0. && m_variances.slope[i] > 0.;
+    return m_cloud.spacing[i] > 0. && m_variances.height[i] > 0. && m_variances.slope[i] > 0.;
   }
 
   // Sorts the surfels, or the clusters, between two scales into rings.
-  void find_rings(Index i, int begin, int end, Scratch& scratch) const
+  void sort_into_rings(Index i, int begin, int end, Scratch& scratch) const
   {
-    const bool is_clustered = begin >= first_clustered;
-    const double square = m_scan.spacing[i] * m_scan.spacing[i];
-    const std::vector<Spatial>& points = is_clustered ? m_clusters.point : m_scan.point;
-    (is_clustered ? m_clusters.tree : m_scan.tree)
-        .within(points, m_scan.point[i], square * m_squared_radius[end - 1], scratch.found);
+    const bool is_clustered = begin >= first_clustered_scale;
+    const double squared_spacing = m_cloud.spacing[i] * m_cloud.spacing[i];
+    const std::vector<Vec3>& points = is_clustered ? m_clusters.point : m_cloud.point;
+    (is_clustered ? m_clusters.tree : m_cloud.tree)
+        .within(points, m_cloud.point[i], squared_spacing * m_squared_radius[end - 1],
+                scratch.found);
     for(int scale = begin; scale < end; ++scale)
       scratch.rings[scale].clear();
     for(const Index j : scratch.found)
     {
-      const Spatial way = points[j] - m_scan.point[i];
-      const double distance = dot(way, way) / square;
-      if(begin > 0 && distance <= m_squared_radius[begin - 1])
+      const Vec3 offset = points[j] - m_cloud.point[i];
+      const double squared_distance = dot(offset, offset) / squared_spacing;
+      if(begin > 0 && squared_distance <= m_squared_radius[begin - 1])
         continue;
       int ring = begin;
-      while(ring + 1 < end && distance > m_squared_radius[ring])
+      while(ring + 1 < end && squared_distance > m_squared_radius[ring])
         ++ring;
       scratch.rings[ring].push_back(j);
     }
@@ -478,107 +486,112 @@ private:
   template <typename Visit>
   void visit_fits(Index i, Scratch& scratch, Visit visit) const
   {
-    const Chart chart(m_scan, i);
-    const double most = outlying * std::sqrt(m_variances.height[i]);
+    const Local_frame local_frame(m_cloud, i);
+    const double max_residual = outlier_tolerance * std::sqrt(m_variances.height[i]);
     const double height_weight = 1. / m_variances.height[i],
                  slope_weight = 1. / m_variances.slope[i];
     Quadric_fit fit;
-    Quadric_fit::Coefficients last = {};
-    bool has_last = false;
-    int known = 0; // scales whose rings are found
-    for(int scale = 0; scale < scales; ++scale)
+    Quadric_fit::Coefficients previous_fit = {};
+    bool has_previous_fit = false;
+    int number_of_sorted_scales = 0; // scales whose rings are found
+    for(int scale = 0; scale < number_of_scales; ++scale)
     {
-      if(scale == known)
+      if(scale == number_of_sorted_scales)
       {
-        known = scale < first_clustered ? first_clustered : std::min(scale + 3, scales);
-        find_rings(i, scale, known, scratch);
+        number_of_sorted_scales = scale < first_clustered_scale
+                                      ? first_clustered_scale
+                                      : std::min(scale + 3, number_of_scales);
+        sort_into_rings(i, scale, number_of_sorted_scales, scratch);
       }
       for(const Index j : scratch.rings[scale])
       {
-        Chart::Seen seen;
-        const double number = scale < first_clustered ? 1. : double(cluster_size);
-        if(!(scale < first_clustered ? chart.see(m_scan.point[j], m_scan.normal[j], seen)
-                                     : chart.see(m_clusters.samples[j], seen)))
+        Local_frame::Sample sample;
+        const double count = scale < first_clustered_scale ? 1. : double(cluster_size);
+        if(!(scale < first_clustered_scale
+                 ? local_frame.project(m_cloud.point[j], m_cloud.normal[j], sample)
+                 : local_frame.project(m_clusters.means[j], sample)))
           continue;
-        if(has_last)
-          Chart::straighten(last, seen);
-        if(has_last && std::abs(seen.height - Quadric_fit::height(last, seen.place)) > most)
+        if(has_previous_fit)
+          Local_frame::remove_higher_order_terms(previous_fit, sample);
+        if(has_previous_fit &&
+           std::abs(sample.height - Quadric_fit::height(previous_fit, sample.monomials)) >
+               max_residual)
           continue;
-        fit.add_height(number * height_weight, seen.place, seen.height);
-        fit.add_slopes(number * slope_weight, seen.place, seen.slope_x, seen.slope_y);
+        fit.add_height(count * height_weight, sample.monomials, sample.height);
+        fit.add_slopes(count * slope_weight, sample.monomials, sample.slope_x, sample.slope_y);
       }
-      const int number = fit.factorize();
-      if(number == 6)
+      const int count = fit.factorize();
+      if(count == 6)
       {
-        last = fit.coefficients(6);
-        has_last = true;
+        previous_fit = fit.coefficients(6);
+        has_previous_fit = true;
       }
-      if(!visit(scale, fit, number))
+      if(!visit(scale, fit, count))
         return;
     }
   }
 
-  const Scan& m_scan;
+  const Denoising_cloud& m_cloud;
   Variances m_variances;
   Clusters m_clusters;
-  std::array<double, scales> m_squared_radius; // in spacings
+  std::array<double, number_of_scales> m_squared_radius; // in spacings
 };
 
 } // namespace
 
-double noise_level(const std::vector<Spatial>& points, std::vector<Spatial> normals,
-                   unsigned threads)
+double noise_level(const std::vector<Vec3>& points, std::vector<Vec3> normals, unsigned threads)
 {
-  Scan scan(points, std::move(normals), threads);
-  return scan.size() == 0 ? 0. : median(scan.rise);
+  Denoising_cloud cloud(points, std::move(normals), threads);
+  return cloud.size() == 0 ? 0. : median(cloud.noise);
 }
 
-void denoise(std::vector<Spatial>& points, std::vector<Spatial>& normals, unsigned threads)
+void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned threads)
 {
-  const Scan scan(points, normals, threads);
-  const std::size_t n = scan.size();
+  const Denoising_cloud cloud(points, normals, threads);
+  const std::size_t n = cloud.size();
   if(n == 0)
     return;
-  const Denoiser denoiser(scan, threads);
-  std::vector<Choice> choices(n);
+  const Denoiser denoiser(cloud, threads);
+  std::vector<Fit_choice> choices(n);
   std::vector<Quadric_fit::Coefficients> fits(n);
-  for_each_block(n, surfel_block, threads,
+  for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    Denoiser::Scratch scratch;
                    for(Index i = Index(begin); i < end; ++i)
-                     fits[i] = denoiser.choose(i, scratch, choices[i]);
+                     fits[i] = denoiser.choose_fit(i, scratch, choices[i]);
                  });
   // Chance makes some of the choices too small: of the neighbours' the median counts.
-  for_each_block(n, surfel_block, threads,
+  for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    Denoiser::Scratch scratch;
-                   std::vector<Choice> around;
+                   std::vector<Fit_choice> neighbor_choices;
                    for(Index i = Index(begin); i < end; ++i)
                    {
-                     around.clear();
-                     for(const Index* j = scan.near.begin(i); j != scan.near.end(i); ++j)
-                       around.push_back(choices[*j]);
-                     const Choice choice = median(around);
+                     neighbor_choices.clear();
+                     for(const Index* j = cloud.neighbors.begin(i); j != cloud.neighbors.end(i);
+                         ++j)
+                       neighbor_choices.push_back(choices[*j]);
+                     const Fit_choice choice = median(neighbor_choices);
                      if(!(choice == choices[i]))
                        fits[i] = denoiser.fit(i, scratch, choice);
                    }
                  });
   std::vector<Surfel> surfels(n);
-  for_each_block(n, surfel_block, threads,
+  for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index i = Index(begin); i < end; ++i)
-                     surfels[i] = denoiser.blended(i, fits);
+                     surfels[i] = denoiser.blended_surfel(i, fits);
                  });
-  const int exponent = std::ilogb(scan.frame.scale);
+  const int exponent = std::ilogb(cloud.frame.scale);
   for(std::size_t i = 0; i < n; ++i)
   {
-    Spatial& point = points[scan.order[i]];
+    Vec3& point = points[cloud.order[i]];
     for(int k = 0; k < 3; ++k)
-      point[k] += std::ldexp(surfels[i].point[k] - scan.point[i][k], exponent);
-    normals[scan.order[i]] = surfels[i].normal;
+      point[k] += std::ldexp(surfels[i].point[k] - cloud.point[i][k], exponent);
+    normals[cloud.order[i]] = surfels[i].normal;
   }
 }
 

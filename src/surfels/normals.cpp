@@ -3,9 +3,9 @@
 #include "surfels/normals.h"
 
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
-#include <CGAL/Geodesic_processing/internal/core/Queue.h>
-#include <CGAL/Geodesic_processing/internal/mesh/locality.h>
-#include "numerics/nearest_quadric.h"
+#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
+#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
+#include "numerics/fit_quadric.h"
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
 
 #include <algorithm>
@@ -18,46 +18,46 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Equal points have one number, in the order of their coordinates.
-std::vector<Index> number_distinct(const std::vector<Spatial>& points,
-                                   std::vector<Spatial>& distinct)
+std::vector<Index> index_distinct_points(const std::vector<Vec3>& points,
+                                         std::vector<Vec3>& distinct)
 {
-  std::vector<Index> order(points.size()), number(points.size());
+  std::vector<Index> order(points.size()), index_of_point(points.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Index i, Index j) { return points[i] < points[j]; });
   for(const Index i : order)
   {
     if(distinct.empty() || distinct.back() != points[i])
       distinct.push_back(points[i]);
-    number[i] = Index(distinct.size() - 1);
+    index_of_point[i] = Index(distinct.size() - 1);
   }
-  return number;
+  return index_of_point;
 }
 
 // Each point's nearest ones, and those of which it is one.
-struct Neighborhoods
+struct Neighbor_graph
 {
-  explicit Neighborhoods(const std::vector<Index>& near, std::size_t size)
-      : first(near.size() / size + 1, 0), around(2 * near.size())
+  explicit Neighbor_graph(const std::vector<Index>& nearest, std::size_t size)
+      : begin(nearest.size() / size + 1, 0), neighbors(2 * nearest.size())
   {
-    for(std::size_t i = 0; i < near.size(); ++i)
+    for(std::size_t i = 0; i < nearest.size(); ++i)
     {
-      ++first[i / size];
-      ++first[near[i]];
+      ++begin[i / size];
+      ++begin[nearest[i]];
     }
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    for(std::size_t i = 0; i < near.size(); ++i)
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for(std::size_t i = 0; i < nearest.size(); ++i)
     {
-      around[--first[i / size]] = near[i];
-      around[--first[near[i]]] = Index(i / size);
+      neighbors[--begin[i / size]] = nearest[i];
+      neighbors[--begin[nearest[i]]] = Index(i / size);
     }
   }
 
-  std::vector<std::size_t> first; // #points + 1
-  std::vector<Index> around;
+  std::vector<std::size_t> begin; // #points + 1
+  std::vector<Index> neighbors;
 };
 
-void orient(const std::vector<Spatial>& points, const Neighborhoods& neighborhoods,
-            std::vector<Spatial>& normals)
+void orient(const std::vector<Vec3>& points, const Neighbor_graph& graph,
+            std::vector<Vec3>& normals)
 {
   const std::size_t n = points.size();
   std::vector<Index> seeds(n), parent(n);
@@ -65,7 +65,7 @@ void orient(const std::vector<Spatial>& points, const Neighborhoods& neighborhoo
   std::stable_sort(seeds.begin(), seeds.end(),
                    [&](Index i, Index j) { return points[i][2] > points[j][2]; });
   std::vector<double> cost(n, infinity); // of joining the tree; less than any when it is in it
-  Queue queue(n);
+  Vertex_queue queue(n);
   for(const Index seed : seeds)
   {
     if(cost[seed] != infinity)
@@ -76,19 +76,19 @@ void orient(const std::vector<Spatial>& points, const Neighborhoods& neighborhoo
     queue.push(seed, 0.);
     while(!queue.empty())
     {
-      const Index i = queue.pop().site;
+      const Index i = queue.pop().vertex;
       cost[i] = -infinity;
       if(dot(normals[i], normals[parent[i]]) < 0.)
         normals[i] = -1. * normals[i];
-      for(std::size_t k = neighborhoods.first[i]; k < neighborhoods.first[i + 1]; ++k)
+      for(std::size_t k = graph.begin[i]; k < graph.begin[i + 1]; ++k)
       {
-        const Index j = neighborhoods.around[k];
-        const double step = 1. - std::abs(dot(normals[i], normals[j]));
-        if(step < cost[j])
+        const Index j = graph.neighbors[k];
+        const double edge_cost = 1. - std::abs(dot(normals[i], normals[j]));
+        if(edge_cost < cost[j])
         {
-          cost[j] = step;
+          cost[j] = edge_cost;
           parent[j] = i;
-          queue.push(j, step);
+          queue.push(j, edge_cost);
         }
       }
     }
@@ -97,41 +97,41 @@ void orient(const std::vector<Spatial>& points, const Neighborhoods& neighborhoo
 
 } // namespace
 
-std::vector<Spatial> estimate_normals(const std::vector<Spatial>& points, unsigned neighbors,
-                                      bool oriented, unsigned threads)
+std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned number_of_neighbors,
+                                   bool is_oriented, unsigned threads)
 {
-  std::vector<Spatial> framed = points, point;
-  to_frame(framed, unit_frame(points));
-  const std::vector<Index> number = number_distinct(framed, point);
+  std::vector<Vec3> scaled_points = points, point;
+  to_frame(scaled_points, unit_frame(points));
+  const std::vector<Index> index_of_point = index_distinct_points(scaled_points, point);
   const std::size_t n = point.size();
-  std::vector<Spatial> distinct(n, {0., 0., 1.});
+  std::vector<Vec3> distinct_normals(n, {0., 0., 1.});
   if(n > 2)
   {
     std::vector<Index> order;
     const Kd_tree tree(point, order, threads);
-    const std::size_t size = std::min<std::size_t>(neighbors + 1, n);
-    std::vector<Spatial> normal(n);
-    std::vector<Index> near(n * size);
+    const std::size_t size = std::min<std::size_t>(number_of_neighbors + 1, n);
+    std::vector<Vec3> normal(n);
+    std::vector<Index> nearest(n * size);
     visit_nearest(point, tree, size - 1, threads,
                   [&](std::size_t, Index i, const std::vector<Kd_tree::Neighbor>& found)
                   {
-                    std::vector<Spatial> around;
+                    std::vector<Vec3> neighborhood;
                     for(const Kd_tree::Neighbor& neighbor : found)
                     {
-                      near[size * i + around.size()] = neighbor.point;
-                      around.push_back(point[neighbor.point]);
+                      nearest[size * i + neighborhood.size()] = neighbor.point;
+                      neighborhood.push_back(point[neighbor.point]);
                     }
-                    const Quadric quadric = nearest_quadric(point[i], around);
-                    normal[i] = quadric.unit > 0. ? quadric.normal() : Spatial{0., 0., 1.};
+                    const Quadric quadric = fit_quadric(point[i], neighborhood);
+                    normal[i] = quadric.length_unit > 0. ? quadric.normal() : Vec3{0., 0., 1.};
                   });
-    if(oriented)
-      orient(point, Neighborhoods(near, size), normal);
+    if(is_oriented)
+      orient(point, Neighbor_graph(nearest, size), normal);
     for(std::size_t i = 0; i < n; ++i)
-      distinct[order[i]] = normal[i];
+      distinct_normals[order[i]] = normal[i];
   }
-  std::vector<Spatial> result;
-  for(const Index i : number)
-    result.push_back(distinct[i]);
+  std::vector<Vec3> result;
+  for(const Index i : index_of_point)
+    result.push_back(distinct_normals[i]);
   return result;
 }
 

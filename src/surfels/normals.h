@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NORMALS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_NORMALS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_NORMALS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_NORMALS_H
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <vector>
 
@@ -18,9 +18,9 @@ namespace CGAL::Geodesic_processing::internal {
 //
 // Throws Invalid_argument_error when a coordinate is not finite or the extent overflows.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Spatial> estimate_normals(const std::vector<Spatial>& points, unsigned neighbors,
-                                      bool oriented, unsigned threads = 1);
+std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned number_of_neighbors,
+                                   bool is_oriented, unsigned threads = 1);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NORMALS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_NORMALS_H

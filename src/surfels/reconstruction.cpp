@@ -3,7 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/surfels/reconstruction.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,49 +28,49 @@ using Face = std::array<std::size_t, 3>;
 
 // How often the front may ask how good a triangle is: 30 to 60 times for each surfel of a clean cloud,
 // 110 times and more on noise, through which it lays thousands of parts, each after a look at all.
-constexpr double first_questions = 2e5, questions_per_surfel = 60.;
+constexpr double base_query_limit = 2e5, queries_per_surfel = 60.;
 
 // What the front leaves open among surfels near each other has fewer edges than this.
-constexpr std::size_t most_edges_of_gap = 16;
+constexpr std::size_t max_number_of_gap_edges = 16;
 // And a ring of so few is closed whatever its size: across it is no farther than along three edges of small
 // triangles.  Random samples of a surface leave one in some ten thousand surfels.
-constexpr std::size_t few_edges = 6;
+constexpr std::size_t always_closed_gap_edges = 6;
 // The sine of twenty degrees: by so much the normal of a triangle's surfel may point to the other side,
 // as those at creases are means, and by more than that one of them points to this one.
-constexpr double slant = 0.34;
+constexpr double normal_sine_tolerance = 0.34;
 
 // How a triangle lies to its surfels: the least and the largest of what their normals rise over it.
-std::pair<double, double> rises(const Glued_triangles& t, const Face& face)
+std::pair<double, double> normal_cosine_range(const Surface_arrays& t, const Face& face)
 {
-  const Spatial& origin = t.point[face[0]];
-  const Spatial normal = unit(cross(t.point[face[1]] - origin, t.point[face[2]] - origin));
-  const auto [least, largest] =
+  const Vec3& origin = t.point[face[0]];
+  const Vec3 normal = unit(cross(t.point[face[1]] - origin, t.point[face[2]] - origin));
+  const auto [min_cosine, max_cosine] =
       std::minmax({dot(t.normal[face[0]], normal), dot(t.normal[face[1]], normal),
                    dot(t.normal[face[2]], normal)});
-  return {least, largest};
+  return {min_cosine, max_cosine};
 }
 
 // Whether a triangle is as small as the cloud's own triangles, so that gaps stay open.
-bool is_small(const Glued_surfels& surfels, const Face& face)
+bool is_small(const Surfel_arrays& surfels, const Face& face)
 {
-  const std::vector<Spatial>& point = surfels.triangles.point;
-  const Spatial &p = point[face[0]], &q = point[face[1]], &r = point[face[2]];
+  const std::vector<Vec3>& point = surfels.arrays.point;
+  const Vec3 &p = point[face[0]], &q = point[face[1]], &r = point[face[2]];
   const double radius =
       std::min({surfels.radius[face[0]], surfels.radius[face[1]], surfels.radius[face[2]]});
   return norm(q - p) * norm(r - q) * norm(p - r) <=
-         2. * largest_circumradius * radius * norm(cross(q - p, r - p));
+         2. * max_circumradius_ratio * radius * norm(cross(q - p, r - p));
 }
 
 // The priority of the advancing front: small triangles first.
-struct Small_in_surface
+struct Triangle_priority
 {
-  const Glued_surfels* surfels;
-  double* questions_left;
+  const Surfel_arrays* surfels;
+  double* remaining_queries;
 
   template <typename Advancing_front, typename Cell_handle>
   double operator()(const Advancing_front& front, const Cell_handle& cell, int index) const
   {
-    if(--*questions_left < 0.)
+    if(--*remaining_queries < 0.)
       throw Unsupported_surface_error(
           "The cloud is not clean: a surface through its surfels falls into too many parts.");
     const double size = front.smallest_radius_delaunay_sphere(cell, index);
@@ -79,9 +79,10 @@ struct Small_in_surface
       return infinity;
     const Face face = {cell->vertex((index + 1) & 3)->info(), cell->vertex((index + 2) & 3)->info(),
                        cell->vertex((index + 3) & 3)->info()};
-    const auto [least, largest] = rises(surfels->triangles, face);
+    const auto [min_cosine, max_cosine] = normal_cosine_range(surfels->arrays, face);
     const bool is_in_sheet =
-        (least >= -slant && largest > slant) || (largest <= slant && least < -slant);
+        (min_cosine >= -normal_sine_tolerance && max_cosine > normal_sine_tolerance) ||
+        (max_cosine <= normal_sine_tolerance && min_cosine < -normal_sine_tolerance);
     return is_in_sheet && is_small(*surfels, face) ? size : infinity;
   }
 };
@@ -90,60 +91,61 @@ std::vector<Index> corners_of(const std::vector<Face>& faces)
 {
   std::vector<Index> result;
   for(const Face& face : faces)
-    for(const std::size_t site : face)
-      result.push_back(Index(site));
+    for(const std::size_t v : face)
+      result.push_back(Index(v));
   return result;
 }
 
 // Turns over each component that most of its triangles' surfels see from behind.
-void orient(const Glued_triangles& t, std::vector<Face>& faces)
+void orient(const Surface_arrays& t, std::vector<Face>& faces)
 {
-  const std::vector<Index> twins = twins_of_soup(t.number_of_sites(), corners_of(faces));
+  const std::vector<Index> twins = twins_of_soup(t.number_of_vertices(), corners_of(faces));
   std::vector<bool> is_reached(faces.size(), false);
   std::vector<Index> component;
-  for(Index first = 0; first < faces.size(); ++first)
+  for(Index seed = 0; seed < faces.size(); ++seed)
   {
-    if(is_reached[first])
+    if(is_reached[seed])
       continue;
-    component = {first};
-    is_reached[first] = true;
-    double rise = 0.;
+    component = {seed};
+    is_reached[seed] = true;
+    double cosine_sum = 0.;
     for(std::size_t i = 0; i < component.size(); ++i)
     {
-      const auto [least, largest] = rises(t, faces[component[i]]);
-      rise += least + largest;
-      for(Index side = 3 * component[i]; side < 3 * component[i] + 3; ++side)
-        if(const Index twin = twins[side]; twin != none && !is_reached[twin / 3])
+      const auto [min_cosine, max_cosine] = normal_cosine_range(t, faces[component[i]]);
+      cosine_sum += min_cosine + max_cosine;
+      for(Index h = 3 * component[i]; h < 3 * component[i] + 3; ++h)
+        if(const Index twin = twins[h]; twin != none && !is_reached[twin / 3])
         {
           is_reached[twin / 3] = true;
           component.push_back(twin / 3);
         }
     }
-    if(rise < 0.)
+    if(cosine_sum < 0.)
       for(const Index face : component)
         std::swap(faces[face][0], faces[face][1]);
   }
 }
 
 // The borders of few edges, each of them clockwise around what it leaves open.
-std::vector<std::vector<Index>> gaps(std::size_t number_of_sites, const std::vector<Face>& faces)
+std::vector<std::vector<Index>> find_gaps(std::size_t number_of_vertices,
+                                          const std::vector<Face>& faces)
 {
   const std::vector<Index> corners = corners_of(faces);
-  const std::vector<Index> twins = twins_of_soup(number_of_sites, corners);
-  std::vector<Index> next(number_of_sites, none); // backwards along the border
-  for(Index side = 0; side < corners.size(); ++side)
-    if(twins[side] == none)
-      next[corners[next_side(side)]] = corners[side];
+  const std::vector<Index> twins = twins_of_soup(number_of_vertices, corners);
+  std::vector<Index> next(number_of_vertices, none); // backwards along the border
+  for(Index h = 0; h < corners.size(); ++h)
+    if(twins[h] == none)
+      next[corners[next_halfedge(h)]] = corners[h];
   std::vector<std::vector<Index>> result;
   std::vector<Index> gap;
-  for(Index begin = 0; begin < number_of_sites; ++begin)
+  for(Index begin = 0; begin < number_of_vertices; ++begin)
   {
     gap.clear();
-    for(Index site = begin; site != none && gap.size() < most_edges_of_gap;)
+    for(Index v = begin; v != none && gap.size() < max_number_of_gap_edges;)
     {
-      gap.push_back(site);
-      site = std::exchange(next[site], none);
-      if(site == begin)
+      gap.push_back(v);
+      v = std::exchange(next[v], none);
+      if(v == begin)
       {
         result.push_back(gap);
         break;
@@ -164,55 +166,57 @@ void for_each_edge(const Face& face, const Use& use)
 
 // Those of the least area, where all of them lie in the surface and none has an edge that is there
 // already, but for the rim's.
-void close_gaps(const Glued_surfels& surfels, const std::vector<Kernel::Point_3>& points,
+void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>& points,
                 std::vector<Face>& faces)
 {
   std::set<Edge> edges;
   for(const Face& face : faces)
     for_each_edge(face, [&](const Edge& edge) { edges.insert(edge); });
-  for(const std::vector<Index>& gap : gaps(points.size(), faces))
+  for(const std::vector<Index>& gap : find_gaps(points.size(), faces))
   {
-    std::vector<Kernel::Point_3> rim;
-    for(const Index site : gap)
-      rim.push_back(points[site]);
+    std::vector<Kernel::Point_3> boundary_loop;
+    for(const Index v : gap)
+      boundary_loop.push_back(points[v]);
     std::vector<Triple<int, int, int>> triples;
     Polygon_mesh_processing::triangulate_hole_polyline(
-        rim, std::back_inserter(triples), CGAL::parameters::use_delaunay_triangulation(false));
-    std::vector<Face> found;
-    std::size_t known = 0; // edges of triangles: the rim's alone
+        boundary_loop, std::back_inserter(triples),
+        CGAL::parameters::use_delaunay_triangulation(false));
+    std::vector<Face> new_faces;
+    std::size_t number_of_existing_edges = 0; // edges of triangles: the rim's alone
     for(const auto& triple : triples)
     {
-      found.push_back({gap[triple.first], gap[triple.second], gap[triple.third]});
-      for_each_edge(found.back(), [&](const Edge& edge) { known += edges.count(edge); });
+      new_faces.push_back({gap[triple.first], gap[triple.second], gap[triple.third]});
+      for_each_edge(new_faces.back(),
+                    [&](const Edge& edge) { number_of_existing_edges += edges.count(edge); });
     }
     const bool is_in_surface =
-        std::all_of(found.begin(), found.end(),
+        std::all_of(new_faces.begin(), new_faces.end(),
                     [&](const Face& face)
                     {
-                      return (gap.size() <= few_edges || is_small(surfels, face)) &&
-                             rises(surfels.triangles, face).second > 0.;
+                      return (gap.size() <= always_closed_gap_edges || is_small(surfels, face)) &&
+                             normal_cosine_range(surfels.arrays, face).second > 0.;
                     });
-    if(known > gap.size() || !is_in_surface)
+    if(number_of_existing_edges > gap.size() || !is_in_surface)
       continue;
-    for(const Face& face : found)
+    for(const Face& face : new_faces)
       for_each_edge(face, [&](const Edge& edge) { edges.insert(edge); });
-    faces.insert(faces.end(), found.begin(), found.end());
+    faces.insert(faces.end(), new_faces.begin(), new_faces.end());
   }
 }
 
 // The sites moved in their tangent planes, by a part of their radii, so that no four of them lie on a
 // circle: among equal triangles the front takes those at lower addresses first.
-std::vector<Kernel::Point_3> in_general_position(const Glued_surfels& surfels)
+std::vector<Kernel::Point_3> in_general_position(const Surfel_arrays& surfels)
 {
-  const Glued_triangles& t = surfels.triangles;
+  const Surface_arrays& t = surfels.arrays;
   std::mt19937 random;
-  const auto part = [&] { return 1e-4 * (double(random()) / double(random.max()) - 0.5); };
+  const auto random_offset = [&] { return 1e-4 * (double(random()) / double(random.max()) - 0.5); };
   std::vector<Kernel::Point_3> result;
-  for(std::size_t site = 0; site < surfels.tree.size(); ++site)
+  for(std::size_t i = 0; i < surfels.tree.size(); ++i)
   {
-    const auto [u, v] = tangent_frame(t.normal[site]);
-    const double a = part() * surfels.radius[site], b = part() * surfels.radius[site];
-    const Spatial p = t.point[site] + a * u + b * v;
+    const auto [u, v] = tangent_frame(t.normal[i]);
+    const double a = random_offset() * surfels.radius[i], b = random_offset() * surfels.radius[i];
+    const Vec3 p = t.point[i] + a * u + b * v;
     result.emplace_back(p[0], p[1], p[2]);
   }
   return result;
@@ -229,19 +233,20 @@ bool are_collinear(const std::vector<Kernel::Point_3>& points)
 
 } // namespace
 
-Glued_mesh reconstruction(const Glued_surfels& surfels)
+Mesh_arrays reconstruct_surface(const Surfel_arrays& surfels)
 {
-  const Glued_triangles& t = surfels.triangles;
+  const Surface_arrays& t = surfels.arrays;
   std::vector<Kernel::Point_3> points;
-  for(std::size_t site = 0; site < surfels.tree.size(); ++site)
-    points.emplace_back(t.point[site][0], t.point[site][1], t.point[site][2]);
+  for(std::size_t v = 0; v < surfels.tree.size(); ++v)
+    points.emplace_back(t.point[v][0], t.point[v][1], t.point[v][2]);
   std::vector<Face> faces;
-  double questions = first_questions + questions_per_surfel * double(points.size());
+  double query_limit = base_query_limit + queries_per_surfel * double(points.size());
   if(!are_collinear(points)) // which it says on standard error
   {
-    const std::vector<Kernel::Point_3> moved = in_general_position(surfels);
-    advancing_front_surface_reconstruction(moved.begin(), moved.end(), std::back_inserter(faces),
-                                           Small_in_surface{&surfels, &questions});
+    const std::vector<Kernel::Point_3> perturbed_points = in_general_position(surfels);
+    advancing_front_surface_reconstruction(perturbed_points.begin(), perturbed_points.end(),
+                                           std::back_inserter(faces),
+                                           Triangle_priority{&surfels, &query_limit});
   }
   // It lists them by their addresses.
   for(Face& face : faces)
@@ -249,11 +254,12 @@ Glued_mesh reconstruction(const Glued_surfels& surfels)
   std::sort(faces.begin(), faces.end());
   orient(t, faces);
   close_gaps(surfels, points, faces);
-  std::vector<std::array<double, 3>> places;
-  for(const Spatial& p : t.point)
-    places.push_back(t.origin + t.scale * p);
+  std::vector<std::array<double, 3>> positions;
+  for(const Vec3& p : t.point)
+    positions.push_back(t.origin + t.scale * p);
   const std::vector<Index> corners = corners_of(faces);
-  return glue(std::move(places), corners, twins_of_soup(t.number_of_sites(), corners));
+  return build_mesh_arrays(std::move(positions), corners,
+                           twins_of_soup(t.number_of_vertices(), corners));
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -21,11 +21,11 @@ void check_sizes(std::size_t points, std::size_t normals, std::size_t radii)
     throw Unsupported_surface_error("A cloud of more than 2^25 surfels is too large.");
 }
 
-void normalize(std::vector<Spatial>& normals)
+void normalize(std::vector<Vec3>& normals)
 {
   for(std::size_t i = 0; i < normals.size(); ++i)
   {
-    Spatial& n = normals[i];
+    Vec3& n = normals[i];
     const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
     if(!(largest > 0.) || !std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2]))
       throw Invalid_argument_error("The normal of surfel " + std::to_string(i) +
@@ -44,18 +44,18 @@ namespace {
 // For each surfel the first one at the same point with an agreeing normal: itself for most.  Surfels are
 // dealt out by their points, so that each part's table stays in the cache, and parts are treated side by
 // side.
-std::vector<Index> originals(const std::vector<Spatial>& points,
-                             const std::vector<Spatial>& normals, double cosine, unsigned threads)
+std::vector<Index> find_originals(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+                                  double cosine, unsigned threads)
 {
-  constexpr std::size_t parts = 256;
+  constexpr std::size_t number_of_buckets = 256;
   // Points closer than 2^-51 of the extent are rounded together by this sum, so that no squared
   // distance between originals underflows.
-  const auto key = [&](Index i) -> Spatial {
+  const auto key = [&](Index i) -> Vec3 {
     return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};
   };
   const std::size_t n = points.size();
   std::vector<std::uint64_t> hash(n);
-  for_each_block(n, surfel_block, threads,
+  for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
                    for(Index i = Index(begin); i < end; ++i)
@@ -66,30 +66,30 @@ std::vector<Index> originals(const std::vector<Spatial>& points,
                        hash[i] ^= hash[i] >> 29;
                      }
                  });
-  std::vector<std::size_t> first(parts + 1, 0);
-  for(const std::uint64_t h : hash)
-    ++first[h % parts + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Index> dealt(n), original(n);
-  std::vector<std::size_t> end_of_part = first;
+  std::vector<std::size_t> bucket_begin(number_of_buckets + 1, 0);
+  for(const std::uint64_t value : hash)
+    ++bucket_begin[value % number_of_buckets + 1];
+  std::partial_sum(bucket_begin.begin(), bucket_begin.end(), bucket_begin.begin());
+  std::vector<Index> bucketed(n), original(n);
+  std::vector<std::size_t> bucket_end = bucket_begin;
   for(Index i = 0; i < n; ++i)
-    dealt[end_of_part[hash[i] % parts]++] = i;
+    bucketed[bucket_end[hash[i] % number_of_buckets]++] = i;
 
-  for_each_block(parts, 1, threads,
-                 [&](std::size_t part, std::size_t, std::size_t)
+  for_each_block(number_of_buckets, 1, threads,
+                 [&](std::size_t bucket, std::size_t, std::size_t)
                  {
                    std::size_t slots = 16;
-                   while(slots < 2 * (first[part + 1] - first[part]))
+                   while(slots < 2 * (bucket_begin[bucket + 1] - bucket_begin[bucket]))
                      slots *= 2;
                    std::vector<Index> table(slots, none);
-                   for(std::size_t k = first[part]; k < first[part + 1]; ++k)
+                   for(std::size_t k = bucket_begin[bucket]; k < bucket_begin[bucket + 1]; ++k)
                    {
-                     const Index i = dealt[k];
+                     const Index i = bucketed[k];
                      const auto is_same = [&](Index j) {
                        return hash[j] == hash[i] && key(j) == key(i) &&
                               dot(normals[j], normals[i]) > cosine;
                      };
-                     std::size_t slot = hash[i] / parts & (slots - 1);
+                     std::size_t slot = hash[i] / number_of_buckets & (slots - 1);
                      while(table[slot] != none && !is_same(table[slot]))
                        slot = (slot + 1) & (slots - 1);
                      if(table[slot] == none)
@@ -102,47 +102,47 @@ std::vector<Index> originals(const std::vector<Spatial>& points,
 
 } // namespace
 
-Sorted_surfels sort_surfels(std::vector<Spatial> points, const std::vector<Spatial>& normals,
+Sorted_surfels sort_surfels(std::vector<Vec3> points, const std::vector<Vec3>& normals,
                             double cosine, unsigned threads, const Frame* frame)
 {
   Sorted_surfels result;
-  const Frame own = unit_frame(points);
-  result.frame = frame == nullptr ? own : *frame;
+  const Frame cloud_frame = unit_frame(points);
+  result.frame = frame == nullptr ? cloud_frame : *frame;
   to_frame(points, result.frame);
   const std::size_t n = points.size();
-  const std::vector<Index> original = originals(points, normals, cosine, threads);
-  std::vector<Index> place, order;
-  place.reserve(n);
+  const std::vector<Index> original = find_originals(points, normals, cosine, threads);
+  std::vector<Index> distinct, order;
+  distinct.reserve(n);
   for(Index i = 0; i < n; ++i)
     if(original[i] == i)
-      place.push_back(i);
-  if(place.size() < n)
-    for(Index i = 0; i < place.size(); ++i)
-      points[i] = points[place[i]];
-  points.resize(place.size());
+      distinct.push_back(i);
+  if(distinct.size() < n)
+    for(Index i = 0; i < distinct.size(); ++i)
+      points[i] = points[distinct[i]];
+  points.resize(distinct.size());
   result.point = std::move(points);
   result.tree = Kd_tree(result.point, order, threads);
-  result.site_of_surfel.resize(n);
-  result.surfel_of_site.resize(place.size());
-  result.normal.resize(place.size());
-  for_each_block(place.size(), surfel_block, threads,
+  result.internal_vertex.resize(n);
+  result.caller_vertex.resize(distinct.size());
+  result.normal.resize(distinct.size());
+  for_each_block(distinct.size(), surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
-                   for(Index s = static_cast<Index>(begin); s < end; ++s)
+                   for(Index v = static_cast<Index>(begin); v < end; ++v)
                    {
-                     const Index surfel = place[order[s]];
-                     result.surfel_of_site[s] = surfel;
-                     result.site_of_surfel[surfel] = s;
-                     result.normal[s] = normals[surfel];
+                     const Index surfel = distinct[order[v]];
+                     result.caller_vertex[v] = surfel;
+                     result.internal_vertex[surfel] = v;
+                     result.normal[v] = normals[surfel];
                    }
                  });
-  for(Index i = 0; place.size() < n && i < n; ++i)
-    result.site_of_surfel[i] = result.site_of_surfel[original[i]];
+  for(Index i = 0; distinct.size() < n && i < n; ++i)
+    result.internal_vertex[i] = result.internal_vertex[original[i]];
   return result;
 }
 
-std::vector<double> site_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
-                               const Rows& near, std::size_t rank, unsigned threads)
+std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
+                                 const Ragged_rows& neighbors, std::size_t rank, unsigned threads)
 {
   for(std::size_t i = 0; i < radii.size(); ++i)
     if(!std::isfinite(radii[i]) || radii[i] < 0.)
@@ -150,49 +150,50 @@ std::vector<double> site_radii(const Sorted_surfels& surfels, const std::vector<
                                    " is negative or not finite.");
   std::vector<double> result(surfels.point.size(), 0.);
   const int exponent = std::ilogb(surfels.frame.scale);
-  for_each_block(result.size(), surfel_block, threads,
+  for_each_block(result.size(), surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
-                   for(Index s = static_cast<Index>(begin); s < end; ++s)
+                   for(Index v = static_cast<Index>(begin); v < end; ++v)
                      if(!radii.empty())
-                       result[s] =
-                           std::min(std::ldexp(radii[surfels.surfel_of_site[s]], -exponent), 8.);
-                     else if(near.begin(s) != near.end(s))
+                       result[v] =
+                           std::min(std::ldexp(radii[surfels.caller_vertex[v]], -exponent), 8.);
+                     else if(neighbors.begin(v) != neighbors.end(v))
                      {
-                       const std::size_t count = near.end(s) - near.begin(s);
-                       const Index last = near.begin(s)[std::min(rank, count) - 1];
-                       result[s] = norm(surfels.point[last] - surfels.point[s]) / std::sqrt(2.);
+                       const std::size_t count = neighbors.end(v) - neighbors.begin(v);
+                       const Index last = neighbors.begin(v)[std::min(rank, count) - 1];
+                       result[v] = norm(surfels.point[last] - surfels.point[v]) / std::sqrt(2.);
                      }
                  });
   return result;
 }
 
-Rows find_neighbors(const std::vector<Spatial>& point, const std::vector<Spatial>& normal,
-                    const Kd_tree& tree, const Agree* agree, std::size_t count, unsigned threads,
-                    Surroundings& around)
+Ragged_rows find_neighbors(const std::vector<Vec3>& point, const std::vector<Vec3>& normal,
+                           const Kd_tree& tree, const Compatibility_test* compatibility_test,
+                           std::size_t count, unsigned threads, Neighbor_distances& distances)
 {
   constexpr std::size_t rank = 6; // as many as a surfel of an even cloud has around it
-  Rows rows(tree.size());
-  around.seen.assign(tree.size(), infinity);
-  around.spacing.resize(tree.size());
-  visit_nearest(point, tree, count, threads,
-                [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
-                {
-                  if(i % surfel_block == 0)
-                    rows.part(block).reserve(count * std::min(surfel_block, point.size() - i));
-                  if(found.size() > count)
-                    around.seen[i] = std::sqrt(found.back().squared_distance);
-                  around.spacing[i] =
-                      std::sqrt(found[std::min(rank, found.size() - 1)].squared_distance);
-                  for(const Kd_tree::Neighbor& neighbor : found)
-                  {
-                    const Index j = neighbor.point;
-                    if(j != i && (agree == nullptr || (*agree)(point[i], normal[i], point[j],
-                                                               normal[j]) != Agreement::no))
-                      rows.part(block).push_back(j);
-                  }
-                  rows.end_row(block, i);
-                });
+  Ragged_rows rows(tree.size());
+  distances.search_radius.assign(tree.size(), infinity);
+  distances.spacing.resize(tree.size());
+  visit_nearest(
+      point, tree, count, threads,
+      [&](std::size_t block, Index i, const std::vector<Kd_tree::Neighbor>& found)
+      {
+        if(i % surfel_block_size == 0)
+          rows.buffer(block).reserve(count * std::min(surfel_block_size, point.size() - i));
+        if(found.size() > count)
+          distances.search_radius[i] = std::sqrt(found.back().squared_distance);
+        distances.spacing[i] = std::sqrt(found[std::min(rank, found.size() - 1)].squared_distance);
+        for(const Kd_tree::Neighbor& neighbor : found)
+        {
+          const Index j = neighbor.point;
+          if(j != i && (compatibility_test == nullptr ||
+                        (*compatibility_test)(point[i], normal[i], point[j], normal[j]) !=
+                            Compatibility::incompatible))
+            rows.buffer(block).push_back(j);
+        }
+        rows.end_row(block, i);
+      });
   return rows;
 }
 

@@ -3,7 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/Mass_distribution.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include "transport/flat_refinement.h"
+#include "transport/uniform_refinement.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ void add(Vector& target, double factor, const Vector& source)
 
 void add(Mass_distribution& target, double factor, const Mass_distribution& source)
 {
-  add(target.at_sites, factor, source.at_sites);
+  add(target.at_vertices, factor, source.at_vertices);
   for(const auto& [location, mass] : source.at_locations)
     target.at_locations.emplace_back(location, factor * mass);
   add(target.density, factor, source.density);
@@ -34,14 +34,14 @@ void add(Mass_distribution& target, double factor, const Mass_distribution& sour
 
 } // namespace
 
-Vector masses_at_sites(const Glued_triangles& t, const std::vector<double>& area,
-                       const Mass_distribution& masses)
+Vector masses_at_vertices(const Surface_arrays& t, const std::vector<double>& area,
+                          const Mass_distribution& masses)
 {
-  Vector result = Vector::Zero(Eigen::Index(t.number_of_sites()));
-  add(result, 1., masses.at_sites);
+  Vector result = Vector::Zero(Eigen::Index(t.number_of_vertices()));
+  add(result, 1., masses.at_vertices);
   for(const auto& [location, mass] : masses.at_locations)
     if(location.triangle == none)
-      result[location.site] += mass;
+      result[location.vertex] += mass;
     else
       for(std::size_t k = 0; k < 3; ++k)
         result[t.corner[3 * location.triangle + k]] += mass * location.barycentric[k];
@@ -49,23 +49,23 @@ Vector masses_at_sites(const Glued_triangles& t, const std::vector<double>& area
     for(std::size_t f = 0; f < area.size(); ++f)
     {
       const Index* corner = &t.corner[3 * f];
-      const double part = t.scale * t.scale * area[f] / 12.;
+      const double factor = t.scale * t.scale * area[f] / 12.;
       const Vector& density = masses.density;
       const double sum = density[corner[0]] + density[corner[1]] + density[corner[2]];
       for(std::size_t k = 0; k < 3; ++k)
-        result[corner[k]] += part * (sum + density[corner[k]]);
+        result[corner[k]] += factor * (sum + density[corner[k]]);
     }
   return result;
 }
 
-Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& fine,
+Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                           const Mass_distribution& masses)
 {
   Mass_distribution result;
-  if(masses.at_sites.size() > 0)
+  if(masses.at_vertices.size() > 0)
   {
-    result.at_sites = Vector::Zero(Eigen::Index(fine.number_of_sites()));
-    result.at_sites.head(masses.at_sites.size()) = masses.at_sites;
+    result.at_vertices = Vector::Zero(Eigen::Index(fine.number_of_vertices()));
+    result.at_vertices.head(masses.at_vertices.size()) = masses.at_vertices;
   }
   for(const auto& [location, mass] : masses.at_locations)
     result.at_locations.emplace_back(refined(location), mass);
@@ -74,16 +74,16 @@ Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& 
   return result;
 }
 
-Mass_distribution difference(const Glued_triangles& triangles, const std::vector<double>& area,
+Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,
                              const Mass_distribution& from, const Mass_distribution& to,
                              bool do_normalize)
 {
   Mass_distribution result;
   std::array<double, 2> total{}, size{};
-  const std::array<const Mass_distribution*, 2> sides = {&from, &to};
+  const std::array<const Mass_distribution*, 2> distributions = {&from, &to};
   for(std::size_t i = 0; i < 2; ++i)
   {
-    const Vector mass = masses_at_sites(triangles, area, *sides[i]);
+    const Vector mass = masses_at_vertices(triangles, area, *distributions[i]);
     total[i] = mass.sum();
     size[i] = mass.lpNorm<1>();
     if(!std::isfinite(size[i]))

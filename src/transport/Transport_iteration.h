@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_ITERATION_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_ITERATION_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_TRANSPORT_ITERATION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_TRANSPORT_ITERATION_H
 
-#include <CGAL/Geodesic_processing/internal/transport/transport.h>
+#include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
 
 #include <memory>
 #include <utility>
@@ -21,7 +21,7 @@ struct Exit_group
 
 // For a price of leaving at each site, and what is paid besides: no more than what it costs to get rid of
 // the mass; and the price at which the last of it leaves.
-std::pair<double, double> least_cost(const Exit_group& group, const Vector& price);
+std::pair<double, double> dual_exit_cost(const Exit_group& group, const Vector& price);
 
 // To minimize the integral of |J| over the fields with divergence(J) = masses; with exits, and what is paid
 // there, over those with divergence(J) = masses + what leaves.
@@ -48,9 +48,9 @@ public:
   double upper() const { return m_upper; }
   double lower() const { return m_lower; }
   const Field& flow() const { return m_flow; } // costs `upper`
-  const std::vector<double>& leaving() const
+  const std::vector<double>& outflow() const
   {
-    return m_leaving;
+    return m_outflow;
   }                                                       // through exits, one after another
   const Vector& potential() const { return m_potential; } // of slope one at most, proves `lower`
 
@@ -60,14 +60,14 @@ protected:
 
   // The field must have the divergence that is asked for, and is not kept when more leaves than there is
   // room for, or less than nothing; the potential may have any slope.
-  void keep_flow(const Field& flow, const std::vector<double>& leaving = {});
-  void keep_potential(const Vector& potential);
+  void update_upper_bound(const Field& flow, const std::vector<double>& outflow = {});
+  void update_lower_bound(const Vector& potential);
 
 private:
   Transport_problem m_problem;
   double m_lower = 0., m_upper = infinity;
   Field m_flow;
-  std::vector<double> m_leaving;
+  std::vector<double> m_outflow;
   Vector m_potential = Vector::Zero(m_problem.masses.size());
 };
 
@@ -82,4 +82,4 @@ std::unique_ptr<Transport_iteration> weiszfeld(const Transport_problem& problem)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_ITERATION_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_TRANSPORT_ITERATION_H

@@ -11,19 +11,19 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-Biharmonic_distances::Biharmonic_distances(const Glued_triangles& triangles)
+Biharmonic_distances::Biharmonic_distances(const Surface_arrays& triangles)
     : m_operators(internal::operators(triangles)), m_mass(lumped_mass(m_operators))
 {
   if(!(m_mass.sum() > 0.))
     throw Unsupported_surface_error("The surface has no triangle with an area.");
-  std::tie(m_component, m_components) = components(m_operators);
-  m_component_mass = Vector::Zero(Eigen::Index(m_components));
-  for(std::size_t site = 0; site < m_component.size(); ++site)
-    m_component_mass[m_component[site]] += m_mass[Eigen::Index(site)];
+  std::tie(m_component, m_number_of_components) = components(m_operators);
+  m_component_mass = Vector::Zero(Eigen::Index(m_number_of_components));
+  for(std::size_t vertex = 0; vertex < m_component.size(); ++vertex)
+    m_component_mass[m_component[vertex]] += m_mass[Eigen::Index(vertex)];
   const Laplacian laplacian(m_operators);
   Sparse_matrix matrix = laplacian.matrix(m_operators);
-  laplacian.hold(matrix);
-  m_solver = std::make_unique<Sparse_solver>(matrix, Elimination::quick);
+  laplacian.pin(matrix);
+  m_solver = std::make_unique<Sparse_solver>(matrix, Elimination_order::fast);
 }
 
 // Of the masses, less the ones of the same masses at the held site of the component: a difference of two
@@ -36,11 +36,11 @@ Matrix Biharmonic_distances::green_functions(const Masses& masses) const
   for(Eigen::Index j = 0; j < result.cols(); ++j)
   {
     mean.setZero();
-    for(Eigen::Index site = 0; site < result.rows(); ++site)
-      mean[m_component[site]] += m_mass[site] * result(site, j);
-    for(Eigen::Index site = 0; site < result.rows(); ++site)
-      if(m_mass[site] > 0.)
-        result(site, j) -= mean[m_component[site]] / m_component_mass[m_component[site]];
+    for(Eigen::Index vertex = 0; vertex < result.rows(); ++vertex)
+      mean[m_component[vertex]] += m_mass[vertex] * result(vertex, j);
+    for(Eigen::Index vertex = 0; vertex < result.rows(); ++vertex)
+      if(m_mass[vertex] > 0.)
+        result(vertex, j) -= mean[m_component[vertex]] / m_component_mass[m_component[vertex]];
   }
   return result;
 }
@@ -48,7 +48,7 @@ Matrix Biharmonic_distances::green_functions(const Masses& masses) const
 // #components by #columns.
 Matrix Biharmonic_distances::component_masses(const Masses& masses) const
 {
-  Matrix result = Matrix::Zero(Eigen::Index(m_components), masses.cols());
+  Matrix result = Matrix::Zero(Eigen::Index(m_number_of_components), masses.cols());
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
     for(Masses::InnerIterator it(masses, j); it; ++it)
       result(m_component[it.row()], j) += it.value();
@@ -65,21 +65,21 @@ Matrix Biharmonic_distances::all_pairs(const Masses& masses) const
   for(Eigen::Index j = 0; j < result.cols(); ++j)
     for(Eigen::Index i = 0; i <= j; ++i)
     {
-      const bool is_apart = (mass.col(i) - mass.col(j)).lpNorm<Eigen::Infinity>() > 1e-9;
+      const bool is_disconnected = (mass.col(i) - mass.col(j)).lpNorm<Eigen::Infinity>() > 1e-9;
       const double distance = std::max(0., square[i] + square[j] - 2. * result(i, j));
-      result(i, j) = result(j, i) = is_apart ? infinity : i == j ? 0. : std::sqrt(distance);
+      result(i, j) = result(j, i) = is_disconnected ? infinity : i == j ? 0. : std::sqrt(distance);
     }
   return result;
 }
 
 Vector Biharmonic_distances::one_to_all(const Masses& source, unsigned threads) const
 {
-  const std::size_t n = m_operators.number_of_sites;
-  const auto find_squares = [&]
+  const std::size_t n = m_operators.number_of_vertices;
+  const auto compute_squared_distances = [&]
   {
-    m_square.resize(Eigen::Index(n));
-    constexpr std::size_t at_once = 32;
-    for_each_block(n, at_once, threads,
+    m_squared_distances.resize(Eigen::Index(n));
+    constexpr std::size_t block_size = 32;
+    for_each_block(n, block_size, threads,
                    [&](std::size_t, std::size_t begin, std::size_t end)
                    {
                      Masses masses(Eigen::Index(n), Eigen::Index(end - begin));
@@ -87,20 +87,21 @@ Vector Biharmonic_distances::one_to_all(const Masses& source, unsigned threads) 
                        masses.insert(Eigen::Index(i), Eigen::Index(i - begin)) = 1.;
                      const Matrix functions = green_functions(masses);
                      for(std::size_t i = begin; i < end; ++i)
-                       m_square[Eigen::Index(i)] =
+                       m_squared_distances[Eigen::Index(i)] =
                            functions.col(Eigen::Index(i - begin)).cwiseAbs2().dot(m_mass);
                    });
   };
-  std::call_once(m_is_known, find_squares);
+  std::call_once(m_squares_computed, compute_squared_distances);
 
   const Vector function = green_functions(source).col(0);
   const double square = function.cwiseAbs2().dot(m_mass);
   const Vector product = m_solver->solve(m_mass.cwiseProduct(function));
   const Matrix mass = component_masses(source);
   Vector result = Vector::Constant(Eigen::Index(n), infinity);
-  for(Eigen::Index site = 0; site < result.size(); ++site)
-    if(m_mass[site] > 0. && std::abs(mass(m_component[site], 0) - 1.) <= 1e-9)
-      result[site] = std::sqrt(std::max(0., square + m_square[site] - 2. * product[site]));
+  for(Eigen::Index vertex = 0; vertex < result.size(); ++vertex)
+    if(m_mass[vertex] > 0. && std::abs(mass(m_component[vertex], 0) - 1.) <= 1e-9)
+      result[vertex] =
+          std::sqrt(std::max(0., square + m_squared_distances[vertex] - 2. * product[vertex]));
   for(Masses::InnerIterator it(source, 0); it; ++it)
     if(it.value() == 1.)
       result[it.row()] = 0.;

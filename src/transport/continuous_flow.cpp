@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "operators/harmonic_fields.h"
-#include <CGAL/Geodesic_processing/internal/transport/splitting.h>
+#include <CGAL/Geodesic_processing/internal/transport/admm.h>
 #include "core/unfold.h"
 
 #include <algorithm>
@@ -20,24 +20,24 @@ namespace {
 // masses may go, but no function must be continuous there.
 struct Fans
 {
-  std::vector<Index> of_corner; // 3 #triangles
-  Index number = 0;
+  std::vector<Index> fan_of_corner; // 3 #triangles
+  Index number_of_fans = 0;
 };
 
-Fans fans(const Glued_triangles& t)
+Fans fans(const Surface_arrays& t)
 {
   Fans result;
-  result.of_corner.assign(t.corner.size(), none);
+  result.fan_of_corner.assign(t.corner.size(), none);
   for(Index corner = 0; corner < t.corner.size(); ++corner)
   {
-    if(result.of_corner[corner] != none)
+    if(result.fan_of_corner[corner] != none)
       continue;
-    const Index fan = result.number++;
-    for(Index c = corner; c != none && result.of_corner[c] == none; c = turn_left(t, c))
-      result.of_corner[c] = fan;
-    for(Index c = turn_right(t, corner); c != none && result.of_corner[c] == none;
-        c = turn_right(t, c))
-      result.of_corner[c] = fan;
+    const Index fan = result.number_of_fans++;
+    for(Index c = corner; c != none && result.fan_of_corner[c] == none; c = next_corner_ccw(t, c))
+      result.fan_of_corner[c] = fan;
+    for(Index c = next_corner_cw(t, corner); c != none && result.fan_of_corner[c] == none;
+        c = next_corner_cw(t, c))
+      result.fan_of_corner[c] = fan;
   }
   return result;
 }
@@ -50,106 +50,108 @@ Index root(std::vector<Index>& parent, Index i)
 }
 
 // A value for each fan, but one for all fans of a border: through a border nothing flows.
-Operators operators_of_fans(const Glued_triangles& t, Operators operators, const Fans& fans)
+Operators fan_operators(const Surface_arrays& t, Operators operators, const Fans& fans)
 {
-  std::vector<Index> parent(fans.number);
+  std::vector<Index> parent(fans.number_of_fans);
   std::iota(parent.begin(), parent.end(), Index(0));
-  for(Index side = 0; side < t.corner.size(); ++side)
-    if(t.twin[side] == none)
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(t.twin[h] == none)
     {
-      const Index a = root(parent, fans.of_corner[side]);
-      const Index b = root(parent, fans.of_corner[next_side(side)]);
+      const Index a = root(parent, fans.fan_of_corner[h]);
+      const Index b = root(parent, fans.fan_of_corner[next_halfedge(h)]);
       parent[std::max(a, b)] = std::min(a, b);
     }
-  operators.number_of_sites = fans.number;
+  operators.number_of_vertices = fans.number_of_fans;
   for(std::size_t corner = 0; corner < t.corner.size(); ++corner)
-    operators.corner[corner] = root(parent, fans.of_corner[corner]);
+    operators.corner[corner] = root(parent, fans.fan_of_corner[corner]);
   return operators;
 }
 
-Tensor square(const Tensor& a)
+Metric_tensor squared(const Metric_tensor& a)
 {
   return {a[0] * a[0] + a[1] * a[1], a[1] * (a[0] + a[2]), a[1] * a[1] + a[2] * a[2]};
 }
 
 // Each costs a solution; surfaces with so many handles have hardly any way around one that pays.
-constexpr std::size_t most_circulations = 32;
+constexpr std::size_t max_number_of_circulations = 32;
 
 // Flows around handles, of a surface without border: harmonic fields turned, orthogonal to all functions'
 // turned gradients.
-std::vector<Field> circulations(const Glued_triangles& t, const Operators& operators)
+std::vector<Field> circulations(const Surface_arrays& t, const Operators& operators)
 {
-  const std::size_t number = number_of_harmonic_fields(t);
-  if(number == 0 || number > most_circulations ||
+  const std::size_t dimension = number_of_harmonic_fields(t);
+  if(dimension == 0 || dimension > max_number_of_circulations ||
      std::find(t.twin.begin(), t.twin.end(), none) != t.twin.end())
     return {};
   const Laplacian laplacian(operators);
   Sparse_matrix matrix = laplacian.matrix(operators);
-  laplacian.hold(matrix);
+  laplacian.pin(matrix);
   std::vector<Field> result =
-      harmonic_fields(t, operators, Sparse_solver(matrix, Elimination::sparse));
+      harmonic_fields(t, operators, Sparse_solver(matrix, Elimination_order::low_fill));
   for(Field& field : result)
-    field = turned_left(std::move(field));
+    field = rotated_left(std::move(field));
   return result;
 }
 
 // What flows out of triangles through their sides, and what that costs.
-class Side_flow
+class Flux_field
 {
 public:
-  Side_flow(const Glued_triangles& triangles, const Operators& operators, const Field& flow,
-            const std::vector<Tensor>& measure)
-      : m_triangles(triangles), m_operators(operators), m_measure(measure), m_fans(fans(triangles)),
-        m_missing(triangles.number_of_triangles(), 0.), m_outward(triangles.corner.size(), 0.)
+  Flux_field(const Surface_arrays& triangles, const Operators& operators, const Field& flow,
+             const std::vector<Metric_tensor>& metric)
+      : m_triangles(triangles), m_operators(operators), m_metric(metric), m_fans(fans(triangles)),
+        m_absorbed_mass(triangles.number_of_triangles(), 0.),
+        m_outward_flux(triangles.corner.size(), 0.)
   {
-    spread(flow);
+    spread_masses(flow);
     equilibrate(flow);
-    shorten();
+    minimize_cost();
   }
 
-  Continuous_flow flow() const { return {m_outward, m_missing, cost()}; }
+  Continuous_flow flow() const { return {m_outward_flux, m_absorbed_mass, cost()}; }
 
 private:
   double cost() const
   {
-    double result = m_spreading;
-    for(Index f = 0; f < m_missing.size(); ++f)
+    double result = m_spreading_cost;
+    for(Index f = 0; f < m_absorbed_mass.size(); ++f)
       result += cost(f);
     return result;
   }
 
-  std::array<Planar, 3> place(Index f) const
+  std::array<Vec2, 3> unfolded_corners(Index f) const
   {
     auto result = unfolded(m_triangles, f);
-    if(!m_measure.empty())
-      for(Planar& p : result)
-        p = product(m_measure[f], p);
+    if(!m_metric.empty())
+      for(Vec2& p : result)
+        p = product(m_metric[f], p);
     return result;
   }
 
   // The masses at the fans' sites evenly over their triangles.  The mean distance of a triangle's points
   // from a corner is at most a third of that of the two others, as distance is convex.
-  void spread(const Field& flow)
+  void spread_masses(const Field& flow)
   {
-    std::vector<double> mass(m_fans.number, 0.), area(m_fans.number, 0.), count(m_fans.number, 0.);
-    for(std::size_t corner = 0; corner < m_outward.size(); ++corner)
+    std::vector<double> mass(m_fans.number_of_fans, 0.), area(m_fans.number_of_fans, 0.),
+        count(m_fans.number_of_fans, 0.);
+    for(std::size_t corner = 0; corner < m_outward_flux.size(); ++corner)
     {
       const std::size_t f = corner / 3;
-      const Index fan = m_fans.of_corner[corner];
-      mass[fan] += m_operators.area[f] * dot(flow[f], m_operators.hat[corner]);
+      const Index fan = m_fans.fan_of_corner[corner];
+      mass[fan] += m_operators.area[f] * dot(flow[f], m_operators.hat_gradient[corner]);
       area[fan] += m_operators.area[f];
       ++count[fan];
     }
-    for(Index corner = 0; corner < m_outward.size(); ++corner)
+    for(Index corner = 0; corner < m_outward_flux.size(); ++corner)
     {
-      const Index f = corner / 3, fan = m_fans.of_corner[corner];
-      const double share = area[fan] > 0. ? m_operators.area[f] / area[fan] : 1. / count[fan];
-      const auto p = place(f);
-      m_missing[f] += share * mass[fan];
-      m_spreading += share * std::abs(mass[fan]) *
-                     (norm(p[next_side(corner) % 3] - p[corner % 3]) +
-                      norm(p[previous_side(corner) % 3] - p[corner % 3])) /
-                     3.;
+      const Index f = corner / 3, fan = m_fans.fan_of_corner[corner];
+      const double fraction = area[fan] > 0. ? m_operators.area[f] / area[fan] : 1. / count[fan];
+      const auto p = unfolded_corners(f);
+      m_absorbed_mass[f] += fraction * mass[fan];
+      m_spreading_cost += fraction * std::abs(mass[fan]) *
+                          (norm(p[next_halfedge(corner) % 3] - p[corner % 3]) +
+                           norm(p[previous_halfedge(corner) % 3] - p[corner % 3])) /
+                          3.;
     }
   }
 
@@ -157,29 +159,29 @@ private:
   // one enters the other, and what is missing stays.
   void equilibrate(const Field& flow)
   {
-    const Index n = Index(m_missing.size());
-    Vector right(n);
+    const Index n = Index(m_absorbed_mass.size());
+    Vector rhs(n);
     for(Index f = 0; f < n; ++f)
-      right[f] = -m_missing[f];
-    const auto add = [&](Index side, double amount)
+      rhs[f] = -m_absorbed_mass[f];
+    const auto add = [&](Index h, double amount)
     {
-      m_outward[side] += amount;
-      m_outward[m_triangles.twin[side]] -= amount;
-      right[side / 3] -= amount;
-      right[m_triangles.twin[side] / 3] += amount;
+      m_outward_flux[h] += amount;
+      m_outward_flux[m_triangles.twin[h]] -= amount;
+      rhs[h / 3] -= amount;
+      rhs[m_triangles.twin[h] / 3] += amount;
     };
     std::vector<Eigen::Triplet<double>> entries;
     std::vector<Index> parent(n);
     std::iota(parent.begin(), parent.end(), Index(0));
-    for(Index side = 0; side < m_outward.size(); ++side)
-      if(const Index twin = m_triangles.twin[side]; twin != none)
+    for(Index h = 0; h < m_outward_flux.size(); ++h)
+      if(const Index twin = m_triangles.twin[h]; twin != none)
       {
         // Twice the area times a hat's gradient is the side opposite, turned inward.
-        const Index opposite = previous_side(side);
-        const double out =
-            -2. * m_operators.area[side / 3] * dot(flow[side / 3], m_operators.hat[opposite]);
-        add(side, 0.5 * out);
-        const Index f = side / 3, g = twin / 3;
+        const Index opposite = previous_halfedge(h);
+        const double flux =
+            -2. * m_operators.area[h / 3] * dot(flow[h / 3], m_operators.hat_gradient[opposite]);
+        add(h, 0.5 * flux);
+        const Index f = h / 3, g = twin / 3;
         if(f == g)
           continue;
         entries.emplace_back(f, f, 1.);
@@ -192,142 +194,144 @@ private:
         entries.emplace_back(f, f, 1.); // holds it
     Sparse_matrix matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Vector pressure = Sparse_solver(matrix).solve(right);
-    for(Index side = 0; side < m_outward.size(); ++side)
-      if(const Index twin = m_triangles.twin[side]; twin != none)
-        m_outward[side] += pressure[side / 3] - pressure[twin / 3];
+    const Vector pressure = Sparse_solver(matrix).solve(rhs);
+    for(Index h = 0; h < m_outward_flux.size(); ++h)
+      if(const Index twin = m_triangles.twin[h]; twin != none)
+        m_outward_flux[h] += pressure[h / 3] - pressure[twin / 3];
   }
 
   // Adds a function's turned gradient, and what circles around handles: if that makes the flow shorter.
-  void shorten()
+  void minimize_cost()
   {
-    const Operators operators = operators_of_fans(m_triangles, m_operators, m_fans);
-    std::vector<Tensor> tensors(m_missing.size(), Tensor{1., 0., 1.});
-    const auto turned_gradient = [&](const Vector& function)
+    const Operators operators = fan_operators(m_triangles, m_operators, m_fans);
+    std::vector<Metric_tensor> tensors(m_absorbed_mass.size(), Metric_tensor{1., 0., 1.});
+    const auto rotated_gradient = [&](const Vector& function)
     {
-      Field result = turned_left(gradient(operators, function));
-      if(!m_measure.empty())
+      Field result = rotated_left(gradient(operators, function));
+      if(!m_metric.empty())
         for(std::size_t f = 0; f < result.size(); ++f)
-          result[f] = product(m_measure[f], result[f]);
+          result[f] = product(m_metric[f], result[f]);
       return result;
     };
-    const auto rotation = [&](Field field)
+    const auto integrated_curl = [&](Field field)
     {
-      if(!m_measure.empty())
+      if(!m_metric.empty())
         for(std::size_t f = 0; f < field.size(); ++f)
-          field[f] = product(m_measure[f], field[f]);
-      return divergence(operators, turned_left(turned_left(turned_left(std::move(field)))));
+          field[f] = product(m_metric[f], field[f]);
+      return minus_divergence(operators,
+                              rotated_left(rotated_left(rotated_left(std::move(field)))));
     };
-    if(!m_measure.empty())
+    if(!m_metric.empty())
       for(std::size_t f = 0; f < tensors.size(); ++f)
       {
-        const Tensor s = square(m_measure[f]);
+        const Metric_tensor s = squared(m_metric[f]);
         tensors[f] = {s[2], -s[1], s[0]}; // turned
       }
     const Laplacian laplacian(operators);
     Sparse_matrix matrix = laplacian.matrix(operators);
     laplacian.assemble(operators, tensors, matrix);
-    laplacian.hold(matrix);
-    const Sparse_solver solver(matrix, Elimination::sparse);
+    laplacian.pin(matrix);
+    const Sparse_solver solver(matrix, Elimination_order::low_fill);
 
-    Field center(m_missing.size());
-    for(Index f = 0; f < center.size(); ++f)
+    Field centroid_flow(m_absorbed_mass.size());
+    for(Index f = 0; f < centroid_flow.size(); ++f)
       if(m_operators.area[f] > 0.)
       {
-        const auto p = place(f);
-        Planar sum = {0., 0.};
+        const auto p = unfolded_corners(f);
+        Vec2 sum = {0., 0.};
         for(Index k = 0; k < 3; ++k)
-          sum = sum + m_outward[3 * f + k] * ((p[k] + p[(k + 1) % 3]) - 2. * p[(k + 2) % 3]);
-        center[f] = (1. / (6. * m_operators.area[f])) * sum;
+          sum = sum + m_outward_flux[3 * f + k] * ((p[k] + p[(k + 1) % 3]) - 2. * p[(k + 2) % 3]);
+        centroid_flow[f] = (1. / (6. * m_operators.area[f])) * sum;
       }
       else
-        center[f] = {0., 0.};
-    const auto change_of = [&](Field field)
+        centroid_flow[f] = {0., 0.};
+    const auto deviation_of = [&](Field field)
     {
       for(std::size_t f = 0; f < field.size(); ++f)
-        field[f] = field[f] - center[f];
+        field[f] = field[f] - centroid_flow[f];
       return field;
     };
     // Of measured lengths they are not orthogonal.
-    const std::vector<Field> circling =
-        m_measure.empty() ? circulations(m_triangles, m_operators) : std::vector<Field>();
-    Splitting splitting(m_operators,
-                        [&](const Field& field)
-                        {
-                          const Field change = change_of(field);
-                          Field result = turned_gradient(solver.solve(rotation(change)));
-                          for(const Field& circle : circling)
-                          {
-                            const double part = inner_product(m_operators, change, circle);
-                            for(std::size_t f = 0; f < result.size(); ++f)
-                              result[f] = result[f] + part * circle[f];
-                          }
-                          for(std::size_t f = 0; f < result.size(); ++f)
-                            result[f] = center[f] + result[f];
-                          return result;
-                        });
+    const std::vector<Field> circulation_basis =
+        m_metric.empty() ? circulations(m_triangles, m_operators) : std::vector<Field>();
+    Admm admm(m_operators,
+              [&](const Field& field)
+              {
+                const Field deviation = deviation_of(field);
+                Field result = rotated_gradient(solver.solve(integrated_curl(deviation)));
+                for(const Field& circulation_field : circulation_basis)
+                {
+                  const double coefficient =
+                      inner_product(m_operators, deviation, circulation_field);
+                  for(std::size_t f = 0; f < result.size(); ++f)
+                    result[f] = result[f] + coefficient * circulation_field[f];
+                }
+                for(std::size_t f = 0; f < result.size(); ++f)
+                  result[f] = centroid_flow[f] + result[f];
+                return result;
+              });
     // Until it is not worth going on.
     for(unsigned i = 0; i < 30; ++i)
     {
-      const double before = splitting.upper();
-      splitting.advance(10);
-      if(i > 2 && splitting.upper() > 0.9995 * before)
+      const double previous_cost = admm.upper();
+      admm.advance(10);
+      if(i > 2 && admm.upper() > 0.9995 * previous_cost)
         break;
     }
-    const double before = cost();
-    std::vector<double> outward = m_outward;
-    const Field change = change_of(splitting.flow());
-    const Vector function = solver.solve(rotation(change));
-    for(Index side = 0; side < m_outward.size(); ++side)
-      m_outward[side] -=
-          function[operators.corner[next_side(side)]] - function[operators.corner[side]];
-    for(const Field& circle : circling)
+    const double previous_cost = cost();
+    std::vector<double> outward_flux = m_outward_flux;
+    const Field deviation = deviation_of(admm.flow());
+    const Vector function = solver.solve(integrated_curl(deviation));
+    for(Index h = 0; h < m_outward_flux.size(); ++h)
+      m_outward_flux[h] -=
+          function[operators.corner[next_halfedge(h)]] - function[operators.corner[h]];
+    for(const Field& circulation_field : circulation_basis)
     {
-      const double part = inner_product(m_operators, change, circle);
-      for(Index side = 0; side < m_outward.size(); ++side)
+      const double coefficient = inner_product(m_operators, deviation, circulation_field);
+      for(Index h = 0; h < m_outward_flux.size(); ++h)
       {
-        const auto p = unfolded(m_triangles, side / 3);
-        m_outward[side] +=
-            part * cross(p[next_side(side) % 3] - p[side % 3], -1. * circle[side / 3]);
+        const auto p = unfolded(m_triangles, h / 3);
+        m_outward_flux[h] +=
+            coefficient * cross(p[next_halfedge(h) % 3] - p[h % 3], -1. * circulation_field[h / 3]);
       }
     }
-    if(cost() > before)
-      m_outward = std::move(outward);
+    if(cost() > previous_cost)
+      m_outward_flux = std::move(outward_flux);
   }
 
   // Linear in the triangle: length is convex, so that its mean is at most that at the corners.
   double cost(Index f) const
   {
-    const auto p = place(f);
+    const auto p = unfolded_corners(f);
     double result = 0.;
     for(Index j = 0; j < 3; ++j)
     {
-      Planar sum = {0., 0.};
+      Vec2 sum = {0., 0.};
       for(Index k = 0; k < 3; ++k)
-        sum = sum + m_outward[3 * f + (k + 1) % 3] * (p[j] - p[k]);
+        sum = sum + m_outward_flux[3 * f + (k + 1) % 3] * (p[j] - p[k]);
       result += norm(sum) / 6.;
     }
     return result;
   }
 
-  const Glued_triangles& m_triangles;
+  const Surface_arrays& m_triangles;
   const Operators& m_operators;
-  const std::vector<Tensor>& m_measure;
+  const std::vector<Metric_tensor>& m_metric;
   Fans m_fans;
-  std::vector<double> m_missing; // #triangles: what has to stay there
-  std::vector<double> m_outward; // #sides
-  double m_spreading = 0.;
+  std::vector<double> m_absorbed_mass; // #triangles: what has to stay there
+  std::vector<double> m_outward_flux;  // #sides
+  double m_spreading_cost = 0.;
 };
 
 } // namespace
 
-Continuous_flow continuous_flow(const Glued_triangles& triangles, const Operators& operators,
-                                const Field& flow, const std::vector<Tensor>& measure)
+Continuous_flow continuous_flow(const Surface_arrays& triangles, const Operators& operators,
+                                const Field& flow, const std::vector<Metric_tensor>& metric)
 {
   if(triangles.is_cloud())
     throw Unsupported_surface_error(
         "On a cloud flows are not bounded from above: its triangles are not glued.");
-  return Side_flow(triangles, operators, flow, measure).flow();
+  return Flux_field(triangles, operators, flow, metric).flow();
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -20,51 +20,51 @@ using internal::operator*;
 // A vector of the space of the second-order cone first >= |rest|.
 struct Cone_vector
 {
-  double first;
-  Planar rest;
+  double scalar;
+  Vec2 vector;
 };
 
 Cone_vector operator+(const Cone_vector& x, const Cone_vector& y)
 {
-  return {x.first + y.first, x.rest + y.rest};
+  return {x.scalar + y.scalar, x.vector + y.vector};
 }
 Cone_vector operator*(double factor, const Cone_vector& x)
 {
-  return {factor * x.first, factor * x.rest};
+  return {factor * x.scalar, factor * x.vector};
 }
 double dot(const Cone_vector& x, const Cone_vector& y)
 {
-  return x.first * y.first + dot(x.rest, y.rest);
+  return x.scalar * y.scalar + dot(x.vector, y.vector);
 }
 // Positive inside of the cone, zero on it.
-double determinant(const Cone_vector& x) { return x.first * x.first - dot(x.rest, x.rest); }
+double determinant(const Cone_vector& x) { return x.scalar * x.scalar - dot(x.vector, x.vector); }
 
 // The product of the cone's algebra, and x with product(a, x) = b.
 Cone_vector product(const Cone_vector& a, const Cone_vector& b)
 {
-  return {dot(a, b), a.first * b.rest + b.first * a.rest};
+  return {dot(a, b), a.scalar * b.vector + b.scalar * a.vector};
 }
 Cone_vector quotient(const Cone_vector& b, const Cone_vector& a)
 {
-  const double first = (a.first * b.first - dot(a.rest, b.rest)) / determinant(a);
-  return {first, (1. / a.first) * (b.rest - first * a.rest)};
+  const double scalar = (a.scalar * b.scalar - dot(a.vector, b.vector)) / determinant(a);
+  return {scalar, (1. / a.scalar) * (b.vector - scalar * a.vector)};
 }
 
 // What brings the two eigenvalues of x into [gap / 10, 10 gap], though not down by more than 10 gap.
-Cone_vector towards(double gap, const Cone_vector& x)
+Cone_vector centrality_correction(double gap, const Cone_vector& x)
 {
-  const auto change = [&](double eigenvalue)
+  const auto correction = [&](double eigenvalue)
   { return std::max(std::clamp(eigenvalue, 0.1 * gap, 10. * gap) - eigenvalue, -10. * gap); };
-  const double size = norm(x.rest);
-  const double high = change(x.first + size), low = change(x.first - size);
-  return {0.5 * (high + low), (size > 0. ? 0.5 * (high - low) / size : 0.) * x.rest};
+  const double size = norm(x.vector);
+  const double high = correction(x.scalar + size), low = correction(x.scalar - size);
+  return {0.5 * (high + low), (size > 0. ? 0.5 * (high - low) / size : 0.) * x.vector};
 }
 
 // One over the longest step from x, inside of the cone, in a direction; zero when none leaves it.
-double inverse_step(const Cone_vector& x, const Cone_vector& way)
+double inverse_max_step(const Cone_vector& x, const Cone_vector& direction)
 {
-  const double a = determinant(way), c = determinant(x);
-  const double b = x.first * way.first - dot(x.rest, way.rest);
+  const double a = determinant(direction), c = determinant(x);
+  const double b = x.scalar * direction.scalar - dot(x.vector, direction.vector);
   const double discriminant = b * b - a * c;
   return discriminant >= 0. ? std::max(0., (std::sqrt(discriminant) - b) / c) : 0.;
 }
@@ -79,54 +79,54 @@ struct Scaling
   Scaling() = default;
   Scaling(const Cone_vector& s, const Cone_vector& z)
   {
-    const double root_s = std::sqrt(std::max(determinant(s), tiny));
-    const double root_z = std::sqrt(std::max(determinant(z), tiny));
+    const double root_s = std::sqrt(std::max(determinant(s), min_determinant));
+    const double root_z = std::sqrt(std::max(determinant(z), min_determinant));
     const Cone_vector a = (1. / root_s) * s, b = (1. / root_z) * z;
     const double gamma = std::sqrt(2. * (1. + dot(a, b)));
-    w = {(a.first + b.first) / gamma, (1. / gamma) * (a.rest - b.rest)};
+    w = {(a.scalar + b.scalar) / gamma, (1. / gamma) * (a.vector - b.vector)};
     eta = std::sqrt(root_s / root_z);
   }
 
   Cone_vector apply(const Cone_vector& x) const // W x
   {
-    const double along = internal::dot(w.rest, x.rest);
-    const double share = x.first + along / (1. + w.first);
-    return eta * Cone_vector{w.first * x.first + along, x.rest + share * w.rest};
+    const double along = internal::dot(w.vector, x.vector);
+    const double coefficient = x.scalar + along / (1. + w.scalar);
+    return eta * Cone_vector{w.scalar * x.scalar + along, x.vector + coefficient * w.vector};
   }
   Cone_vector apply_inverse(const Cone_vector& x) const // W^-1 x
   {
-    const double along = internal::dot(w.rest, x.rest);
-    const double share = along / (1. + w.first) - x.first;
-    return (1. / eta) * Cone_vector{w.first * x.first - along, x.rest + share * w.rest};
+    const double along = internal::dot(w.vector, x.vector);
+    const double coefficient = along / (1. + w.scalar) - x.scalar;
+    return (1. / eta) * Cone_vector{w.scalar * x.scalar - along, x.vector + coefficient * w.vector};
   }
-  Cone_vector apply_inverse_twice(const Planar& x) const // W^-2 (0, x)
+  Cone_vector apply_inverse_squared(const Vec2& x) const // W^-2 (0, x)
   {
-    const double along = 2. * internal::dot(w.rest, x);
-    return (1. / (eta * eta)) * Cone_vector{-along * w.first, x + along * w.rest};
+    const double along = 2. * internal::dot(w.vector, x);
+    return (1. / (eta * eta)) * Cone_vector{-along * w.scalar, x + along * w.vector};
   }
-  Tensor tensor() const // of W^-2 in the plane
+  Metric_tensor tensor() const // of W^-2 in the plane
   {
-    const double x = w.rest[0], y = w.rest[1], factor = 1. / (eta * eta);
+    const double x = w.vector[0], y = w.vector[1], factor = 1. / (eta * eta);
     return {factor * (1. + 2. * x * x), factor * 2. * x * y, factor * (1. + 2. * y * y)};
   }
 
-  static constexpr double tiny = std::numeric_limits<double>::min();
+  static constexpr double min_determinant = std::numeric_limits<double>::min();
 };
 
 // An exit, through which x leaves, and y = capacity - x could leave besides.  With multipliers u of x >= 0
 // and v of y >= 0, price x + potential = u - v at the optimum, and the products u x and v y are zero.
-struct Gate : Exit
+struct Exit_slack : Exit
 {
   double x, y, u = 0., v = 0.;
   double x_step = 0., u_step = 0., v_step = 0.;
   double u_change = 0., v_change = 0.; // of the products, to be reached
 
-  Gate(const Exit& exit, double x) : Exit(exit), x(x), y(capacity - x) {}
+  Exit_slack(const Exit& exit, double x) : Exit(exit), x(x), y(capacity - x) {}
 
   bool is_limited() const { return y < infinity; }
 
   // With products of about that size.
-  void start(double potential, double product)
+  void initialize(double potential, double product)
   {
     v = is_limited() ? product / y : 0.;
     u = price * x + potential + v;
@@ -134,18 +134,21 @@ struct Gate : Exit
 
   double gap(double primal, double dual) const
   {
-    const double of_x = (u + primal * u_step) * (x + dual * x_step);
-    return is_limited() ? of_x + (v + primal * v_step) * (y - dual * x_step) : of_x;
+    const double gap_of_x = (u + primal * u_step) * (x + dual * x_step);
+    return is_limited() ? gap_of_x + (v + primal * v_step) * (y - dual * x_step) : gap_of_x;
   }
 
   // By how much more leaves where the potential is lower by one.
-  double softness() const { return 1. / (price + u / x + (is_limited() ? v / y : 0.)); }
+  double compliance() const { return 1. / (price + u / x + (is_limited() ? v / y : 0.)); }
   // What the changes of products let leave.
-  double push() const { return softness() * (u_change / x - (is_limited() ? v_change / y : 0.)); }
+  double rhs_contribution() const
+  {
+    return compliance() * (u_change / x - (is_limited() ? v_change / y : 0.));
+  }
 
   void find_step(double potential_step)
   {
-    x_step = push() - softness() * potential_step;
+    x_step = rhs_contribution() - compliance() * potential_step;
     u_step = (u_change - u * x_step) / x;
     v_step = is_limited() ? (v_change + v * x_step) / y : 0.;
   }
@@ -164,11 +167,11 @@ struct Gate : Exit
     v_change = is_limited() ? -v * y : 0.;
   }
   template <typename Change>
-  void adjust(double primal, double dual, const Change& change)
+  void adjust(double primal, double dual, const Change& correction)
   {
-    u_change += change((u + primal * u_step) * (x + dual * x_step));
+    u_change += correction((u + primal * u_step) * (x + dual * x_step));
     if(is_limited())
-      v_change += change((v + primal * v_step) * (y - dual * x_step));
+      v_change += correction((v + primal * v_step) * (y - dual * x_step));
   }
   void move(double primal, double dual)
   {
@@ -190,13 +193,13 @@ public:
         m_solver(problem.solver), m_potential(Vector::Zero(problem.masses.size()))
   {
     const std::size_t n = m_operators.number_of_triangles();
-    m_slope.assign(n, Planar{0., 0.});
-    m_slope_step.resize(n);
+    m_gradient.assign(n, Vec2{0., 0.});
+    m_gradient_step.resize(n);
     m_dual.resize(n);
     m_dual_step.resize(n);
     m_target.resize(n);
     m_scaling.resize(n);
-    m_scaled.resize(n);
+    m_scaled_dual.resize(n);
     m_tensor.resize(n);
     for(const double area : m_operators.area)
       m_area += area;
@@ -205,37 +208,39 @@ public:
     {
       m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);
       m_has_exits[group.component] = true;
-      double room = 0.;
+      double total_capacity = 0.;
       for(const Exit& exit : group.exits)
-        room += std::min(exit.capacity, 2. * group.mass);
+        total_capacity += std::min(exit.capacity, 2. * group.mass);
       // Nearly to where it would cost the least without a way, though none is empty or has no more room.
-      const double price = least_cost(group, Vector::Zero(problem.masses.size())).second;
+      const double price = dual_exit_cost(group, Vector::Zero(problem.masses.size())).second;
       for(const Exit& exit : group.exits)
       {
-        const double even = std::min(exit.capacity, 2. * group.mass) * (group.mass / room);
-        const double best = exit.price > 0. ? std::min(price / exit.price, exit.capacity) : even;
-        m_gates.emplace_back(exit, 0.1 * even + 0.9 * best);
+        const double uniform =
+            std::min(exit.capacity, 2. * group.mass) * (group.mass / total_capacity);
+        const double unconstrained =
+            exit.price > 0. ? std::min(price / exit.price, exit.capacity) : uniform;
+        m_slacks.emplace_back(exit, 0.1 * uniform + 0.9 * unconstrained);
       }
     }
     const Field flow = gradient(m_operators, problem.solver.solve(masses()));
     const double mean_square = inner_product(m_operators, flow, flow) / m_area;
     for(std::size_t f = 0; f < n; ++f)
       m_dual[f] = {std::sqrt(dot(flow[f], flow[f]) + mean_square), -1. * flow[f]};
-    m_gate_area = m_area / double(n);
-    m_measure = m_area;
-    const double product = m_gate_area * std::sqrt(mean_square);
-    double most = 0., least_price = infinity; // of what leaves through one of them
-    for(const Gate& gate : m_gates)
+    m_exit_weight = m_area / double(n);
+    m_total_weight = m_area;
+    const double product = m_exit_weight * std::sqrt(mean_square);
+    double max_outflow = 0., min_price = infinity; // of what leaves through one of them
+    for(const Exit_slack& slack : m_slacks)
     {
-      most = std::max(most, gate.x);
-      least_price = std::min(least_price, gate.price * gate.x);
-      m_measure += gate.is_limited() ? 2. * m_gate_area : m_gate_area;
+      max_outflow = std::max(max_outflow, slack.x);
+      min_price = std::min(min_price, slack.price * slack.x);
+      m_total_weight += slack.is_limited() ? 2. * m_exit_weight : m_exit_weight;
     }
-    if(!m_gates.empty())
-      m_potential.setConstant(product / most - least_price);
-    for(Gate& gate : m_gates)
-      gate.start(m_potential[gate.site], product);
-    keep_flow(flow, leaving(0.));
+    if(!m_slacks.empty())
+      m_potential.setConstant(product / max_outflow - min_price);
+    for(Exit_slack& slack : m_slacks)
+      slack.initialize(m_potential[slack.vertex], product);
+    update_upper_bound(flow, outflow(0.));
   }
 
   bool advance() override
@@ -246,9 +251,9 @@ public:
     const double gap = mean_gap({0., 0.});
     const Steps predicted = predict();
     // Needs not stay in the cone, and often costs half as much too much.
-    keep_flow(flow(1.), leaving(1.));
+    update_upper_bound(flow(1.), outflow(1.));
     const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
-    return move(center(next, correct(next)));
+    return move(correct_centrality(next, correct(next)));
   }
 
 private:
@@ -258,14 +263,14 @@ private:
     double primal, dual;
   };
 
-  Cone_vector primal(std::size_t f) const { return {1., m_slope[f]}; }
+  Cone_vector primal(std::size_t f) const { return {1., m_gradient[f]}; }
 
   void scale()
   {
     for(std::size_t f = 0; f < m_dual.size(); ++f)
     {
       m_scaling[f] = Scaling(primal(f), m_dual[f]);
-      m_scaled[f] = m_scaling[f].apply(m_dual[f]);
+      m_scaled_dual[f] = m_scaling[f].apply(m_dual[f]);
       m_tensor[f] = m_scaling[f].tensor();
     }
   }
@@ -273,9 +278,9 @@ private:
   bool factorize()
   {
     problem().laplacian.assemble(m_operators, m_tensor, m_matrix);
-    problem().laplacian.hold(m_matrix, m_has_exits);
-    for(const Gate& gate : m_gates)
-      m_matrix.coeffRef(gate.site, gate.site) += gate.softness();
+    problem().laplacian.pin(m_matrix, m_has_exits);
+    for(const Exit_slack& slack : m_slacks)
+      m_matrix.coeffRef(slack.vertex, slack.vertex) += slack.compliance();
     return m_solver.factorize(m_matrix);
   }
 
@@ -283,16 +288,16 @@ private:
   Vector masses() const
   {
     Vector result = problem().masses;
-    for(const Gate& gate : m_gates)
-      result[gate.site] += gate.x;
+    for(const Exit_slack& slack : m_slacks)
+      result[slack.vertex] += slack.x;
     return result;
   }
 
-  std::vector<double> leaving(double step) const
+  std::vector<double> outflow(double step) const
   {
     std::vector<double> result;
-    for(const Gate& gate : m_gates)
-      result.push_back(gate.x + step * gate.x_step);
+    for(const Exit_slack& slack : m_slacks)
+      result.push_back(slack.x + step * slack.x_step);
     return result;
   }
 
@@ -301,40 +306,42 @@ private:
   {
     double sum = 0.;
     for(std::size_t f = 0; f < m_dual.size(); ++f)
-      sum += m_operators.area[f] * dot(Cone_vector{1., m_slope[f] + steps.primal * m_slope_step[f]},
-                                       m_dual[f] + steps.dual * m_dual_step[f]);
-    for(const Gate& gate : m_gates)
-      sum += gate.gap(steps.primal, steps.dual);
-    return sum / m_measure;
+      sum += m_operators.area[f] *
+             dot(Cone_vector{1., m_gradient[f] + steps.primal * m_gradient_step[f]},
+                 m_dual[f] + steps.dual * m_dual_step[f]);
+    for(const Exit_slack& slack : m_slacks)
+      sum += slack.gap(steps.primal, steps.dual);
+    return sum / m_total_weight;
   }
 
   // The changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d, and how far they may go.
   Steps find_step()
   {
-    Field change(m_dual.size());
+    Field correction(m_dual.size());
     for(std::size_t f = 0; f < m_dual.size(); ++f)
-      change[f] = m_target[f].rest + m_dual[f].rest;
-    Vector right = divergence(m_operators, change) + masses();
-    for(const Gate& gate : m_gates)
-      right[gate.site] += gate.push();
-    m_potential_step = m_solver.solve(right);
-    gradient(m_operators, m_potential_step, m_slope_step);
+      correction[f] = m_target[f].vector + m_dual[f].vector;
+    Vector rhs = minus_divergence(m_operators, correction) + masses();
+    for(const Exit_slack& slack : m_slacks)
+      rhs[slack.vertex] += slack.rhs_contribution();
+    m_potential_step = m_solver.solve(rhs);
+    gradient(m_operators, m_potential_step, m_gradient_step);
     double primal_inverse = 1., dual_inverse = 1.;
-    for(Gate& gate : m_gates)
+    for(Exit_slack& slack : m_slacks)
     {
-      gate.find_step(m_potential_step[gate.site]);
-      primal_inverse = std::max(primal_inverse, gate.inverse_primal_step());
-      dual_inverse = std::max(dual_inverse, gate.inverse_dual_step());
+      slack.find_step(m_potential_step[slack.vertex]);
+      primal_inverse = std::max(primal_inverse, slack.inverse_primal_step());
+      dual_inverse = std::max(dual_inverse, slack.inverse_dual_step());
     }
     for(std::size_t f = 0; f < m_dual.size(); ++f)
     {
-      m_dual_step[f] = m_target[f] + (-1.) * m_scaling[f].apply_inverse_twice(m_slope_step[f]);
-      primal_inverse = std::max(primal_inverse, inverse_step(primal(f), {0., m_slope_step[f]}));
-      dual_inverse = std::max(dual_inverse, inverse_step(m_dual[f], m_dual_step[f]));
+      m_dual_step[f] = m_target[f] + (-1.) * m_scaling[f].apply_inverse_squared(m_gradient_step[f]);
+      primal_inverse =
+          std::max(primal_inverse, inverse_max_step(primal(f), {0., m_gradient_step[f]}));
+      dual_inverse = std::max(dual_inverse, inverse_max_step(m_dual[f], m_dual_step[f]));
     }
     // Prices tie the two together.
-    if(std::any_of(m_gates.begin(), m_gates.end(),
-                   [](const Gate& gate) { return gate.price > 0.; }))
+    if(std::any_of(m_slacks.begin(), m_slacks.end(),
+                   [](const Exit_slack& slack) { return slack.price > 0.; }))
       primal_inverse = dual_inverse = std::max(primal_inverse, dual_inverse);
     return {1. / primal_inverse, 1. / dual_inverse};
   }
@@ -344,30 +351,30 @@ private:
   {
     for(std::size_t f = 0; f < m_dual.size(); ++f)
       m_target[f] = -1. * m_dual[f];
-    for(Gate& gate : m_gates)
-      gate.predict();
+    for(Exit_slack& slack : m_slacks)
+      slack.predict();
     return find_step();
   }
 
   // Another change, after which change(x) is added to each product x of W^-1 s and W z to which the
   // change known so far would lead in those steps, as far as that is linear.
   template <typename Change>
-  Steps adjust(const Steps& steps, const Change& change)
+  Steps adjust(const Steps& steps, const Change& correction)
   {
     for(std::size_t f = 0; f < m_dual.size(); ++f)
     {
       const Scaling& scaling = m_scaling[f];
       const Cone_vector s =
-          m_scaled[f] + steps.primal * scaling.apply_inverse({0., m_slope_step[f]});
-      const Cone_vector z = m_scaled[f] + steps.dual * scaling.apply(m_dual_step[f]);
-      m_target[f] =
-          m_target[f] + scaling.apply_inverse(quotient(change(product(s, z)), m_scaled[f]));
+          m_scaled_dual[f] + steps.primal * scaling.apply_inverse({0., m_gradient_step[f]});
+      const Cone_vector z = m_scaled_dual[f] + steps.dual * scaling.apply(m_dual_step[f]);
+      m_target[f] = m_target[f] +
+                    scaling.apply_inverse(quotient(correction(product(s, z)), m_scaled_dual[f]));
     }
-    const auto change_of_gate = [&](double product) {
-      return m_gate_area * change(Cone_vector{product / m_gate_area, {0., 0.}}).first;
+    const auto correction_of_slack = [&](double product) {
+      return m_exit_weight * correction(Cone_vector{product / m_exit_weight, {0., 0.}}).scalar;
     };
-    for(Gate& gate : m_gates)
-      gate.adjust(steps.primal, steps.dual, change_of_gate);
+    for(Exit_slack& slack : m_slacks)
+      slack.adjust(steps.primal, steps.dual, correction_of_slack);
     return find_step();
   }
 
@@ -377,22 +384,23 @@ private:
   {
     return adjust({1., 1.},
                   [&](const Cone_vector& x) {
-                    return Cone_vector{gap - x.first, -1. * x.rest};
+                    return Cone_vector{gap - x.scalar, -1. * x.vector};
                   });
   }
 
   // Brings those products closer to `gap` that would be far from it after steps somewhat longer than may
   // be gone (Gondzio 1996), unless that does not make them longer.
-  Steps center(double gap, const Steps& steps)
+  Steps correct_centrality(double gap, const Steps& steps)
   {
     const std::vector<Cone_vector> target = m_target;
-    const std::vector<Gate> gates = m_gates;
-    const Steps longer = {std::min(1., steps.primal + 0.3), std::min(1., steps.dual + 0.3)};
-    const Steps centered = adjust(longer, [&](const Cone_vector& x) { return towards(gap, x); });
+    const std::vector<Exit_slack> slacks = m_slacks;
+    const Steps longer_steps = {std::min(1., steps.primal + 0.3), std::min(1., steps.dual + 0.3)};
+    const Steps centered =
+        adjust(longer_steps, [&](const Cone_vector& x) { return centrality_correction(gap, x); });
     if(centered.primal + centered.dual > steps.primal + steps.dual)
       return centered;
     m_target = target;
-    m_gates = gates;
+    m_slacks = slacks;
     return find_step();
   }
 
@@ -405,13 +413,13 @@ private:
     m_potential += primal_step * m_potential_step;
     for(std::size_t f = 0; f < m_dual.size(); ++f)
     {
-      m_slope[f] = m_slope[f] + primal_step * m_slope_step[f];
+      m_gradient[f] = m_gradient[f] + primal_step * m_gradient_step[f];
       m_dual[f] = m_dual[f] + dual_step * m_dual_step[f];
     }
-    for(Gate& gate : m_gates)
-      gate.move(primal_step, dual_step);
-    keep_flow(flow(0.), leaving(0.));
-    keep_potential(m_potential);
+    for(Exit_slack& slack : m_slacks)
+      slack.move(primal_step, dual_step);
+    update_upper_bound(flow(0.), outflow(0.));
+    update_lower_bound(m_potential);
     return true;
   }
 
@@ -419,22 +427,22 @@ private:
   {
     Field result(m_dual.size());
     for(std::size_t f = 0; f < result.size(); ++f)
-      result[f] = -1. * (m_dual[f].rest + step * m_dual_step[f].rest);
+      result[f] = -1. * (m_dual[f].vector + step * m_dual_step[f].vector);
     return result;
   }
 
   const Operators& m_operators;
   Sparse_matrix m_matrix;
   Sparse_solver m_solver;
-  double m_area = 0., m_gate_area = 0., m_measure = 0.;
-  std::vector<Gate> m_gates;
-  std::vector<bool> m_has_exits;                // #components
-  Vector m_potential, m_potential_step;         // #sites
-  Field m_slope, m_slope_step;                  // #triangles: of the potential
-  std::vector<Cone_vector> m_dual, m_dual_step; // #triangles: z
-  std::vector<Cone_vector> m_target, m_scaled;  // #triangles: W^-1 d, and W z
-  std::vector<Scaling> m_scaling;               // #triangles
-  std::vector<Tensor> m_tensor;                 // #triangles
+  double m_area = 0., m_exit_weight = 0., m_total_weight = 0.;
+  std::vector<Exit_slack> m_slacks;
+  std::vector<bool> m_has_exits;                    // #components
+  Vector m_potential, m_potential_step;             // #sites
+  Field m_gradient, m_gradient_step;                // #triangles: of the potential
+  std::vector<Cone_vector> m_dual, m_dual_step;     // #triangles: z
+  std::vector<Cone_vector> m_target, m_scaled_dual; // #triangles: W^-1 d, and W z
+  std::vector<Scaling> m_scaling;                   // #triangles
+  std::vector<Metric_tensor> m_tensor;              // #triangles
 };
 
 } // namespace

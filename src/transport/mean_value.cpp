@@ -3,7 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/mean_value.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <algorithm>
 #include <array>
@@ -16,13 +16,13 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-using Three = std::array<double, 3>;
+using Triple = std::array<double, 3>;
 
-constexpr int after(int k) { return k == 2 ? 0 : k + 1; }
-constexpr int before(int k) { return k == 0 ? 2 : k - 1; }
+constexpr int next_corner(int k) { return k == 2 ? 0 : k + 1; }
+constexpr int previous_corner(int k) { return k == 0 ? 2 : k - 1; }
 
 // angle / sin(angle) - 1, from the square of the tangent of half the angle.
-double excess_over_sine(double q)
+double angle_over_sine_minus_one(double q)
 {
   if(q > 1. / 64.)
   {
@@ -39,9 +39,9 @@ double excess_over_sine(double q)
 // A corner of a triangle as it is seen from the point.
 struct Ray
 {
-  Spatial way; // the corner less the point
+  Vec3 offset; // the corner less the point
   double length;
-  Spatial unit;
+  Vec3 unit;
 };
 
 // A triangle as it is seen from the point: from here on on the unit sphere, side k is opposite to
@@ -49,91 +49,98 @@ struct Ray
 struct Spherical_triangle
 {
   std::array<const Ray*, 3> ray;
-  Three square;                  // of the tangents of half the sides
-  std::array<Spatial, 3> normal; // of the planes through sides: as long as the side's sine
-  Spatial across;                // the sum of the normals
+  Triple squared_tangent;     // of the tangents of half the sides
+  std::array<Vec3, 3> normal; // of the planes through sides: as long as the side's sine
+  Vec3 normal_sum;            // the sum of the normals
   double determinant;
 
   explicit Spherical_triangle(const std::array<const Ray*, 3>& rays) : ray(rays)
   {
-    std::array<Spatial, 3> difference;
+    std::array<Vec3, 3> difference;
     for(int k = 0; k < 3; ++k)
     {
-      const Ray &a = *ray[after(k)], &b = *ray[before(k)];
+      const Ray &a = *ray[next_corner(k)], &b = *ray[previous_corner(k)];
       // Of unit vectors, without cancellation where they are close.
-      const Spatial side = b.way - a.way, sum = a.unit + b.unit;
-      const double longer = dot(side, a.way + b.way) / (a.length + b.length);
-      difference[k] = (1. / b.length) * (side - longer * a.unit);
-      square[k] = dot(difference[k], difference[k]) / dot(sum, sum);
+      const Vec3 side = b.offset - a.offset, sum = a.unit + b.unit;
+      const double length_difference = dot(side, a.offset + b.offset) / (a.length + b.length);
+      difference[k] = (1. / b.length) * (side - length_difference * a.unit);
+      squared_tangent[k] = dot(difference[k], difference[k]) / dot(sum, sum);
       normal[k] = cross(a.unit, difference[k]);
     }
-    across = cross(difference[2], difference[0]);
-    determinant = dot(ray[0]->unit, across);
+    normal_sum = cross(difference[2], difference[0]);
+    determinant = dot(ray[0]->unit, normal_sum);
   }
 
   // Whether the point lies in the triangle's plane, or near to an edge, as far as can be seen.
   bool is_thin() const
   {
-    const Three size = {dot(normal[0], normal[0]), dot(normal[1], normal[1]),
-                        dot(normal[2], normal[2])};
+    const Triple size = {dot(normal[0], normal[0]), dot(normal[1], normal[1]),
+                         dot(normal[2], normal[2])};
     const double largest = std::max({size[0] * size[1], size[1] * size[2], size[2] * size[0]});
     return determinant * determinant <= 1e-6 * largest;
   }
 
   // The coefficients of the integral of all unit vectors in the triangle, as a sum of those of its
   // corners: the integral is half the sum of sides times the unit normals of their planes.
-  Three shares() const
+  Triple vertex_coefficients() const
   {
-    Spatial twice = across;
+    Vec3 doubled_integral = normal_sum;
     for(int k = 0; k < 3; ++k)
-      twice = twice + excess_over_sine(square[k]) * normal[k];
-    Three result;
+      doubled_integral =
+          doubled_integral + angle_over_sine_minus_one(squared_tangent[k]) * normal[k];
+    Triple result;
     for(int k = 0; k < 3; ++k)
-      result[k] = dot(twice, normal[k]) / (2. * determinant);
+      result[k] = dot(doubled_integral, normal[k]) / (2. * determinant);
     return result;
   }
 
   // The same where the determinant is small, and the sum above nearly vanishes: by half-angle formulas,
   // in which what is small is a product.
-  Three thin_shares() const
+  Triple thin_vertex_coefficients() const
   {
-    Three side, sine;
+    Triple side, sine;
     for(int k = 0; k < 3; ++k)
     {
-      side[k] = 2. * std::atan(std::sqrt(square[k]));
+      side[k] = 2. * std::atan(std::sqrt(squared_tangent[k]));
       sine[k] = norm(normal[k]);
       if(!(sine[k] > 0.))
         return {0., 0., 0.};
     }
-    const double half = 0.5 * (side[0] + side[1] + side[2]);
-    Three rest; // half the sum less a side
+    const double half_sum = 0.5 * (side[0] + side[1] + side[2]);
+    Triple half_sum_minus_side; // half the sum less a side
     for(int k = 0; k < 3; ++k)
-      rest[k] = std::max(0., 0.5 * (side[after(k)] + side[before(k)] - side[k]));
+      half_sum_minus_side[k] =
+          std::max(0., 0.5 * (side[next_corner(k)] + side[previous_corner(k)] - side[k]));
     // Where one side is nearly the sum of the others the determinant knows better by how much not.
-    const int least = int(std::min_element(rest.begin(), rest.end()) - rest.begin());
-    const double others =
-        4. * std::sin(half) * std::sin(rest[after(least)]) * std::sin(rest[before(least)]);
-    if(const double square_of = determinant * determinant; square_of < 1e-3 * others)
-      rest[least] = std::asin(square_of / others);
-    Three deviation; // of the angle's cosine at a corner from one or minus one
-    Three sign;
+    const int smallest =
+        int(std::min_element(half_sum_minus_side.begin(), half_sum_minus_side.end()) -
+            half_sum_minus_side.begin());
+    const double product_of_sines = 4. * std::sin(half_sum) *
+                                    std::sin(half_sum_minus_side[next_corner(smallest)]) *
+                                    std::sin(half_sum_minus_side[previous_corner(smallest)]);
+    if(const double squared_determinant = determinant * determinant;
+       squared_determinant < 1e-3 * product_of_sines)
+      half_sum_minus_side[smallest] = std::asin(squared_determinant / product_of_sines);
+    Triple deviation; // of the angle's cosine at a corner from one or minus one
+    Triple sign;
     for(int k = 0; k < 3; ++k)
     {
-      const double product = sine[after(k)] * sine[before(k)];
-      const double sine_of_half = std::sin(rest[after(k)]) * std::sin(rest[before(k)]) / product;
-      const double cosine_of_half = std::sin(half) * std::sin(rest[k]) / product;
+      const double product = sine[next_corner(k)] * sine[previous_corner(k)];
+      const double sine_of_half = std::sin(half_sum_minus_side[next_corner(k)]) *
+                                  std::sin(half_sum_minus_side[previous_corner(k)]) / product;
+      const double cosine_of_half = std::sin(half_sum) * std::sin(half_sum_minus_side[k]) / product;
       sign[k] = sine_of_half < cosine_of_half ? 1. : -1.;
       deviation[k] = 2. * std::min(sine_of_half, cosine_of_half);
     }
-    Three result;
+    Triple result;
     for(int k = 0; k < 3; ++k)
     {
-      const int i = after(k), j = before(k);
+      const int i = next_corner(k), j = previous_corner(k);
       // side[k] - side[i] cos(angle[j]) - side[j] cos(angle[i])
-      const double sum = (sign[i] > 0. && sign[j] > 0.)   ? -2. * rest[k]
-                         : (sign[i] > 0. && sign[j] < 0.) ? 2. * rest[j]
-                         : (sign[i] < 0. && sign[j] > 0.) ? 2. * rest[i]
-                                                          : 2. * half;
+      const double sum = (sign[i] > 0. && sign[j] > 0.)   ? -2. * half_sum_minus_side[k]
+                         : (sign[i] > 0. && sign[j] < 0.) ? 2. * half_sum_minus_side[j]
+                         : (sign[i] < 0. && sign[j] > 0.) ? 2. * half_sum_minus_side[i]
+                                                          : 2. * half_sum;
       result[k] = sine[k] *
                   (sum + side[i] * sign[j] * deviation[j] + side[j] * sign[i] * deviation[i]) /
                   (2. * determinant);
@@ -144,47 +151,47 @@ struct Spherical_triangle
 
 } // namespace
 
-Mean_value_coordinates::Mean_value_coordinates(std::shared_ptr<const Glued_triangles> triangles)
+Mean_value_coordinates::Mean_value_coordinates(std::shared_ptr<const Surface_arrays> triangles)
     : m_triangles(std::move(triangles))
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   if(t.number_of_triangles() == 0 || std::find(t.twin.begin(), t.twin.end(), none) != t.twin.end())
     throw Unsupported_surface_error(t.number_of_triangles() == 0
                                         ? "The mesh has no triangles that could enclose anything."
                                         : "The mesh is not closed: it has a border.");
-  Spatial low = t.point[t.corner[0]], high = low;
-  for(const Index site : t.corner)
+  Vec3 lower_corner = t.point[t.corner[0]], upper_corner = lower_corner;
+  for(const Index vertex : t.corner)
     for(int c = 0; c < 3; ++c)
     {
-      low[c] = std::min(low[c], t.point[site][c]);
-      high[c] = std::max(high[c], t.point[site][c]);
+      lower_corner[c] = std::min(lower_corner[c], t.point[vertex][c]);
+      upper_corner[c] = std::max(upper_corner[c], t.point[vertex][c]);
     }
-  m_near = 1e-12 * norm(high - low);
+  m_distance_tolerance = 1e-12 * norm(upper_corner - lower_corner);
 }
 
-std::pair<Vector, double> Mean_value_coordinates::weights(const Spatial& point) const
+std::pair<Vector, double> Mean_value_coordinates::weights(const Vec3& point) const
 {
-  const Glued_triangles& t = *m_triangles;
+  const Surface_arrays& t = *m_triangles;
   for(const double x : point)
     if(!std::isfinite(x))
       throw Invalid_argument_error("A coordinate of a point is not finite.");
-  const Spatial place = (1. / t.scale) * (point - t.origin);
-  Vector result = Vector::Zero(Eigen::Index(t.number_of_sites()));
+  const Vec3 point_in_domain = (1. / t.scale) * (point - t.origin);
+  Vector result = Vector::Zero(Eigen::Index(t.number_of_vertices()));
 
-  std::vector<Ray> rays(t.number_of_sites());
-  for(Index site = 0; site < rays.size(); ++site)
+  std::vector<Ray> rays(t.number_of_vertices());
+  for(Index vertex = 0; vertex < rays.size(); ++vertex)
   {
-    const Spatial way = t.point[site] - place;
-    const double length = norm(way);
-    if(length <= m_near && t.first[site] != t.first[site + 1])
+    const Vec3 offset = t.point[vertex] - point_in_domain;
+    const double length = norm(offset);
+    if(length <= m_distance_tolerance && t.ring_begin[vertex] != t.ring_begin[vertex + 1])
     {
-      result[site] = 1.;
+      result[vertex] = 1.;
       return {result, infinity};
     }
-    rays[site] = {way, length, (1. / length) * way};
+    rays[vertex] = {offset, length, (1. / length) * offset};
   }
 
-  double absolute = 0.;
+  double sum_of_absolute_weights = 0.;
   for(std::size_t f = 0; f < t.number_of_triangles(); ++f)
   {
     const Index* corner = &t.corner[3 * f];
@@ -192,40 +199,43 @@ std::pair<Vector, double> Mean_value_coordinates::weights(const Spatial& point) 
     const bool is_thin = triangle.is_thin();
     if(is_thin)
     {
-      const Spatial &a = rays[corner[0]].way, &b = rays[corner[1]].way, &c = rays[corner[2]].way;
-      const Spatial normal = cross(b - a, c - a);
+      const Vec3 &a = rays[corner[0]].offset, &b = rays[corner[1]].offset,
+                 &c = rays[corner[2]].offset;
+      const Vec3 normal = cross(b - a, c - a);
       if(!(dot(normal, normal) > 0.))
         continue;
-      if(std::abs(dot(a, normal)) <= m_near * norm(normal))
+      if(std::abs(dot(a, normal)) <= m_distance_tolerance * norm(normal))
       {
-        const Three share = nearest_in_triangle(a, b, c, {0., 0., 0.});
-        if(norm(share[0] * a + share[1] * b + share[2] * c) <= m_near)
+        const Triple coefficients = nearest_in_triangle(a, b, c, {0., 0., 0.});
+        if(norm(coefficients[0] * a + coefficients[1] * b + coefficients[2] * c) <=
+           m_distance_tolerance)
         {
           result.setZero();
           for(int k = 0; k < 3; ++k)
-            result[corner[k]] = share[k];
+            result[corner[k]] = coefficients[k];
           return {result, infinity};
         }
       }
       if(triangle.determinant == 0.)
         continue;
     }
-    const Three share = is_thin ? triangle.thin_shares() : triangle.shares();
+    const Triple coefficients =
+        is_thin ? triangle.thin_vertex_coefficients() : triangle.vertex_coefficients();
     for(int k = 0; k < 3; ++k)
     {
-      const double weight = share[k] / rays[corner[k]].length;
+      const double weight = coefficients[k] / rays[corner[k]].length;
       result[corner[k]] += weight;
-      absolute += std::abs(weight);
+      sum_of_absolute_weights += std::abs(weight);
     }
   }
   const double sum = result.sum();
-  if(!(std::abs(sum) > 1e-10 * absolute))
+  if(!(std::abs(sum) > 1e-10 * sum_of_absolute_weights))
     throw Unsupported_surface_error("A point has no mean value coordinates: the mesh encloses "
                                     "nothing that is seen from there.");
   return {result, sum};
 }
 
-Vector Mean_value_coordinates::operator()(const Spatial& point) const
+Vector Mean_value_coordinates::operator()(const Vec3& point) const
 {
   auto [result, sum] = weights(point);
   if(sum != infinity)
@@ -233,7 +243,7 @@ Vector Mean_value_coordinates::operator()(const Spatial& point) const
   return result;
 }
 
-bool Mean_value_coordinates::are_on_one_side(const Spatial& p, const Spatial& q) const
+bool Mean_value_coordinates::are_on_same_side(const Vec3& p, const Vec3& q) const
 {
   return (weights(p).second > 0.) == (weights(q).second > 0.);
 }

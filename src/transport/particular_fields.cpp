@@ -19,32 +19,34 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 // Triangles times harmonic fields, of two numbers each.
-constexpr double most_numbers = 1.25e8;
+constexpr double max_number_of_entries = 1.25e8;
 
-using Slopes = std::array<Planar, 2>; // of the hats of corners 1 and 2, times the root of the area
+using Hat_gradients =
+    std::array<Vec2, 2>; // of the hats of corners 1 and 2, times the root of the area
 
-std::vector<Slopes> slopes(const Operators& operators)
+std::vector<Hat_gradients> weighted_hat_gradients(const Operators& operators)
 {
-  std::vector<Slopes> result(operators.number_of_triangles());
+  std::vector<Hat_gradients> result(operators.number_of_triangles());
   for(std::size_t f = 0; f < result.size(); ++f)
   {
     const double root = std::sqrt(operators.area[f]);
-    result[f] = {root * operators.hat[3 * f + 1], root * operators.hat[3 * f + 2]};
+    result[f] = {root * operators.hat_gradient[3 * f + 1],
+                 root * operators.hat_gradient[3 * f + 2]};
   }
   return result;
 }
 
-void write_gradient(const Operators& operators, const std::vector<Slopes>& slope,
+void write_gradient(const Operators& operators, const std::vector<Hat_gradients>& hat_gradients,
                     const double* function, double* column)
 {
-  const std::size_t n = slope.size();
+  const std::size_t n = hat_gradients.size();
   for(std::size_t f = 0; f < n; ++f)
   {
     const Index* corner = &operators.corner[3 * f];
-    const double first = function[corner[0]];
-    const double a = function[corner[1]] - first, b = function[corner[2]] - first;
-    column[f] = a * slope[f][0][0] + b * slope[f][1][0];
-    column[n + f] = a * slope[f][0][1] + b * slope[f][1][1];
+    const double value_0 = function[corner[0]];
+    const double a = function[corner[1]] - value_0, b = function[corner[2]] - value_0;
+    column[f] = a * hat_gradients[f][0][0] + b * hat_gradients[f][1][0];
+    column[n + f] = a * hat_gradients[f][0][1] + b * hat_gradients[f][1][1];
   }
 }
 
@@ -58,15 +60,15 @@ Sparse_matrix inner_laplacian(const Operators& operators, const Sparse_matrix& l
     for(Sparse_matrix::InnerIterator it(result, column); it; ++it)
       if(is_border[it.row()] || is_border[it.col()])
         it.valueRef() = it.row() == it.col() ? 1. : 0.;
-  std::vector<bool> is_done(components, false);
-  for(std::size_t site = 0; site < operators.number_of_sites; ++site)
-    if(is_border[site])
-      is_done[component[site]] = true;
-  for(Eigen::Index site = 0; site < Eigen::Index(operators.number_of_sites); ++site)
-    if(!is_done[component[site]])
+  std::vector<bool> is_pinned(components, false);
+  for(std::size_t vertex = 0; vertex < operators.number_of_vertices; ++vertex)
+    if(is_border[vertex])
+      is_pinned[component[vertex]] = true;
+  for(Eigen::Index vertex = 0; vertex < Eigen::Index(operators.number_of_vertices); ++vertex)
+    if(!is_pinned[component[vertex]])
     {
-      is_done[component[site]] = true;
-      double& entry = result.coeffRef(site, site);
+      is_pinned[component[vertex]] = true;
+      double& entry = result.coeffRef(vertex, vertex);
       entry = entry > 0. ? 2. * entry : 1.;
     }
   return result;
@@ -74,21 +76,21 @@ Sparse_matrix inner_laplacian(const Operators& operators, const Sparse_matrix& l
 
 } // namespace
 
-Masses masses_at(const Glued_triangles& triangles, const std::vector<Location>& locations)
+Masses masses_at(const Surface_arrays& triangles, const std::vector<Surface_location>& locations)
 {
   std::vector<Eigen::Triplet<double>> entries;
   for(std::size_t j = 0; j < locations.size(); ++j)
   {
-    const Location& location = locations[j];
+    const Surface_location& location = locations[j];
     if(location.triangle == none)
-      entries.emplace_back(location.site, j, 1.);
+      entries.emplace_back(location.vertex, j, 1.);
     else
       for(std::size_t k = 0; k < 3; ++k)
         if(location.barycentric[k] != 0.)
           entries.emplace_back(triangles.corner[3 * location.triangle + k], j,
                                location.barycentric[k]);
   }
-  Masses result(Eigen::Index(triangles.number_of_sites()), Eigen::Index(locations.size()));
+  Masses result(Eigen::Index(triangles.number_of_vertices()), Eigen::Index(locations.size()));
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
@@ -109,67 +111,67 @@ Vector as_column(const Operators& operators, const Field& field)
 Field as_field(const Operators& operators, const Vector& column)
 {
   const auto n = Eigen::Index(operators.number_of_triangles());
-  Field result(std::size_t(n), Planar{0., 0.});
+  Field result(std::size_t(n), Vec2{0., 0.});
   for(Eigen::Index f = 0; f < n; ++f)
     if(operators.area[f] > 0.)
-      result[f] = (1. / std::sqrt(operators.area[f])) * Planar{column[f], column[n + f]};
+      result[f] = (1. / std::sqrt(operators.area[f])) * Vec2{column[f], column[n + f]};
   return result;
 }
 
 Matrix gradients(const Operators& operators, const Matrix& functions)
 {
-  const std::vector<Slopes> slope = slopes(operators);
-  Matrix result(2 * Eigen::Index(slope.size()), functions.cols());
+  const std::vector<Hat_gradients> hat_gradients = weighted_hat_gradients(operators);
+  Matrix result(2 * Eigen::Index(hat_gradients.size()), functions.cols());
   for(Eigen::Index j = 0; j < functions.cols(); ++j)
-    write_gradient(operators, slope, functions.col(j).data(), result.col(j).data());
+    write_gradient(operators, hat_gradients, functions.col(j).data(), result.col(j).data());
   return result;
 }
 
 // Of triangles that have an area, joined through sides: one for each component.
 struct Particular_fields::Tree
 {
-  std::vector<Index> way;   // #triangles: the side that leads to the root, none at a root
-  std::vector<Index> depth; // #triangles: sides to cross on the way there
+  std::vector<Index> parent_halfedge; // #triangles: the side that leads to the root, none at a root
+  std::vector<Index> depth;           // #triangles: sides to cross on the way there
   std::size_t roots = 0;
 
-  Tree(const Glued_triangles& triangles, const Operators& operators)
-      : way(triangles.number_of_triangles(), none), depth(way.size(), none)
+  Tree(const Surface_arrays& triangles, const Operators& operators)
+      : parent_halfedge(triangles.number_of_triangles(), none), depth(parent_halfedge.size(), none)
   {
-    std::vector<Index> front;
-    for(Index root = 0; root < way.size(); ++root)
+    std::vector<Index> bfs_queue;
+    for(Index root = 0; root < parent_halfedge.size(); ++root)
     {
       if(depth[root] != none || !(operators.area[root] > 0.))
         continue;
       ++roots;
       depth[root] = 0;
-      front.assign(1, root);
-      for(std::size_t i = 0; i < front.size(); ++i)
-        for(Index side = 3 * front[i]; side < 3 * front[i] + 3; ++side)
+      bfs_queue.assign(1, root);
+      for(std::size_t i = 0; i < bfs_queue.size(); ++i)
+        for(Index h = 3 * bfs_queue[i]; h < 3 * bfs_queue[i] + 3; ++h)
         {
-          const Index twin = triangles.twin[side];
+          const Index twin = triangles.twin[h];
           if(twin == none || depth[twin / 3] != none || !(operators.area[twin / 3] > 0.))
             continue;
-          depth[twin / 3] = depth[front[i]] + 1;
-          way[twin / 3] = twin;
-          front.push_back(twin / 3);
+          depth[twin / 3] = depth[bfs_queue[i]] + 1;
+          parent_halfedge[twin / 3] = twin;
+          bfs_queue.push_back(twin / 3);
         }
     }
   }
 
   // Of a column of masses to the roots, in triangles one after another, some of them twice.
-  std::vector<std::pair<Index, Planar>> flow(const Glued_triangles& triangles,
-                                             const Operators& operators, const Vector& star,
-                                             const Masses& masses, Eigen::Index column) const
+  std::vector<std::pair<Index, Vec2>> flow(const Surface_arrays& triangles,
+                                           const Operators& operators, const Vector& ring_area,
+                                           const Masses& masses, Eigen::Index column) const
   {
-    std::vector<std::pair<Index, Planar>> result;
+    std::vector<std::pair<Index, Vec2>> result;
     // The field of Raviart and Thomas 1977 of what flows in through a side, in the middle.
-    const auto flow_in = [&](Index side, double amount)
+    const auto add_inflow = [&](Index h, double amount)
     {
-      const Index f = side / 3;
+      const Index f = h / 3;
       const auto corners = unfolded(triangles, f);
-      const Planar middle = (1. / 3.) * (corners[0] + corners[1] + corners[2]);
+      const Vec2 middle = (1. / 3.) * (corners[0] + corners[1] + corners[2]);
       result.emplace_back(f, (-0.5 * amount / std::sqrt(operators.area[f])) *
-                                 (middle - corners[previous_side(side) % 3]));
+                                 (middle - corners[previous_halfedge(h) % 3]));
     };
     // Far ones first: all that flows through a triangle is known then.  The order of equal ones must not
     // depend on amounts, of which the way back has the opposite ones.
@@ -186,10 +188,10 @@ struct Particular_fields::Tree
     std::priority_queue<Amount> queue;
     for(Masses::InnerIterator it(masses, column); it; ++it)
     {
-      const auto site = Index(it.row());
-      for(Index k = triangles.first[site]; k < triangles.first[site + 1]; ++k)
-        if(const Index f = triangles.star[k] / 3; operators.area[f] > 0.)
-          queue.push({depth[f], f, it.value() * operators.area[f] / star[site]});
+      const auto vertex = Index(it.row());
+      for(Index k = triangles.ring_begin[vertex]; k < triangles.ring_begin[vertex + 1]; ++k)
+        if(const Index f = triangles.ring[k] / 3; operators.area[f] > 0.)
+          queue.push({depth[f], f, it.value() * operators.area[f] / ring_area[vertex]});
     }
     while(!queue.empty())
     {
@@ -197,29 +199,29 @@ struct Particular_fields::Tree
       double amount = 0.;
       for(; !queue.empty() && queue.top().triangle == f; queue.pop())
         amount += queue.top().mass;
-      if(way[f] == none)
+      if(parent_halfedge[f] == none)
         continue;
-      const Index twin = triangles.twin[way[f]];
-      flow_in(way[f], amount);
-      flow_in(twin, -amount);
+      const Index twin = triangles.twin[parent_halfedge[f]];
+      add_inflow(parent_halfedge[f], amount);
+      add_inflow(twin, -amount);
       queue.push({depth[twin / 3], twin / 3, amount});
     }
     return result;
   }
 };
 
-Particular_fields::Particular_fields(const Glued_triangles& triangles, const Operators& operators,
+Particular_fields::Particular_fields(const Surface_arrays& triangles, const Operators& operators,
                                      Particular_field kind, bool with_harmonic_fields)
     : m_triangles(triangles), m_operators(operators), m_kind(kind),
-      m_is_border(border_sites(triangles))
+      m_is_border(border_vertices(triangles))
 {
   std::size_t components = 0;
   std::tie(m_component, components) = internal::components(operators);
   const Laplacian laplacian(operators);
   const Sparse_matrix matrix = laplacian.matrix(operators);
-  Sparse_matrix held = matrix;
-  laplacian.hold(held);
-  m_poisson = std::make_unique<Sparse_solver>(held, Elimination::quick);
+  Sparse_matrix pinned = matrix;
+  laplacian.pin(pinned);
+  m_poisson_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
 
   const auto n = Eigen::Index(operators.number_of_triangles());
   m_harmonic.resize(2 * n, 0);
@@ -228,20 +230,21 @@ Particular_fields::Particular_fields(const Glued_triangles& triangles, const Ope
   else if(with_harmonic_fields || kind == Particular_field::raviart_thomas)
   {
     if(const std::size_t number = internal::number_of_harmonic_fields(triangles);
-       double(number) * double(n) > most_numbers)
+       double(number) * double(n) > max_number_of_entries)
       throw Unsupported_surface_error(
           "The surface has " + std::to_string(number) +
           " ways around handles and holes, too many for so many faces.");
-    const std::vector<Field> harmonic = internal::harmonic_fields(triangles, operators, *m_poisson);
+    const std::vector<Field> harmonic =
+        internal::harmonic_fields(triangles, operators, *m_poisson_solver);
     m_harmonic.resize(2 * n, Eigen::Index(harmonic.size()));
     for(std::size_t i = 0; i < harmonic.size(); ++i)
       m_harmonic.col(Eigen::Index(i)) = as_column(operators, harmonic[i]);
   }
-  m_slope = slopes(operators);
+  m_hat_gradients = weighted_hat_gradients(operators);
   if(m_kind == Particular_field::gradient)
     return;
 
-  m_star = 3. * lumped_mass(operators);
+  m_ring_area = 3. * lumped_mass(operators);
   m_tree = std::make_unique<Tree>(triangles, operators);
   std::vector<bool> has_area(components, false);
   for(std::size_t c = 0; c < operators.corner.size(); ++c)
@@ -253,8 +256,9 @@ Particular_fields::Particular_fields(const Glued_triangles& triangles, const Ope
     m_tree.reset();
     return;
   }
-  m_inner = std::make_unique<Sparse_solver>(
-      inner_laplacian(operators, matrix, m_is_border, m_component, components), Elimination::quick);
+  m_inner_solver = std::make_unique<Sparse_solver>(
+      inner_laplacian(operators, matrix, m_is_border, m_component, components),
+      Elimination_order::fast);
 }
 
 Particular_fields::~Particular_fields() = default;
@@ -276,7 +280,7 @@ Vector Particular_fields::balanced(const Vector& masses) const
     const Index* corner = &m_operators.corner[3 * f];
     double mass = 0.;
     for(std::size_t k = 0; k < 3 && m_operators.area[f] > 0.; ++k)
-      mass += masses[corner[k]] * m_operators.area[f] / m_star[corner[k]];
+      mass += masses[corner[k]] * m_operators.area[f] / m_ring_area[corner[k]];
     for(std::size_t k = 0; k < 3; ++k)
       result[corner[k]] += mass / 3.;
   }
@@ -291,54 +295,57 @@ void Particular_fields::for_each_field(
   if(m_kind == Particular_field::gradient)
   {
     Matrix potential(masses);
-    m_poisson->solve_columns(potential);
+    m_poisson_solver->solve_columns(potential);
     for(Eigen::Index j = 0; j < masses.cols(); ++j)
     {
-      write_gradient(m_operators, m_slope, potential.col(j).data(), column.data());
+      write_gradient(m_operators, m_hat_gradients, potential.col(j).data(), column.data());
       use(j, column);
     }
     return;
   }
 
   // What flows along the tree, and the function whose turned gradient is its part of such fields.
-  std::vector<std::vector<std::pair<Index, Planar>>> flow(std::size_t(masses.cols()));
-  Matrix turning = Matrix::Zero(Eigen::Index(m_operators.number_of_sites), masses.cols());
+  std::vector<std::vector<std::pair<Index, Vec2>>> flow(std::size_t(masses.cols()));
+  Matrix stream_function =
+      Matrix::Zero(Eigen::Index(m_operators.number_of_vertices), masses.cols());
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
   {
-    flow[j] = m_tree->flow(m_triangles, m_operators, m_star, masses, j);
+    flow[j] = m_tree->flow(m_triangles, m_operators, m_ring_area, masses, j);
     for(const auto& [f, vector] : flow[j])
       for(std::size_t k = 0; k < 3; ++k)
-        if(const Index site = m_operators.corner[3 * f + k]; !m_is_border[site])
-          turning(site, j) +=
-              std::sqrt(m_operators.area[f]) * dot(vector, turned_left(m_operators.hat[3 * f + k]));
+        if(const Index vertex = m_operators.corner[3 * f + k]; !m_is_border[vertex])
+          stream_function(vertex, j) +=
+              std::sqrt(m_operators.area[f]) *
+              dot(vector, rotated_left(m_operators.hat_gradient[3 * f + k]));
   }
-  m_inner->solve_columns(turning);
-  Vector turned(2 * n), around(m_harmonic.cols());
+  m_inner_solver->solve_columns(stream_function);
+  Vector stream_gradient(2 * n), circulation(m_harmonic.cols());
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
   {
-    write_gradient(m_operators, m_slope, turning.col(j).data(), turned.data());
-    column.head(n) = turned.tail(n);
-    column.tail(n) = -turned.head(n);
-    around.setZero();
+    write_gradient(m_operators, m_hat_gradients, stream_function.col(j).data(),
+                   stream_gradient.data());
+    column.head(n) = stream_gradient.tail(n);
+    column.tail(n) = -stream_gradient.head(n);
+    circulation.setZero();
     for(const auto& [f, vector] : flow[j])
     {
       column[f] += vector[0];
       column[n + f] += vector[1];
-      if(around.size() > 0)
-        around += vector[0] * m_harmonic.row(f) + vector[1] * m_harmonic.row(n + f);
+      if(circulation.size() > 0)
+        circulation += vector[0] * m_harmonic.row(f) + vector[1] * m_harmonic.row(n + f);
     }
-    if(around.size() > 0)
-      column.noalias() -= m_harmonic * around;
+    if(circulation.size() > 0)
+      column.noalias() -= m_harmonic * circulation;
     use(j, column);
   }
 }
 
 Matrix Particular_fields::without_gradients(const Matrix& columns) const
 {
-  Matrix divergences(Eigen::Index(m_operators.number_of_sites), columns.cols());
+  Matrix divergences(Eigen::Index(m_operators.number_of_vertices), columns.cols());
   for(Eigen::Index j = 0; j < columns.cols(); ++j)
-    divergences.col(j) = divergence(m_operators, as_field(m_operators, columns.col(j)));
-  m_poisson->solve_columns(divergences);
+    divergences.col(j) = minus_divergence(m_operators, as_field(m_operators, columns.col(j)));
+  m_poisson_solver->solve_columns(divergences);
   return columns - gradients(m_operators, divergences);
 }
 

@@ -18,40 +18,40 @@ public:
     const Vector potential = m_solver.solve(problem.masses);
     m_flow = gradient(operators(), potential);
     const std::vector<double>& area = operators().area;
-    m_least = std::sqrt(inner_product(operators(), m_flow, m_flow) /
-                        std::accumulate(area.begin(), area.end(), 0.));
+    m_regularization = std::sqrt(inner_product(operators(), m_flow, m_flow) /
+                                 std::accumulate(area.begin(), area.end(), 0.));
     m_tensor.resize(m_flow.size());
-    keep_flow(m_flow);
-    keep_potential(potential);
+    update_upper_bound(m_flow);
+    update_lower_bound(potential);
   }
 
   bool advance() override
   {
     for(std::size_t f = 0; f < m_flow.size(); ++f)
     {
-      const double length = std::hypot(norm(m_flow[f]), m_least);
+      const double length = std::hypot(norm(m_flow[f]), m_regularization);
       m_tensor[f] = {length, 0., length};
     }
-    m_least *= 0.7; // so that no weight is infinite
+    m_regularization *= 0.7; // so that no weight is infinite
     problem().laplacian.assemble(operators(), m_tensor, m_matrix);
-    problem().laplacian.hold(m_matrix);
+    problem().laplacian.pin(m_matrix);
     if(!m_solver.factorize(m_matrix))
       return false;
     const Vector potential = m_solver.solve(problem().masses);
     gradient(operators(), potential, m_flow);
     for(std::size_t f = 0; f < m_flow.size(); ++f)
       m_flow[f] = m_tensor[f][0] * m_flow[f];
-    keep_flow(m_flow);
-    keep_potential(potential);
+    update_upper_bound(m_flow);
+    update_lower_bound(potential);
     return true;
   }
 
 private:
   Sparse_matrix m_matrix;
   Sparse_solver m_solver;
-  double m_least = 0.;
+  double m_regularization = 0.;
   Field m_flow;
-  std::vector<Tensor> m_tensor;
+  std::vector<Metric_tensor> m_tensor;
 };
 
 } // namespace

@@ -39,31 +39,31 @@ inline bool write_error_plot(const std::string& file, const std::vector<Panel>& 
   constexpr std::array<const char*, 7> colors = {"#888888", "#D55E00", "#0072B2", "#009E73",
                                                  "#CC79A7", "#E69F00", "#56B4E9"};
   constexpr double width = 400., height = 380., left = 70., right = 14., top = 30., bottom = 44.;
-  constexpr double legend_row = 17.;
+  constexpr double legend_row_height = 17.;
   std::size_t rows = 0;
   for(const Panel& panel : panels)
     rows = std::max(rows, panel.series.size());
-  const double legend = double(rows) * legend_row + 8.;
-  const double total = height + legend;
+  const double legend_height = double(rows) * legend_row_height + 8.;
+  const double total_height = height + legend_height;
 
   std::ofstream out(file);
   out << std::fixed << std::setprecision(1);
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width * double(panels.size())
-      << "\" height=\"" << total << "\" viewBox=\"0 0 " << width * double(panels.size()) << ' '
-      << total << "\" font-family=\"sans-serif\" font-size=\"12\">\n"
+      << "\" height=\"" << total_height << "\" viewBox=\"0 0 " << width * double(panels.size())
+      << ' ' << total_height << "\" font-family=\"sans-serif\" font-size=\"12\">\n"
       << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
 
-  const auto text = [&](double x, double y, const char* anchor, const std::string& words)
+  const auto draw_label = [&](double x, double y, const char* anchor, const std::string& label)
   {
-    out << "<text x=\"" << x << "\" y=\"" << y << "\" text-anchor=\"" << anchor << "\">" << words
+    out << "<text x=\"" << x << "\" y=\"" << y << "\" text-anchor=\"" << anchor << "\">" << label
         << "</text>\n";
   };
-  const auto line = [&](double x0, double y0, double x1, double y1, const char* style)
+  const auto draw_line = [&](double x0, double y0, double x1, double y1, const char* style)
   {
     out << "<line x1=\"" << x0 << "\" y1=\"" << y0 << "\" x2=\"" << x1 << "\" y2=\"" << y1 << "\" "
         << style << "/>\n";
   };
-  const auto mark = [&](double x, double y, std::size_t style)
+  const auto draw_marker = [&](double x, double y, std::size_t style)
   {
     const char* color = colors[style % colors.size()];
     switch(style % colors.size())
@@ -114,19 +114,19 @@ inline bool write_error_plot(const std::string& file, const std::vector<Panel>& 
     y0 = std::floor(y0);
     y1 = std::ceil(y1);
     const double begin = width * double(p) + left, end = width * double(p + 1) - right;
-    const auto at_x = [&](double x) { return begin + (x - x0) / (x1 - x0) * (end - begin); };
-    const auto at_y = [&](double y)
+    const auto to_x = [&](double x) { return begin + (x - x0) / (x1 - x0) * (end - begin); };
+    const auto to_y = [&](double y)
     { return top + (y1 - y) / (y1 - y0) * (height - bottom - top); };
 
     out << "<rect x=\"" << begin << "\" y=\"" << top << "\" width=\"" << end - begin
         << "\" height=\"" << height - bottom - top << "\" fill=\"none\" stroke=\"#444\"/>\n";
-    text((begin + end) / 2., top - 10., "middle", panel.title);
-    text((begin + end) / 2., height - 10., "middle", panel.axis);
+    draw_label((begin + end) / 2., top - 10., "middle", panel.title);
+    draw_label((begin + end) / 2., height - 10., "middle", panel.axis);
     for(int decade = int(y0); decade <= int(y1); ++decade)
     {
-      line(begin, at_y(decade), end, at_y(decade), "stroke=\"#ddd\"");
-      text(begin - 6., at_y(decade) + 4., "end",
-           number(std::pow(10., decade + 2), std::max(0, -decade - 2)) + " %");
+      draw_line(begin, to_y(decade), end, to_y(decade), "stroke=\"#ddd\"");
+      draw_label(begin - 6., to_y(decade) + 4., "end",
+                 format_fixed(std::pow(10., decade + 2), std::max(0, -decade - 2)) + " %");
     }
     for(int decade = int(std::floor(x0)); decade <= int(std::ceil(x1)); ++decade)
       for(const double digit : {1., 2., 5.})
@@ -134,10 +134,11 @@ inline bool write_error_plot(const std::string& file, const std::vector<Panel>& 
         const double x = decade + std::log10(digit);
         if(x < x0 || x > x1)
           continue;
-        line(at_x(x), top, at_x(x), height - bottom, "stroke=\"#ddd\"");
+        draw_line(to_x(x), top, to_x(x), height - bottom, "stroke=\"#ddd\"");
         // Over many decades there is room for one number each.
         if(digit == 1. || x1 - x0 < 2.)
-          text(at_x(x), height - bottom + 16., "middle", digits(std::pow(10., x)));
+          draw_label(to_x(x), height - bottom + 16., "middle",
+                     format_significant(std::pow(10., x)));
       }
     for(std::size_t s = 0; s < panel.series.size(); ++s)
     {
@@ -145,15 +146,16 @@ inline bool write_error_plot(const std::string& file, const std::vector<Panel>& 
       out << "<polyline fill=\"none\" stroke-width=\"1.5\" stroke=\""
           << colors[series.style % colors.size()] << "\" points=\"";
       for(const auto& point : series.points)
-        out << at_x(std::log10(point[0])) << ',' << at_y(std::log10(point[1])) << ' ';
+        out << to_x(std::log10(point[0])) << ',' << to_y(std::log10(point[1])) << ' ';
       out << "\"/>\n";
       for(const auto& point : series.points)
-        mark(at_x(std::log10(point[0])), at_y(std::log10(point[1])), series.style);
-      const double y = height + legend_row * (double(s) + 0.5);
-      mark(begin + 8., y - 4., series.style);
-      text(begin + 22., y, "start",
-           series.name +
-               (std::isnan(series.order) ? std::string() : ": order " + number(series.order, 2)));
+        draw_marker(to_x(std::log10(point[0])), to_y(std::log10(point[1])), series.style);
+      const double y = height + legend_row_height * (double(s) + 0.5);
+      draw_marker(begin + 8., y - 4., series.style);
+      draw_label(begin + 22., y, "start",
+                 series.name + (std::isnan(series.order)
+                                    ? std::string()
+                                    : ": order " + format_fixed(series.order, 2)));
     }
   }
   out << "</svg>\n";

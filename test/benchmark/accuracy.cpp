@@ -21,7 +21,7 @@ using namespace benchmarks;
 namespace GP = CGAL::Geodesic_processing;
 
 // Above this many vertices the factorizations of the heat methods take minutes.
-constexpr std::size_t most_for_heat = 200000;
+constexpr std::size_t max_vertices_for_heat = 200000;
 
 const std::vector<std::string> methods = {"Dijkstra", "Fast_marching", "Euclidean_front", "Heat",
                                           "CGAL heat"};
@@ -31,7 +31,7 @@ enum
   marching,
   front,
   heat,
-  peer
+  cgal_heat
 };
 
 struct Errors
@@ -42,15 +42,16 @@ struct Errors
 // Over vertices whose distance is known and at least 5 % of the largest one: nearer to the source
 // a relative error says more about the first triangle than about the method.
 template <typename Distance>
-Errors errors(const std::vector<double>& known, Distance distance)
+Errors errors(const std::vector<double>& reference, Distance distance)
 {
-  const double nearest = 0.05 * *std::max_element(known.begin(), known.end());
+  const double min_distance = 0.05 * *std::max_element(reference.begin(), reference.end());
   Errors result{0., 0.};
   std::size_t number = 0;
-  for(std::size_t i = 0; i < known.size(); ++i)
-    if(known[i] >= nearest)
+  for(std::size_t i = 0; i < reference.size(); ++i)
+    if(reference[i] >= min_distance)
     {
-      const double error = std::fabs(distance(Vertex(Mesh::size_type(i))) - known[i]) / known[i];
+      const double error =
+          std::fabs(distance(Vertex(Mesh::size_type(i))) - reference[i]) / reference[i];
       result.mean += error;
       result.maximum = std::max(result.maximum, error);
       ++number;
@@ -60,22 +61,22 @@ Errors errors(const std::vector<double>& known, Distance distance)
 }
 
 // All methods, prepared on one mesh.
-class Prepared
+class Prepared_solvers
 {
 public:
-  explicit Prepared(Mesh& mesh)
+  explicit Prepared_solvers(Mesh& mesh)
       : m_domain(GP::make_domain(mesh)), m_dijkstra(m_domain), m_marching(m_domain),
         m_front(m_domain)
   {
-    if(num_vertices(mesh) <= most_for_heat)
+    if(num_vertices(mesh) <= max_vertices_for_heat)
     {
       m_heat = std::make_unique<Solver<GP::Heat>>(m_domain);
-      m_peer = std::make_unique<Heat_peer>(mesh);
+      m_cgal_heat = std::make_unique<Cgal_heat_solver>(mesh);
     }
   }
 
   // By method.
-  std::vector<Errors> errors(Vertex source, const std::vector<double>& known)
+  std::vector<Errors> errors(Vertex source, const std::vector<double>& reference)
   {
     std::vector<Errors> result;
     const auto run = [&](auto* solver)
@@ -86,13 +87,13 @@ public:
         return;
       }
       solver->compute(source);
-      result.push_back(::errors(known, [&](Vertex v) { return solver->distance(v); }));
+      result.push_back(::errors(reference, [&](Vertex v) { return solver->distance(v); }));
     };
     run(&m_dijkstra);
     run(&m_marching);
     run(&m_front);
     run(m_heat.get());
-    run(m_peer.get());
+    run(m_cgal_heat.get());
     return result;
   }
 
@@ -104,28 +105,30 @@ private:
   Solver<GP::Fast_marching> m_marching;
   Solver<GP::Euclidean_front> m_front;
   std::unique_ptr<Solver<GP::Heat>> m_heat;
-  std::unique_ptr<Heat_peer> m_peer;
+  std::unique_ptr<Cgal_heat_solver> m_cgal_heat;
 };
 
 std::string percent(const Errors& e)
 {
-  return std::isnan(e.mean) ? "-" : digits(100. * e.mean) + " / " + digits(100. * e.maximum);
+  return std::isnan(e.mean)
+             ? "-"
+             : format_significant(100. * e.mean) + " / " + format_significant(100. * e.maximum);
 }
 
 // What a table of errors collects: a row for each source, and the means over the sources.
 class Accuracy_table
 {
 public:
-  Accuracy_table() : m_table(head()) {}
+  Accuracy_table() : m_table(table_header()) {}
 
   std::vector<Errors> add(const std::string& name, Mesh& mesh, const std::vector<Vertex>& sources,
-                          const std::vector<std::vector<double>>& known)
+                          const std::vector<std::vector<double>>& reference)
   {
-    Prepared prepared(mesh);
+    Prepared_solvers solvers(mesh);
     std::vector<Errors> means(methods.size(), Errors{0., 0.});
     for(std::size_t s = 0; s < sources.size(); ++s)
     {
-      const auto found = prepared.errors(sources[s], known[s]);
+      const auto found = solvers.errors(sources[s], reference[s]);
       std::vector<std::string> row = {name, std::to_string(num_vertices(mesh)),
                                       std::to_string(std::size_t(sources[s]))};
       for(std::size_t m = 0; m < methods.size(); ++m)
@@ -134,8 +137,8 @@ public:
         means[m].mean += found[m].mean / double(sources.size());
         means[m].maximum = std::max(means[m].maximum, found[m].maximum);
       }
-      row.push_back(digits(found[peer].mean / found[front].mean));
-      row.push_back(digits(found[marching].mean / found[front].mean));
+      row.push_back(format_significant(found[cgal_heat].mean / found[front].mean));
+      row.push_back(format_significant(found[marching].mean / found[front].mean));
       m_table.add(row);
     }
     return means;
@@ -143,7 +146,7 @@ public:
   void print() const { m_table.print(); }
 
 private:
-  static std::vector<std::string> head()
+  static std::vector<std::string> table_header()
   {
     std::vector<std::string> result = {"mesh", "vertices", "source"};
     result.insert(result.end(), methods.begin(), methods.end());
@@ -184,13 +187,13 @@ public:
 
   void print(const char* title) const
   {
-    std::vector<std::string> head = {title}, row = {"order"};
+    std::vector<std::string> header = {title}, row = {"order"};
     for(std::size_t m = 0; m < methods.size(); ++m)
     {
-      head.push_back(methods[m]);
-      row.push_back(number(order(m), 2));
+      header.push_back(methods[m]);
+      row.push_back(format_fixed(order(m), 2));
     }
-    Table table(head);
+    Table table(header);
     table.add(row);
     table.print();
   }
@@ -208,8 +211,8 @@ private:
 };
 
 std::vector<std::vector<double>>
-known_distances(const Mesh& mesh, const std::vector<Vertex>& sources,
-                const std::function<std::vector<double>(const Mesh&, Vertex)>& distances)
+reference_distances(const Mesh& mesh, const std::vector<Vertex>& sources,
+                    const std::function<std::vector<double>(const Mesh&, Vertex)>& distances)
 {
   std::vector<std::vector<double>> result;
   for(const Vertex source : sources)
@@ -241,8 +244,9 @@ int main(int argc, char* argv[])
     {
       Mesh mesh = icosphere(level);
       const auto sources = three_sources(num_vertices(mesh));
-      on_sphere.add(mean_edge(mesh), table.add("icosphere " + std::to_string(level), mesh, sources,
-                                               known_distances(mesh, sources, great_circles)));
+      on_sphere.add(mean_edge_length(mesh),
+                    table.add("icosphere " + std::to_string(level), mesh, sources,
+                              reference_distances(mesh, sources, great_circle_distances)));
     }
     table.print();
     std::printf("Bars for Euclidean_front, mean: 0.15 at 10242 and 0.037 at 163842 vertices.\n");
@@ -252,20 +256,20 @@ int main(int argc, char* argv[])
   std::printf("Flat square, jittered grid with random diagonals, against straight lines\n");
   {
     Accuracy_table table;
-    double obtuse = 0.;
+    double obtuse_ratio = 0.;
     for(const std::size_t n :
         quick ? std::vector<std::size_t>{101} : std::vector<std::size_t>{101, 301, 1001})
     {
       Mesh mesh = jittered_square(n);
-      obtuse = part_of_obtuse_faces(mesh);
+      obtuse_ratio = obtuse_face_ratio(mesh);
       const auto sources = three_sources(num_vertices(mesh));
       table.add("square " + std::to_string(n) + "^2", mesh, sources,
-                known_distances(mesh, sources, straight_lines));
+                reference_distances(mesh, sources, euclidean_distances));
     }
     table.print();
     std::printf("Bar for Euclidean_front, largest: 1e-4 percent.  %.0f %% of the faces are "
                 "obtuse.\n\n",
-                100. * obtuse);
+                100. * obtuse_ratio);
   }
 
   Convergence on_scan;
@@ -279,22 +283,22 @@ int main(int argc, char* argv[])
   std::size_t found = 0;
   for(const std::string& name : names)
   {
-    auto mesh = model(name);
+    auto mesh = load_model(name);
     if(!mesh)
       continue;
     ++found;
     const auto sources = three_sources(num_vertices(*mesh));
-    const auto known = known_distances(*mesh, sources, exact_distances);
-    const auto means = table.add(name, *mesh, sources, known);
+    const auto reference = reference_distances(*mesh, sources, exact_distances);
+    const auto means = table.add(name, *mesh, sources, reference);
     if(name != names.front())
       continue;
     // Cut into smaller faces, the surface is the same, and so are its distances.
-    on_scan.add(mean_edge(*mesh), means);
+    on_scan.add(mean_edge_length(*mesh), means);
     Mesh finer = *mesh;
-    for(const std::string times : {" once", " twice"})
+    for(const std::string suffix : {" once", " twice"})
     {
       finer = refined(finer);
-      on_scan.add(mean_edge(finer), table.add(name + times, finer, sources, known));
+      on_scan.add(mean_edge_length(finer), table.add(name + suffix, finer, sources, reference));
     }
   }
   if(found == 0)

@@ -27,21 +27,21 @@ struct Model
   Mesh mesh;
 };
 
-std::vector<Vertex> some_vertices(const Mesh& mesh, std::size_t number, unsigned seed)
+std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number, unsigned seed)
 {
   std::mt19937 random(seed);
-  std::uniform_int_distribution<Mesh::size_type> any(0, mesh.number_of_vertices() - 1);
+  std::uniform_int_distribution<Mesh::size_type> distribution(0, mesh.number_of_vertices() - 1);
   std::vector<Vertex> result;
   while(result.size() < number)
-    if(const Vertex v(any(random)); !mesh.is_isolated(v))
+    if(const Vertex v(distribution(random)); !mesh.is_isolated(v))
       result.push_back(v);
   return result;
 }
 
-std::string percent(double part, int decimals) { return number(100. * part, decimals); }
+std::string percent(double ratio, int decimals) { return format_fixed(100. * ratio, decimals); }
 
 // After 250 steps, and after 4,000; then as long as to a gap of one percent.
-void in_250_steps(const std::vector<Model>& models)
+void print_250_steps(const std::vector<Model>& models)
 {
   Table table({"points on", "vertices", "number", "set-up, s", "250 steps, s", "above, %", "gap, %",
                "gap of 4,000, %", "to 1 %: steps", "s"});
@@ -51,37 +51,39 @@ void in_250_steps(const std::vector<Model>& models)
       const bool is_large = mesh.number_of_vertices() > 5000;
       if(is_large && k == 6)
         continue;
-      const std::vector<Vertex> points = some_vertices(mesh, k, 1);
+      const std::vector<Vertex> points = random_vertices(mesh, k, 1);
       std::unique_ptr<GP::Transport_barycenter_solver<Mesh>> solver;
       const auto domain = GP::make_domain(mesh);
-      const double setup = seconds(
+      const double setup = cpu_seconds(
           [&]
           {
             solver = std::make_unique<GP::Transport_barycenter_solver<Mesh>>(
                 domain, GP::parameters::number_of_refinements(0u));
           });
-      const auto steps = [&](unsigned most, double tolerance)
+      const auto steps = [&](unsigned max_iterations, double tolerance)
       {
         return solver->compute(
-            points, GP::parameters::maximum_number_of_iterations(most).tolerance(tolerance));
+            points,
+            GP::parameters::maximum_number_of_iterations(max_iterations).tolerance(tolerance));
       };
-      GP::Transport_barycenter_cost quick, percent_cost;
-      const double time = seconds([&] { quick = steps(250, 1e-6); });
-      const double percent_time = seconds([&] { percent_cost = steps(4000, 0.01); });
-      const GP::Transport_barycenter_cost patient = is_large ? percent_cost : steps(4000, 1e-6);
+      GP::Transport_barycenter_cost cost_after_250, one_percent_cost;
+      const double time = cpu_seconds([&] { cost_after_250 = steps(250, 1e-6); });
+      const double one_percent_time = cpu_seconds([&] { one_percent_cost = steps(4000, 0.01); });
+      const GP::Transport_barycenter_cost reference_cost =
+          is_large ? one_percent_cost : steps(4000, 1e-6);
       const auto gap = [](const GP::Transport_barycenter_cost& cost)
       { return percent(1. - cost.lower / cost.upper, 2); };
       table.add({name, std::to_string(mesh.number_of_vertices()), std::to_string(k),
-                 number(setup, 2), number(time, 2),
-                 is_large ? "-" : percent(quick.upper / patient.upper - 1., 3), gap(quick),
-                 is_large ? "-" : gap(patient), std::to_string(percent_cost.iterations),
-                 number(percent_time, 2)});
+                 format_fixed(setup, 2), format_fixed(time, 2),
+                 is_large ? "-" : percent(cost_after_250.upper / reference_cost.upper - 1., 3),
+                 gap(cost_after_250), is_large ? "-" : gap(reference_cost),
+                 std::to_string(one_percent_cost.iterations), format_fixed(one_percent_time, 2)});
     }
   table.print();
 }
 
 // At a distance d: half of its square, in the middle of the geodesic.
-void between_two(const std::vector<Model>& models)
+void print_two_points(const std::vector<Model>& models)
 {
   Table table({"two points on", "vertices", "edges apart", "cost / (d^2/2) - 1, %",
                "half at both, %", "at one site, %", "mass within 3 edges, %", "mean position"});
@@ -89,17 +91,18 @@ void between_two(const std::vector<Model>& models)
   {
     if(mesh.number_of_vertices() > 5000)
       continue;
-    const double edge = mean_edge(mesh);
+    const double edge = mean_edge_length(mesh);
     GP::Transport_barycenter_solver<Mesh> solver(mesh);
     GP::Earth_movers_solver<Mesh> distances(mesh);
     for(unsigned seed = 1; seed <= 3; ++seed)
     {
-      const std::vector<Vertex> points = some_vertices(mesh, 2, 10 + seed);
-      GP::Geodesic_distance_solver<Mesh, GP::Exact> from(mesh), to(mesh), near(mesh);
-      from.compute(points[0]);
-      to.compute(points[1]);
-      const double d = from.distance(points[1]), exact = 0.5 * d * d;
-      near.compute(GP::Source<Mesh>(from.path(points[1]).locations));
+      const std::vector<Vertex> points = random_vertices(mesh, 2, 10 + seed);
+      GP::Geodesic_distance_solver<Mesh, GP::Exact> solver_from(mesh), solver_to(mesh),
+          geodesic_distance(mesh);
+      solver_from.compute(points[0]);
+      solver_to.compute(points[1]);
+      const double d = solver_from.distance(points[1]), exact = 0.5 * d * d;
+      geodesic_distance.compute(GP::Source<Mesh>(solver_from.path(points[1]).locations));
       const GP::Transport_barycenter_cost cost =
           solver.compute(points, GP::parameters::tolerance(2e-3));
       const auto costs = [&](const auto& masses)
@@ -109,31 +112,31 @@ void between_two(const std::vector<Model>& models)
           result += std::pow(distances.compute(masses, point).value, 2);
         return percent(result / exact - 1., 2);
       };
-      double inside = 0., position = 0.;
+      double mass_near_geodesic = 0., position = 0.;
       for(const Vertex v : mesh.vertices())
       {
-        const double mass = solver.mass(v), a = from.distance(v), b = to.distance(v);
-        inside += near.distance(v) <= 3. * edge ? mass : 0.;
+        const double mass = solver.mass(v), a = solver_from.distance(v), b = solver_to.distance(v);
+        mass_near_geodesic += geodesic_distance.distance(v) <= 3. * edge ? mass : 0.;
         position += mass > 0. ? mass * a / (a + b) : 0.;
       }
-      const Vertex middle = GP::geodesic_barycenter<GP::Exact>(mesh, points).site;
-      table.add({name, std::to_string(mesh.number_of_vertices()), number(d / edge, 0),
+      const Vertex middle = GP::geodesic_barycenter<GP::Exact>(mesh, points).vertex;
+      table.add({name, std::to_string(mesh.number_of_vertices()), format_fixed(d / edge, 0),
                  percent(cost.value / exact - 1., 2), costs(points), costs(middle),
-                 percent(inside, 1), number(position, 3)});
+                 percent(mass_near_geodesic, 1), format_fixed(position, 3)});
     }
   }
   table.print();
 }
 
 // Of a convex domain: the squared distances from the centroid.
-void in_the_plane(std::size_t n)
+void print_planar_points(std::size_t n)
 {
   const Mesh mesh = jittered_square(n);
   GP::Transport_barycenter_solver<Mesh> solver(mesh);
   Table table({"points in a square", "vertices", "cost / centroid's - 1, %", "steps"});
   for(const std::size_t k : {2u, 3u, 4u, 5u, 6u})
   {
-    const std::vector<Vertex> points = some_vertices(mesh, k, 100 + unsigned(k));
+    const std::vector<Vertex> points = random_vertices(mesh, k, 100 + unsigned(k));
     double x = 0., y = 0., exact = 0.;
     for(const Vertex v : points)
     {
@@ -160,9 +163,9 @@ int main(int argc, char* argv[])
   if(!is_quick)
     names.insert(names.end(), {"kitten_9k", "bunny_37k"});
   for(const std::string& name : names)
-    if(const auto mesh = model(name))
+    if(const auto mesh = load_model(name))
       models.push_back({name, *mesh});
-  in_250_steps(models);
-  between_two(models);
-  in_the_plane(50);
+  print_250_steps(models);
+  print_two_points(models);
+  print_planar_points(50);
 }

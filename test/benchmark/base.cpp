@@ -30,7 +30,7 @@ using namespace benchmarks;
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::internal;
 
-const std::vector<std::string> names = {
+const std::vector<std::string> model_names = {
     "bunny_37k",       "armadillo_26k",       "kitten_9k",        "elephant_2k8",
     "fandisk_6k5",     "nefertiti_35k",       "knot1_3k",         "eight_5k",
     "plane_holes_8k5", "mech_holes_shark_5k", "bunny_zipper_36k", "retinal_3k6"};
@@ -43,10 +43,10 @@ struct Distortion
   std::size_t faces = 0;
 };
 
-Distortion distortion(const Base_map& map, const std::vector<bool>& is_left_out)
+Distortion distortion(const Base_map& map, const std::vector<bool>& is_excluded)
 {
   const Base_mesh& base = map.base();
-  const Glued_triangles& t = base.fine;
+  const Surface_arrays& t = base.fine;
   std::vector<double> length;
   for(const auto& path : base.path)
   {
@@ -54,39 +54,41 @@ Distortion distortion(const Base_map& map, const std::vector<bool>& is_left_out)
     for(std::size_t i = 0; i + 1 < path.size(); ++i)
       length.back() += norm(t.point[path[i + 1]] - t.point[path[i]]);
   }
-  std::vector<std::vector<Index>> parts(base.triangles.size());
+  std::vector<std::vector<Index>> faces_of_region(base.triangles.size());
   for(Index f = 0; f < t.number_of_triangles(); ++f)
-    parts[base.region[f]].push_back(f);
+    faces_of_region[base.region[f]].push_back(f);
   Distortion result;
-  for(Index region = 0; region < parts.size(); ++region)
+  for(Index region = 0; region < faces_of_region.size(); ++region)
   {
     const Index* edge = &base.edge[3 * std::size_t(region)];
     const double a = length[edge[0]], b = length[edge[1]], c = length[edge[2]];
-    if(is_left_out[region] || !(twice_area(a, b, c) > 0.))
+    if(is_excluded[region] || !(twice_area(a, b, c) > 0.))
       continue;
-    const std::array<Planar, 3> corner = {Planar{0., 0.}, Planar{a, 0.}, third_corner(a, c, b)};
+    const std::array<Vec2, 3> corner = {Vec2{0., 0.}, Vec2{a, 0.}, third_corner(a, c, b)};
     const auto stretch = [&](Index f)
     {
-      std::array<Planar, 3> image;
+      std::array<Vec2, 3> image;
       for(Index k = 0; k < 3; ++k)
         image[k] = unfolded_point(corner, map.coordinates()[3 * f + k]);
       return singular_values({t.length[3 * f], t.length[3 * f + 1], t.length[3 * f + 2]}, image);
     };
     double area = 0., planar = 0., angles = 0., areas = 0., dirichlet = 0.;
-    for(const Index f : parts[region])
-      if(const auto s = stretch(f); s.area > 0. && std::isfinite(s.most))
+    for(const Index f : faces_of_region[region])
+      if(const auto s = stretch(f); s.area > 0. && std::isfinite(s.sigma_1))
       {
         area += s.area;
-        planar += s.area / (s.most * s.least);
+        planar += s.area / (s.sigma_1 * s.sigma_2);
       }
     const double scale = std::sqrt(planar / area);
-    for(const Index f : parts[region])
-      if(auto s = stretch(f); s.area > 0. && std::isfinite(s.most))
+    for(const Index f : faces_of_region[region])
+      if(auto s = stretch(f); s.area > 0. && std::isfinite(s.sigma_1))
       {
-        const double m = s.most * scale, l = s.least * scale, share = s.area / area;
-        angles += share * (m / l + l / m - 2.);
-        areas += share * (m * l + 1. / (m * l) - 2.);
-        dirichlet += share * (m * m + l * l + 1. / (m * m) + 1. / (l * l));
+        const double sigma_1 = s.sigma_1 * scale, sigma_2 = s.sigma_2 * scale,
+                     weight = s.area / area;
+        angles += weight * (sigma_1 / sigma_2 + sigma_2 / sigma_1 - 2.);
+        areas += weight * (sigma_1 * sigma_2 + 1. / (sigma_1 * sigma_2) - 2.);
+        dirichlet += weight * (sigma_1 * sigma_1 + sigma_2 * sigma_2 + 1. / (sigma_1 * sigma_1) +
+                               1. / (sigma_2 * sigma_2));
       }
     result.angles += std::sqrt(std::max(angles, 0.));
     result.areas += std::sqrt(std::max(areas, 0.));
@@ -99,7 +101,7 @@ Distortion distortion(const Base_map& map, const std::vector<bool>& is_left_out)
   return result;
 }
 
-double diagonal(const Glued_triangles& t)
+double diagonal(const Surface_arrays& t)
 {
   std::array<double, 3> low = t.point[0], high = low;
   for(const auto& p : t.point)
@@ -112,28 +114,29 @@ double diagonal(const Glued_triangles& t)
 }
 
 // The farthest that one of 10,000 random places comes back from itself, as a part of the diagonal.
-double round_trip(const Base_map& map, const Glued_triangles& t)
+double round_trip(const Base_map& map, const Surface_arrays& t)
 {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0., 1.);
-  double worst = 0.;
+  double max_error = 0.;
   for(int i = 0; i < 10000; ++i)
   {
     const double x = std::sqrt(uniform(random)), y = uniform(random);
-    const Location there{
+    const Surface_location location{
         Index(random() % t.number_of_triangles()), none, {1. - x, x * (1. - y), x * y}};
-    const Location back = map.inverse(map(there));
-    worst = std::max(worst, norm(scaled_coordinates(t, there) - scaled_coordinates(t, back)));
+    const Surface_location back = map.inverse(map(location));
+    max_error =
+        std::max(max_error, norm(scaled_coordinates(t, location) - scaled_coordinates(t, back)));
   }
-  return worst / diagonal(t);
+  return max_error / diagonal(t);
 }
 
 // #base triangles: those whose coordinates have been repaired.
-std::vector<bool> repaired(const Base_map& raw, const Base_map& map)
+std::vector<bool> repaired_regions(const Base_map& unrepaired_map, const Base_map& map)
 {
   std::vector<bool> result(map.base().triangles.size(), false);
   for(std::size_t c = 0; c < map.coordinates().size(); ++c)
-    if(raw.coordinates()[c] != map.coordinates()[c])
+    if(unrepaired_map.coordinates()[c] != map.coordinates()[c])
       result[map.base().region[c / 3]] = true;
   return result;
 }
@@ -142,28 +145,29 @@ std::vector<bool> repaired(const Base_map& raw, const Base_map& map)
 double largest_jump(const Base_map& map)
 {
   const Base_mesh& base = map.base();
-  const auto share = [&](Index corner, Index vertex)
+  const auto coordinate = [&](Index corner, Index vertex)
   {
     const auto& f = base.triangles[base.region[corner / 3]];
     const auto k = std::find(f.begin(), f.end(), vertex) - f.begin();
     return k < 3 ? map.coordinates()[corner][std::size_t(k)] : 0.;
   };
   double result = 0.;
-  for(Index side = 0; side < base.fine.corner.size(); ++side)
+  for(Index h = 0; h < base.fine.corner.size(); ++h)
   {
-    const Index twin = base.fine.twin[side];
-    if(base.edge_of_side[side] == none || twin == none)
+    const Index twin = base.fine.twin[h];
+    if(base.edge_of_halfedge[h] == none || twin == none)
       continue;
-    for(const auto& [mine, other] :
-        {std::pair(side, next_side(twin)), std::pair(next_side(side), twin)})
-      for(const Index region : {base.region[mine / 3], base.region[other / 3]})
+    for(const auto& [corner_here, corner_there] :
+        {std::pair(h, next_halfedge(twin)), std::pair(next_halfedge(h), twin)})
+      for(const Index region : {base.region[corner_here / 3], base.region[corner_there / 3]})
         for(const Index vertex : base.triangles[region])
-          result = std::max(result, std::abs(share(mine, vertex) - share(other, vertex)));
+          result = std::max(
+              result, std::abs(coordinate(corner_here, vertex) - coordinate(corner_there, vertex)));
   }
   return result;
 }
 
-bool has_same_topology(const Base_mesh& base, const Glued_triangles& t)
+bool has_same_topology(const Base_mesh& base, const Surface_arrays& t)
 {
   std::vector<Index> corners;
   for(const auto& f : base.triangles)
@@ -171,14 +175,14 @@ bool has_same_topology(const Base_mesh& base, const Glued_triangles& t)
   return GP::test::topology(corners) == GP::test::topology(t.corner);
 }
 
-std::string small(double value)
+std::string format_scientific(double value)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.1e", value);
   return text;
 }
 
-void maps(bool is_quick)
+void print_maps(bool is_quick)
 {
   std::printf(
       "Coordinates of Heron's areas (H) and mean values (M): triangles that fold before "
@@ -187,55 +191,60 @@ void maps(bool is_quick)
       "energy as means over the base faces that are not repaired; seconds\n\n");
   Table table({"model", "base", "folds H", "repaired", "folds", "round trip", "jump", "topology",
                "Ec H", "Ea H", "SD H", "Ec M", "Ea M", "SD M", "s base", "s map"});
-  for(const std::string& name : names)
+  for(const std::string& name : model_names)
   {
-    const auto mesh = model(name);
+    const auto mesh = load_model(name);
     if(!mesh || (is_quick && num_vertices(*mesh) > 6000))
       continue;
     const auto domain = GP::make_domain(*mesh);
     for(const std::size_t number : {100, 200, 500})
     {
-      Remeshing_goal goal;
-      goal.number = number;
+      Remeshing_options options;
+      options.number_of_samples = number;
       std::shared_ptr<const Base_mesh> base;
-      const double to_base = seconds(
-          [&] { base = std::make_shared<const Base_mesh>(base_mesh(domain.triangles(), goal)); });
-      const Base_map raw(base, Base_coordinates::heron, false);
+      const double base_seconds = cpu_seconds(
+          [&] {
+            base = std::make_shared<const Base_mesh>(build_base_mesh(domain.triangles(), options));
+          });
+      const Base_map unrepaired_map(base, Base_coordinates::heron, false);
       std::optional<Base_map> map;
-      const double to_map = seconds([&] { map.emplace(base, Base_coordinates::heron); });
+      const double map_seconds = cpu_seconds([&] { map.emplace(base, Base_coordinates::heron); });
       const Base_map other(base, Base_coordinates::mean_value);
-      const std::vector<bool> is_repaired = repaired(raw, *map);
+      const std::vector<bool> is_repaired = repaired_regions(unrepaired_map, *map);
       const Distortion h = distortion(*map, is_repaired), m = distortion(other, is_repaired);
-      table.add({name, std::to_string(base->samples.size()), std::to_string(raw.folds()),
-                 std::to_string(map->repaired()) + "/" + std::to_string(base->triangles.size()),
+      table.add({name, std::to_string(base->samples.size()), std::to_string(unrepaired_map.folds()),
+                 std::to_string(map->number_of_repaired_regions()) + "/" +
+                     std::to_string(base->triangles.size()),
                  std::to_string(map->folds() + other.folds()),
-                 small(round_trip(*map, *domain.triangles())),
-                 small(std::max(largest_jump(*map), largest_jump(other))),
-                 has_same_topology(*base, *domain.triangles()) ? "same" : "other", digits(h.angles),
-                 digits(h.areas), benchmarks::number(h.dirichlet, 2), digits(m.angles),
-                 digits(m.areas), benchmarks::number(m.dirichlet, 2),
-                 benchmarks::number(to_base, 2), benchmarks::number(to_map, 2)});
+                 format_scientific(round_trip(*map, *domain.triangles())),
+                 format_scientific(std::max(largest_jump(*map), largest_jump(other))),
+                 has_same_topology(*base, *domain.triangles()) ? "same" : "other",
+                 format_significant(h.angles), format_significant(h.areas),
+                 benchmarks::format_fixed(h.dirichlet, 2), format_significant(m.angles),
+                 format_significant(m.areas), benchmarks::format_fixed(m.dirichlet, 2),
+                 benchmarks::format_fixed(base_seconds, 2),
+                 benchmarks::format_fixed(map_seconds, 2)});
     }
   }
   table.print();
   std::printf("Wanted: no folds; round trips below 1e-6; no jumps; the same topology.\n\n");
 }
 
-void semi_regular_meshes(bool is_quick)
+void print_semi_regular_meshes(bool is_quick)
 {
   std::printf(
       "Semi-regular meshes of 500 base vertices at level 4: distance of face centres to the "
       "input as a part of the\ndiagonal, and angles\n\n");
   Table table({"model", "faces", "mean distance", "largest", "angles in 20..120", "seconds"});
-  for(const std::string& name : names)
+  for(const std::string& name : model_names)
   {
-    const auto mesh = model(name);
+    const auto mesh = load_model(name);
     if(!mesh || (is_quick && num_vertices(*mesh) > 6000))
       continue;
     for(const auto kind : {Base_coordinates::heron, Base_coordinates::mean_value})
     {
       Mesh output;
-      const double cost = seconds(
+      const double cost = cpu_seconds(
           [&] {
             GP::semi_regular_remeshing(*mesh, 500, 4, output,
                                        GP::parameters::base_coordinates(kind));
@@ -243,38 +252,39 @@ void semi_regular_meshes(bool is_quick)
       const auto domain = GP::make_domain(*mesh);
       const Triangle_tree tree(domain.triangles());
       double sum = 0., area = 0., largest = 0.;
-      std::size_t good = 0;
+      std::size_t number_of_good_angles = 0;
       for(const auto f : output.faces())
       {
-        std::array<Spatial, 3> p;
+        std::array<Vec3, 3> p;
         std::size_t k = 0;
         for(const auto v : vertices_around_face(output.halfedge(f), output))
         {
           const auto& q = output.point(v);
           p[k++] = {q.x(), q.y(), q.z()};
         }
-        const Spatial centre = (1. / 3.) * (p[0] + p[1] + p[2]);
+        const Vec3 center = (1. / 3.) * (p[0] + p[1] + p[2]);
         const double distance =
-            norm(centre - coordinates(*domain.triangles(), tree.nearest(centre)));
+            norm(center - coordinates(*domain.triangles(), tree.nearest(center)));
         const double size = norm(cross(p[1] - p[0], p[2] - p[0]));
         sum += size * distance;
         area += size;
         largest = std::max(largest, distance);
         for(k = 0; k < 3; ++k)
         {
-          const Spatial u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
+          const Vec3 u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
           const double angle = std::atan2(norm(cross(u, v)), dot(u, v)) * 180. / pi;
-          good += angle >= 20. && angle <= 120.;
+          number_of_good_angles += angle >= 20. && angle <= 120.;
         }
       }
-      const double whole = diagonal(*domain.triangles()) * domain.triangles()->scale;
-      table.add(
-          {name + (kind == Base_coordinates::heron ? " H" : " M"),
-           std::to_string(num_faces(output)),
-           benchmarks::number(100. * sum / area / whole, 4) + " %",
-           benchmarks::number(100. * largest / whole, 3) + " %",
-           benchmarks::number(100. * double(good) / (3. * double(num_faces(output))), 1) + " %",
-           benchmarks::number(cost, 2)});
+      const double bounding_diagonal = diagonal(*domain.triangles()) * domain.triangles()->scale;
+      table.add({name + (kind == Base_coordinates::heron ? " H" : " M"),
+                 std::to_string(num_faces(output)),
+                 benchmarks::format_fixed(100. * sum / area / bounding_diagonal, 4) + " %",
+                 benchmarks::format_fixed(100. * largest / bounding_diagonal, 3) + " %",
+                 benchmarks::format_fixed(
+                     100. * double(number_of_good_angles) / (3. * double(num_faces(output))), 1) +
+                     " %",
+                 benchmarks::format_fixed(cost, 2)});
     }
   }
   table.print();
@@ -286,6 +296,6 @@ void semi_regular_meshes(bool is_quick)
 int main(int argc, char** argv)
 {
   const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  maps(is_quick);
-  semi_regular_meshes(is_quick);
+  print_maps(is_quick);
+  print_semi_regular_meshes(is_quick);
 }

@@ -19,10 +19,10 @@ namespace {
 using namespace benchmarks;
 namespace GP = CGAL::Geodesic_processing;
 
-constexpr std::size_t wanted_faces = 2000;
+constexpr std::size_t target_faces = 2000;
 
 // The side of a square of so many faces of the mean area.
-double side_of(const Mesh& mesh, std::size_t number)
+double square_side(const Mesh& mesh, std::size_t number)
 {
   double area = 0.;
   for(const Face f : mesh.faces())
@@ -38,38 +38,41 @@ template <typename Method>
 void add_row(Table& table, const std::string& name, const std::string& method, const Mesh& mesh,
              const GP::Mesh_domain<Mesh>& domain)
 {
-  const double side = side_of(mesh, wanted_faces);
+  const double side = square_side(mesh, target_faces);
   std::mt19937 random(1);
-  const auto somewhere = [&] { return Vertex(Mesh::size_type(random() % num_vertices(mesh))); };
+  const auto random_vertex = [&] { return Vertex(Mesh::size_type(random() % num_vertices(mesh))); };
 
   // The first image of a placer touches its memory for the first time.
-  std::vector<double> prepare, cold, warm, per_face, faces;
+  std::vector<double> prepare, first_times, times, per_face, faces;
   for(int i = 0; i < 5; ++i)
   {
-    std::optional<GP::Decal_placer<Mesh, Method>> fresh;
-    prepare.push_back(1000. * seconds([&] { fresh.emplace(domain); }));
-    cold.push_back(1000. * seconds([&] { fresh->place(somewhere(), side, side); }));
+    std::optional<GP::Decal_placer<Mesh, Method>> new_placer;
+    prepare.push_back(1000. * cpu_seconds([&] { new_placer.emplace(domain); }));
+    first_times.push_back(1000. *
+                          cpu_seconds([&] { new_placer->place(random_vertex(), side, side); }));
   }
   GP::Decal_placer<Mesh, Method> placer(domain);
-  placer.place(somewhere(), side, side);
+  placer.place(random_vertex(), side, side);
   for(int i = 0; i < 41; ++i)
   {
-    const Vertex middle = somewhere();
+    const Vertex middle = random_vertex();
     GP::Decal<Mesh> decal;
-    warm.push_back(1000. * seconds([&] { decal = placer.place(middle, side, side); }));
+    times.push_back(1000. * cpu_seconds([&] { decal = placer.place(middle, side, side); }));
     faces.push_back(double(decal.faces.size()));
-    per_face.push_back(warm.back() / faces.back());
+    per_face.push_back(times.back() / faces.back());
   }
-  const double bake = seconds(
-      [&, decal = placer.place(somewhere(), side, side)]
+  const double bake = cpu_seconds(
+      [&, decal = placer.place(random_vertex(), side, side)]
       {
         const GP::Decal_image plain = [](const auto&) { return GP::Decal_color{1., 0., 0., 0.5}; };
         GP::bake_decals<Mesh>({{decal, plain}}, 8);
       });
-  table.add({name, std::to_string(num_vertices(mesh)), method, number(median(faces), 0),
-             number(median(warm), 2), number(*std::max_element(warm.begin(), warm.end()), 2),
-             number(double(wanted_faces) * median(per_face), 2), number(median(prepare), 2),
-             number(median(cold), 2), number(1000. * bake, 1)});
+  table.add({name, std::to_string(num_vertices(mesh)), method, format_fixed(median(faces), 0),
+             format_fixed(median(times), 2),
+             format_fixed(*std::max_element(times.begin(), times.end()), 2),
+             format_fixed(double(target_faces) * median(per_face), 2),
+             format_fixed(median(prepare), 2), format_fixed(median(first_times), 2),
+             format_fixed(1000. * bake, 1)});
 }
 
 void add_rows(Table& table, const std::string& name, const Mesh& mesh)
@@ -87,16 +90,16 @@ int main(int argc, char** argv)
   Table table({"mesh", "vertices", "method", "faces", "place [ms]", "slowest [ms]",
                "for 2,000 faces [ms]", "new placer [ms]", "its first place [ms]", "bake [ms]"});
   add_rows(table, "icosphere 5", icosphere(5));
-  if(const auto mesh = model("bunny_37k"))
+  if(const auto mesh = load_model("bunny_37k"))
     add_rows(table, "bunny_37k", *mesh);
   if(!quick)
   {
     add_rows(table, "icosphere 7", icosphere(7));
-    if(const auto mesh = model("mni152_grey_matter_533k"))
+    if(const auto mesh = load_model("mni152_grey_matter_533k"))
       add_rows(table, "mni152_grey_matter_533k", *mesh);
   }
   std::printf("Images of %zu faces at random vertices of a prepared domain, one thread, medians\n",
-              wanted_faces);
+              target_faces);
   table.print();
   std::printf("Bars, on mni152: a place at most 10 ms, the first one of a placer at most 30 ms.\n");
 }

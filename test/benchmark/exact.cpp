@@ -25,30 +25,30 @@ using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
 
 // CGAL's exact algorithm takes seconds on models of 40,000 vertices, and minutes with gigabytes on
 // larger meshes.
-enum class Peer
+enum class Cgal_comparison
 {
-  beside,
+  always,
   if_patient,
-  left_out
+  never
 };
 
 struct Named_mesh
 {
   std::string name;
   std::function<std::optional<Mesh>()> make;
-  Peer peer;
+  Cgal_comparison cgal;
 };
 
-std::optional<Mesh> cut(const std::string& name, unsigned times)
+std::optional<Mesh> subdivided_model(const std::string& name, unsigned times)
 {
-  auto mesh = model(name);
+  auto mesh = load_model(name);
   for(unsigned i = 0; mesh && i < times; ++i)
     mesh = refined(*mesh);
   return mesh;
 }
 
 // A sphere pressed flat: triangles up to eight times as long as wide.
-Mesh pressed_sphere(unsigned level)
+Mesh flattened_sphere(unsigned level)
 {
   auto surface = CGAL::Geodesic_processing::test::icosphere(level);
   for(auto& p : surface.points)
@@ -75,20 +75,20 @@ struct Cost
 template <typename Function>
 void measure(Cost& cost, Function f)
 {
-  forget_peak();
-  const double before = peak_bytes();
-  cost.times.push_back(seconds(f));
-  cost.peak = std::max(cost.peak, peak_bytes() - before);
+  reset_peak_memory();
+  const double before = peak_memory();
+  cost.times.push_back(cpu_seconds(f));
+  cost.peak = std::max(cost.peak, peak_memory() - before);
 }
 
 // One source, from the mesh to the distances of all vertices, set-up included.
 class Single_source_table
 {
 public:
-  void add(const std::string& name, const Mesh& mesh, bool with_peer)
+  void add(const std::string& name, const Mesh& mesh, bool with_cgal)
   {
-    Cost front, exact, peer;
-    double difference = with_peer ? 0. : std::nan("");
+    Cost front, exact, cgal;
+    double difference = with_cgal ? 0. : std::nan("");
     // In turns, so that whatever else the machine does falls on all alike.
     for(const Vertex source : three_sources(num_vertices(mesh)))
     {
@@ -102,20 +102,20 @@ public:
                 for(const Vertex v : mesh.vertices())
                   ours[std::size_t(v)] = solver.distance(v);
               });
-      if(!with_peer)
+      if(!with_cgal)
         continue;
-      measure(peer, [&] { theirs = exact_distances(mesh, source); });
+      measure(cgal, [&] { theirs = exact_distances(mesh, source); });
       for(std::size_t i = 0; i < ours.size(); ++i)
         if(theirs[i] > 0.)
           difference = std::max(difference, std::fabs(ours[i] / theirs[i] - 1.));
     }
     const auto megabytes = [](const Cost& cost)
-    { return cost.times.empty() ? "-" : number(cost.peak / 1e6, 0); };
-    m_table.add({name, std::to_string(num_vertices(mesh)), number(median(front.times), 3),
-                 number(median(exact.times), 3), number(median(peer.times), 2),
-                 number(median(exact.times) / median(front.times), 1),
-                 number(median(peer.times) / median(exact.times), 1), megabytes(exact),
-                 megabytes(peer), digits(difference)});
+    { return cost.times.empty() ? "-" : format_fixed(cost.peak / 1e6, 0); };
+    m_table.add({name, std::to_string(num_vertices(mesh)), format_fixed(median(front.times), 3),
+                 format_fixed(median(exact.times), 3), format_fixed(median(cgal.times), 2),
+                 format_fixed(median(exact.times) / median(front.times), 1),
+                 format_fixed(median(cgal.times) / median(exact.times), 1), megabytes(exact),
+                 megabytes(cgal), format_significant(difference)});
   }
   void print() const
   {
@@ -135,24 +135,28 @@ void add_parallel(Table& table, const std::string& name, const Mesh& mesh, std::
                   bool to_all)
 {
   const auto domain = GP::make_domain(mesh);
-  const auto places = random_vertices(mesh, sources);
+  const auto source_vertices = random_vertices(mesh, sources);
   const std::vector<Vertex> targets =
-      to_all ? std::vector<Vertex>(mesh.vertices().begin(), mesh.vertices().end()) : places;
-  std::vector<double> one, two;
+      to_all ? std::vector<Vertex>(mesh.vertices().begin(), mesh.vertices().end())
+             : source_vertices;
+  std::vector<double> one_thread_times, two_thread_times;
   for(int i = 0; i < 3; ++i)
     for(const unsigned threads : {1u, 2u})
-      (threads == 1 ? one : two)
-          .push_back(seconds_on_a_watch(
+      (threads == 1 ? one_thread_times : two_thread_times)
+          .push_back(wall_seconds(
               [&]
               {
                 GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-                    domain, places, GP::parameters::threads(threads).targets(targets));
+                    domain, source_vertices, GP::parameters::threads(threads).targets(targets));
               }));
   // The shortest times: the others had less of the machine.
-  const double alone = *std::min_element(one.begin(), one.end());
-  const double together = *std::min_element(two.begin(), two.end());
-  table.add({name, std::to_string(sources), std::to_string(targets.size()), number(alone, 2),
-             number(together, 2), number(alone / together, 2)});
+  const double one_thread_time =
+      *std::min_element(one_thread_times.begin(), one_thread_times.end());
+  const double two_thread_time =
+      *std::min_element(two_thread_times.begin(), two_thread_times.end());
+  table.add({name, std::to_string(sources), std::to_string(targets.size()),
+             format_fixed(one_thread_time, 2), format_fixed(two_thread_time, 2),
+             format_fixed(one_thread_time / two_thread_time, 2)});
 }
 
 // Sources of which each reaches what is nearer than 18 edges: about a thousand vertices of a plane.
@@ -161,26 +165,27 @@ void add_bounded(Table& table, const std::string& name, const Mesh& mesh)
   const auto domain = GP::make_domain(mesh);
   Solver<GP::Exact> exact(domain);
   Solver<GP::Euclidean_front> front(domain);
-  const double bound = 18. * mean_edge(mesh);
-  std::vector<double> windows, circles, reached;
+  const double bound = 18. * mean_edge_length(mesh);
+  std::vector<double> exact_times, front_times, reached;
   for(const Vertex source : random_vertices(mesh, 101))
   {
-    circles.push_back(
-        seconds([&] { front.compute(source, GP::parameters::maximum_distance(bound)); }));
-    windows.push_back(
-        seconds([&] { exact.compute(source, GP::parameters::maximum_distance(bound)); }));
+    front_times.push_back(
+        cpu_seconds([&] { front.compute(source, GP::parameters::maximum_distance(bound)); }));
+    exact_times.push_back(
+        cpu_seconds([&] { exact.compute(source, GP::parameters::maximum_distance(bound)); }));
     reached.push_back(double(exact.reached().size()));
   }
-  table.add({name, std::to_string(num_vertices(mesh)), number(median(reached), 0),
-             number(1000. * median(circles), 2), number(1000. * median(windows), 2),
-             number(1000. * *std::max_element(windows.begin(), windows.end()), 2)});
+  table.add({name, std::to_string(num_vertices(mesh)), format_fixed(median(reached), 0),
+             format_fixed(1000. * median(front_times), 2),
+             format_fixed(1000. * median(exact_times), 2),
+             format_fixed(1000. * *std::max_element(exact_times.begin(), exact_times.end()), 2)});
 }
 
 // Errors of the methods over their times: that of a query, and that of the first with its set-up.
-class Trade_off
+class Error_time_trade_off
 {
 public:
-  Trade_off(const std::string& name, Mesh& mesh)
+  Error_time_trade_off(const std::string& name, Mesh& mesh)
       : m_panel{name + ", " + std::to_string(num_vertices(mesh)) + " vertices",
                 "seconds for a source: prepared, and with its set-up",
                 {}},
@@ -189,14 +194,14 @@ public:
     m_sources = three_sources(num_vertices(mesh));
     std::vector<double> times;
     for(const Vertex source : m_sources)
-      times.push_back(seconds([&] { m_known.push_back(exact_distances(mesh, source)); }));
+      times.push_back(cpu_seconds([&] { m_reference.push_back(exact_distances(mesh, source)); }));
     add_method<GP::Dijkstra>("Dijkstra");
     add_method<GP::Fast_marching>("Fast_marching");
     add_method<GP::Euclidean_front>("Euclidean_front");
     add_method<GP::Heat>("Heat");
-    std::unique_ptr<Heat_peer> heat;
+    std::unique_ptr<Cgal_heat_solver> heat;
     add(
-        "CGAL heat", [&] { heat = std::make_unique<Heat_peer>(mesh); },
+        "CGAL heat", [&] { heat = std::make_unique<Cgal_heat_solver>(mesh); },
         [&](Vertex source) { heat->compute(source); }, [&](Vertex v) { return heat->distance(v); });
     add_method<GP::Exact>("Exact");
     add_point("CGAL exact", median(times), 0., 0.);
@@ -211,7 +216,7 @@ public:
 
 private:
   // A logarithmic axis has no place for zero: what is exact is drawn here.
-  static constexpr double rounding = 1e-6;
+  static constexpr double error_floor = 1e-6;
 
   template <typename Method>
   void add_method(const char* name)
@@ -226,19 +231,20 @@ private:
   template <typename Prepare, typename Compute, typename Distance>
   void add(const char* name, Prepare prepare, Compute compute, Distance distance)
   {
-    const double setup = seconds(prepare);
+    const double setup = cpu_seconds(prepare);
     std::vector<double> times;
     double sum = 0.;
     std::size_t count = 0;
     for(int round = 0; round < 2; ++round) // the first warms up
       for(std::size_t s = 0; s < m_sources.size(); ++s)
       {
-        times.push_back(seconds([&] { compute(m_sources[s]); }));
-        const double nearest = 0.05 * *std::max_element(m_known[s].begin(), m_known[s].end());
+        times.push_back(cpu_seconds([&] { compute(m_sources[s]); }));
+        const double nearest =
+            0.05 * *std::max_element(m_reference[s].begin(), m_reference[s].end());
         for(const Vertex v : m_mesh.vertices())
-          if(const double known = m_known[s][std::size_t(v)]; known >= nearest)
+          if(const double reference = m_reference[s][std::size_t(v)]; reference >= nearest)
           {
-            sum += std::fabs(distance(v) / known - 1.);
+            sum += std::fabs(distance(v) / reference - 1.);
             ++count;
           }
       }
@@ -247,16 +253,19 @@ private:
 
   void add_point(const char* name, double query, double setup, double error)
   {
-    const double shown = std::max(error, rounding);
-    m_panel.series.push_back(
-        {name, m_panel.series.size(), std::nan(""), {{query, shown}, {query + setup, shown}}});
-    m_table.add({name, number(setup, 3), number(query, 3), digits(100. * error)});
+    const double drawn_error = std::max(error, error_floor);
+    m_panel.series.push_back({name,
+                              m_panel.series.size(),
+                              std::nan(""),
+                              {{query, drawn_error}, {query + setup, drawn_error}}});
+    m_table.add(
+        {name, format_fixed(setup, 3), format_fixed(query, 3), format_significant(100. * error)});
   }
 
   Panel m_panel;
   Mesh& m_mesh;
   std::vector<Vertex> m_sources;
-  std::vector<std::vector<double>> m_known;
+  std::vector<std::vector<double>> m_reference;
   Table m_table{{"method", "set-up [s]", "query [s]", "mean error %"}};
 };
 
@@ -277,32 +286,34 @@ int main(int argc, char* argv[])
 
   std::printf("Exact distances: processor time, medians, of three sources.\n\n");
   std::vector<Named_mesh> meshes = {
-      {"icosphere 4", [] { return icosphere(4); }, Peer::beside},
-      {"elephant_2k8", [] { return model("elephant_2k8"); }, Peer::beside},
+      {"icosphere 4", [] { return icosphere(4); }, Cgal_comparison::always},
+      {"elephant_2k8", [] { return load_model("elephant_2k8"); }, Cgal_comparison::always},
   };
   if(!quick)
     meshes = {
-        {"bunny_37k", [] { return model("bunny_37k"); }, Peer::beside},
-        {"nefertiti_35k", [] { return model("nefertiti_35k"); }, Peer::beside},
-        {"icosphere 6", [] { return icosphere(6); }, Peer::if_patient},
-        {"square 201^2", [] { return jittered_square(201); }, Peer::if_patient},
-        {"pressed sphere 6", [] { return pressed_sphere(6); }, Peer::if_patient},
-        {"bunny_37k once", [] { return cut("bunny_37k", 1); }, Peer::if_patient},
-        {"icosphere 7", [] { return icosphere(7); }, Peer::left_out},
-        {"pressed sphere 7", [] { return pressed_sphere(7); }, Peer::left_out},
-        {"square 631^2", [] { return jittered_square(631); }, Peer::left_out},
+        {"bunny_37k", [] { return load_model("bunny_37k"); }, Cgal_comparison::always},
+        {"nefertiti_35k", [] { return load_model("nefertiti_35k"); }, Cgal_comparison::always},
+        {"icosphere 6", [] { return icosphere(6); }, Cgal_comparison::if_patient},
+        {"square 201^2", [] { return jittered_square(201); }, Cgal_comparison::if_patient},
+        {"pressed sphere 6", [] { return flattened_sphere(6); }, Cgal_comparison::if_patient},
+        {"bunny_37k once", [] { return subdivided_model("bunny_37k", 1); },
+         Cgal_comparison::if_patient},
+        {"icosphere 7", [] { return icosphere(7); }, Cgal_comparison::never},
+        {"pressed sphere 7", [] { return flattened_sphere(7); }, Cgal_comparison::never},
+        {"square 631^2", [] { return jittered_square(631); }, Cgal_comparison::never},
     };
-  Single_source_table single;
+  Single_source_table single_source;
   for(const Named_mesh& named : meshes)
     if(const auto mesh = named.make())
-      single.add(named.name, *mesh,
-                 named.peer == Peer::beside || (patient && named.peer == Peer::if_patient));
-  single.print();
+      single_source.add(named.name, *mesh,
+                        named.cgal == Cgal_comparison::always ||
+                            (patient && named.cgal == Cgal_comparison::if_patient));
+  single_source.print();
 
   // A model, or a sphere where there is none.
   const auto model_or_sphere = [&]
   {
-    auto mesh = model(quick ? "elephant_2k8" : "bunny_37k");
+    auto mesh = load_model(quick ? "elephant_2k8" : "bunny_37k");
     return mesh ? *mesh : icosphere(quick ? 4 : 6);
   };
   Mesh mesh = model_or_sphere();
@@ -333,13 +344,13 @@ int main(int argc, char* argv[])
   std::vector<Panel> panels;
   const auto compare = [&panels](const std::string& name, Mesh& surface)
   {
-    const Trade_off trade_off(name, surface);
+    const Error_time_trade_off trade_off(name, surface);
     trade_off.print();
     panels.push_back(trade_off.panel());
   };
   std::printf("Errors over times, relative to CGAL's exact distances\n");
   Mesh sphere = icosphere(quick ? 4 : 5);
-  compare(model(quick ? "elephant_2k8" : "bunny_37k") ? "Scan" : "Sphere", mesh);
+  compare(load_model(quick ? "elephant_2k8" : "bunny_37k") ? "Scan" : "Sphere", mesh);
   compare("Sphere", sphere);
   if(!plot.empty())
   {

@@ -25,7 +25,7 @@ namespace {
 using namespace benchmarks;
 namespace GP = CGAL::Geodesic_processing;
 namespace test = CGAL::Geodesic_processing::test;
-using test::Measure_near_base;
+using test::Measure_asymptotics;
 using Complex = std::complex<double>;
 using Size = Mesh::size_type;
 
@@ -75,15 +75,15 @@ public:
   explicit Error_table(std::vector<Mesh> meshes) : m_meshes(std::move(meshes)) {}
 
   template <typename Method>
-  void add(const std::string& name, double stencil_length = 0., std::size_t most_vertices = all)
+  void add(const std::string& name, double stencil_length = 0., std::size_t max_vertices = all)
   {
     std::vector<std::string> row = {name};
     std::vector<double> errors;
     for(const Mesh& mesh : m_meshes)
-      if(num_vertices(mesh) <= most_vertices)
+      if(num_vertices(mesh) <= max_vertices)
       {
         errors.push_back(mean_error<Method>(mesh, stencil_length));
-        row.push_back(digits(errors.back()));
+        row.push_back(format_significant(errors.back()));
       }
       else
         row.push_back("-");
@@ -109,7 +109,7 @@ private:
   {
     if(errors.size() < 2)
       return "-";
-    return number(std::log2(errors.front() / errors.back()) / double(errors.size() - 1), 2);
+    return format_fixed(std::log2(errors.front() / errors.back()) / double(errors.size() - 1), 2);
   }
 
   std::vector<Mesh> m_meshes;
@@ -153,14 +153,14 @@ void compare_on_spheres(bool quick)
 void compare_on_clouds(std::size_t n)
 {
   Table table({"cloud of a sphere", "surfels", "Gradient<Euclidean_front>"});
-  test::Cloud at_random, spiral;
+  test::Cloud random_cloud, spiral;
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   for(std::size_t i = 0; i < n; ++i)
   {
-    const test::Spatial p = GP::internal::unit({normal(random), normal(random), normal(random)}),
-                        q = test::on_spiral(i, n);
-    at_random.add(p, p);
+    const test::Vec3 p = GP::internal::unit({normal(random), normal(random), normal(random)}),
+                     q = test::on_spiral(i, n);
+    random_cloud.add(p, p);
     spiral.add(q, q);
   }
   const auto add = [&](const std::string& name, const test::Cloud& cloud)
@@ -176,9 +176,9 @@ void compare_on_clouds(std::size_t n)
       map.compute(Cloud::Index(base * cloud.size() / 4), GP::parameters::maximum_distance(half_pi));
       sum += test::mean_error_on_sphere(map, [&](Cloud::Index i) { return points.point(i); }) / 4.;
     }
-    table.add({name, std::to_string(cloud.size()), digits(100. * sum)});
+    table.add({name, std::to_string(cloud.size()), format_significant(100. * sum)});
   };
-  add("random", at_random);
+  add("random", random_cloud);
   add("spiral", spiral);
   add("octahedron", test::octahedron_sphere(5));
   table.print();
@@ -194,9 +194,9 @@ double largest_error(const Map& map, Truth truth)
   double error = 0., size = 0.;
   for(const Vertex v : map.reached())
   {
-    const auto found = map(v), known = truth(v);
-    error = std::max(error, std::hypot(found[0] - known[0], found[1] - known[1]));
-    size = std::max(size, std::hypot(known[0], known[1]));
+    const auto found = map(v), expected = truth(v);
+    error = std::max(error, std::hypot(found[0] - expected[0], found[1] - expected[1]));
+    size = std::max(size, std::hypot(expected[0], expected[1]));
   }
   return error / size;
 }
@@ -211,8 +211,8 @@ void compare_on_developables(std::size_t n)
     GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
     gradient.compute(base, limits);
     exact.compute(base, limits);
-    table.add({name, digits(largest_error(gradient, truth(gradient))),
-               digits(largest_error(exact, truth(exact)))});
+    table.add({name, format_significant(largest_error(gradient, truth(gradient))),
+               format_significant(largest_error(exact, truth(exact)))});
   };
   const Mesh plane = jittered_square(n + 1);
   const Vertex middle(Size((n + 2) * (n / 2)));
@@ -221,8 +221,8 @@ void compare_on_developables(std::size_t n)
       {
         return [&](Vertex v)
         {
-          const auto way = plane.point(v) - plane.point(middle);
-          return std::array<double, 2>{way.x(), way.y()};
+          const auto offset = plane.point(v) - plane.point(middle);
+          return std::array<double, 2>{offset.x(), offset.y()};
         };
       });
   // It is flat: triangles on sides of a polygon, whose third corners lie a bit farther out.
@@ -257,7 +257,7 @@ double diagonal(const Mesh& mesh)
 }
 
 // How far from the base a map is one to one: up to where it is cut first.
-double radius_of_injectivity(const Mesh& mesh, const GP::Logarithmic_map<Mesh, GP::Exact>& map)
+double injectivity_radius(const Mesh& mesh, const GP::Logarithmic_map<Mesh, GP::Exact>& map)
 {
   double radius = std::numeric_limits<double>::infinity();
   map.for_each_cut_face(
@@ -280,10 +280,10 @@ std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number)
 }
 
 // Below which a part of the values is.
-double part_below(std::vector<double> values, double part)
+double quantile(std::vector<double> values, double fraction)
 {
   std::sort(values.begin(), values.end());
-  return values.empty() ? std::nan("") : values[std::size_t(part * double(values.size() - 1))];
+  return values.empty() ? std::nan("") : values[std::size_t(fraction * double(values.size() - 1))];
 }
 
 double angle_between(const std::array<double, 2>& a, const std::array<double, 2>& b)
@@ -303,9 +303,9 @@ std::vector<double> angles_against_exact(const Mesh& mesh, double radius)
   {
     exact.compute(base, limits);
     map.compute(base, limits);
-    const double whole = radius_of_injectivity(mesh, exact);
+    const double max_radius = injectivity_radius(mesh, exact);
     for(const Vertex v : exact.reached())
-      if(v != base && map.is_inside(v) && std::hypot(exact(v)[0], exact(v)[1]) < whole)
+      if(v != base && map.is_inside(v) && std::hypot(exact(v)[0], exact(v)[1]) < max_radius)
         angles.push_back(angle_between(exact(v), map(v)) * 180. / CGAL_PI);
   }
   return angles;
@@ -315,22 +315,23 @@ void compare_on_models(const std::vector<std::string>& names)
 {
   Table table({"model", "angles", "Gradient<Euclidean_front>", "Gradient<Fast_marching>",
                "Discrete_exponential"});
-  bool is_any = false;
+  bool has_models = false;
   for(const std::string& name : names)
   {
-    const auto mesh = model(name);
+    const auto mesh = load_model(name);
     if(!mesh)
       continue;
-    is_any = true;
+    has_models = true;
     const double radius = 0.15 * diagonal(*mesh);
-    const auto shown = [](const std::vector<double>& angles)
-    { return digits(median(angles)) + " / " + digits(part_below(angles, 0.9)); };
+    const auto format_angles = [](const std::vector<double>& angles) {
+      return format_significant(median(angles)) + " / " + format_significant(quantile(angles, 0.9));
+    };
     const auto gradient = angles_against_exact<GP::Gradient<>>(*mesh, radius);
-    table.add({name, std::to_string(gradient.size()), shown(gradient),
-               shown(angles_against_exact<GP::Gradient<GP::Fast_marching>>(*mesh, radius)),
-               shown(angles_against_exact<GP::Discrete_exponential>(*mesh, radius))});
+    table.add({name, std::to_string(gradient.size()), format_angles(gradient),
+               format_angles(angles_against_exact<GP::Gradient<GP::Fast_marching>>(*mesh, radius)),
+               format_angles(angles_against_exact<GP::Discrete_exponential>(*mesh, radius))});
   }
-  if(!is_any)
+  if(!has_models)
   {
     std::printf("No models: there is no folder %s.\n\n", GEODESIC_PROCESSING_DATA);
     return;
@@ -342,34 +343,34 @@ void compare_on_models(const std::vector<std::string>& names)
 }
 
 // The angle at which a path leaves a vertex towards a point of a face at it, as a share of all angles.
-double share_of_turn(const Mesh& mesh, Vertex base, const Kernel::Point_3& towards)
+double normalized_angle(const Mesh& mesh, Vertex base, const Kernel::Point_3& target_point)
 {
   const auto angle = [](const Kernel::Vector_3& a, const Kernel::Vector_3& b)
   { return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b); };
   const Kernel::Point_3& o = mesh.point(base);
-  double turned = 0., best = std::numeric_limits<double>::infinity(), result = 0.;
+  double accumulated_angle = 0., min_excess = std::numeric_limits<double>::infinity(), result = 0.;
   auto h = mesh.opposite(mesh.halfedge(base)); // leaves the base
   const auto first = h;
   do
   {
     const auto next = mesh.opposite(mesh.prev(h));
     const auto a = mesh.point(mesh.target(h)) - o, b = mesh.point(mesh.target(next)) - o;
-    const double all = angle(a, b), begun = angle(a, towards - o);
+    const double face_angle = angle(a, b), angle_to_direction = angle(a, target_point - o);
     // How far the direction is from this face.
-    const double outside = begun + angle(towards - o, b) - all;
-    if(outside < best)
+    const double excess = angle_to_direction + angle(target_point - o, b) - face_angle;
+    if(excess < min_excess)
     {
-      best = outside;
-      result = turned + begun;
+      min_excess = excess;
+      result = accumulated_angle + angle_to_direction;
     }
-    turned += all;
+    accumulated_angle += face_angle;
     h = next;
   } while(h != first);
-  return result / turned;
+  return result / accumulated_angle;
 }
 
 // Directions of shortest paths by CGAL's exact algorithm.
-void compare_with_peer(const std::string& name, const Mesh& mesh)
+void compare_with_cgal(const std::string& name, const Mesh& mesh)
 {
   using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
   const Vertex base(Size(num_vertices(mesh) / 2));
@@ -378,7 +379,7 @@ void compare_with_peer(const std::string& name, const Mesh& mesh)
   GP::Logarithmic_map<Mesh, GP::Exact> map(mesh);
   map.compute(base, GP::parameters::maximum_distance(0.15 * diagonal(mesh)));
   std::vector<Complex> ours, theirs;
-  Complex turn = 0.;
+  Complex rotation = 0.;
   for(const Vertex v : map.reached())
   {
     std::vector<Kernel::Point_3> path;
@@ -387,36 +388,37 @@ void compare_with_peer(const std::string& name, const Mesh& mesh)
     if(path.size() < 2)
       continue;
     theirs.push_back(
-        std::polar(distance, 2. * CGAL_PI * share_of_turn(mesh, base, path[path.size() - 2])));
+        std::polar(distance, 2. * CGAL_PI * normalized_angle(mesh, base, path[path.size() - 2])));
     ours.emplace_back(map(v)[0], map(v)[1]);
-    turn += ours.back() * std::conj(theirs.back()) / std::norm(theirs.back());
+    rotation += ours.back() * std::conj(theirs.back()) / std::norm(theirs.back());
   }
   std::vector<double> errors;
   for(std::size_t i = 0; i < ours.size(); ++i)
-    errors.push_back(std::abs(theirs[i] * turn / std::abs(turn) - ours[i]) / std::abs(ours[i]));
+    errors.push_back(std::abs(theirs[i] * rotation / std::abs(rotation) - ours[i]) /
+                     std::abs(ours[i]));
   std::printf(
       "Exact beside CGAL's shortest paths on %s, %zu vectors: relative difference in the median "
       "%s,\n90 %% below %s, largest %s.  Bar: 0.02.\n\n",
-      name.c_str(), errors.size(), digits(median(errors)).c_str(),
-      digits(part_below(errors, 0.9)).c_str(),
-      digits(*std::max_element(errors.begin(), errors.end())).c_str());
+      name.c_str(), errors.size(), format_significant(median(errors)).c_str(),
+      format_significant(quantile(errors, 0.9)).c_str(),
+      format_significant(*std::max_element(errors.begin(), errors.end())).c_str());
 }
 
 // ------------------------------------------------------------------------------------------- theory
 
 // A longer stencil, of a length that does not shrink with the edges: with the default one errors of
 // neighbours differ, in parts of an edge, as much on finer meshes.
-constexpr double stencil_of_theory = 0.2;
+constexpr double theory_stencil_length = 0.2;
 
 template <typename Method>
 std::vector<std::string> coefficients(const Mesh& mesh, Vertex base)
 {
   GP::Logarithmic_map<Mesh, Method> map(mesh);
-  map.compute(base, GP::parameters::maximum_distance(0.65).stencil_length(stencil_of_theory));
+  map.compute(base, GP::parameters::maximum_distance(0.65).stencil_length(theory_stencil_length));
   const auto faces = test::faces_around(mesh, map, 0.05, 0.6);
   std::vector<std::string> result;
-  for(const Measure_near_base& measure : test::measures_near_base())
-    result.push_back(number(test::fitted_coefficient(measure, faces), 4));
+  for(const Measure_asymptotics& measure : test::measure_asymptotics())
+    result.push_back(format_fixed(test::fitted_coefficient(measure, faces), 4));
   return result;
 }
 
@@ -428,7 +430,7 @@ void compare_with_theory(bool quick)
   const auto patch = test::hyperbolic_patch(quick ? 40 : 80, 0.2);
   const Mesh hyperbolic = mesh_of(patch.surface);
   const Vertex middle(Size(patch.base));
-  const auto measures = test::measures_near_base();
+  const auto measures = test::measure_asymptotics();
   const auto gradient = coefficients<GP::Gradient<>>(sphere, Vertex(1000)),
              exact = coefficients<GP::Exact>(sphere, Vertex(1000)),
              hyperbolic_gradient = coefficients<GP::Gradient<>>(hyperbolic, middle),
@@ -436,37 +438,38 @@ void compare_with_theory(bool quick)
   Table table({"measure", "m", "K = 1", "Gradient", "Exact", "K = -1", "Gradient", "Exact"});
   for(std::size_t i = 0; i < measures.size(); ++i)
     table.add({measures[i].name, std::to_string(measures[i].power),
-               number(measures[i].coefficient(1.), 4), gradient[i], exact[i],
-               number(measures[i].coefficient(-1.), 4), hyperbolic_gradient[i],
+               format_fixed(measures[i].coefficient(1.), 4), gradient[i], exact[i],
+               format_fixed(measures[i].coefficient(-1.), 4), hyperbolic_gradient[i],
                hyperbolic_exact[i]});
   table.print();
   std::printf(
       "%zu vertices of an icosphere, %zu of a pseudosphere, jittered; stencils of length %.1f.  "
       "Exact "
       "unfolds\nflat faces, and bends at vertices.  Bar: 5 %% for Gradient, or 0.05/6 of zero.\n\n",
-      std::size_t(num_vertices(sphere)), std::size_t(num_vertices(hyperbolic)), stencil_of_theory);
+      std::size_t(num_vertices(sphere)), std::size_t(num_vertices(hyperbolic)),
+      theory_stencil_length);
 }
 
 // The part of a sphere around its first vertex, which stays the first.
-test::Triangulation cap(unsigned level, double radius)
+test::Triangulation spherical_cap(unsigned level, double radius)
 {
   const test::Triangulation sphere = test::icosphere(level);
-  const GP::internal::Spatial top = sphere.points[0];
-  std::vector<GP::internal::Index> place(sphere.points.size(), GP::internal::none);
+  const GP::internal::Vec3 pole = sphere.points[0];
+  std::vector<GP::internal::Index> new_index(sphere.points.size(), GP::internal::none);
   test::Triangulation result;
   for(std::size_t i = 0; i < sphere.points.size(); ++i)
-    if(GP::internal::dot(sphere.points[i], top) > std::cos(radius))
+    if(GP::internal::dot(sphere.points[i], pole) > std::cos(radius))
     {
-      place[i] = GP::internal::Index(result.points.size());
+      new_index[i] = GP::internal::Index(result.points.size());
       result.points.push_back(sphere.points[i]);
     }
   for(std::size_t c = 0; c < sphere.corners.size(); c += 3)
   {
     const auto* corner = &sphere.corners[c];
-    if(place[corner[0]] != GP::internal::none && place[corner[1]] != GP::internal::none &&
-       place[corner[2]] != GP::internal::none)
+    if(new_index[corner[0]] != GP::internal::none && new_index[corner[1]] != GP::internal::none &&
+       new_index[corner[2]] != GP::internal::none)
       result.corners.insert(result.corners.end(),
-                            {place[corner[0]], place[corner[1]], place[corner[2]]});
+                            {new_index[corner[0]], new_index[corner[1]], new_index[corner[2]]});
   }
   return result;
 }
@@ -487,8 +490,8 @@ std::vector<std::array<double, 2>> conformal_map(Mesh mesh, Vertex base)
   std::vector<std::array<double, 2>> result;
   for(const Vertex v : mesh.vertices())
   {
-    const auto way = edges / images * (uv[v] - uv[base]);
-    result.push_back({way.x(), way.y()});
+    const auto offset = edges / images * (uv[v] - uv[base]);
+    result.push_back({offset.x(), offset.y()});
   }
   return result;
 }
@@ -501,26 +504,26 @@ void compare_linearity(bool quick)
   Table table({"cap", "edge", "Exact", "Gradient", "orthogonal projection", "LSCM"});
   for(unsigned level = 3; level <= (quick ? 5u : 6u); ++level)
   {
-    const Mesh mesh = mesh_of(cap(level, 0.8));
+    const Mesh mesh = mesh_of(spherical_cap(level, 0.8));
     const Vertex base(0);
     const auto limits = GP::parameters::maximum_distance(0.7);
     GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
     GP::Logarithmic_map<Mesh> gradient(exact.domain());
     exact.compute(base, limits);
-    gradient.compute(base, limits.stencil_length(stencil_of_theory));
+    gradient.compute(base, limits.stencil_length(theory_stencil_length));
     const auto frame = exact.frame();
     const auto conformal = conformal_map(mesh, base);
-    const auto shown = [&](const auto& f)
-    { return digits(test::departure_from_linearity(mesh, base, 0.6, f)); };
-    table.add({std::to_string(num_vertices(mesh)), digits(mean_edge(mesh)), shown(exact),
-               shown(gradient),
-               shown(
+    const auto format_departure = [&](const auto& f)
+    { return format_significant(test::departure_from_linearity(mesh, base, 0.6, f)); };
+    table.add({std::to_string(num_vertices(mesh)), format_significant(mean_edge_length(mesh)),
+               format_departure(exact), format_departure(gradient),
+               format_departure(
                    [&](Vertex v)
                    {
-                     const auto way = mesh.point(v) - frame.origin;
-                     return std::array<double, 2>{way * frame.u, way * frame.v};
+                     const auto offset = mesh.point(v) - frame.origin;
+                     return std::array<double, 2>{offset * frame.u, offset * frame.v};
                    }),
-               shown([&](Vertex v) { return conformal[v]; })});
+               format_departure([&](Vertex v) { return conformal[v]; })});
   }
   table.print();
 }
@@ -537,22 +540,22 @@ void compare_on_cylinder()
   gradient.compute(base, GP::parameters::maximum_distance(1.));
   const auto frame = exact.frame();
   Table table({"measure", "Gradient", "Exact", "orthogonal projection"});
-  for(const Measure_near_base& measure : test::measures_near_base())
+  for(const Measure_asymptotics& measure : test::measure_asymptotics())
   {
-    const auto shown = [&](const auto& f)
+    const auto format_difference = [&](const auto& f)
     {
       const auto uv = boost::make_function_property_map<Vertex>(f);
-      return digits(
+      return format_significant(
           std::fabs(GP::mesh_distortion(mesh, uv, measure.measure).mean() - measure.at_base));
     };
-    table.add({measure.name, shown([&](Vertex v) { return gradient(v); }),
-               shown([&](Vertex v) { return exact(v); }),
-               shown(
+    table.add({measure.name, format_difference([&](Vertex v) { return gradient(v); }),
+               format_difference([&](Vertex v) { return exact(v); }),
+               format_difference(
                    [&](Vertex v)
                    {
-                     const auto way = mesh.point(v) - frame.origin;
+                     const auto offset = mesh.point(v) - frame.origin;
                      const double outside = exact.is_inside(v) ? 0. : std::nan("");
-                     return std::array<double, 2>{way * frame.u + outside, way * frame.v};
+                     return std::array<double, 2>{offset * frame.u + outside, offset * frame.v};
                    })});
   }
   table.print();
@@ -572,25 +575,25 @@ Noise_errors noise_errors(const Mesh& mesh, const GP::Logarithmic_map<Mesh, GP::
                           const Map& map)
 {
   const auto frame = map.frame();
-  double against_exact = 0., number = 0.;
-  std::vector<double> turns; // on the sphere
+  double against_exact = 0., count = 0.;
+  std::vector<double> angles; // on the sphere
   Complex mean = 0.;
   for(const Vertex v : exact.reached())
   {
-    const auto found = map(v), known = test::vector_on_sphere(frame, mesh.point(v));
+    const auto found = map(v), expected = test::vector_on_sphere(frame, mesh.point(v));
     if(!map.is_inside(v) || std::hypot(found[0], found[1]) == 0.) // the base
       continue;
     against_exact += std::pow(angle_between(exact(v), found), 2);
-    turns.push_back(std::atan2(known[0] * found[1] - known[1] * found[0],
-                               known[0] * found[0] + known[1] * found[1]));
-    mean += std::polar(1., turns.back());
-    ++number;
+    angles.push_back(std::atan2(expected[0] * found[1] - expected[1] * found[0],
+                                expected[0] * found[0] + expected[1] * found[1]));
+    mean += std::polar(1., angles.back());
+    ++count;
   }
   double against_sphere = 0.;
-  for(const double turn : turns)
-    against_sphere += std::pow(std::remainder(turn - std::arg(mean), 2. * CGAL_PI), 2);
-  return {std::sqrt(against_exact / number) * 180. / CGAL_PI,
-          std::sqrt(against_sphere / number) * 180. / CGAL_PI};
+  for(const double angle : angles)
+    against_sphere += std::pow(std::remainder(angle - std::arg(mean), 2. * CGAL_PI), 2);
+  return {std::sqrt(against_exact / count) * 180. / CGAL_PI,
+          std::sqrt(against_sphere / count) * 180. / CGAL_PI};
 }
 
 template <typename Method>
@@ -600,7 +603,7 @@ void add_noise_row(Table& table, const std::string& name, double noise, const Me
   GP::Logarithmic_map<Mesh, GP::Exact> exact(mesh);
   GP::Logarithmic_map<Mesh, Method> map(exact.domain());
   const auto limits = GP::parameters::maximum_distance(1.);
-  const double edge = mean_edge(mesh);
+  const double edge = mean_edge_length(mesh);
   const auto bases = random_vertices(mesh, 4);
   std::vector<Noise_errors> errors(rings.size(), {0., 0.});
   for(const Vertex base : bases)
@@ -614,9 +617,9 @@ void add_noise_row(Table& table, const std::string& name, double noise, const Me
       errors[i].sphere += found.sphere / double(bases.size());
     }
   }
-  std::vector<std::string> row = {number(100. * noise, 0), name};
+  std::vector<std::string> row = {format_fixed(100. * noise, 0), name};
   for(const Noise_errors& e : errors)
-    row.push_back(number(e.exact, 2) + " / " + number(e.sphere, 2));
+    row.push_back(format_fixed(e.exact, 2) + " / " + format_fixed(e.sphere, 2));
   table.add(row);
 }
 
@@ -633,8 +636,8 @@ void compare_noise(unsigned level)
   for(const double noise : {0., 0.01, 0.05})
   {
     // As much as an even distribution spreads.
-    const Mesh mesh =
-        mesh_of(test::shaken(test::icosphere(level), std::sqrt(3.) * noise * mean_edge(clean)));
+    const Mesh mesh = mesh_of(
+        test::jittered(test::icosphere(level), std::sqrt(3.) * noise * mean_edge_length(clean)));
     add_noise_row<GP::Gradient<GP::Dijkstra>>(table, "Gradient<Dijkstra>", noise, mesh, rings);
     add_noise_row<GP::Gradient<GP::Fast_marching>>(table, "Gradient<Fast_marching>", noise, mesh,
                                                    rings);
@@ -661,9 +664,9 @@ int main(int argc, char* argv[])
                           : std::vector<std::string>{"bunny_37k", "armadillo_26k", "nefertiti_35k",
                                                      "boot_20k", "fandisk_6k5", "kitten_9k",
                                                      "camel_10k", "eight_5k", "elephant_2k8"});
-  compare_with_peer("a sphere", icosphere(4));
-  if(const auto kitten = model("kitten_9k"); kitten && !quick)
-    compare_with_peer("kitten_9k", *kitten);
+  compare_with_cgal("a sphere", icosphere(4));
+  if(const auto kitten = load_model("kitten_9k"); kitten && !quick)
+    compare_with_cgal("kitten_9k", *kitten);
   compare_with_theory(quick);
   compare_linearity(quick);
   compare_on_cylinder();

@@ -92,13 +92,13 @@ inline Mesh refined(const Mesh& mesh)
 }
 
 // A mesh of the data folder, if that is there.
-inline std::optional<Mesh> model(const std::string& name)
+inline std::optional<Mesh> load_model(const std::string& name)
 {
-  const std::filesystem::path folder = GEODESIC_PROCESSING_DATA;
-  for(const std::string place : {"meshes/", "patches/"})
-    for(const std::string ending : {".ply", ".off"})
+  const std::filesystem::path data_folder = GEODESIC_PROCESSING_DATA;
+  for(const std::string subfolder : {"meshes/", "patches/"})
+    for(const std::string extension : {".ply", ".off"})
     {
-      const auto file = folder / (place + name + ending);
+      const auto file = data_folder / (subfolder + name + extension);
       Mesh mesh;
       if(exists(file) && CGAL::IO::read_polygon_mesh(file.string(), mesh) && !is_empty(mesh))
         return mesh;
@@ -106,7 +106,7 @@ inline std::optional<Mesh> model(const std::string& name)
   return std::nullopt;
 }
 
-inline double mean_edge(const Mesh& mesh)
+inline double mean_edge_length(const Mesh& mesh)
 {
   double sum = 0.;
   for(const auto e : mesh.edges())
@@ -116,7 +116,7 @@ inline double mean_edge(const Mesh& mesh)
 }
 
 // The part of the faces that have an angle above a right one.
-inline double part_of_obtuse_faces(const Mesh& mesh)
+inline double obtuse_face_ratio(const Mesh& mesh)
 {
   std::size_t number = 0;
   for(const Face f : mesh.faces())
@@ -138,7 +138,7 @@ inline std::vector<Vertex> three_sources(std::size_t number_of_vertices)
 
 // By closed forms, and by CGAL's exact algorithm; one number a vertex.
 
-inline std::vector<double> great_circles(const Mesh& sphere, Vertex source)
+inline std::vector<double> great_circle_distances(const Mesh& sphere, Vertex source)
 {
   const auto s = sphere.point(source) - CGAL::ORIGIN;
   std::vector<double> result;
@@ -151,7 +151,7 @@ inline std::vector<double> great_circles(const Mesh& sphere, Vertex source)
   return result;
 }
 
-inline std::vector<double> straight_lines(const Mesh& square, Vertex source)
+inline std::vector<double> euclidean_distances(const Mesh& square, Vertex source)
 {
   std::vector<double> result;
   for(const Vertex v : square.vertices())

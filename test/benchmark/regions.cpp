@@ -70,85 +70,86 @@ std::vector<double> exact_distances(Mesh& mesh, const Sources& sources)
   return result;
 }
 
-Vertex any(const Mesh& mesh, std::mt19937& random)
+Vertex random_vertex(const Mesh& mesh, std::mt19937& random)
 {
   return Vertex(Mesh::size_type(random() % mesh.number_of_vertices()));
 }
 
 void print_mazes(bool is_quick)
 {
-  Table nearest({"maze", "vertices", "off exact, largest", "gap, largest", "iterations"});
-  Table full({"maze", "vertices", "exits", "to a gap of", "iterations, most", "gap, largest",
-              "too full", "lost", "s each"});
+  Table nearest_table({"maze", "vertices", "off exact, largest", "gap, largest", "iterations"});
+  Table capacity_table({"maze", "vertices", "exits", "to a gap of", "iterations, most",
+                        "gap, largest", "too full", "lost", "s each"});
   for(const int cells : is_quick ? std::vector<int>{20} : std::vector<int>{20, 40, 80})
   {
     std::mt19937 random(1);
-    double off = 0., gap = 0.;
+    double error = 0., gap = 0.;
     unsigned iterations = 0;
     Mesh mesh;
     for(int trial = 0; trial < 5; ++trial)
     {
       mesh = maze(cells, random);
-      const std::vector<Vertex> exits = {any(mesh, random), any(mesh, random)};
+      const std::vector<Vertex> exits = {random_vertex(mesh, random), random_vertex(mesh, random)};
       const std::vector<double> exact = exact_distances(mesh, exits);
       GP::Region_transport_solver<Mesh> solver(mesh, exits);
       for(int i = 0; i < 10; ++i)
       {
-        const Vertex from = any(mesh, random);
+        const Vertex from = random_vertex(mesh, random);
         const auto cost = solver.compute(from, GP::parameters::tolerance(1e-6));
-        off = std::max(off, exact[from] > 0. ? std::abs(cost.value / exact[from] - 1.) : 0.);
+        error = std::max(error, exact[from] > 0. ? std::abs(cost.value / exact[from] - 1.) : 0.);
         gap = std::max(gap, cost.upper > 0. ? 1. - cost.lower / cost.upper : 0.);
         iterations = std::max(iterations, cost.iterations);
       }
     }
     const std::string name = std::to_string(cells) + " cells";
-    nearest.add({name, std::to_string(mesh.number_of_vertices()), number(off, 7), number(gap, 7),
-                 std::to_string(iterations)});
+    nearest_table.add({name, std::to_string(mesh.number_of_vertices()), format_fixed(error, 7),
+                       format_fixed(gap, 7), std::to_string(iterations)});
 
     // From everywhere; exits that take one part in `exits` and a fifth of it more.
     for(const std::size_t exits : {3, 10})
       for(const double tolerance : {1e-2, 1e-3})
       {
-        double largest = 0., excess = 0., lost = 0., time = 0.;
-        unsigned most = 0;
+        double largest_gap = 0., max_excess = 0., lost_mass = 0., time = 0.;
+        unsigned max_iterations = 0;
         constexpr int trials = 5;
         for(int trial = 0; trial < trials; ++trial)
         {
           mesh = maze(cells, random);
-          std::vector<Vertex> places;
-          while(places.size() < exits)
-            if(const Vertex v = any(mesh, random);
-               std::find(places.begin(), places.end(), v) == places.end())
-              places.push_back(v);
+          std::vector<Vertex> exit_vertices;
+          while(exit_vertices.size() < exits)
+            if(const Vertex v = random_vertex(mesh, random);
+               std::find(exit_vertices.begin(), exit_vertices.end(), v) == exit_vertices.end())
+              exit_vertices.push_back(v);
           const std::vector<double> capacity(exits, 1.2 / double(exits));
           GP::Earth_movers_cost cost;
           double sum = 0.;
-          time += seconds(
+          time += cpu_seconds(
               [&]
               {
-                GP::Region_transport_solver<Mesh> solver(mesh, places,
+                GP::Region_transport_solver<Mesh> solver(mesh, exit_vertices,
                                                          GP::parameters::capacities(capacity));
                 const std::vector<Vertex> all(mesh.vertices().begin(), mesh.vertices().end());
                 cost = solver.compute(all, GP::parameters::tolerance(tolerance));
-                for(const Vertex v : places)
+                for(const Vertex v : exit_vertices)
                 {
-                  excess = std::max(excess, solver.arrival(v) / capacity[0] - 1.);
+                  max_excess = std::max(max_excess, solver.arrival(v) / capacity[0] - 1.);
                   sum += solver.arrival(v);
                 }
               });
-          most = std::max(most, cost.iterations);
-          largest = std::max(largest, 1. - cost.lower / cost.upper);
-          lost = std::max(lost, std::abs(sum - 1.));
+          max_iterations = std::max(max_iterations, cost.iterations);
+          largest_gap = std::max(largest_gap, 1. - cost.lower / cost.upper);
+          lost_mass = std::max(lost_mass, std::abs(sum - 1.));
         }
-        full.add({name, std::to_string(mesh.number_of_vertices()), std::to_string(exits),
-                  number(tolerance, 3), std::to_string(most), number(largest, 5),
-                  number(std::max(excess, 0.), 9), number(lost, 9), number(time / trials, 2)});
+        capacity_table.add({name, std::to_string(mesh.number_of_vertices()), std::to_string(exits),
+                            format_fixed(tolerance, 3), std::to_string(max_iterations),
+                            format_fixed(largest_gap, 5), format_fixed(std::max(max_excess, 0.), 9),
+                            format_fixed(lost_mass, 9), format_fixed(time / trials, 2)});
       }
   }
   std::printf("The nearest of two exits, to a gap of 1e-6, relative to exact distances\n");
-  nearest.print();
+  nearest_table.print();
   std::printf("To reach: 1e-5.\n\nFrom everywhere to exits that are too small, largest of five\n");
-  full.print();
+  capacity_table.print();
   std::printf("To reach: 1 %% in 150 iterations, capacities to 1e-6.\n\n");
 }
 
@@ -170,11 +171,11 @@ void print_features(bool is_quick)
         const auto inner = mesh.is_border(h) ? mesh.opposite(h) : h;
         const Face f = mesh.face(inner);
         Source::Location first{f, {0., 0., 0.}}, second = first;
-        auto side = mesh.halfedge(f);
-        for(std::size_t k = 0; k < 3; ++k, side = mesh.next(side))
+        auto face_h = mesh.halfedge(f);
+        for(std::size_t k = 0; k < 3; ++k, face_h = mesh.next(face_h))
         {
-          first.second[k] = mesh.source(side) == a ? 1. : 0.;
-          second.second[k] = mesh.source(side) == b ? 1. : 0.;
+          first.second[k] = mesh.source(face_h) == a ? 1. : 0.;
+          second.second[k] = mesh.source(face_h) == b ? 1. : 0.;
         }
         sources.emplace_back(Source::Polyline{first, second});
       }
@@ -183,7 +184,7 @@ void print_features(bool is_quick)
     const double diameter = *std::max_element(exact.begin(), exact.end());
     const Distances found = mesh.add_property_map<Vertex, double>("v:found").first;
     GP::Earth_movers_cost cost;
-    const double time = seconds([&] { cost = GP::feature_distance(mesh, feature, found); });
+    const double time = cpu_seconds([&] { cost = GP::feature_distance(mesh, feature, found); });
     double mean = 0., largest = 0., above = 0.;
     for(const Vertex v : mesh.vertices())
     {
@@ -193,24 +194,27 @@ void print_features(bool is_quick)
     }
     // The paper's way: what arrives is even over the feature.
     GP::Earth_movers_solver<Mesh> solver(mesh);
-    const auto one = boost::make_function_property_map<Vertex>([](Vertex) { return 1.; });
-    solver.compute(GP::mass_density(one), feature, GP::parameters::do_normalize(true));
-    double top = -GP::internal::infinity, fixed = 0.;
+    const auto uniform_density =
+        boost::make_function_property_map<Vertex>([](Vertex) { return 1.; });
+    solver.compute(GP::mass_density(uniform_density), feature, GP::parameters::do_normalize(true));
+    double max_potential = -GP::internal::infinity, fixed_error = 0.;
     for(const Vertex v : feature)
-      top = std::max(top, solver.potential(v));
+      max_potential = std::max(max_potential, solver.potential(v));
     for(const Vertex v : mesh.vertices())
-      fixed += std::abs(top - solver.potential(v) - exact[v]) / double(exact.size());
-    table.add({name, std::to_string(exact.size()), number(100. * mean / diameter, 3),
-               number(100. * largest / diameter, 2), number(100. * fixed / diameter, 2),
-               number(std::max(above, 0.) / diameter, 9), std::to_string(cost.iterations),
-               number(time, 2)});
+      fixed_error +=
+          std::abs(max_potential - solver.potential(v) - exact[v]) / double(exact.size());
+    table.add({name, std::to_string(exact.size()), format_fixed(100. * mean / diameter, 3),
+               format_fixed(100. * largest / diameter, 2),
+               format_fixed(100. * fixed_error / diameter, 2),
+               format_fixed(std::max(above, 0.) / diameter, 9), std::to_string(cost.iterations),
+               format_fixed(time, 2)});
   };
   std::vector<std::string> names = {"fandisk_6k5", "camel_10k", "fsaverage5_inflated_left_10k"};
   if(!is_quick)
     names.insert(names.end(), {"bunny_37k", "nefertiti_35k", "armadillo_26k"});
   for(const std::string& name : names)
   {
-    const auto mesh = model(name);
+    const auto mesh = load_model(name);
     if(!mesh)
       continue;
     // A chain of edges from the first vertex to the farthest one.
@@ -265,7 +269,7 @@ void print_refraction()
     constexpr int rays = 20;
     for(int i = 0; i < rays;)
     {
-      const Vertex from = any(mesh, random), to = any(mesh, random);
+      const Vertex from = random_vertex(mesh, random), to = random_vertex(mesh, random);
       const auto p = mesh.point(from), q = mesh.point(to);
       if(!(p.y() < 0.4 && q.y() > 0.6))
         continue;
@@ -281,12 +285,13 @@ void print_refraction()
       const double exact =
           std::hypot(low - p.x(), 0.5 - p.y()) + 3. * std::hypot(low - q.x(), q.y() - 0.5);
       const auto cost = solver.compute(from, to, GP::parameters::tolerance(1e-5));
-      const double off = std::abs(cost.value / exact - 1.);
-      mean += off / rays;
-      largest = std::max(largest, off);
+      const double error = std::abs(cost.value / exact - 1.);
+      mean += error / rays;
+      largest = std::max(largest, error);
     }
     table.add({std::to_string(mesh.number_of_vertices()), std::to_string(refinements),
-               std::to_string(rays), number(100. * mean, 3), number(100. * largest, 3)});
+               std::to_string(rays), format_fixed(100. * mean, 3),
+               format_fixed(100. * largest, 3)});
   }
   std::printf("Between random places on both sides of a square, one three times as slow\n");
   table.print();

@@ -34,17 +34,17 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-std::vector<double> least_angles(const Mesh& mesh)
+std::vector<double> min_angles(const Mesh& mesh)
 {
   std::vector<double> result;
   for(const Face f : mesh.faces())
   {
-    double least = 180.;
+    double min_angle = 180.;
     for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
-      least = std::min(least, CGAL::approximate_angle(mesh.point(mesh.source(h)),
-                                                      mesh.point(mesh.target(h)),
-                                                      mesh.point(mesh.target(mesh.next(h)))));
-    result.push_back(least);
+      min_angle = std::min(
+          min_angle, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                             mesh.point(mesh.target(mesh.next(h)))));
+    result.push_back(min_angle);
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -61,8 +61,8 @@ double mean(const std::vector<double>& values)
 // From 100,000 random places of one mesh to another one.
 std::vector<double> distances(const Mesh& from, const Mesh& to)
 {
-  std::vector<Kernel::Point_3> places;
-  PMP::sample_triangle_mesh(from, std::back_inserter(places),
+  std::vector<Kernel::Point_3> samples;
+  PMP::sample_triangle_mesh(from, std::back_inserter(samples),
                             CGAL::parameters::use_random_uniform_sampling(true)
                                 .number_of_points_on_faces(100000)
                                 .do_sample_vertices(false)
@@ -71,7 +71,7 @@ std::vector<double> distances(const Mesh& from, const Mesh& to)
   Tree tree(faces(to).first, faces(to).second, to);
   tree.accelerate_distance_queries();
   std::vector<double> result;
-  for(const auto& p : places)
+  for(const auto& p : samples)
     result.push_back(std::sqrt(tree.squared_distance(p)));
   return result;
 }
@@ -93,27 +93,27 @@ std::size_t self_intersections(const Mesh& mesh)
 void add_quality(Table& table, const std::string& name, const Mesh& input, const Mesh& output,
                  double time)
 {
-  const std::vector<double> angles = least_angles(output);
+  const std::vector<double> angles = min_angles(output);
   const double percent = 100. / diagonal(input);
   std::vector<double> back = distances(input, output);
   for(double& x : back)
     x *= x;
-  table.add({name, std::to_string(num_vertices(output)), number(mean(angles), 1),
-             number(angles[angles.size() / 100], 1), number(angles.front(), 1),
-             number(percent * mean(distances(output, input)), 4),
-             number(percent * std::sqrt(mean(back)), 4), std::to_string(self_intersections(output)),
-             number(time, 2)});
+  table.add({name, std::to_string(num_vertices(output)), format_fixed(mean(angles), 1),
+             format_fixed(angles[angles.size() / 100], 1), format_fixed(angles.front(), 1),
+             format_fixed(percent * mean(distances(output, input)), 4),
+             format_fixed(percent * std::sqrt(mean(back)), 4),
+             std::to_string(self_intersections(output)), format_fixed(time, 2)});
 }
 
 // CGAL's with the length of edges that gives so many vertices, to within one percent.
-std::pair<Mesh, double> isotropic(const Mesh& input, std::size_t vertices)
+std::pair<Mesh, double> isotropic_remesh(const Mesh& input, std::size_t vertices)
 {
   double length = std::sqrt(PMP::area(input) * 2. / std::sqrt(3.) / double(vertices));
   std::pair<Mesh, double> result;
   for(int attempt = 0; attempt < 6; ++attempt)
   {
     result.first = input;
-    result.second = seconds(
+    result.second = cpu_seconds(
         [&]
         {
           PMP::isotropic_remeshing(faces(result.first), length, result.first,
@@ -128,7 +128,7 @@ std::pair<Mesh, double> isotropic(const Mesh& input, std::size_t vertices)
   return result;
 }
 
-void compare_quality(bool quick)
+void print_quality(bool quick)
 {
   std::printf("Angles in degrees, distances in percent of the diagonal\n");
   Table table({"Remeshing", "vertices", "mean", "1st percentile", "least", "mean to input",
@@ -140,14 +140,14 @@ void compare_quality(bool quick)
   for(const std::string& name : names)
     for(const std::size_t vertices : {std::size_t(1000), std::size_t(5000)})
     {
-      const auto input = model(name);
+      const auto input = load_model(name);
       if(!input)
         continue;
       const auto add =
           [&](const std::string& how, std::size_t steps, bool do_fit, double sharp_angle)
       {
         Mesh output;
-        const double time = seconds(
+        const double time = cpu_seconds(
             [&]
             {
               GP::geodesic_delaunay_remeshing(
@@ -164,25 +164,25 @@ void compare_quality(bool quick)
       add("30 steps, fitted", 30, true, 180.);
       if(name == "fandisk_6k5")
         add("30 steps, fitted, creases", 30, true, 40.);
-      const auto [output, time] = isotropic(*input, vertices);
+      const auto [output, time] = isotropic_remesh(*input, vertices);
       add_quality(table, name + ", CGAL", *input, output, time);
     }
   table.print();
   std::printf("Bar: angles and distances at least as good as CGAL's, in less time.\n\n");
 }
 
-struct Shape
+struct Topology
 {
   std::size_t components, borders;
   std::ptrdiff_t characteristic;
-  bool operator==(const Shape& other) const
+  bool operator==(const Topology& other) const
   {
     return components == other.components && borders == other.borders &&
            characteristic == other.characteristic;
   }
 };
 
-Shape shape_of(Mesh mesh)
+Topology topology_of(Mesh mesh)
 {
   const auto isolated = std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
                                       [&](Vertex v) { return mesh.is_isolated(v); });
@@ -208,7 +208,7 @@ bool has_repeated_faces(const Mesh& mesh)
   return false;
 }
 
-void check_topology(bool quick)
+void print_topology(bool quick)
 {
   std::printf(
       "Topology: vertices beyond the number asked for, and pairs of faces that intersect\n");
@@ -223,12 +223,12 @@ void check_topology(bool quick)
   {
     if(quick && file_size(file) > 300000)
       continue;
-    const auto mesh = model(file.stem().string());
+    const auto mesh = load_model(file.stem().string());
     if(!mesh || !CGAL::is_triangle_mesh(*mesh))
       continue;
-    const Shape shape = shape_of(*mesh);
-    const std::ptrdiff_t twice_genus =
-        2 * std::ptrdiff_t(shape.components) - std::ptrdiff_t(shape.borders) - shape.characteristic;
+    const Topology topology = topology_of(*mesh);
+    const std::ptrdiff_t twice_genus = 2 * std::ptrdiff_t(topology.components) -
+                                       std::ptrdiff_t(topology.borders) - topology.characteristic;
     bool is_kept = true;
     double time = 0.;
     std::vector<std::string> found;
@@ -236,11 +236,11 @@ void check_topology(bool quick)
     {
       Mesh output;
       GP::Remeshing_result result;
-      time += seconds(
+      time += cpu_seconds(
           [&] { result = GP::geodesic_delaunay_remeshing(*mesh, number_of_vertices, output); });
       std::vector<Face> degenerate;
       PMP::degenerate_faces(output, std::back_inserter(degenerate));
-      is_kept = is_kept && CGAL::is_valid_polygon_mesh(output) && shape_of(output) == shape &&
+      is_kept = is_kept && CGAL::is_valid_polygon_mesh(output) && topology_of(output) == topology &&
                 !has_repeated_faces(output) && degenerate.empty();
       found.push_back(std::to_string(result.added));
       found.push_back(std::to_string(self_intersections(output)));
@@ -248,11 +248,11 @@ void check_topology(bool quick)
     std::vector<std::string> row = {file.stem().string(),
                                     std::to_string(num_vertices(*mesh)),
                                     std::to_string(twice_genus / 2),
-                                    std::to_string(shape.components),
-                                    std::to_string(shape.borders),
+                                    std::to_string(topology.components),
+                                    std::to_string(topology.borders),
                                     is_kept ? "yes" : "NO"};
     row.insert(row.end(), found.begin(), found.end());
-    row.push_back(number(time, 2));
+    row.push_back(format_fixed(time, 2));
     table.add(row);
   }
   table.print();
@@ -261,9 +261,9 @@ void check_topology(bool quick)
 }
 
 // How far a part with creases and its remeshings are from each other at most, with as many vertices.
-void compare_densities()
+void print_densities()
 {
-  const auto input = model("fandisk_6k5");
+  const auto input = load_model("fandisk_6k5");
   if(!input)
     return;
   std::printf(
@@ -272,7 +272,7 @@ void compare_densities()
   Mesh mesh = *input;
   const auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
   const double percent = 100. / diagonal(mesh);
-  double even = 0.;
+  double uniform_error = 0.;
   const auto add =
       [&](const char* name, std::size_t number_of_vertices, double sharp_angle, double deviation)
   {
@@ -283,20 +283,20 @@ void compare_densities()
     const std::vector<double> there = distances(output, mesh), back = distances(mesh, output);
     const double to = percent * *std::max_element(there.begin(), there.end()),
                  from = percent * *std::max_element(back.begin(), back.end());
-    if(even == 0.)
-      even = std::max(to, from);
-    table.add({name, std::to_string(num_vertices(output)), number(to, 3), number(from, 3),
-               number(even / std::max(to, from), 1)});
+    if(uniform_error == 0.)
+      uniform_error = std::max(to, from);
+    table.add({name, std::to_string(num_vertices(output)), format_fixed(to, 3),
+               format_fixed(from, 3), format_fixed(uniform_error / std::max(to, from), 1)});
   };
-  constexpr double none = std::numeric_limits<double>::infinity();
-  add("even", 1000, 180., none);
-  add("even, creases of 40 degrees kept", 1000, 40., none);
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  add("even", 1000, 180., unbounded);
+  add("even, creases of 40 degrees kept", 1000, 40., unbounded);
   // Some more come where creases of so few degrees end.
-  add("even, creases of 20 degrees kept", 984, 20., none);
+  add("even, creases of 20 degrees kept", 984, 20., unbounded);
   GP::curvature_speeds(mesh, speed);
-  add("by curvature", 1000, 180., none);
-  add("by curvature, creases of 40 degrees kept", 1000, 40., none);
-  add("by curvature, creases of 20 degrees kept", 995, 20., none);
+  add("by curvature", 1000, 180., unbounded);
+  add("by curvature, creases of 40 degrees kept", 1000, 40., unbounded);
+  add("by curvature, creases of 20 degrees kept", 995, 20., unbounded);
   // As many as the deviation takes beyond the first ones.
   add("by curvature, creases of 40 degrees kept, and a deviation", 300, 40.,
       0.002 * diagonal(mesh));
@@ -304,7 +304,7 @@ void compare_densities()
   std::printf("Bar: 3 by curvature, with as many vertices.\n\n");
 }
 
-void measure_time(bool quick)
+void print_times(bool quick)
 {
   std::printf("Time\n");
   Table table({"Remeshing", "vertices", "to", "one front [s]", "seconds", "12 steps, fitted [s]",
@@ -312,11 +312,11 @@ void measure_time(bool quick)
   const auto add = [&](const std::string& name, const Mesh& mesh, std::size_t vertices)
   {
     GP::Geodesic_distance_solver<Mesh, GP::Euclidean_front> solver(mesh);
-    const double front = seconds([&] { solver.compute(Vertex(0)); });
+    const double front_time = cpu_seconds([&] { solver.compute(Vertex(0)); });
     const auto remesh = [&](std::size_t steps, bool do_fit)
     {
       Mesh output;
-      return seconds(
+      return cpu_seconds(
           [&]
           {
             GP::geodesic_delaunay_remeshing(
@@ -325,15 +325,17 @@ void measure_time(bool quick)
           });
     };
     // The first samples of those that move cost less.
-    const double none = remesh(0, false), fitted = remesh(12, true), five = remesh(5, false),
-                 fifteen = remesh(15, false);
-    table.add({name, std::to_string(num_vertices(mesh)), std::to_string(vertices), number(front, 3),
-               number(none, 2), number(fitted, 2), number((fifteen - five) / 10., 3),
-               number(isotropic(mesh, vertices).second, 2)});
+    const double unrelaxed_time = remesh(0, false), fitted_time = remesh(12, true),
+                 time_of_5_steps = remesh(5, false), time_of_15_steps = remesh(15, false);
+    table.add({name, std::to_string(num_vertices(mesh)), std::to_string(vertices),
+               format_fixed(front_time, 3), format_fixed(unrelaxed_time, 2),
+               format_fixed(fitted_time, 2),
+               format_fixed((time_of_15_steps - time_of_5_steps) / 10., 3),
+               format_fixed(isotropic_remesh(mesh, vertices).second, 2)});
   };
   add("Sphere", icosphere(quick ? 4 : 6), 1000);
   for(const std::string name : {"nefertiti_35k", "bunny_37k"})
-    if(const auto mesh = quick ? std::nullopt : model(name))
+    if(const auto mesh = quick ? std::nullopt : load_model(name))
     {
       add(name, *mesh, 5000);
       if(name == "bunny_37k")
@@ -351,8 +353,8 @@ int main(int argc, char* argv[])
   bool quick = false;
   for(int i = 1; i < argc; ++i)
     quick = quick || std::strcmp(argv[i], "--quick") == 0;
-  measure_time(quick);
-  compare_quality(quick);
-  compare_densities();
-  check_topology(quick);
+  print_times(quick);
+  print_quality(quick);
+  print_densities();
+  print_topology(quick);
 }

@@ -23,7 +23,7 @@ namespace benchmarks {
 
 // Processor time, which on a busy machine tells more than a watch does.
 template <typename Function>
-double seconds(Function f)
+double cpu_seconds(Function f)
 {
   const std::clock_t begin = std::clock();
   f();
@@ -32,7 +32,7 @@ double seconds(Function f)
 
 // The time on a watch, which is what threads shorten.
 template <typename Function>
-double seconds_on_a_watch(Function f)
+double wall_seconds(Function f)
 {
   const auto begin = std::chrono::steady_clock::now();
   f();
@@ -49,7 +49,7 @@ inline double median(std::vector<double> values)
 }
 
 // Bytes allocated now, or nan where nobody counts them.
-inline double bytes_in_use()
+inline double allocated_bytes()
 {
 #if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
   const auto info = mallinfo2();
@@ -59,8 +59,8 @@ inline double bytes_in_use()
 #endif
 }
 
-// Bytes resident at most since the last forget_peak(), where the system tells (Linux).
-inline double peak_bytes()
+// Bytes resident at most since the last reset_peak_memory(), where the system tells (Linux).
+inline double peak_memory()
 {
   std::ifstream status("/proc/self/status");
   std::string word;
@@ -75,7 +75,7 @@ inline double peak_bytes()
 }
 
 // Memory that is free but not given back would hide what comes next.
-inline void forget_peak()
+inline void reset_peak_memory()
 {
 #if defined(__GLIBC__)
   malloc_trim(0);
@@ -83,7 +83,7 @@ inline void forget_peak()
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-inline std::string number(double value, int decimals)
+inline std::string format_fixed(double value, int decimals)
 {
   if(std::isnan(value))
     return "-";
@@ -96,7 +96,7 @@ inline std::string number(double value, int decimals)
 }
 
 // Three digits that matter, however small.
-inline std::string digits(double value)
+inline std::string format_significant(double value)
 {
   if(std::isnan(value))
     return "-";
@@ -107,7 +107,7 @@ inline std::string digits(double value)
 }
 
 // The mean of what is added, and the largest of it.
-struct Spread
+struct Mean_and_max
 {
   double mean = 0., largest = 0.;
   std::size_t count = 0;
@@ -119,7 +119,7 @@ struct Spread
   }
   std::string percent(int decimals) const
   {
-    return number(100. * mean, decimals) + " / " + number(100. * largest, decimals);
+    return format_fixed(100. * mean, decimals) + " / " + format_fixed(100. * largest, decimals);
   }
 };
 
@@ -127,7 +127,7 @@ struct Spread
 class Table
 {
 public:
-  explicit Table(std::vector<std::string> head) { m_rows.push_back(std::move(head)); }
+  explicit Table(std::vector<std::string> header) { m_rows.push_back(std::move(header)); }
 
   void add(std::vector<std::string> row) { m_rows.push_back(std::move(row)); }
 

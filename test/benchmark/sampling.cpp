@@ -23,9 +23,9 @@ struct Task
   std::size_t samples;
 };
 
-std::optional<Mesh> cut(const std::string& name, unsigned times)
+std::optional<Mesh> subdivided_model(const std::string& name, unsigned times)
 {
-  auto mesh = model(name);
+  auto mesh = load_model(name);
   for(unsigned i = 0; mesh && i < times; ++i)
     mesh = refined(*mesh);
   return mesh;
@@ -52,21 +52,22 @@ void add(Table& table, const std::string& name, const Mesh& mesh, std::size_t nu
   // In turns, so that whatever else the machine does falls on all alike.
   for(int round = 0; round < 3; ++round)
   {
-    fronts_alone.push_back(seconds([&] { Solver(domain).compute(sources[round]); }));
-    samplings_alone.push_back(seconds([&] { sample(number_of_samples); }));
+    fronts_alone.push_back(cpu_seconds([&] { Solver(domain).compute(sources[round]); }));
+    samplings_alone.push_back(cpu_seconds([&] { sample(number_of_samples); }));
     Solver solver(domain);
     for(const Vertex source : sources)
-      fronts.push_back(seconds([&] { solver.compute(source); }));
-    tenths.push_back(seconds([&] { sample(number_of_samples / 10); }));
-    samplings.push_back(seconds([&] { sample(number_of_samples); }));
+      fronts.push_back(cpu_seconds([&] { solver.compute(source); }));
+    tenths.push_back(cpu_seconds([&] { sample(number_of_samples / 10); }));
+    samplings.push_back(cpu_seconds([&] { sample(number_of_samples); }));
   }
   const double front = median(fronts), all = median(samplings), tenth = median(tenths);
-  const double each = double(number_of_samples) / 10.; // of the first tenth
+  const double samples_per_tenth = double(number_of_samples) / 10.; // of the first tenth
   table.add({name, std::to_string(num_vertices(mesh)), method, std::to_string(samples.size()),
-             number(1000. * front, 1), number(all, 3), number(all / front, 1),
-             number(median(samplings_alone) / median(fronts_alone), 1),
-             digits(1000. * tenth / each), digits(1000. * (all - tenth) / (9. * each)),
-             digits(radii.back() / mean_edge(mesh))});
+             format_fixed(1000. * front, 1), format_fixed(all, 3), format_fixed(all / front, 1),
+             format_fixed(median(samplings_alone) / median(fronts_alone), 1),
+             format_significant(1000. * tenth / samples_per_tenth),
+             format_significant(1000. * (all - tenth) / (9. * samples_per_tenth)),
+             format_significant(radii.back() / mean_edge_length(mesh))});
 }
 
 } // namespace
@@ -78,13 +79,13 @@ int main(int argc, char* argv[])
   std::printf("Farthest points: processor time of one thread, medians of three rounds.\n\n");
   std::vector<Task> tasks = {
       {"icosphere 5", [] { return icosphere(5); }, 200},
-      {"bunny_37k", [] { return model("bunny_37k"); }, 200},
+      {"bunny_37k", [] { return load_model("bunny_37k"); }, 200},
   };
   if(!quick)
     tasks = {
         {"icosphere 7", [] { return icosphere(7); }, 5000},
-        {"bunny_37k once", [] { return cut("bunny_37k", 1); }, 5000},
-        {"mni152_grey_matter_533k", [] { return model("mni152_grey_matter_533k"); }, 1000},
+        {"bunny_37k once", [] { return subdivided_model("bunny_37k", 1); }, 5000},
+        {"mni152_grey_matter_533k", [] { return load_model("mni152_grey_matter_533k"); }, 1000},
     };
   Table table({"mesh", "vertices", "method", "samples", "one front [ms]", "all samples [s]",
                "in fronts", "alone", "one of the first tenth [ms]", "one of the rest [ms]",

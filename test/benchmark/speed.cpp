@@ -24,20 +24,23 @@ using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
 
 // CGAL's factorization takes minutes and gigabytes on large meshes as regular as icospheres and
 // grids, where it has the most to fill in.
-enum class Peer
+enum class Cgal_comparison
 {
-  beside,
-  left_out
+  always,
+  never
 };
 
 struct Named_mesh
 {
   std::string name;
   std::function<std::optional<Mesh>()> make;
-  Peer peer = Peer::beside;
+  Cgal_comparison cgal_heat = Cgal_comparison::always;
 };
 
-std::string milliseconds(double seconds) { return number(1000. * seconds, seconds < 0.01 ? 2 : 1); }
+std::string milliseconds(double seconds)
+{
+  return format_fixed(1000. * seconds, seconds < 0.01 ? 2 : 1);
+}
 
 std::vector<Vertex> random_vertices(std::size_t number_of_vertices, std::size_t number)
 {
@@ -53,73 +56,75 @@ std::vector<Vertex> random_vertices(std::size_t number_of_vertices, std::size_t 
 class Query_tables
 {
 public:
-  void add(const std::string& name, Mesh& mesh, Peer with)
+  void add(const std::string& name, Mesh& mesh, Cgal_comparison comparison)
   {
     const std::size_t n = num_vertices(mesh);
     const int repetitions = n < 200000 ? 9 : 5;
 
     // What the domain takes, and how much is needed while it is made.
-    forget_peak();
-    const double peak_before = peak_bytes(), before = bytes_in_use();
+    reset_peak_memory();
+    const double peak_before = peak_memory(), before = allocated_bytes();
     std::optional<Domain> domain;
-    std::vector<double> make = {seconds([&] { domain = GP::make_domain(mesh); })};
-    const double domain_bytes = bytes_in_use() - before;
-    const double peak = peak_bytes() - peak_before;
+    std::vector<double> domain_times = {cpu_seconds([&] { domain = GP::make_domain(mesh); })};
+    const double domain_bytes = allocated_bytes() - before;
+    const double peak = peak_memory() - peak_before;
     for(int i = 1; i < repetitions; ++i)
     {
-      std::optional<Domain> again; // destroyed outside the measure
-      make.push_back(seconds([&] { again = GP::make_domain(mesh); }));
+      std::optional<Domain> new_domain; // destroyed outside the measure
+      domain_times.push_back(cpu_seconds([&] { new_domain = GP::make_domain(mesh); }));
     }
 
     const auto sources = three_sources(n);
     Solver<GP::Dijkstra> dijkstra(*domain);
     dijkstra.compute(sources[0]);
     std::optional<Solver<GP::Fast_marching>> marching;
-    const double before_marching = bytes_in_use();
-    const double prepare_marching = seconds([&] { marching.emplace(*domain); });
+    const double before_marching = allocated_bytes();
+    const double prepare_marching = cpu_seconds([&] { marching.emplace(*domain); });
     marching->compute(sources[0]);
-    const double marching_bytes = bytes_in_use() - before_marching;
+    const double marching_bytes = allocated_bytes() - before_marching;
     std::optional<Solver<GP::Euclidean_front>> front;
-    const double before_front = bytes_in_use();
-    const double prepare_front = seconds([&] { front.emplace(*domain); });
+    const double before_front = allocated_bytes();
+    const double prepare_front = cpu_seconds([&] { front.emplace(*domain); });
     front->compute(sources[0]);
-    const double front_bytes = bytes_in_use() - before_front;
-    std::unique_ptr<Heat_peer> peer;
-    const double prepare_peer = with == Peer::beside
-                                    ? seconds([&] { peer = std::make_unique<Heat_peer>(mesh); })
-                                    : std::nan("");
+    const double front_bytes = allocated_bytes() - before_front;
+    std::unique_ptr<Cgal_heat_solver> cgal_heat;
+    const double prepare_cgal =
+        comparison == Cgal_comparison::always
+            ? cpu_seconds([&] { cgal_heat = std::make_unique<Cgal_heat_solver>(mesh); })
+            : std::nan("");
 
     // In turns, so that whatever else the machine does falls on all alike.
     const auto map = mesh.add_property_map<Vertex, double>("v:benchmark", 0.).first;
-    std::vector<double> arcs, planar, euclidean, write, solve;
+    std::vector<double> dijkstra_times, marching_times, front_times, write_times, cgal_times;
     for(int i = 0; i < repetitions; ++i)
     {
       const Vertex source = sources[std::size_t(i) % 3];
-      arcs.push_back(seconds([&] { dijkstra.compute(source); }));
-      planar.push_back(seconds([&] { marching->compute(source); }));
-      euclidean.push_back(seconds([&] { front->compute(source); }));
-      write.push_back(seconds([&] { front->write_distances(map); }));
-      if(peer)
-        solve.push_back(seconds([&] { peer->compute(source); }));
+      dijkstra_times.push_back(cpu_seconds([&] { dijkstra.compute(source); }));
+      marching_times.push_back(cpu_seconds([&] { marching->compute(source); }));
+      front_times.push_back(cpu_seconds([&] { front->compute(source); }));
+      write_times.push_back(cpu_seconds([&] { front->write_distances(map); }));
+      if(cgal_heat)
+        cgal_times.push_back(cpu_seconds([&] { cgal_heat->compute(source); }));
     }
-    std::size_t unset = 0;
-    if(peer)
+    std::size_t number_unset = 0;
+    if(cgal_heat)
       for(const Vertex v : mesh.vertices())
-        unset += std::isfinite(peer->distance(v)) ? 0 : 1;
+        number_unset += std::isfinite(cgal_heat->distance(v)) ? 0 : 1;
 
-    m_queries.add({name, std::to_string(n), number(100. * part_of_obtuse_faces(mesh), 0),
-                   milliseconds(median(arcs)), milliseconds(median(planar)),
-                   milliseconds(median(euclidean)), milliseconds(median(write)),
-                   milliseconds(median(solve)), peer ? std::to_string(unset) : "-",
-                   number(median(euclidean) / median(planar), 2),
-                   number(median(solve) / median(planar), 2),
-                   number(median(solve) / (median(planar) + median(write)), 2),
-                   number(median(solve) / median(euclidean), 2)});
-    m_domains.add({name, std::to_string(n), milliseconds(median(make)),
+    m_queries.add(
+        {name, std::to_string(n), format_fixed(100. * obtuse_face_ratio(mesh), 0),
+         milliseconds(median(dijkstra_times)), milliseconds(median(marching_times)),
+         milliseconds(median(front_times)), milliseconds(median(write_times)),
+         milliseconds(median(cgal_times)), cgal_heat ? std::to_string(number_unset) : "-",
+         format_fixed(median(front_times) / median(marching_times), 2),
+         format_fixed(median(cgal_times) / median(marching_times), 2),
+         format_fixed(median(cgal_times) / (median(marching_times) + median(write_times)), 2),
+         format_fixed(median(cgal_times) / median(front_times), 2)});
+    m_domains.add({name, std::to_string(n), milliseconds(median(domain_times)),
                    milliseconds(prepare_marching), milliseconds(prepare_front),
-                   number(prepare_peer, 1), number(domain_bytes / double(n), 0),
-                   number(peak / double(n), 0), number(marching_bytes / double(n), 0),
-                   number(front_bytes / double(n), 0)});
+                   format_fixed(prepare_cgal, 1), format_fixed(domain_bytes / double(n), 0),
+                   format_fixed(peak / double(n), 0), format_fixed(marching_bytes / double(n), 0),
+                   format_fixed(front_bytes / double(n), 0)});
   }
 
   void print() const
@@ -149,8 +154,8 @@ private:
 // Queries that stop after about a thousand vertices.
 
 // The distance from the source within which `wanted` vertices are, or nan in a component of fewer.
-double reach_of(Solver<GP::Euclidean_front>& front, Vertex source, std::size_t wanted,
-                double first_guess)
+double radius_of_count(Solver<GP::Euclidean_front>& front, Vertex source, std::size_t count,
+                       double first_guess)
 {
   std::size_t reached = 0;
   for(double radius = first_guess;; radius *= 1.5)
@@ -159,9 +164,9 @@ double reach_of(Solver<GP::Euclidean_front>& front, Vertex source, std::size_t w
     std::vector<double> distances;
     for(const Vertex v : front.reached())
       distances.push_back(front.distance(v));
-    if(distances.size() >= wanted)
+    if(distances.size() >= count)
     {
-      const auto last = distances.begin() + std::ptrdiff_t(wanted - 1);
+      const auto last = distances.begin() + std::ptrdiff_t(count - 1);
       std::nth_element(distances.begin(), last, distances.end());
       return *last;
     }
@@ -177,32 +182,33 @@ void measure_bounded(const std::string& name, const Mesh& mesh)
   Solver<GP::Fast_marching> marching(domain);
   Solver<GP::Euclidean_front> front(domain);
 
-  const double first_guess = 20. * mean_edge(mesh); // a thousand vertices of a plane, and some
-  std::vector<double> planar, euclidean, reached;
+  const double first_guess =
+      20. * mean_edge_length(mesh); // a thousand vertices of a plane, and some
+  std::vector<double> marching_times, front_times, reached;
   for(const Vertex source : random_vertices(num_vertices(mesh), 201))
   {
-    const double bound = reach_of(front, source, 1000, first_guess);
+    const double bound = radius_of_count(front, source, 1000, first_guess);
     if(std::isnan(bound))
       continue;
-    planar.push_back(
-        seconds([&] { marching.compute(source, GP::parameters::maximum_distance(bound)); }));
-    euclidean.push_back(
-        seconds([&] { front.compute(source, GP::parameters::maximum_distance(bound)); }));
+    marching_times.push_back(
+        cpu_seconds([&] { marching.compute(source, GP::parameters::maximum_distance(bound)); }));
+    front_times.push_back(
+        cpu_seconds([&] { front.compute(source, GP::parameters::maximum_distance(bound)); }));
     reached.push_back(double(front.reached().size()));
   }
   Table table(
       {"Bounded query", "vertices", "reached", "marching [ms]", "Euclidean [ms]", "slowest [ms]"});
-  if(!euclidean.empty())
-    table.add({name, std::to_string(num_vertices(mesh)), number(median(reached), 0),
-               milliseconds(median(planar)), milliseconds(median(euclidean)),
-               milliseconds(*std::max_element(euclidean.begin(), euclidean.end()))});
+  if(!front_times.empty())
+    table.add({name, std::to_string(num_vertices(mesh)), format_fixed(median(reached), 0),
+               milliseconds(median(marching_times)), milliseconds(median(front_times)),
+               milliseconds(*std::max_element(front_times.begin(), front_times.end()))});
   table.print();
-  std::printf("Bar: below 1 ms.  Medians of %zu random sources.\n\n", euclidean.size());
+  std::printf("Bar: below 1 ms.  Medians of %zu random sources.\n\n", front_times.size());
 }
 
 // Paths between two vertices of a prepared mesh.
 
-struct Way
+struct Path_method
 {
   std::string name;
   double prepare; // seconds
@@ -214,32 +220,32 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
 {
   const auto domain = GP::make_domain(mesh);
 
-  std::vector<Way> ways;
-  ways.push_back({"geodesic_path(domain)", 0.,
-                  [&](Vertex p, Vertex q) { return GP::geodesic_path(domain, p, q).length; }});
+  std::vector<Path_method> methods;
+  methods.push_back({"geodesic_path(domain)", 0.,
+                     [&](Vertex p, Vertex q) { return GP::geodesic_path(domain, p, q).length; }});
   Solver<GP::Euclidean_front> front(domain);
-  ways.push_back({"Geodesic_distance_solver, targets", 0.,
-                  [&](Vertex p, Vertex q)
-                  {
-                    front.compute(q, GP::parameters::targets(p));
-                    return front.path(p).length;
-                  }});
+  methods.push_back({"Geodesic_distance_solver, targets", 0.,
+                     [&](Vertex p, Vertex q)
+                     {
+                       front.compute(q, GP::parameters::targets(p));
+                       return front.path(p).length;
+                     }});
   for(const unsigned landmarks : {0u, 16u})
   {
-    std::shared_ptr<GP::Geodesic_path_finder<Mesh>> find;
-    const double prepare = seconds(
+    std::shared_ptr<GP::Geodesic_path_finder<Mesh>> path_finder;
+    const double prepare = cpu_seconds(
         [&]
         {
-          find = std::make_shared<GP::Geodesic_path_finder<Mesh>>(domain);
-          find->add_landmarks(landmarks);
+          path_finder = std::make_shared<GP::Geodesic_path_finder<Mesh>>(domain);
+          path_finder->add_landmarks(landmarks);
         });
-    ways.push_back({"Geodesic_path_finder, " + std::to_string(landmarks) + " landmarks", prepare,
-                    [find](Vertex p, Vertex q) { return (*find)(p, q).length; }});
+    methods.push_back({"Geodesic_path_finder, " + std::to_string(landmarks) + " landmarks", prepare,
+                       [path_finder](Vertex p, Vertex q) { return (*path_finder)(p, q).length; }});
   }
 
   // Every way takes the pairs twice: what the first round finds out and keeps is told apart.
   constexpr std::size_t number_of_pairs = 200;
-  const auto ends = random_vertices(num_vertices(mesh), 2 * number_of_pairs);
+  const auto endpoints = random_vertices(num_vertices(mesh), 2 * number_of_pairs);
 
   const auto sources = three_sources(num_vertices(coarse));
   std::vector<std::vector<double>> exact;
@@ -249,26 +255,28 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
 
   Table table({"Path between random vertices", "prepare [ms]", "median [ms]", "90 % [ms]",
                "slowest [ms]", "first round, median", "excess %, mean", "median", "largest"});
-  for(const Way& way : ways)
+  for(const Path_method& method : methods)
   {
-    std::vector<double> first, again, excess;
-    for(auto* times : {&first, &again})
+    std::vector<double> first_round, second_round, excess;
+    for(auto* times : {&first_round, &second_round})
       for(std::size_t i = 0; i < number_of_pairs; ++i)
-        times->push_back(seconds([&] { way.length(ends[2 * i], ends[2 * i + 1]); }));
+        times->push_back(
+            cpu_seconds([&] { method.length(endpoints[2 * i], endpoints[2 * i + 1]); }));
     double sum = 0.;
     for(std::size_t i = 0; i < targets.size(); ++i)
     {
       const double shortest = exact[i % 3][std::size_t(targets[i])];
       if(!(shortest > 0.))
         continue;
-      excess.push_back(100. * (way.length(sources[i % 3], targets[i]) / shortest - 1.));
+      excess.push_back(100. * (method.length(sources[i % 3], targets[i]) / shortest - 1.));
       sum += excess.back();
     }
-    std::sort(again.begin(), again.end());
-    table.add({way.name, milliseconds(way.prepare), milliseconds(median(again)),
-               milliseconds(again[again.size() * 9 / 10]), milliseconds(again.back()),
-               milliseconds(median(first)), digits(sum / double(excess.size())),
-               digits(median(excess)), digits(*std::max_element(excess.begin(), excess.end()))});
+    std::sort(second_round.begin(), second_round.end());
+    table.add({method.name, milliseconds(method.prepare), milliseconds(median(second_round)),
+               milliseconds(second_round[second_round.size() * 9 / 10]),
+               milliseconds(second_round.back()), milliseconds(median(first_round)),
+               format_significant(sum / double(excess.size())), format_significant(median(excess)),
+               format_significant(*std::max_element(excess.begin(), excess.end()))});
   }
   std::printf("%s, %zu vertices\n", name.c_str(), std::size_t(num_vertices(mesh)));
   table.print();
@@ -284,8 +292,8 @@ int main(int argc, char* argv[])
 
   std::printf("Speed: processor time of one thread, medians.\n\n");
 
-  const auto scan = model("bunny_37k");
-  const auto scan_cut = [&](unsigned times) -> std::optional<Mesh>
+  const auto scan = load_model("bunny_37k");
+  const auto subdivided_scan = [&](unsigned times) -> std::optional<Mesh>
   {
     if(!scan)
       return std::nullopt;
@@ -297,22 +305,22 @@ int main(int argc, char* argv[])
   std::vector<Named_mesh> meshes = {
       {"icosphere 5", [] { return icosphere(5); }},
       {"square 101^2", [] { return jittered_square(101); }},
-      {"bunny_37k", [&] { return scan_cut(0); }},
+      {"bunny_37k", [&] { return subdivided_scan(0); }},
   };
   if(!quick)
     meshes = {
         {"icosphere 7", [] { return icosphere(7); }},
-        {"icosphere 8", [] { return icosphere(8); }, Peer::left_out},
-        {"square 1001^2", [] { return jittered_square(1001); }, Peer::left_out},
-        {"bunny_37k once", [&] { return scan_cut(1); }},
-        {"bunny_37k twice", [&] { return scan_cut(2); }},
-        {"mni152_grey_matter_533k", [] { return model("mni152_grey_matter_533k"); }},
+        {"icosphere 8", [] { return icosphere(8); }, Cgal_comparison::never},
+        {"square 1001^2", [] { return jittered_square(1001); }, Cgal_comparison::never},
+        {"bunny_37k once", [&] { return subdivided_scan(1); }},
+        {"bunny_37k twice", [&] { return subdivided_scan(2); }},
+        {"mni152_grey_matter_533k", [] { return load_model("mni152_grey_matter_533k"); }},
     };
 
   Query_tables queries;
   for(const Named_mesh& named : meshes)
     if(auto mesh = named.make())
-      queries.add(named.name, *mesh, named.peer);
+      queries.add(named.name, *mesh, named.cgal_heat);
   queries.print();
 
   // The last mesh that there is: the largest model, else the largest made here.
@@ -324,7 +332,7 @@ int main(int argc, char* argv[])
     }
 
   if(scan)
-    measure_paths(quick ? "bunny_37k" : "bunny_37k once", *scan_cut(quick ? 0 : 1), *scan);
+    measure_paths(quick ? "bunny_37k" : "bunny_37k once", *subdivided_scan(quick ? 0 : 1), *scan);
   else
   {
     const Mesh coarse = icosphere(quick ? 4 : 5);

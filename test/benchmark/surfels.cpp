@@ -30,7 +30,7 @@ using namespace CGAL::Geodesic_processing::test;
 
 constexpr unsigned number_of_pairs = 100;
 
-using Curve = std::vector<Spatial>;
+using Curve = std::vector<Vec3>;
 struct Geodesic
 {
   Curve curve;
@@ -38,31 +38,32 @@ struct Geodesic
 };
 
 // The geodesics between two places of a surface: one, or those on both ways round, shortest first.
-using Geodesics = std::function<std::vector<Geodesic>(const Spatial&, const Spatial&)>;
+using Geodesics = std::function<std::vector<Geodesic>(const Vec3&, const Vec3&)>;
 
-constexpr int fine = 2000; // points of a true curve
+constexpr int curve_resolution = 2000; // points of a true curve
 
-std::vector<Geodesic> straight(const Spatial& p, const Spatial& q)
+std::vector<Geodesic> straight_segment(const Vec3& p, const Vec3& q)
 {
   Curve curve;
-  for(int i = 0; i <= fine; ++i)
-    curve.push_back(p + double(i) / fine * (q - p));
+  for(int i = 0; i <= curve_resolution; ++i)
+    curve.push_back(p + double(i) / curve_resolution * (q - p));
   return {{curve, norm(q - p)}};
 }
 
-std::vector<Geodesic> great_circle(const Spatial& p, const Spatial& q)
+std::vector<Geodesic> great_circle(const Vec3& p, const Vec3& q)
 {
   const double angle = 2. * std::asin(std::min(1., norm(q - p) / 2.));
-  const Spatial across = unit(q - dot(p, q) * p);
+  const Vec3 across = unit(q - dot(p, q) * p);
   Curve curve;
-  for(int i = 0; i <= fine; ++i)
-    curve.push_back(std::cos(angle * i / fine) * p + std::sin(angle * i / fine) * across);
+  for(int i = 0; i <= curve_resolution; ++i)
+    curve.push_back(std::cos(angle * i / curve_resolution) * p +
+                    std::sin(angle * i / curve_resolution) * across);
   return {{curve, angle}};
 }
 
 constexpr double cylinder_radius = 15., cylinder_height = 30.;
 
-std::vector<Geodesic> helices(const Spatial& p, const Spatial& q)
+std::vector<Geodesic> helices(const Vec3& p, const Vec3& q)
 {
   const double begin = std::atan2(p[1], p[0]);
   const double turn = std::remainder(std::atan2(q[1], q[0]) - begin, 2. * pi);
@@ -70,9 +71,9 @@ std::vector<Geodesic> helices(const Spatial& p, const Spatial& q)
   for(const double angle : {turn, turn - std::copysign(2. * pi, turn)})
   {
     Curve curve;
-    for(int i = 0; i <= fine; ++i)
+    for(int i = 0; i <= curve_resolution; ++i)
     {
-      const double t = double(i) / fine, a = begin + t * angle;
+      const double t = double(i) / curve_resolution, a = begin + t * angle;
       curve.push_back(
           {cylinder_radius * std::cos(a), cylinder_radius * std::sin(a), p[2] + t * (q[2] - p[2])});
     }
@@ -82,21 +83,21 @@ std::vector<Geodesic> helices(const Spatial& p, const Spatial& q)
 }
 
 // The root of the mean squared distance of the points of one curve to the other.
-double deviation(const Curve& points, const Curve& polyline)
+double rms_distance(const Curve& points, const Curve& polyline)
 {
   double sum = 0.;
-  for(const Spatial& p : points)
+  for(const Vec3& p : points)
   {
-    double least = infinity;
+    double min_squared_distance = infinity;
     for(std::size_t i = 0; i + 1 < polyline.size(); ++i)
     {
-      const Spatial segment = polyline[i + 1] - polyline[i], way = p - polyline[i];
+      const Vec3 segment = polyline[i + 1] - polyline[i], offset = p - polyline[i];
       const double square = dot(segment, segment);
-      const double share = square > 0. ? std::clamp(dot(way, segment) / square, 0., 1.) : 0.;
-      const Spatial rest = way - share * segment;
-      least = std::min(least, dot(rest, rest));
+      const double t = square > 0. ? std::clamp(dot(offset, segment) / square, 0., 1.) : 0.;
+      const Vec3 rest = offset - t * segment;
+      min_squared_distance = std::min(min_squared_distance, dot(rest, rest));
     }
-    sum += least;
+    sum += min_squared_distance;
   }
   return std::sqrt(sum / double(points.size()));
 }
@@ -116,10 +117,10 @@ struct Surface
 
 // Pairs nearer to each other than a twentieth of the diagonal are drawn again: their relative errors
 // say more about the noise of two surfels than about a path.
-std::vector<std::pair<Index, Index>> pairs(const Cloud& cloud)
+std::vector<std::pair<Index, Index>> random_pairs(const Cloud& cloud)
 {
-  Spatial low = cloud.points[0], high = low;
-  for(const Spatial& p : cloud.points)
+  Vec3 low = cloud.points[0], high = low;
+  for(const Vec3& p : cloud.points)
     for(int k = 0; k < 3; ++k)
     {
       low[k] = std::min(low[k], p[k]);
@@ -138,18 +139,18 @@ std::vector<std::pair<Index, Index>> pairs(const Cloud& cloud)
 
 Errors errors(const Surface& surface, const Cloud& cloud, const Cloud_path_options& options)
 {
-  const auto prepared = std::make_shared<const Prepared_cloud>(cloud.points, cloud.normals,
-                                                               std::vector<double>(), options);
-  Cloud_path_finder finder(prepared);
-  const Surfel_cloud& c = prepared->cloud();
+  const auto fitted_cloud = std::make_shared<const Fitted_cloud>(cloud.points, cloud.normals,
+                                                                 std::vector<double>(), options);
+  Cloud_path_finder finder(fitted_cloud);
+  const Surfel_cloud& c = fitted_cloud->cloud();
   Errors sum;
-  for(const auto& [a, b] : pairs(surface.clean))
+  for(const auto& [a, b] : random_pairs(surface.clean))
   {
     const Cloud_path found =
-        finder({c.site_of_surfel[a], {0., 0.}}, {c.site_of_surfel[b], {0., 0.}});
+        finder({c.internal_vertex[a], {0., 0.}}, {c.internal_vertex[b], {0., 0.}});
     Curve path;
-    for(const Foot& foot : found.path.points)
-      path.push_back(c.frame.origin + c.frame.scale * foot.point);
+    for(const Projection& projection : found.path.points)
+      path.push_back(c.frame.origin + c.frame.scale * projection.point);
     const auto truths = surface.geodesics(surface.clean.points[a], surface.clean.points[b]);
     const double truth = truths.front().length;
     const double e = c.frame.scale * found.path.length / truth - 1.;
@@ -157,37 +158,39 @@ Errors errors(const Surface& surface, const Cloud& cloud, const Cloud_path_optio
     double d = infinity;
     for(const auto& [curve, length] : truths)
       if(length <= (1. + 0.02) * truth)
-        d = std::min(d, std::max(deviation(path, curve), deviation(curve, path)) / truth);
+        d = std::min(d, std::max(rms_distance(path, curve), rms_distance(curve, path)) / truth);
     sum.length += e * e;
     sum.path += d * d;
-    sum.control_points += double(found.path.control_points);
+    sum.control_points += double(found.path.number_of_control_points);
   }
   return {std::sqrt(sum.length / number_of_pairs), std::sqrt(sum.path / number_of_pairs),
           sum.control_points / number_of_pairs};
 }
 
-std::string percent(double value) { return digits(100. * value); }
+std::string percent(double value) { return format_significant(100. * value); }
 
-struct Printed
+struct Published_errors
 {
   double length, path;
 };
 
-void add_row(Table& table, const std::string& name, std::size_t surfels, const Printed& paper,
-             const Printed& hp, const Errors& disks, const Errors& ours)
+void add_row(Table& table, const std::string& name, std::size_t surfels,
+             const Published_errors& paper, const Published_errors& hp, const Errors& disks,
+             const Errors& ours)
 {
-  table.add({name, std::to_string(surfels), digits(paper.length), digits(paper.path),
-             digits(hp.length), digits(hp.path), percent(disks.length), percent(disks.path),
-             percent(ours.length), percent(ours.path), number(ours.control_points, 0)});
+  table.add({name, std::to_string(surfels), format_significant(paper.length),
+             format_significant(paper.path), format_significant(hp.length),
+             format_significant(hp.path), percent(disks.length), percent(disks.path),
+             percent(ours.length), percent(ours.path), format_fixed(ours.control_points, 0)});
 }
 
-std::vector<std::string> head()
+std::vector<std::string> table_header()
 {
   return {"surface",  "surfels", "EG paper", "EP", "EG HP", "EP",
           "EG disks", "EP",      "EG ours",  "EP", "points"};
 }
 
-Cloud_path_options with(Surfel_path_method method)
+Cloud_path_options with_method(Surfel_path_method method)
 {
   Cloud_path_options options;
   options.method = method;
@@ -197,12 +200,12 @@ Cloud_path_options with(Surfel_path_method method)
 void print_clean(std::vector<Surface>& surfaces)
 {
   std::printf("Table 3, clean clouds: relative errors in percent\n");
-  Table table(head());
-  const Printed paper[] = {{8.0e-2, 3.5e-2}, {2.1e-5, 1.1e-4}, {4.5e-2, 5.1e-3}},
-                hp[] = {{4.0e-2, 1.0e-2}, {2.7e-5, 2.7e-7}, {4.6e-1, 9.0e-2}};
+  Table table(table_header());
+  const Published_errors paper[] = {{8.0e-2, 3.5e-2}, {2.1e-5, 1.1e-4}, {4.5e-2, 5.1e-3}},
+                         hp[] = {{4.0e-2, 1.0e-2}, {2.7e-5, 2.7e-7}, {4.6e-1, 9.0e-2}};
   for(std::size_t i = 0; i < surfaces.size(); ++i)
     add_row(table, surfaces[i].name, surfaces[i].clean.size(), paper[i], hp[i],
-            errors(surfaces[i], surfaces[i].clean, with(Surfel_path_method::disks)),
+            errors(surfaces[i], surfaces[i].clean, with_method(Surfel_path_method::disks)),
             errors(surfaces[i], surfaces[i].clean, {}));
   table.print();
 }
@@ -210,15 +213,15 @@ void print_clean(std::vector<Surface>& surfaces)
 void print_spheres()
 {
   std::printf("Table 4, unit spheres from the octahedron\n");
-  Table table(head());
-  const Printed paper[] = {
+  Table table(table_header());
+  const Published_errors paper[] = {
       {6.20, 2.162}, {2.95, 0.885}, {1.02, 0.275}, {0.34, 0.074}, {0.08, 0.035}};
   for(unsigned i = 0; i < 5; ++i)
   {
     const Surface sphere = {"level " + std::to_string(3 + i), octahedron_sphere(3 + i),
                             great_circle};
     add_row(table, sphere.name, sphere.clean.size(), paper[i], {std::nan(""), std::nan("")},
-            errors(sphere, sphere.clean, with(Surfel_path_method::disks)),
+            errors(sphere, sphere.clean, with_method(Surfel_path_method::disks)),
             errors(sphere, sphere.clean, {}));
   }
   table.print();
@@ -228,27 +231,27 @@ std::vector<double> radii(const Cloud& cloud)
 {
   const Surfel_cloud c = make_cloud(cloud.points, cloud.normals);
   std::vector<double> result;
-  for(const Index site : c.site_of_surfel)
-    result.push_back(c.frame.scale * c.radius[site]);
+  for(const Index v : c.internal_vertex)
+    result.push_back(c.frame.scale * c.radius[v]);
   return result;
 }
 
 void print_noisy(std::vector<Surface>& surfaces)
 {
   std::printf("Table 5, noise; +5 %%: as many outliers at level 200 %% added\n");
-  Table table(head()),
+  Table table(table_header()),
       weights({"surface", "surfels", "EG spheres", "EP", "EG robust spheres", "EP"});
-  const Printed paper[] = {{0.49, 0.25}, {0.019, 0.097}, {0.69, 0.46},
-                           {0.88, 0.31}, {0.023, 0.11},  {1.04, 0.71}},
-                hp[] = {{8.50, 0.10},  {0.12, 0.24}, {2.50, 0.94},
-                        {22.20, 0.15}, {0.49, 0.8},  {16.38, 3.70}};
-  const Printed none_printed = {std::nan(""), std::nan("")};
+  const Published_errors paper[] = {{0.49, 0.25}, {0.019, 0.097}, {0.69, 0.46},
+                                    {0.88, 0.31}, {0.023, 0.11},  {1.04, 0.71}},
+                         hp[] = {{8.50, 0.10},  {0.12, 0.24}, {2.50, 0.94},
+                                 {22.20, 0.15}, {0.49, 0.8},  {16.38, 3.70}};
+  const Published_errors not_published = {std::nan(""), std::nan("")};
   const auto add_weights = [&](const Surface& s, const std::string& name, const Cloud& cloud)
   {
     std::vector<std::string> row = {name, std::to_string(cloud.size())};
     for(const auto method : {Surfel_path_method::spheres, Surfel_path_method::robust_spheres})
     {
-      Cloud_path_options options = with(method);
+      Cloud_path_options options = with_method(method);
       options.noise = Surfel_noise::kept;
       const Errors e = errors(s, cloud, options);
       row.push_back(percent(e.length));
@@ -257,10 +260,10 @@ void print_noisy(std::vector<Surface>& surfaces)
     weights.add(row);
   };
   const auto add = [&](const Surface& s, const std::string& name, const Cloud& noisy,
-                       const Printed& p, const Printed& h)
+                       const Published_errors& p, const Published_errors& h)
   {
-    add_row(table, name, noisy.size(), p, h, errors(s, noisy, with(Surfel_path_method::disks)),
-            errors(s, noisy, {}));
+    add_row(table, name, noisy.size(), p, h,
+            errors(s, noisy, with_method(Surfel_path_method::disks)), errors(s, noisy, {}));
   };
   for(int level = 1; level <= 2; ++level)
     for(std::size_t i = 0; i < 3; ++i)
@@ -271,11 +274,11 @@ void print_noisy(std::vector<Surface>& surfaces)
       const std::size_t row = 3 * std::size_t(level - 1) + i;
       const std::string name = s.name + " " + std::to_string(50 * level) + " %";
       add(s, name, noisy, paper[row], hp[row]);
-      add(s, name + " +5 %", with_outliers(noisy, s.clean, r, 0.05, 2., 8), none_printed,
-          none_printed);
+      add(s, name + " +5 %", with_outliers(noisy, s.clean, r, 0.05, 2., 8), not_published,
+          not_published);
     }
   const Cloud scanned = scanned_square(94, 70, 3);
-  Surface square = {"scan", scanned_square(94, 70, 0), straight};
+  Surface square = {"scan", scanned_square(94, 70, 0), straight_segment};
   add(square, "scanned plane", scanned, {0.15, 0.25}, {0.40, 0.33});
   table.print();
   std::printf("Plain and robust weights, nothing removed\n");
@@ -295,19 +298,19 @@ void print_noisy(std::vector<Surface>& surfaces)
 }
 
 // A surface where a function is zero.
-class Implicit : public Path_surface
+class Implicit_surface : public Path_surface
 {
 public:
-  using Function = std::function<double(const Spatial&, Spatial& gradient)>;
+  using Function = std::function<double(const Vec3&, Vec3& gradient)>;
 
-  explicit Implicit(Function function) : m_function(std::move(function)) {}
+  explicit Implicit_surface(Function function) : m_function(std::move(function)) {}
 
-  Foot foot(const Spatial& point, Index) const override
+  Projection project(const Vec3& point, Index) const override
   {
-    Foot result = {point, {0., 0., 0.}, {0., 0., 0.}, 0};
+    Projection result = {point, {0., 0., 0.}, {0., 0., 0.}, 0};
     for(int i = 0; i < 6; ++i)
     {
-      Spatial gradient;
+      Vec3 gradient;
       const double value = m_function(result.point, gradient);
       result.normal = unit(gradient);
       result.point = result.point - value / dot(gradient, gradient) * gradient;
@@ -319,7 +322,7 @@ private:
   Function m_function;
 };
 
-double torus(const Spatial& p, Spatial& gradient)
+double torus(const Vec3& p, Vec3& gradient)
 {
   const double ring = std::hypot(p[0], p[1]), out = std::hypot(ring - 1., p[2]);
   const double along = (ring - 1.) / (out * ring);
@@ -327,9 +330,9 @@ double torus(const Spatial& p, Spatial& gradient)
   return out - 0.4;
 }
 
-constexpr Spatial axes = {1., 0.7, 0.5};
+constexpr Vec3 axes = {1., 0.7, 0.5};
 
-double ellipsoid(const Spatial& p, Spatial& gradient)
+double ellipsoid(const Vec3& p, Vec3& gradient)
 {
   double value = -1.;
   for(int k = 0; k < 3; ++k)
@@ -346,37 +349,40 @@ void print_orders()
   std::printf(
       "Surfaces that no algebraic sphere is: EG in percent, the truth by the surface's formula\n");
   Table table({"surface", "surfels", "EG", "times smaller"});
-  const auto add = [&](const std::string& name, const Implicit& surface, const auto& make_points)
+  const auto add =
+      [&](const std::string& name, const Implicit_surface& surface, const auto& make_points)
   {
     double before = std::nan("");
     for(std::size_t n = 1000; n <= 64000; n *= 4)
     {
       const Cloud cloud = make_points(n);
-      Cloud_path_finder finder(std::make_shared<const Prepared_cloud>(
+      Cloud_path_finder finder(std::make_shared<const Fitted_cloud>(
           cloud.points, cloud.normals, std::vector<double>(), Cloud_path_options()));
-      const Surfel_cloud& c = finder.prepared()->cloud();
+      const Surfel_cloud& c = finder.fitted_cloud()->cloud();
       double sum = 0.;
-      for(const auto& [a, b] : pairs(cloud))
+      for(const auto& [a, b] : random_pairs(cloud))
       {
         const Cloud_path found =
-            finder({c.site_of_surfel[a], {0., 0.}}, {c.site_of_surfel[b], {0., 0.}});
-        std::vector<Foot> chain = found.path.points;
-        for(Foot& foot : chain)
-          foot.point = c.frame.origin + c.frame.scale * foot.point;
+            finder({c.internal_vertex[a], {0., 0.}}, {c.internal_vertex[b], {0., 0.}});
+        std::vector<Projection> chain = found.path.points;
+        for(Projection& projection : chain)
+          projection.point = c.frame.origin + c.frame.scale * projection.point;
         chain.front().point = cloud.points[a];
         chain.back().point = cloud.points[b];
         Path_options options;
-        options.control_points = 1000;
-        const double truth = shortened(surface, options, chain).length;
+        options.number_of_control_points = 1000;
+        const double truth = shorten_path(surface, options, chain).length;
         sum += std::pow(c.frame.scale * found.path.length / truth - 1., 2);
       }
       const double error = std::sqrt(sum / number_of_pairs);
-      table.add({name, std::to_string(cloud.size()), percent(error), number(before / error, 1)});
+      table.add(
+          {name, std::to_string(cloud.size()), percent(error), format_fixed(before / error, 1)});
       before = error;
     }
   };
-  add("torus", Implicit(torus), [](std::size_t n) { return torus_cloud(n, 0.4); });
-  add("ellipsoid", Implicit(ellipsoid), [](std::size_t n) { return ellipsoid_cloud(n, axes); });
+  add("torus", Implicit_surface(torus), [](std::size_t n) { return torus_cloud(n, 0.4); });
+  add("ellipsoid", Implicit_surface(ellipsoid),
+      [](std::size_t n) { return ellipsoid_cloud(n, axes); });
   table.print();
   std::printf("wanted: 4 times smaller with 4 times as many surfels\n\n");
 }
@@ -389,34 +395,36 @@ void print_path_times(const std::vector<Surface>& surfaces)
   const auto add = [&](const std::string& name, const Cloud& clean, const Cloud& cloud,
                        double paper_points, double paper, double hp)
   {
-    std::shared_ptr<const Prepared_cloud> prepared;
-    const double preparation = seconds(
+    std::shared_ptr<const Fitted_cloud> fitted_cloud;
+    const double preparation = cpu_seconds(
         [&]
         {
-          prepared = std::make_shared<const Prepared_cloud>(
+          fitted_cloud = std::make_shared<const Fitted_cloud>(
               cloud.points, cloud.normals, std::vector<double>(), Cloud_path_options());
         });
-    Cloud_path_finder finder(prepared);
-    const std::vector<Index>& site = prepared->cloud().site_of_surfel;
-    const auto ends = pairs(clean);
+    Cloud_path_finder finder(fitted_cloud);
+    const std::vector<Index>& internal_vertex = fitted_cloud->cloud().internal_vertex;
+    const auto ends = random_pairs(clean);
     double points = 0.;
-    const double paths = seconds(
+    const double paths = cpu_seconds(
         [&]
         {
           for(const auto& [a, b] : ends)
-            points += double(finder({site[a], {0., 0.}}, {site[b], {0., 0.}}).path.control_points);
+            points += double(finder({internal_vertex[a], {0., 0.}}, {internal_vertex[b], {0., 0.}})
+                                 .path.number_of_control_points);
         });
-    table.add({name, std::to_string(cloud.size()), number(paper_points, 2), number(paper, 2),
-               number(hp, 2), number(points / number_of_pairs, 0), number(paths, 2),
-               number(preparation, 2)});
+    table.add({name, std::to_string(cloud.size()), format_fixed(paper_points, 2),
+               format_fixed(paper, 2), format_fixed(hp, 2),
+               format_fixed(points / number_of_pairs, 0), format_fixed(paths, 2),
+               format_fixed(preparation, 2)});
   };
   const Cloud model = ellipsoid_cloud(134345, axes);
   add("ellipsoid", model, model, 74.55, 19.37, 5.68);
-  const double printed[][3] = {{68.55, 3.44, 1.83}, {20.58, 0.68, 1.21}, {37.04, 7.11, 2.05}};
+  const double published[][3] = {{68.55, 3.44, 1.83}, {20.58, 0.68, 1.21}, {37.04, 7.11, 2.05}};
   for(std::size_t i = 0; i < 3; ++i)
     add(surfaces[i].name + " 50 %", surfaces[i].clean,
-        with_noise(surfaces[i].clean, radii(surfaces[i].clean), 0.5, 7), printed[i][0],
-        printed[i][1], printed[i][2]);
+        with_noise(surfaces[i].clean, radii(surfaces[i].clean), 0.5, 7), published[i][0],
+        published[i][1], published[i][2]);
   const Cloud scanned = scanned_square(94, 70, 3);
   add("scanned plane", scanned, scanned, 30.81, 0.69, 0.57);
   table.print();
@@ -438,40 +446,41 @@ void print_times(bool is_quick)
     if(is_quick && n > 200000)
       continue;
     const Cloud cloud = ellipsoid_cloud(n, axes);
-    Cloud_options options;
+    Surfel_cloud_options options;
     options.threads = 2;
     double processor = 0.;
-    const double graph = seconds_on_a_watch(
-        [&]
-        { processor = seconds([&] { make_cloud(cloud.points, cloud.normals, {}, options); }); });
-    std::shared_ptr<const Prepared_cloud> prepared;
-    const double preparation = seconds(
+    const double graph = wall_seconds(
+        [&] {
+          processor = cpu_seconds([&] { make_cloud(cloud.points, cloud.normals, {}, options); });
+        });
+    std::shared_ptr<const Fitted_cloud> fitted_cloud;
+    const double preparation = cpu_seconds(
         [&]
         {
-          prepared = std::make_shared<const Prepared_cloud>(
+          fitted_cloud = std::make_shared<const Fitted_cloud>(
               cloud.points, cloud.normals, std::vector<double>(), Cloud_path_options());
         });
-    Cloud_path_finder finder(prepared);
-    const Surfel_cloud& c = prepared->cloud();
-    const auto ends = pairs(cloud);
+    Cloud_path_finder finder(fitted_cloud);
+    const Surfel_cloud& c = fitted_cloud->cloud();
+    const auto ends = random_pairs(cloud);
     double points = 0.;
-    const double paths = seconds(
+    const double paths = cpu_seconds(
         [&]
         {
           for(const auto& [a, b] : ends)
             points +=
-                double(finder({c.site_of_surfel[a], {0., 0.}}, {c.site_of_surfel[b], {0., 0.}})
-                           .path.control_points);
+                double(finder({c.internal_vertex[a], {0., 0.}}, {c.internal_vertex[b], {0., 0.}})
+                           .path.number_of_control_points);
         });
-    Graph_search search(c.graph, c.point, finder.prepared()->regions());
+    Graph_search search(c.graph, c.point, finder.fitted_cloud()->regions());
     const auto chains = [&](Surfel_search method, double& length)
     {
-      return seconds(
+      return cpu_seconds(
           [&]
           {
             for(const auto& [a, b] : ends)
             {
-              const auto chain = search(c.site_of_surfel[a], c.site_of_surfel[b], method);
+              const auto chain = search(c.internal_vertex[a], c.internal_vertex[b], method);
               for(std::size_t i = 0; i + 1 < chain.size(); ++i)
                 length += norm(c.point[chain[i + 1]] - c.point[chain[i]]);
             }
@@ -480,9 +489,10 @@ void print_times(bool is_quick)
     double length = 0., shortest = 0.;
     const double coarse_to_fine = chains(Surfel_search::coarse_to_fine, length),
                  a_star = chains(Surfel_search::a_star, shortest);
-    table.add({std::to_string(n), number(paper, 2), number(graph, 2), number(processor, 2),
-               number(preparation, 2), number(paths, 2), number(points / number_of_pairs, 0),
-               number(1e6 * paths / points, 1), number(coarse_to_fine, 2), number(a_star, 2),
+    table.add({std::to_string(n), format_fixed(paper, 2), format_fixed(graph, 2),
+               format_fixed(processor, 2), format_fixed(preparation, 2), format_fixed(paths, 2),
+               format_fixed(points / number_of_pairs, 0), format_fixed(1e6 * paths / points, 1),
+               format_fixed(coarse_to_fine, 2), format_fixed(a_star, 2),
                percent(length / shortest - 1.) + " %"});
   }
   table.print();
@@ -491,25 +501,25 @@ void print_times(bool is_quick)
 }
 
 // A cloud of the data folder, with its own normals or those of estimate_surfels().
-Cloud scan(const std::filesystem::path& file)
+Cloud load_scan(const std::filesystem::path& file)
 {
   CGAL::Point_set_3<CGAL::Simple_cartesian<double>::Point_3> points;
   Cloud cloud;
   if(!CGAL::IO::read_point_set(file.string(), points))
     return cloud;
-  const auto spatial = [](const auto& p) -> Spatial { return {p.x(), p.y(), p.z()}; };
+  const auto spatial = [](const auto& p) -> Vec3 { return {p.x(), p.y(), p.z()}; };
   for(const auto& index : points)
     cloud.add(spatial(points.point(index)),
-              points.has_normal_map() ? spatial(points.normal(index)) : Spatial{0., 0., 1.});
+              points.has_normal_map() ? spatial(points.normal(index)) : Vec3{0., 0., 1.});
   if(!points.has_normal_map())
     cloud.normals = estimate_surfels(cloud.points, 18, 0., 1).normals;
   return cloud;
 }
 
 // How paths on a scan keep to its surfels.
-struct Keeping
+struct Path_adherence
 {
-  std::size_t pairs = 0, points = 0, beyond = 0, crossings = 0, longer = 0;
+  std::size_t pairs = 0, points = 0, number_beyond = 0, crossings = 0, longer = 0;
   double farthest = 0.; // in the largest distances that are not beyond
 };
 
@@ -523,57 +533,62 @@ struct Keeping
 // noise, and joined to neighbours by their normals whatever graph the path comes from: so paths that start
 // in a graph that knows no normals tell whether a cloud has such sheets at all.  Where normals are chance,
 // as between trees, chains go around nearly everything but gaps and walls.
-Keeping keeping(const Cloud& cloud, std::size_t most_pairs, unsigned seed, Surfel_graph graph)
+Path_adherence measure_adherence(const Cloud& cloud, std::size_t max_pairs, unsigned seed,
+                                 Surfel_graph graph)
 {
-  constexpr std::size_t around = 60, percentile = 57;
-  std::vector<Spatial> place = cloud.points;
+  constexpr std::size_t number_of_neighbors = 60, percentile_index = 57;
+  std::vector<Vec3> cloud_points = cloud.points;
   std::vector<Index> order;
-  const Kd_tree tree(place, order);
+  const Kd_tree tree(cloud_points, order);
   std::vector<Kd_tree::Neighbor> near;
-  std::vector<double> spacing, there;
-  for(const Spatial& p : place)
+  std::vector<double> spacing, local_spacing;
+  for(const Vec3& p : cloud_points)
   {
-    tree.nearest(place, p, 7, near);
+    tree.nearest(cloud_points, p, 7, near);
     spacing.push_back(std::sqrt(near.back().squared_distance));
   }
   Cloud_path_options options;
   options.cloud.graph = graph;
-  const auto prepared = std::make_shared<const Prepared_cloud>(cloud.points, cloud.normals,
-                                                               std::vector<double>(), options);
-  Cloud_path_finder finder(prepared);
-  const Surfel_cloud& c = prepared->cloud();
-  const Surfel_cloud sheets = make_cloud(c.point, c.normal);
-  const auto cross = [&](const Foot& from, const Foot& to)
+  const auto fitted_cloud = std::make_shared<const Fitted_cloud>(cloud.points, cloud.normals,
+                                                                 std::vector<double>(), options);
+  Cloud_path_finder finder(fitted_cloud);
+  const Surfel_cloud& c = fitted_cloud->cloud();
+  const Surfel_cloud sheet_cloud = make_cloud(c.point, c.normal);
+  const auto crosses_sheets = [&](const Projection& from, const Projection& to)
   {
-    const Index a = sheets.site_of_surfel[from.site], b = sheets.site_of_surfel[to.site];
-    const double way = 2. * norm(to.point - from.point) / sheets.frame.scale +
-                       3. * (sheets.radius[a] + sheets.radius[b]);
-    return !are_joined(sheets, a, b, way);
+    const Index a = sheet_cloud.internal_vertex[from.vertex],
+                b = sheet_cloud.internal_vertex[to.vertex];
+    const double max_path_length = 2. * norm(to.point - from.point) / sheet_cloud.frame.scale +
+                                   3. * (sheet_cloud.radius[a] + sheet_cloud.radius[b]);
+    return !is_connected_within(sheet_cloud, a, b, max_path_length);
   };
-  Keeping result;
+  Path_adherence result;
   std::mt19937 random(seed);
-  while(result.pairs < most_pairs)
+  while(result.pairs < max_pairs)
   {
-    const Index a = c.site_of_surfel[random() % cloud.size()],
-                b = c.site_of_surfel[random() % cloud.size()];
+    const Index a = c.internal_vertex[random() % cloud.size()],
+                b = c.internal_vertex[random() % cloud.size()];
     if(a == b || c.component[a] != c.component[b])
       continue;
     ++result.pairs;
     const Cloud_path found = finder({a, {0., 0.}}, {b, {0., 0.}});
-    const std::vector<Foot>& points = found.path.points;
+    const std::vector<Projection>& points = found.path.points;
     result.longer += found.path.length > found.start_length * (1. + 1e-12); // rounding of sums
     for(std::size_t i = 0; i < points.size(); ++i)
     {
-      tree.nearest(place, c.frame.origin + c.frame.scale * points[i].point, around, near);
-      there.clear();
+      tree.nearest(cloud_points, c.frame.origin + c.frame.scale * points[i].point,
+                   number_of_neighbors, near);
+      local_spacing.clear();
       for(const Kd_tree::Neighbor& neighbor : near)
-        there.push_back(spacing[neighbor.point]);
-      std::nth_element(there.begin(), there.begin() + percentile, there.end());
-      const double ratio = std::sqrt(near.front().squared_distance) / there[percentile];
+        local_spacing.push_back(spacing[neighbor.point]);
+      std::nth_element(local_spacing.begin(), local_spacing.begin() + percentile_index,
+                       local_spacing.end());
+      const double ratio =
+          std::sqrt(near.front().squared_distance) / local_spacing[percentile_index];
       ++result.points;
-      result.beyond += ratio > 1.;
+      result.number_beyond += ratio > 1.;
       result.farthest = std::max(result.farthest, ratio);
-      result.crossings += i > 0 && cross(points[i - 1], points[i]);
+      result.crossings += i > 0 && crosses_sheets(points[i - 1], points[i]);
     }
   }
   return result;
@@ -590,14 +605,15 @@ void print_scans(unsigned seed)
     files.assign(std::filesystem::directory_iterator(folder), {});
   std::sort(files.begin(), files.end());
   for(const auto& file : files)
-    if(const Cloud cloud = scan(file); cloud.size() > 60)
+    if(const Cloud cloud = load_scan(file); cloud.size() > 60)
     {
-      const Keeping k = keeping(cloud, 60, seed, Surfel_graph::extended_spheres),
-                    blind = keeping(cloud, 60, seed, Surfel_graph::nearest);
+      const Path_adherence k = measure_adherence(cloud, 60, seed, Surfel_graph::extended_spheres),
+                           without_normals =
+                               measure_adherence(cloud, 60, seed, Surfel_graph::nearest);
       table.add({file.stem().string(), std::to_string(cloud.size()), std::to_string(k.pairs),
-                 std::to_string(k.points), std::to_string(k.beyond), number(k.farthest, 3),
-                 std::to_string(k.longer), std::to_string(k.crossings),
-                 std::to_string(blind.crossings)});
+                 std::to_string(k.points), std::to_string(k.number_beyond),
+                 format_fixed(k.farthest, 3), std::to_string(k.longer), std::to_string(k.crossings),
+                 std::to_string(without_normals.crossings)});
     }
   table.print();
   std::printf("wanted: none beyond, none longer than where it started, and no crossings; without "
@@ -614,7 +630,7 @@ int main(int argc, char* argv[])
     return print_scans(argc > 2 ? unsigned(std::stoul(argv[2])) : 1), 0;
   std::vector<Surface> surfaces = {
       {"sphere", octahedron_sphere(7), great_circle},
-      {"plane", square_cloud(100), straight},
+      {"plane", square_cloud(100), straight_segment},
       {"cylinder", cylinder_cloud(201, 60, cylinder_radius, cylinder_height), helices}};
   if(argument == "--times")
     return print_path_times(surfaces), print_times(false), 0;

@@ -3,12 +3,12 @@
 //
 // Seconds and iterations of earth mover's distances, between two points and between two smooth
 // densities, to several gaps.  Set-up apart; one thread.  --quick: meshes of ten thousand vertices.
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "models.h"
 #include "report.h"
 
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/transport/transport.h>
+#include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,28 +25,29 @@ using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
 // Of total mass one, falling off from a point within a tenth of `width`.
-Vector density(const Glued_surface& surface, const Vector& areas, Index center, double width)
+Vector gaussian_density(const Array_surface& surface, const Vector& areas, Index center,
+                        double width)
 {
   Vector result(surface.size());
   for(Index i = 0; i < surface.size(); ++i)
   {
     const double d = test::distance(surface.point(i), surface.point(center)) / (0.1 * width);
-    result[surface.site(i)] = std::exp(-d * d) * areas[surface.site(i)];
+    result[surface.vertex(i)] = std::exp(-d * d) * areas[surface.vertex(i)];
   }
   return result / result.sum();
 }
 
-Vector point_mass(const Glued_surface& surface, Index i)
+Vector point_mass(const Array_surface& surface, Index i)
 {
-  return Vector::Unit(surface.size(), surface.site(i));
+  return Vector::Unit(surface.size(), surface.vertex(i));
 }
 
 void measure(const std::string& name, const Triangulation& triangulation, Table& table)
 {
-  const Glued_surface surface(triangulation);
+  const Array_surface surface(triangulation);
   std::unique_ptr<Transport_solver> solver;
   const double setup =
-      seconds([&] { solver = std::make_unique<Transport_solver>(operators(surface.t())); });
+      cpu_seconds([&] { solver = std::make_unique<Transport_solver>(operators(surface.t())); });
   const Index from = 0, to = surface.size() / 2;
 
   double width = 0.;
@@ -54,24 +55,25 @@ void measure(const std::string& name, const Triangulation& triangulation, Table&
     width = std::max(width, test::distance(surface.point(i), surface.point(from)));
   Window_propagation windows(surface.triangles());
   windows.run({surface.source(from)});
-  const double exact = windows.distance(surface.site(to));
+  const double exact = windows.distance(surface.vertex(to));
 
   const Vector areas = lumped_mass(solver->operators());
   const Vector points = point_mass(surface, to) - point_mass(surface, from);
   const Vector densities =
-      density(surface, areas, to, width) - density(surface, areas, from, width);
+      gaussian_density(surface, areas, to, width) - gaussian_density(surface, areas, from, width);
   for(const Vector* masses : {&points, &densities})
     for(const double tolerance : {1e-2, 1e-3, 1e-4})
     {
       Transport_options options;
       options.tolerance = tolerance;
-      Transport transport;
-      const double time = seconds([&] { transport = solver->solve(*masses, options); });
+      Transport_result transport;
+      const double time = cpu_seconds([&] { transport = solver->solve(*masses, options); });
       const bool are_points = masses == &points;
-      table.add({name, std::to_string(surface.size()), number(setup, 2),
-                 are_points ? "points" : "densities", digits(tolerance), number(time, 3),
-                 std::to_string(transport.iterations), digits(transport.residual),
-                 are_points ? number(100. * (1. - transport.lower / exact), 3) : "-"});
+      table.add({name, std::to_string(surface.size()), format_fixed(setup, 2),
+                 are_points ? "points" : "densities", format_significant(tolerance),
+                 format_fixed(time, 3), std::to_string(transport.iterations),
+                 format_significant(transport.residual),
+                 are_points ? format_fixed(100. * (1. - transport.lower / exact), 3) : "-"});
     }
 }
 
@@ -88,7 +90,7 @@ int main(int argc, char* argv[])
     measure("icosphere 7", test::icosphere(7), table);
   }
   for(const std::string& name : names)
-    if(const auto mesh = model(name))
+    if(const auto mesh = load_model(name))
       measure(name, triangulation_of(*mesh), table);
   table.print();
   std::printf("To reach between points: 6k vertices to 1e-3 in 0.2 s; bunny_37k to 1e-2, 1e-3 and "

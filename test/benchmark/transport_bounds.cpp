@@ -4,15 +4,15 @@
 // Earth mover's distances between random pairs of vertices of all models of 2,500 to 40,000 vertices beside
 // exact distances, and between surfels of a sphere beside great circles.  --quick: a pair each; --refine N: on
 // surfaces refined so often, otherwise as often as usual.
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "clouds.h"
 #include "models.h"
 #include "report.h"
 
-#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -31,7 +31,7 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-std::set<std::string> models_of_middle_size()
+std::set<std::string> medium_model_names()
 {
   std::set<std::string> result;
   const std::filesystem::path folder = std::filesystem::path(GEODESIC_PROCESSING_DATA) / "meshes";
@@ -41,14 +41,14 @@ std::set<std::string> models_of_middle_size()
   return result;
 }
 
-Cloud spiral(std::size_t n)
+Cloud spiral_sphere(std::size_t n)
 {
   Cloud result;
   for(std::size_t i = 0; i < n; ++i)
   {
     const double z = 1. - (2. * double(i) + 1.) / double(n), r = std::sqrt(1. - z * z);
     const double turn = pi * (3. - std::sqrt(5.)) * double(i);
-    const Spatial p = {r * std::cos(turn), r * std::sin(turn), z};
+    const Vec3 p = {r * std::cos(turn), r * std::sin(turn), z};
     result.add(p, p);
   }
   return result;
@@ -61,7 +61,7 @@ Cloud random_sphere(std::size_t n)
   Cloud result;
   for(std::size_t i = 0; i < n; ++i)
   {
-    const Spatial p = unit(Spatial{normal(random), normal(random), normal(random)});
+    const Vec3 p = unit(Vec3{normal(random), normal(random), normal(random)});
     result.add(p, p);
   }
   return result;
@@ -74,12 +74,13 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
   Cloud cloud = clean;
   std::mt19937 random;
   std::normal_distribution<double> normal;
-  for(Spatial& p : cloud.points)
+  for(Vec3& p : cloud.points)
     p = (1. + noise * normal(random)) * p;
-  const Glued_surfels surfels = glue_surfels(cloud.points, cloud.normals);
-  const Earth_movers kernel(std::make_shared<const Glued_triangles>(surfels.triangles),
-                            refinements.value_or(usual_refinements(surfels.triangles)));
-  Spread error, estimate;
+  const Surfel_arrays surfels = build_surfel_arrays(cloud.points, cloud.normals);
+  const Multilevel_transport_solver solver(
+      std::make_shared<const Surface_arrays>(surfels.arrays),
+      refinements.value_or(default_number_of_refinements(surfels.arrays)));
+  Mean_and_max error, estimate;
   while(error.count < pairs)
   {
     const std::size_t from = random() % cloud.size(), to = random() % cloud.size();
@@ -87,13 +88,13 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
     if(exact < 0.3)
       continue;
     Mass_distribution before, after;
-    before.at_locations = {{{none, surfels.site_of_surfel[from], {}}, 1.}};
-    after.at_locations = {{{none, surfels.site_of_surfel[to], {}}, 1.}};
-    const Earth_movers_result found = kernel.solve(before, after);
+    before.at_locations = {{{none, surfels.internal_vertex[from], {}}, 1.}};
+    after.at_locations = {{{none, surfels.internal_vertex[to], {}}, 1.}};
+    const Multilevel_transport_result found = solver.solve(before, after);
     error.add(std::abs(found.value / exact - 1.));
     estimate.add(std::abs(found.estimate / exact - 1.));
   }
-  table.add({name, number(100. * noise, 1), std::to_string(pairs), error.percent(3),
+  table.add({name, format_fixed(100. * noise, 1), std::to_string(pairs), error.percent(3),
              estimate.percent(3)});
 }
 
@@ -111,59 +112,59 @@ int main(int argc, char* argv[])
   Table table({"model", "vertices", "pairs", "lower above exact", "exact above upper_continuous",
                "value below exact % (mean / largest)", "estimate off %", "upper_continuous above %",
                "iterations at most"});
-  std::size_t all = 0;
-  for(const std::string& name : models_of_middle_size())
+  std::size_t number_of_pairs = 0;
+  for(const std::string& name : medium_model_names())
   {
-    const auto mesh = model(name);
+    const auto mesh = load_model(name);
     if(!mesh || num_vertices(*mesh) < 2500 || num_vertices(*mesh) > 40000)
       continue;
-    const Glued_surface surface(triangulation_of(*mesh));
+    const Array_surface surface(triangulation_of(*mesh));
     const auto [component, number_of_components] = components(surface.t());
-    const Earth_movers kernel(surface.triangles(),
-                              refinements.value_or(usual_refinements(surface.t())));
-    Earth_movers_options options;
+    const Multilevel_transport_solver solver(
+        surface.triangles(), refinements.value_or(default_number_of_refinements(surface.t())));
+    Multilevel_transport_options options;
     options.transport.tolerance = 1e-3;
     options.do_bound_from_above = true;
     Window_propagation windows(surface.triangles());
     std::mt19937 random;
-    Spread loss, error, excess;
-    std::size_t above = 0, below = 0;
+    Mean_and_max relative_loss, error, excess;
+    std::size_t number_above = 0, number_below = 0;
     unsigned iterations = 0;
-    while(loss.count < pairs)
+    while(relative_loss.count < pairs)
     {
       const Index from = random() % surface.size(), to = random() % surface.size();
-      if(from == to || component[surface.site(from)] != component[surface.site(to)])
+      if(from == to || component[surface.vertex(from)] != component[surface.vertex(to)])
         continue;
       windows.run({surface.source(from)});
-      const double exact = surface.scale() * windows.distance(surface.site(to));
+      const double exact = surface.scale() * windows.distance(surface.vertex(to));
       Mass_distribution before, after;
       before.at_locations = {{surface.at(from), 1.}};
       after.at_locations = {{surface.at(to), 1.}};
-      const Earth_movers_result found = kernel.solve(before, after, options);
-      above += found.lower > exact * (1. + 1e-9); // rounding
-      below += found.upper_continuous < exact * (1. - 1e-9);
-      loss.add(1. - found.value / exact);
+      const Multilevel_transport_result found = solver.solve(before, after, options);
+      number_above += found.lower > exact * (1. + 1e-9); // rounding
+      number_below += found.upper_continuous < exact * (1. - 1e-9);
+      relative_loss.add(1. - found.value / exact);
       error.add(std::abs(found.estimate / exact - 1.));
       excess.add(found.upper_continuous / exact - 1.);
       iterations = std::max(iterations, found.iterations);
     }
-    all += pairs;
-    table.add({name, std::to_string(surface.size()), std::to_string(pairs), std::to_string(above),
-               std::to_string(below), loss.percent(3), error.percent(3), excess.percent(1),
-               std::to_string(iterations)});
+    number_of_pairs += pairs;
+    table.add({name, std::to_string(surface.size()), std::to_string(pairs),
+               std::to_string(number_above), std::to_string(number_below), relative_loss.percent(3),
+               error.percent(3), excess.percent(1), std::to_string(iterations)});
   }
   table.print();
   std::printf(
       "%zu pairs.  To reach: no bound on the wrong side; 0.4 / 1 %% on bunny_37k, kitten_9k, "
       "eight_5k,\nelephant_2k8, both fandisks, knot1_3k and fsaverage5_inflated_left_10k; after "
       "two refinements 0.11 %%\nin the mean; 25 iterations.\n",
-      all);
+      number_of_pairs);
 
   Table clouds({"5,000 surfels of a sphere", "noise %", "pairs", "value off % (mean / largest)",
                 "estimate off %"});
   for(const double noise : {0., 0.005})
   {
-    measure_cloud("spiral", spiral(5000), noise, 4 * pairs, refinements, clouds);
+    measure_cloud("spiral", spiral_sphere(5000), noise, 4 * pairs, refinements, clouds);
     measure_cloud("random", random_sphere(5000), noise, 4 * pairs, refinements, clouds);
   }
   clouds.print();

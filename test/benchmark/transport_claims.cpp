@@ -12,11 +12,11 @@
 
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
-#include "transport/flat_refinement.h"
+#include "transport/uniform_refinement.h"
 #include <CGAL/Geodesic_processing/internal/distances/heat.h>
 #include "mesh/intrinsic_delaunay.h"
-#include <CGAL/Geodesic_processing/internal/transport/transport.h>
-#include <CGAL/Geodesic_processing/internal/transport/transport_family.h>
+#include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
+#include <CGAL/Geodesic_processing/internal/transport/spectral_transport.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Surface_mesh_deformation.h>
@@ -40,14 +40,14 @@ using namespace benchmarks;
 namespace GP = CGAL::Geodesic_processing;
 
 using Domain = GP::Mesh_domain<Mesh>;
-using Triangles = std::shared_ptr<const Glued_triangles>;
-using Pair = std::array<Location, 2>;
+using Triangles = std::shared_ptr<const Surface_arrays>;
+using Pair = std::array<Surface_location, 2>;
 
 constexpr double tolerance = 1e-3; // between the bounds
 
-Location at(Index site) { return {none, site, {}}; }
+Surface_location vertex_location(Index vertex) { return {none, vertex, {}}; }
 
-Source source(const Location& place) { return {{place}, 0., 0}; }
+Front_source source(const Surface_location& location) { return {{location}, 0., 0}; }
 
 double mean(const std::vector<double>& values)
 {
@@ -59,8 +59,8 @@ double mean(const std::vector<double>& values)
 
 std::string mean_and_largest(const std::vector<double>& values, int decimals)
 {
-  return number(mean(values), decimals) + " / " +
-         number(*std::max_element(values.begin(), values.end()), decimals);
+  return format_fixed(mean(values), decimals) + " / " +
+         format_fixed(*std::max_element(values.begin(), values.end()), decimals);
 }
 
 // The heat method with a time step of so many squares of the mean length of a side.
@@ -69,7 +69,7 @@ class Heat
 public:
   Heat(const Triangles& triangles, double squares) : m_triangles(triangles)
   {
-    Glued_triangles t = *triangles;
+    Surface_arrays t = *triangles;
     double mean = 0.;
     for(const double length : t.length)
       mean += length / double(t.length.size());
@@ -80,17 +80,17 @@ public:
     Sparse_matrix heat = squares * mean * mean * poisson;
     heat.diagonal() += lumped_mass(m_operators);
     m_heat = std::make_unique<Sparse_solver>(heat);
-    laplacian.hold(poisson);
+    laplacian.pin(poisson);
     m_poisson = std::make_unique<Sparse_solver>(poisson);
   }
   // Of all sites.
-  Vector distances(const Location& from) const
+  Vector distances(const Surface_location& from) const
   {
     const Vector start = masses_at(*m_triangles, {from}).col(0);
-    Field way = gradient(m_operators, m_heat->solve(start));
-    for(Planar& v : way)
+    Field direction = gradient(m_operators, m_heat->solve(start));
+    for(Vec2& v : direction)
       v = norm(v) > 0. ? (-1. / norm(v)) * v : v;
-    const Vector result = m_poisson->solve(divergence(m_operators, way));
+    const Vector result = m_poisson->solve(minus_divergence(m_operators, direction));
     return result.array() - start.dot(result);
   }
 
@@ -101,15 +101,15 @@ private:
 };
 
 // Distances of pairs of places, in the caller's unit.
-struct Measure
+struct Distance_method
 {
   std::string name;
-  std::function<std::vector<Bounds>(const std::vector<Pair>&)> bounds;
+  std::function<std::vector<Transport_bounds>(const std::vector<Pair>&)> bounds;
 
   std::vector<double> values(const std::vector<Pair>& pairs) const
   {
     std::vector<double> result;
-    for(const Bounds& b : bounds(pairs))
+    for(const Transport_bounds& b : bounds(pairs))
       result.push_back(0.5 * (b.lower + b.upper));
     return result;
   }
@@ -117,11 +117,11 @@ struct Measure
 
 // From what finds the distances of all pairs one by one.
 template <typename Function>
-Measure one_by_one(const std::string& name, Function distance)
+Distance_method from_pairwise(const std::string& name, Function distance)
 {
   return {name, [distance](const std::vector<Pair>& pairs)
           {
-            std::vector<Bounds> result;
+            std::vector<Transport_bounds> result;
             for(const Pair& pair : pairs)
             {
               const double d = distance(pair);
@@ -131,77 +131,78 @@ Measure one_by_one(const std::string& name, Function distance)
           }};
 }
 
-Measure exact(const Triangles& t)
+Distance_method exact(const Triangles& t)
 {
   const auto windows = std::make_shared<Window_propagation>(t);
-  return one_by_one("exact",
-                    [=](const Pair& pair)
-                    {
-                      windows->run({source(pair[0])});
-                      return t->scale * windows->distance(pair[1]);
-                    });
+  return from_pairwise("exact",
+                       [=](const Pair& pair)
+                       {
+                         windows->run({source(pair[0])});
+                         return t->scale * windows->distance(pair[1]);
+                       });
 }
 
-Measure heat(const Triangles& t, double squares)
+Distance_method heat(const Triangles& t, double squares)
 {
   const auto solver = std::make_shared<const Heat>(t, squares);
-  return one_by_one("heat " + digits(squares) + " h2",
-                    [=](const Pair& pair)
-                    {
-                      const Vector to = masses_at(*t, {pair[1]}).col(0);
-                      return t->scale * to.dot(solver->distances(pair[0]));
-                    });
+  return from_pairwise("heat " + format_significant(squares) + " h2",
+                       [=](const Pair& pair)
+                       {
+                         const Vector to = masses_at(*t, {pair[1]}).col(0);
+                         return t->scale * to.dot(solver->distances(pair[0]));
+                       });
 }
 
-Measure biharmonic(const Triangles& t)
+Distance_method biharmonic(const Triangles& t)
 {
   const auto distances = std::make_shared<const Biharmonic_distances>(*t);
-  return one_by_one(
+  return from_pairwise(
       "biharmonic",
       [=](const Pair& pair) {
         return t->scale * distances->all_pairs(masses_at(*t, {pair[0], pair[1]}))(0, 1);
       });
 }
 
-Measure family(const Triangles& t, std::size_t k, Particular_field kind)
+Distance_method family(const Triangles& t, std::size_t k, Particular_field kind)
 {
-  const auto metric = std::make_shared<const Transport_family>(t, k, kind);
+  const auto metric = std::make_shared<const Spectral_transport>(t, k, kind);
   return {"k = " + std::to_string(k), [=](const std::vector<Pair>& pairs)
           {
-            std::vector<Location> from, to;
+            std::vector<Surface_location> from, to;
             for(const Pair& pair : pairs)
             {
               from.push_back(pair[0]);
               to.push_back(pair[1]);
             }
-            Family_options options;
+            Spectral_transport_options options;
             options.tolerance = tolerance;
-            std::vector<Bounds> result =
+            std::vector<Transport_bounds> result =
                 metric->distances(masses_at(*t, to) - masses_at(*t, from), options);
-            for(Bounds& b : result)
+            for(Transport_bounds& b : result)
               b = {t->scale * b.lower, t->scale * b.upper};
             return result;
           }};
 }
 
 // As Transport_metric chooses.
-Measure family(const Triangles& t, std::size_t k)
+Distance_method family(const Triangles& t, std::size_t k)
 {
   return family(t, k, k == 0 ? Particular_field::gradient : Particular_field::raviart_thomas);
 }
 
-Measure complete(const Triangles& t)
+Distance_method complete(const Triangles& t)
 {
   const auto solver = std::make_shared<const Transport_solver>(operators(*t));
   return {"complete", [=](const std::vector<Pair>& pairs)
           {
-            std::vector<Bounds> result;
+            std::vector<Transport_bounds> result;
             for(const Pair& pair : pairs)
             {
               Transport_options options;
               options.tolerance = tolerance;
               const Masses m = masses_at(*t, {pair[0], pair[1]});
-              const Transport found = solver->solve(Vector(m.col(1)) - Vector(m.col(0)), options);
+              const Transport_result found =
+                  solver->solve(Vector(m.col(1)) - Vector(m.col(0)), options);
               result.push_back({t->scale * found.lower, t->scale * found.upper});
             }
             return result;
@@ -213,19 +214,20 @@ std::vector<Pair> random_pairs(const Domain& domain, std::size_t number, std::mt
   std::vector<Pair> result;
   while(result.size() < number)
   {
-    const Index p = random() % domain.number_of_sites(), q = random() % domain.number_of_sites();
+    const Index p = random() % domain.number_of_vertices(),
+                q = random() % domain.number_of_vertices();
     if(p != q)
-      result.push_back({at(p), at(q)});
+      result.push_back({vertex_location(p), vertex_location(q)});
   }
   return result;
 }
 
 void for_each_model(const std::vector<std::string>& names,
-                    const std::function<void(const std::string&, Mesh&)>& use)
+                    const std::function<void(const std::string&, Mesh&)>& visit)
 {
   for(const std::string& name : names)
-    if(auto mesh = model(name))
-      use(name, *mesh);
+    if(auto mesh = load_model(name))
+      visit(name, *mesh);
 }
 
 // Table 1: seconds of the distances of all vertices to one, with everything that is prepared.
@@ -233,7 +235,7 @@ void for_each_model(const std::vector<std::string>& names,
 struct One_to_all
 {
   std::string paper; // its model, of about as many vertices
-  double fronts, heat, biharmonic, spectral, hundred;
+  double fronts, heat, biharmonic, spectral, basis_100_time;
   std::string ours;
 };
 
@@ -255,29 +257,32 @@ void print_one_to_all(bool is_quick)
         [&](const std::string& name, Mesh& mesh)
         {
           const Triangles t = Domain(mesh).triangles();
-          const Index n = Index(t->number_of_sites());
-          const Masses from = masses_at(*t, {at(0)});
+          const Index n = Index(t->number_of_vertices());
+          const Masses from = masses_at(*t, {vertex_location(0)});
           const auto cell = [](double ours, double theirs)
-          { return number(ours, 2) + " (" + digits(theirs) + ")"; };
+          { return format_fixed(ours, 2) + " (" + format_significant(theirs) + ")"; };
           std::vector<double> truth(n);
-          const double windows = seconds(
+          const double windows = cpu_seconds(
               [&]
               {
                 Window_propagation windows(t);
-                windows.run({source(at(0))});
+                windows.run({source(vertex_location(0))});
                 for(Index i = 0; i < n; ++i)
                   truth[i] = windows.distance(i);
               });
-          const double warm = seconds([&] { Heat_solver(t).run({source(at(0))}); });
-          const double by_waves = seconds([&] { Biharmonic_distances(*t).one_to_all(from, 1); });
-          const double spectral = seconds(
-              [&] { Transport_family(t, 0, Particular_field::gradient).one_to_all(from, {}); });
-          const double hundred = seconds(
-              [&]
-              { Transport_family(t, 100, Particular_field::raviart_thomas).one_to_all(from, {}); });
+          const double heat_time =
+              cpu_seconds([&] { Heat_solver(t).run({source(vertex_location(0))}); });
+          const double biharmonic_time =
+              cpu_seconds([&] { Biharmonic_distances(*t).one_to_all(from, 1); });
+          const double spectral = cpu_seconds(
+              [&] { Spectral_transport(t, 0, Particular_field::gradient).one_to_all(from, {}); });
+          const double basis_100_time = cpu_seconds(
+              [&] {
+                Spectral_transport(t, 100, Particular_field::raviart_thomas).one_to_all(from, {});
+              });
           // All there is moves to the source: the potential is the distance to it.
           Vector potential;
-          const double whole = seconds(
+          const double complete_time = cpu_seconds(
               [&]
               {
                 const Transport_solver solver(operators(*t));
@@ -288,9 +293,9 @@ void print_one_to_all(bool is_quick)
           for(Index i = 1; i < n; ++i)
             error.push_back(100. * std::abs((potential[0] - potential[i]) / truth[i] - 1.));
           table.add({name, std::to_string(n), row.paper, cell(windows, row.fronts),
-                     cell(warm, row.heat), cell(by_waves, row.biharmonic),
-                     cell(spectral, row.spectral), cell(hundred, row.hundred), number(whole, 2),
-                     number(mean(error), 1)});
+                     cell(heat_time, row.heat), cell(biharmonic_time, row.biharmonic),
+                     cell(spectral, row.spectral), cell(basis_100_time, row.basis_100_time),
+                     format_fixed(complete_time, 2), format_fixed(mean(error), 1)});
         });
   table.print();
 }
@@ -299,8 +304,8 @@ void print_one_to_all(bool is_quick)
 
 struct All_pairs
 {
-  std::string paper;                                        // so many vertices
-  std::array<double, 2> marching, heat, by_waves, spectral; // of 2 and of 100 samples
+  std::string paper;                                               // so many vertices
+  std::array<double, 2> marching, heat, biharmonic_time, spectral; // of 2 and of 100 samples
   std::string ours;
   unsigned refinements;
 };
@@ -332,49 +337,56 @@ void print_all_pairs(bool is_quick)
           for(unsigned i = 0; i < row.refinements; ++i)
             mesh = refined(mesh);
           const Triangles t = Domain(mesh).triangles();
-          const Index n = Index(t->number_of_sites());
+          const Index n = Index(t->number_of_vertices());
           for(const std::size_t samples : {2, 100})
           {
             const bool is_pair = samples == 2;
-            std::vector<Location> places;
+            std::vector<Surface_location> locations;
             for(std::size_t j = 0; j < samples; ++j)
-              places.push_back(at(Index(j * n / samples)));
-            const Masses masses = masses_at(*t, places);
-            const auto cell = [&](double ours, const std::array<double, 2>& theirs)
-            { return number(ours, 2) + " (" + digits(theirs[is_pair ? 0 : 1]) + ")"; };
-            double windows = std::nan("");
+              locations.push_back(vertex_location(Index(j * n / samples)));
+            const Masses masses = masses_at(*t, locations);
+            const auto cell = [&](double ours, const std::array<double, 2>& theirs) {
+              return format_fixed(ours, 2) + " (" + format_significant(theirs[is_pair ? 0 : 1]) +
+                     ")";
+            };
+            double exact_time = std::nan("");
             if(is_pair || n < 20000)
-              windows = seconds(
+              exact_time = cpu_seconds(
                   [&]
                   {
                     Window_propagation propagation(t);
-                    for(const Location& place : places)
-                      propagation.run({source(place)});
+                    for(const Surface_location& location : locations)
+                      propagation.run({source(location)});
                   });
-            const double warm = seconds(
+            const double heat_time = cpu_seconds(
                 [&]
                 {
                   Heat_solver solver(t);
-                  for(const Location& place : places)
-                    solver.run({source(place)});
+                  for(const Surface_location& location : locations)
+                    solver.run({source(location)});
                 });
-            const double by_waves = seconds([&] { Biharmonic_distances(*t).all_pairs(masses); });
-            const double spectral = seconds(
-                [&] { Transport_family(t, 0, Particular_field::gradient).all_pairs(masses, {}); });
-            double hundred = std::nan(""), whole = hundred;
+            const double biharmonic_time =
+                cpu_seconds([&] { Biharmonic_distances(*t).all_pairs(masses); });
+            const double spectral = cpu_seconds(
+                [&]
+                { Spectral_transport(t, 0, Particular_field::gradient).all_pairs(masses, {}); });
+            double basis_100_time = std::nan(""), complete_time = basis_100_time;
             if(is_pair && n < 20000)
-              hundred = seconds(
+              basis_100_time = cpu_seconds(
                   [&]
                   {
-                    Transport_family(t, 100, Particular_field::raviart_thomas)
+                    Spectral_transport(t, 100, Particular_field::raviart_thomas)
                         .all_pairs(masses, {1e-2, 5000, 1, {}});
                   });
             if(is_pair)
-              whole = seconds([&] { complete(t).values({{places[0], places[1]}}); });
+              complete_time = cpu_seconds(
+                  [&] {
+                    complete(t).values({{locations[0], locations[1]}});
+                  });
             table.add({name, std::to_string(n), row.paper, std::to_string(samples),
-                       cell(windows, row.marching), cell(warm, row.heat),
-                       cell(by_waves, row.by_waves), cell(spectral, row.spectral),
-                       number(hundred, 2), number(whole, 2)});
+                       cell(exact_time, row.marching), cell(heat_time, row.heat),
+                       cell(biharmonic_time, row.biharmonic_time), cell(spectral, row.spectral),
+                       format_fixed(basis_100_time, 2), format_fixed(complete_time, 2)});
           }
         });
   table.print();
@@ -383,7 +395,7 @@ void print_all_pairs(bool is_quick)
 // Distances never grow with k, and come down towards geodesic ones.
 void print_fall(bool is_quick)
 {
-  const std::vector<std::size_t> sizes = {0, 10, 30, 100};
+  const std::vector<std::size_t> basis_sizes = {0, 10, 30, 100};
   Table table({"falling with k", "vertices", "borders", "flow", "pairs", "grew",
                "above exact %: k = 0", "10", "30", "100", "complete"});
   for_each_model(
@@ -396,7 +408,7 @@ void print_fall(bool is_quick)
         const Triangles& t = domain.triangles();
         std::vector<Mesh::Halfedge_index> borders;
         CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
-        const std::size_t n = domain.number_of_sites();
+        const std::size_t n = domain.number_of_vertices();
         // A thousand in all.
         const std::size_t number_of_pairs = is_quick   ? 20
                                             : n < 1000 ? 400
@@ -406,16 +418,16 @@ void print_fall(bool is_quick)
         std::mt19937 random;
         const std::vector<Pair> pairs = random_pairs(domain, number_of_pairs, random);
         const std::vector<double> truth = exact(t).values(pairs);
-        const auto above = [&](const std::vector<double>& values)
+        const auto mean_excess = [&](const std::vector<double>& values)
         {
           std::vector<double> result;
           for(std::size_t j = 0; j < values.size(); ++j)
             result.push_back(100. * (values[j] / truth[j] - 1.));
-          return number(mean(result), 1);
+          return format_fixed(mean(result), 1);
         };
-        const Measure whole = complete(t);
-        const std::vector<Bounds> least = whole.bounds(pairs);
-        const std::string of_whole = above(whole.values(pairs));
+        const Distance_method complete_method = complete(t);
+        const std::vector<Transport_bounds> complete_bounds = complete_method.bounds(pairs);
+        const std::string complete_excess = mean_excess(complete_method.values(pairs));
         for(const Particular_field kind :
             {Particular_field::gradient, Particular_field::raviart_thomas})
         {
@@ -423,28 +435,29 @@ void print_fall(bool is_quick)
           if(!is_gradient && n >= 3000) // takes minutes
             continue;
           std::vector<std::string> row = {
-              name, std::to_string(domain.number_of_sites()), std::to_string(borders.size()),
+              name, std::to_string(domain.number_of_vertices()), std::to_string(borders.size()),
               is_gradient ? "gradient" : "balanced", std::to_string(pairs.size())};
           std::vector<std::string> means;
-          std::size_t grew = 0;
-          std::vector<Bounds> before(pairs.size(), {infinity, infinity});
-          for(const std::size_t k : sizes)
+          std::size_t number_grown = 0;
+          std::vector<Transport_bounds> previous_bounds(pairs.size(), {infinity, infinity});
+          for(const std::size_t k : basis_sizes)
           {
-            const std::vector<Bounds> bounds = family(t, k, kind).bounds(pairs);
+            const std::vector<Transport_bounds> bounds = family(t, k, kind).bounds(pairs);
             std::vector<double> values;
             for(std::size_t j = 0; j < bounds.size(); ++j)
             {
-              grew += bounds[j].lower > before[j].upper * (1. + 1e-9); // rounding
+              number_grown += bounds[j].lower > previous_bounds[j].upper * (1. + 1e-9); // rounding
               // The complete flows are more than those of any k.
-              grew += is_gradient && k == sizes.back() && least[j].lower > bounds[j].upper;
+              number_grown += is_gradient && k == basis_sizes.back() &&
+                              complete_bounds[j].lower > bounds[j].upper;
               values.push_back(0.5 * (bounds[j].lower + bounds[j].upper));
             }
-            before = bounds;
-            means.push_back(above(values));
+            previous_bounds = bounds;
+            means.push_back(mean_excess(values));
           }
-          row.push_back(std::to_string(grew));
+          row.push_back(std::to_string(number_grown));
           row.insert(row.end(), means.begin(), means.end());
-          row.push_back(of_whole);
+          row.push_back(complete_excess);
           table.add(row);
         }
       });
@@ -465,12 +478,12 @@ void print_metrics(bool is_quick)
         const Triangles& t = domain.triangles();
         constexpr Index samples = 24;
         std::mt19937 random;
-        std::vector<Location> place;
+        std::vector<Surface_location> locations;
         for(Index i = 0; i < samples; ++i)
-          place.push_back(at(Index(i * domain.number_of_sites() / samples)));
+          locations.push_back(vertex_location(Index(i * domain.number_of_vertices() / samples)));
         std::vector<Pair> pairs;
-        for(const Location& p : place)
-          for(const Location& q : place)
+        for(const Surface_location& p : locations)
+          for(const Surface_location& q : locations)
             pairs.push_back({p, q});
         std::vector<std::array<Index, 3>> triples;
         while(triples.size() < 1000)
@@ -479,50 +492,54 @@ void print_metrics(bool is_quick)
           if(p != q && q != r && r != p)
             triples.push_back({p, q, r});
         }
-        const auto add = [&](const Measure& measure, const std::function<Vector(Location)>& all)
+        const auto add =
+            [&](const Distance_method& method, const std::function<Vector(Surface_location)>& all)
         {
-          const std::vector<Bounds> found = measure.bounds(pairs);
+          const std::vector<Transport_bounds> found = method.bounds(pairs);
           const auto value = [&](Index p, Index q)
           { return 0.5 * (found[p * samples + q].lower + found[p * samples + q].upper); };
-          std::size_t longer = 0, certain = 0;
-          double most = 0., turned = 0.;
+          std::size_t number_longer = 0, number_certain = 0;
+          double max_excess = 0., asymmetry = 0.;
           for(const auto& [p, q, r] : triples)
           {
             const double detour = value(p, q) + value(q, r);
             // By more than rounding.
-            longer += value(p, r) > detour * (1. + 1e-9);
-            certain += found[p * samples + r].lower >
-                       (found[p * samples + q].upper + found[q * samples + r].upper) * (1. + 1e-9);
-            most = std::max(most, value(p, r) / detour - 1.);
-            turned = std::max(turned, std::abs(value(p, r) / value(r, p) - 1.));
+            number_longer += value(p, r) > detour * (1. + 1e-9);
+            number_certain +=
+                found[p * samples + r].lower >
+                (found[p * samples + q].upper + found[q * samples + r].upper) * (1. + 1e-9);
+            max_excess = std::max(max_excess, value(p, r) / detour - 1.);
+            asymmetry = std::max(asymmetry, std::abs(value(p, r) / value(r, p) - 1.));
           }
-          std::string between = "-";
+          std::string between_text = "-";
           if(all)
           {
-            std::size_t shorter = 0;
+            std::size_t number_shorter = 0;
             for(Index i = 0; i < 5; ++i)
             {
-              const Vector p = all(place[i]), q = all(place[i + 5]);
-              const double d = 0.5 * (p[place[i + 5].site] + q[place[i].site]);
+              const Vector p = all(locations[i]), q = all(locations[i + 5]);
+              const double d = 0.5 * (p[locations[i + 5].vertex] + q[locations[i].vertex]);
               for(Index s = 0; s < p.size(); ++s)
-                shorter += p[s] + q[s] < d * (1. - 1e-6); // one to all sums in floats
+                number_shorter += p[s] + q[s] < d * (1. - 1e-6); // one to all sums in floats
             }
-            between = number(100. * double(shorter) / (5. * double(domain.number_of_sites())), 1);
+            between_text = format_fixed(
+                100. * double(number_shorter) / (5. * double(domain.number_of_vertices())), 1);
           }
-          table.add({measure.name, name, std::to_string(longer), std::to_string(certain),
-                     digits(100. * most), digits(100. * turned), between});
+          table.add({method.name, name, std::to_string(number_longer),
+                     std::to_string(number_certain), format_significant(100. * max_excess),
+                     format_significant(100. * asymmetry), between_text});
         };
         const auto one_to_all = [&](const auto& distances)
-        { return [&](const Location& p) { return distances(masses_at(*t, {p})); }; };
-        const Biharmonic_distances waves(*t);
-        const Transport_family spectral(t, 0, Particular_field::gradient);
+        { return [&](const Surface_location& p) { return distances(masses_at(*t, {p})); }; };
+        const Biharmonic_distances biharmonic_distances(*t);
+        const Spectral_transport spectral(t, 0, Particular_field::gradient);
         for(const double squares : {1., 10., 100.})
         {
           const Heat solver(t, squares);
-          add(heat(t, squares), [&](const Location& p) { return solver.distances(p); });
+          add(heat(t, squares), [&](const Surface_location& p) { return solver.distances(p); });
         }
-        add(biharmonic(t),
-            one_to_all([&](const Masses& from) { return waves.one_to_all(from, 1); }));
+        add(biharmonic(t), one_to_all([&](const Masses& from)
+                                      { return biharmonic_distances.one_to_all(from, 1); }));
         add(family(t, 0),
             one_to_all([&](const Masses& from) { return spectral.one_to_all(from, {}); }));
         add(family(t, 10), {});
@@ -537,7 +554,7 @@ void print_metrics(bool is_quick)
 Mesh with_noise(Mesh mesh, double edges)
 {
   std::mt19937 random;
-  std::normal_distribution<double> normal(0., edges * mean_edge(mesh));
+  std::normal_distribution<double> normal(0., edges * mean_edge_length(mesh));
   for(const Vertex v : mesh.vertices())
   {
     const double x = normal(random), y = normal(random), z = normal(random);
@@ -551,20 +568,21 @@ Mesh with_noise(Mesh mesh, double edges)
 Mesh sheet(int rows, double angle)
 {
   Mesh mesh;
-  const double side = 1. / rows, turn = angle / (3. * rows);
-  std::vector<std::array<double, 2>> line = {{0., 0.}};
+  const double side_length = 1. / rows, angle_step = angle / (3. * rows);
+  std::vector<std::array<double, 2>> profile = {{0., 0.}};
   for(int i = 0; i < 3 * rows; ++i)
-    line.push_back(
-        {line.back()[0] + side * std::cos(turn * i), line.back()[1] + side * std::sin(turn * i)});
+    profile.push_back({profile.back()[0] + side_length * std::cos(angle_step * i),
+                       profile.back()[1] + side_length * std::sin(angle_step * i)});
   CGAL::make_grid(
       3 * rows, rows, mesh,
-      [&](int i, int j) { return Kernel::Point_3(line[i][0], side * j, line[i][1]); }, true);
+      [&](int i, int j) { return Kernel::Point_3(profile[i][0], side_length * j, profile[i][1]); },
+      true);
   return mesh;
 }
 
 // What is within a tenth of the longest extent at one end of it, turned against the other half by
 // forty degrees, and all between as rigid as possible.
-Mesh bent(Mesh mesh)
+Mesh bend(Mesh mesh)
 {
   std::array<double, 3> low, high;
   low.fill(infinity);
@@ -582,27 +600,28 @@ Mesh bent(Mesh mesh)
   using Deformation = CGAL::Surface_mesh_deformation<Mesh>;
   Deformation deformation(mesh);
   deformation.insert_roi_vertices(mesh.vertices().begin(), mesh.vertices().end());
-  std::vector<Vertex> turned;
+  std::vector<Vertex> rotated_vertices;
   for(const Vertex v : mesh.vertices())
   {
-    const double place = (mesh.point(v)[longest] - low[longest]) / (high[longest] - low[longest]);
-    if(place < 0.1)
-      turned.push_back(v);
-    if(place < 0.1 || place > 0.5)
+    const double fraction =
+        (mesh.point(v)[longest] - low[longest]) / (high[longest] - low[longest]);
+    if(fraction < 0.1)
+      rotated_vertices.push_back(v);
+    if(fraction < 0.1 || fraction > 0.5)
       deformation.insert_control_vertex(v);
   }
   const double angle = CGAL_PI / 4.5;
-  std::array<double, 3> middle;
+  std::array<double, 3> pivot;
   for(int c = 0; c < 3; ++c)
-    middle[c] = 0.5 * (low[c] + high[c]);
-  middle[longest] = low[longest] + 0.3 * (high[longest] - low[longest]);
+    pivot[c] = 0.5 * (low[c] + high[c]);
+  pivot[longest] = low[longest] + 0.3 * (high[longest] - low[longest]);
   const int a = longest, b = (longest + 1) % 3;
-  for(const Vertex v : turned)
+  for(const Vertex v : rotated_vertices)
   {
     std::array<double, 3> p = {mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]};
-    const double x = p[a] - middle[a], y = p[b] - middle[b];
-    p[a] = middle[a] + std::cos(angle) * x - std::sin(angle) * y;
-    p[b] = middle[b] + std::sin(angle) * x + std::cos(angle) * y;
+    const double x = p[a] - pivot[a], y = p[b] - pivot[b];
+    p[a] = pivot[a] + std::cos(angle) * x - std::sin(angle) * y;
+    p[b] = pivot[b] + std::sin(angle) * x + std::cos(angle) * y;
     deformation.set_target_position(v, {p[0], p[1], p[2]});
   }
   deformation.deform(20, 0.);
@@ -610,18 +629,18 @@ Mesh bent(Mesh mesh)
 }
 
 // By how much pairs change from one surface to another, mean and largest, in percent.
-void add_change(Table& table, const std::string& name, const Triangles& one,
-                const std::vector<Pair>& pairs, const Triangles& other,
-                const std::vector<Pair>& same_pairs)
+void add_change_row(Table& table, const std::string& name, const Triangles& one,
+                    const std::vector<Pair>& pairs, const Triangles& other,
+                    const std::vector<Pair>& same_pairs)
 {
-  std::vector<std::string> row = {name, std::to_string(one->number_of_sites()) + " to " +
-                                            std::to_string(other->number_of_sites())};
-  const auto measures = [](const Triangles& t)
+  std::vector<std::string> row = {name, std::to_string(one->number_of_vertices()) + " to " +
+                                            std::to_string(other->number_of_vertices())};
+  const auto methods = [](const Triangles& t)
   {
-    return std::vector<Measure>{exact(t),     heat(t, 1.),    biharmonic(t),
-                                family(t, 0), family(t, 100), complete(t)};
+    return std::vector<Distance_method>{exact(t),     heat(t, 1.),    biharmonic(t),
+                                        family(t, 0), family(t, 100), complete(t)};
   };
-  const std::vector<Measure> before = measures(one), after = measures(other);
+  const std::vector<Distance_method> before = methods(one), after = methods(other);
   for(std::size_t m = 0; m < before.size(); ++m)
   {
     const std::vector<double> a = before[m].values(pairs), b = after[m].values(same_pairs);
@@ -646,8 +665,9 @@ void print_stability(bool is_quick)
     const std::vector<Pair> pairs = random_pairs(a, number_of_pairs, random);
     std::vector<Pair> same;
     for(const auto& [p, q] : pairs)
-      same.push_back({at(b.index(a.site(p.site))), at(b.index(a.site(q.site)))});
-    add_change(table, name, a.triangles(), pairs, b.triangles(), same);
+      same.push_back({vertex_location(b.index(a.vertex(p.vertex))),
+                      vertex_location(b.index(a.vertex(q.vertex)))});
+    add_change_row(table, name, a.triangles(), pairs, b.triangles(), same);
   };
   const int rows = is_quick ? 10 : 24;
   add("sheet, rolled up", sheet(rows, 0.), sheet(rows, 1.5 * CGAL_PI));
@@ -658,7 +678,7 @@ void print_stability(bool is_quick)
       {
         add(name + ", noise of 0.1 edges", mesh, with_noise(mesh, 0.1));
         add(name + ", noise of 0.3 edges", mesh, with_noise(mesh, 0.3));
-        add(name + ", bent", mesh, bent(mesh));
+        add(name + ", bent", mesh, bend(mesh));
         if(num_vertices(mesh) < 2800) // that is slow
           add(name + ", faces cut in four", mesh, refined(mesh));
         const Domain domain(mesh);
@@ -673,10 +693,10 @@ void print_stability(bool is_quick)
           std::mt19937 random;
           std::vector<Pair> pairs = random_pairs(other, number_of_pairs, random), same = pairs;
           for(Pair& pair : pairs)
-            for(Location& p : pair)
-              p = domain.inner(location[other.site(p.site)]);
-          add_change(table, name + ", remeshed", domain.triangles(), pairs, other.triangles(),
-                     same);
+            for(Surface_location& p : pair)
+              p = domain.inner(location[other.vertex(p.vertex)]);
+          add_change_row(table, name + ", remeshed", domain.triangles(), pairs, other.triangles(),
+                         same);
         }
       });
   table.print();
@@ -695,24 +715,24 @@ void print_evenness(bool is_quick)
       [&](const std::string& name, Mesh& mesh)
       {
         const Triangles t = Domain(mesh).triangles();
-        const Index n = Index(t->number_of_sites());
+        const Index n = Index(t->number_of_vertices());
         const Operators o = operators(*t);
         const std::vector<Index> sources = {0, n / 2};
-        std::vector<std::vector<double>> all(6);
+        std::vector<std::vector<double>> unevenness_values(6);
         const Heat solver(t, 1.);
-        const Biharmonic_distances waves(*t);
-        std::vector<std::unique_ptr<Transport_family>> families;
+        const Biharmonic_distances biharmonic_distances(*t);
+        std::vector<std::unique_ptr<Spectral_transport>> families;
         for(const std::size_t k : {0, 10, 100})
-          families.push_back(std::make_unique<Transport_family>(
+          families.push_back(std::make_unique<Spectral_transport>(
               t, k, k == 0 ? Particular_field::gradient : Particular_field::raviart_thomas));
         for(const Index from : sources)
         {
           Window_propagation windows(t);
-          windows.run({source(at(from))});
+          windows.run({source(vertex_location(from))});
           Vector truth(n);
           for(Index i = 0; i < n; ++i)
             truth[i] = windows.distance(i);
-          const double near = 0.05 * truth.maxCoeff();
+          const double min_distance = 0.05 * truth.maxCoeff();
           const auto unevenness = [&](const Vector& function)
           {
             double area = 0., sum = 0., squares = 0.;
@@ -720,7 +740,7 @@ void print_evenness(bool is_quick)
             for(std::size_t f = 0; f < slope.size(); ++f)
             {
               const Index* corner = &o.corner[3 * f];
-              if(std::min({truth[corner[0]], truth[corner[1]], truth[corner[2]]}) < near)
+              if(std::min({truth[corner[0]], truth[corner[1]], truth[corner[2]]}) < min_distance)
                 continue;
               area += o.area[f];
               sum += o.area[f] * norm(slope[f]);
@@ -728,17 +748,17 @@ void print_evenness(bool is_quick)
             }
             return std::sqrt(squares * area / (sum * sum) - 1.);
           };
-          const Masses mass = masses_at(*t, {at(from)});
-          all[0].push_back(unevenness(truth));
-          all[1].push_back(unevenness(solver.distances(at(from))));
-          all[2].push_back(unevenness(waves.one_to_all(mass, 1)));
+          const Masses mass = masses_at(*t, {vertex_location(from)});
+          unevenness_values[0].push_back(unevenness(truth));
+          unevenness_values[1].push_back(unevenness(solver.distances(vertex_location(from))));
+          unevenness_values[2].push_back(unevenness(biharmonic_distances.one_to_all(mass, 1)));
           for(std::size_t i = 0; i < families.size(); ++i)
-            all[3 + i].push_back(unevenness(families[i]->one_to_all(mass, {})));
+            unevenness_values[3 + i].push_back(unevenness(families[i]->one_to_all(mass, {})));
         }
         std::vector<std::string> row = {name, std::to_string(n)};
-        for(const auto& values : all)
-          row.push_back(number(mean(values), 2));
-        row.push_back(number(mean(all[3]) / mean(all[2]), 2));
+        for(const auto& values : unevenness_values)
+          row.push_back(format_fixed(mean(values), 2));
+        row.push_back(format_fixed(mean(unevenness_values[3]) / mean(unevenness_values[2]), 2));
         table.add(row);
       });
   table.print();
@@ -756,26 +776,27 @@ void print_isotropy(bool is_quick)
   {
     const Domain domain(mesh);
     const Triangles& t = domain.triangles();
-    const Masses mass = masses_at(*t, {at(domain.index(from))});
-    std::vector<std::string> row = {name, std::to_string(domain.number_of_sites())};
-    std::string taken;
-    row.push_back(number(100. * spread(domain, Biharmonic_distances(*t).one_to_all(mass, 1)), 2));
+    const Masses mass = masses_at(*t, {vertex_location(domain.index(from))});
+    std::vector<std::string> row = {name, std::to_string(domain.number_of_vertices())};
+    std::string basis_sizes;
+    row.push_back(
+        format_fixed(100. * spread(domain, Biharmonic_distances(*t).one_to_all(mass, 1)), 2));
     for(const std::size_t k : {0, 5, 10, 100})
     {
-      const Transport_family family(t, k, Particular_field::gradient);
-      row.push_back(number(100. * spread(domain, family.one_to_all(mass, {})), 2));
+      const Spectral_transport family(t, k, Particular_field::gradient);
+      row.push_back(format_fixed(100. * spread(domain, family.one_to_all(mass, {})), 2));
       if(k > 0)
-        taken += (taken.empty() ? "" : ", ") + std::to_string(family.basis_size());
+        basis_sizes += (basis_sizes.empty() ? "" : ", ") + std::to_string(family.basis_size());
     }
-    row.push_back(taken);
+    row.push_back(basis_sizes);
     table.add(row);
   };
   const Mesh ball = icosphere(is_quick ? 3 : 4);
   add("sphere", ball, Vertex(0),
       [&](const Domain& domain, const Vector& d)
       {
-        const std::vector<double> angle = great_circles(ball, Vertex(0));
-        double worst = 0.;
+        const std::vector<double> angle = great_circle_distances(ball, Vertex(0));
+        double max_deviation = 0.;
         for(int band = 2; band < 18; ++band)
         {
           double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
@@ -788,9 +809,10 @@ void print_isotropy(bool is_quick)
             x += a, y += b, xx += a * a, xy += a * b, yy += b * b;
           }
           const double sxx = xx - x * x / n, sxy = xy - x * y / n, syy = yy - y * y / n;
-          worst = std::max(worst, std::sqrt(std::max(0., (syy - sxy * sxy / sxx) / n)) / (y / n));
+          max_deviation = std::max(max_deviation,
+                                   std::sqrt(std::max(0., (syy - sxy * sxy / sxx) / n)) / (y / n));
         }
-        return worst;
+        return max_deviation;
       });
   const int n = is_quick ? 20 : 40;
   const Mesh plane = mesh_of(CGAL::Geodesic_processing::test::square(std::size_t(n)));
@@ -798,7 +820,7 @@ void print_isotropy(bool is_quick)
   add("square", plane, point(n / 2, n / 2),
       [&](const Domain& domain, const Vector& d)
       {
-        double worst = 0.;
+        double max_deviation = 0.;
         for(int i = n / 2 + 4; i <= n; ++i)
           for(int j = n / 2; j <= i; ++j)
           {
@@ -810,47 +832,47 @@ void print_isotropy(bool is_quick)
                 low = std::min(low, d[domain.index(point(c, e))]);
                 high = std::max(high, d[domain.index(point(c, e))]);
               }
-            worst = std::max(worst, high / low - 1.);
+            max_deviation = std::max(max_deviation, high / low - 1.);
           }
-        return worst;
+        return max_deviation;
       });
   table.print();
 }
 
 // Proposition 2: a mass that is spread over a disc is as far as its middle, up to the radius and the gap.
-void print_discs(bool is_quick)
+void print_disks(bool is_quick)
 {
   Table table({"radius / distance", "model", "error / (radius + gap), mean / largest"});
-  for_each_model(is_quick ? std::vector<std::string>{"pig_468"}
-                          : std::vector<std::string>{"elephant_2k8", "kitten_9k"},
-                 [&](const std::string& name, Mesh& mesh)
-                 {
-                   const Domain domain(mesh);
-                   const Triangles& t = domain.triangles();
-                   const Transport_solver solver(operators(*t));
-                   const Vector area = lumped_mass(solver.operators());
-                   Window_propagation windows(t);
-                   std::mt19937 random;
-                   const std::vector<Pair> pairs = random_pairs(domain, is_quick ? 3 : 10, random);
-                   for(const double part : {0.4, 0.2, 0.1, 0.05})
-                   {
-                     std::vector<double> error;
-                     for(const auto& [p, q] : pairs)
-                     {
-                       windows.run({source(q)});
-                       const double exact = windows.distance(p.site), radius = part * exact;
-                       Vector disc = Vector::Zero(area.size());
-                       for(Index i = 0; i < disc.size(); ++i)
-                         if(windows.distance(i) <= radius)
-                           disc[i] = area[i];
-                       const Transport found =
-                           solver.solve(disc / disc.sum() - Vector(masses_at(*t, {p}).col(0)));
-                       error.push_back(std::abs(found.value - exact) /
-                                       (radius + found.upper - found.lower));
-                     }
-                     table.add({digits(part), name, mean_and_largest(error, 2)});
-                   }
-                 });
+  for_each_model(
+      is_quick ? std::vector<std::string>{"pig_468"}
+               : std::vector<std::string>{"elephant_2k8", "kitten_9k"},
+      [&](const std::string& name, Mesh& mesh)
+      {
+        const Domain domain(mesh);
+        const Triangles& t = domain.triangles();
+        const Transport_solver solver(operators(*t));
+        const Vector area = lumped_mass(solver.operators());
+        Window_propagation windows(t);
+        std::mt19937 random;
+        const std::vector<Pair> pairs = random_pairs(domain, is_quick ? 3 : 10, random);
+        for(const double radius_ratio : {0.4, 0.2, 0.1, 0.05})
+        {
+          std::vector<double> error;
+          for(const auto& [p, q] : pairs)
+          {
+            windows.run({source(q)});
+            const double exact = windows.distance(p.vertex), radius = radius_ratio * exact;
+            Vector disk = Vector::Zero(area.size());
+            for(Index i = 0; i < disk.size(); ++i)
+              if(windows.distance(i) <= radius)
+                disk[i] = area[i];
+            const Transport_result found =
+                solver.solve(disk / disk.sum() - Vector(masses_at(*t, {p}).col(0)));
+            error.push_back(std::abs(found.value - exact) / (radius + found.upper - found.lower));
+          }
+          table.add({format_significant(radius_ratio), name, mean_and_largest(error, 2)});
+        }
+      });
   table.print();
 }
 
@@ -859,19 +881,19 @@ void print_discs(bool is_quick)
 int main(int argc, char* argv[])
 {
   using Print = void (*)(bool);
-  const std::pair<const char*, Print> parts[] = {
+  const std::pair<const char*, Print> sections[] = {
       {"table-1", print_one_to_all}, {"table-2", print_all_pairs},   {"fall", print_fall},
       {"metrics", print_metrics},    {"stability", print_stability}, {"evenness", print_evenness},
-      {"isotropy", print_isotropy},  {"discs", print_discs}};
+      {"isotropy", print_isotropy},  {"discs", print_disks}};
   bool is_quick = false;
-  std::string only;
+  std::string selected;
   for(int i = 1; i < argc; ++i)
     if(std::string(argv[i]) == "--quick")
       is_quick = true;
     else
-      only = argv[i];
-  for(const auto& [name, print] : parts)
-    if(only.empty() || only == name)
+      selected = argv[i];
+  for(const auto& [name, print] : sections)
+    if(selected.empty() || selected == name)
       print(is_quick);
   std::printf(
       "To reach: nothing grew, nothing longer than a detour by more than the gaps but by heat, "

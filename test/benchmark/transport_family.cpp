@@ -4,13 +4,13 @@
 // Seconds of the distances d_k between spectral and geodesic ones: of all pairs of samples without a
 // basis, of one place to all with and without; what the quick ways lose; how even they are.  Processor
 // time of one thread but where a watch is named.  --quick: without the meshes above ten thousand vertices.
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "models.h"
 #include "report.h"
 
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/transport/biharmonic.h>
-#include <CGAL/Geodesic_processing/internal/transport/transport_family.h>
+#include <CGAL/Geodesic_processing/internal/transport/spectral_transport.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,39 +27,41 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-constexpr Particular_field both[] = {Particular_field::gradient, Particular_field::raviart_thomas};
+constexpr Particular_field flow_kinds[] = {Particular_field::gradient,
+                                           Particular_field::raviart_thomas};
 
 std::string name_of(Particular_field kind)
 {
   return kind == Particular_field::gradient ? "gradient" : "balanced";
 }
 
-Masses unit(const Glued_surface& surface, Index site)
+Masses unit_mass(const Array_surface& surface, Index vertex)
 {
-  return masses_at(surface.t(), {{none, site, {}}});
+  return masses_at(surface.t(), {{none, vertex, {}}});
 }
 
-void measure_pairs(const std::string& name, const Glued_surface& surface, Table& table)
+void measure_pairs(const std::string& name, const Array_surface& surface, Table& table)
 {
   for(const std::size_t samples : {2, 100})
   {
-    std::vector<Location> places;
+    std::vector<Surface_location> locations;
     for(std::size_t j = 0; j < samples; ++j)
-      places.push_back(surface.at(Index(j * surface.size() / samples)));
+      locations.push_back(surface.at(Index(j * surface.size() / samples)));
     std::vector<std::string> row = {name, std::to_string(surface.size()), std::to_string(samples)};
-    for(const Particular_field kind : both)
+    for(const Particular_field kind : flow_kinds)
     {
-      std::unique_ptr<Transport_family> family;
-      row.push_back(number(
-          seconds([&]
-                  { family = std::make_unique<Transport_family>(surface.triangles(), 0, kind); }),
+      std::unique_ptr<Spectral_transport> family;
+      row.push_back(format_fixed(
+          cpu_seconds(
+              [&] { family = std::make_unique<Spectral_transport>(surface.triangles(), 0, kind); }),
           2));
-      row.push_back(
-          number(seconds([&] { family->all_pairs(masses_at(surface.t(), places), {}); }), 2));
+      row.push_back(format_fixed(
+          cpu_seconds([&] { family->all_pairs(masses_at(surface.t(), locations), {}); }), 2));
     }
-    row.push_back(number(
-        seconds([&]
-                { Biharmonic_distances(surface.t()).all_pairs(masses_at(surface.t(), places)); }),
+    row.push_back(format_fixed(
+        cpu_seconds(
+            [&]
+            { Biharmonic_distances(surface.t()).all_pairs(masses_at(surface.t(), locations)); }),
         2));
     table.add(row);
   }
@@ -69,13 +71,14 @@ void measure_pairs(const std::string& name, const Glued_surface& surface, Table&
 double unevenness(const Operators& operators, const Vector& function,
                   const std::vector<double>& exact)
 {
-  const double near = 0.05 * *std::max_element(exact.begin(), exact.end());
+  const double min_distance = 0.05 * *std::max_element(exact.begin(), exact.end());
   double area = 0., sum = 0., squares = 0.;
   const Field slope = gradient(operators, function);
   for(std::size_t f = 0; f < slope.size(); ++f)
   {
     const Index* corner = &operators.corner[3 * f];
-    if(exact[corner[0]] < near || exact[corner[1]] < near || exact[corner[2]] < near)
+    if(exact[corner[0]] < min_distance || exact[corner[1]] < min_distance ||
+       exact[corner[2]] < min_distance)
       continue;
     area += operators.area[f];
     sum += operators.area[f] * norm(slope[f]);
@@ -84,12 +87,12 @@ double unevenness(const Operators& operators, const Vector& function,
   return std::sqrt(squares * area / (sum * sum) - 1.);
 }
 
-void measure_one_to_all(const std::string& name, const Glued_surface& surface, Table& table)
+void measure_one_to_all(const std::string& name, const Array_surface& surface, Table& table)
 {
   const Index n = surface.size();
   Window_propagation windows(surface.triangles());
   windows.run({surface.source(0)});
-  const Masses source = unit(surface, surface.site(0));
+  const Masses source = unit_mass(surface, surface.vertex(0));
   std::vector<double> exact(n);
   for(Index i = 0; i < n; ++i)
     exact[i] = windows.distance(i);
@@ -99,48 +102,51 @@ void measure_one_to_all(const std::string& name, const Glued_surface& surface, T
   std::vector<Index> target;
   for(Eigen::Index j = 0; j < differences.cols(); ++j)
   {
-    target.push_back(surface.site(1 + Index(random() % (n - 1))));
+    target.push_back(surface.vertex(1 + Index(random() % (n - 1))));
     differences.coeffRef(target.back(), j) += 1.;
-    differences.coeffRef(surface.site(0), j) -= 1.;
+    differences.coeffRef(surface.vertex(0), j) -= 1.;
   }
 
   std::unique_ptr<Biharmonic_distances> biharmonic;
   Vector distances;
   const double biharmonic_set_up =
-      seconds([&] { biharmonic = std::make_unique<Biharmonic_distances>(surface.t()); });
-  const double biharmonic_time = seconds([&] { distances = biharmonic->one_to_all(source, 1); });
+      cpu_seconds([&] { biharmonic = std::make_unique<Biharmonic_distances>(surface.t()); });
+  const double biharmonic_time =
+      cpu_seconds([&] { distances = biharmonic->one_to_all(source, 1); });
   const Operators o = operators(surface.t());
-  table.add({name, std::to_string(n), "biharmonic", "-", number(biharmonic_set_up, 2),
-             number(biharmonic_time, 2), "-", "-", "-", "-", "-", "-",
-             number(unevenness(o, distances, exact), 2)});
+  table.add({name, std::to_string(n), "biharmonic", "-", format_fixed(biharmonic_set_up, 2),
+             format_fixed(biharmonic_time, 2), "-", "-", "-", "-", "-", "-",
+             format_fixed(unevenness(o, distances, exact), 2)});
 
   for(const std::size_t k : {0, 10, 100})
-    for(const Particular_field kind : both)
+    for(const Particular_field kind : flow_kinds)
     {
-      std::unique_ptr<Transport_family> family;
-      const double set_up = seconds(
-          [&] { family = std::make_unique<Transport_family>(surface.triangles(), k, kind); });
-      Family_options options;
-      const double time = seconds([&] { distances = family->one_to_all(source, options); });
-      const double alone = seconds_on_a_watch([&] { family->one_to_all(source, options); });
+      std::unique_ptr<Spectral_transport> family;
+      const double set_up = cpu_seconds(
+          [&] { family = std::make_unique<Spectral_transport>(surface.triangles(), k, kind); });
+      Spectral_transport_options options;
+      const double time = cpu_seconds([&] { distances = family->one_to_all(source, options); });
+      const double one_thread_time = wall_seconds([&] { family->one_to_all(source, options); });
       options.threads = 2;
-      const double together = seconds_on_a_watch([&] { family->one_to_all(source, options); });
+      const double two_thread_time = wall_seconds([&] { family->one_to_all(source, options); });
 
-      std::vector<Bounds> bounds;
-      const double pairs = seconds([&] { bounds = family->distances(differences, options); });
-      double mean = 0., largest = 0., above = 0.;
+      std::vector<Transport_bounds> bounds;
+      const double pairs = cpu_seconds([&] { bounds = family->distances(differences, options); });
+      double mean = 0., largest = 0., mean_excess = 0.;
       for(std::size_t j = 0; j < bounds.size(); ++j)
       {
         const double error = distances[target[j]] / bounds[j].lower - 1.;
         mean += error / double(bounds.size());
         largest = std::max(largest, error);
-        above += (bounds[j].upper / exact[target[j]] - 1.) / double(bounds.size());
+        mean_excess += (bounds[j].upper / exact[target[j]] - 1.) / double(bounds.size());
       }
       table.add({name, std::to_string(n), name_of(kind), std::to_string(family->basis_size()),
-                 number(set_up, 2), number(time, 2), number(alone / together, 2),
-                 number(double(n) / time, 0), number(100. * mean, 2), number(100. * largest, 2),
-                 number(pairs / double(bounds.size()), 3), number(100. * above, 1),
-                 number(unevenness(o, distances, exact), 2)});
+                 format_fixed(set_up, 2), format_fixed(time, 2),
+                 format_fixed(one_thread_time / two_thread_time, 2),
+                 format_fixed(double(n) / time, 0), format_fixed(100. * mean, 2),
+                 format_fixed(100. * largest, 2), format_fixed(pairs / double(bounds.size()), 3),
+                 format_fixed(100. * mean_excess, 1),
+                 format_fixed(unevenness(o, distances, exact), 2)});
     }
 }
 
@@ -156,8 +162,8 @@ int main(int argc, char* argv[])
   if(!is_quick)
     names.insert(names.end(), {"boot_20k", "bunny_37k"});
   for(const std::string& name : names)
-    if(const auto mesh = model(name))
-      measure_pairs(name, Glued_surface(triangulation_of(*mesh)), pairs);
+    if(const auto mesh = load_model(name))
+      measure_pairs(name, Array_surface(triangulation_of(*mesh)), pairs);
   pairs.print();
 
   Table table({"one to all", "vertices", "flow", "k", "set-up s", "s", "2 threads: times faster",
@@ -167,8 +173,8 @@ int main(int argc, char* argv[])
   if(!is_quick)
     names.insert(names.end(), {"fandisk_6k5", "fsaverage5_inflated_left_10k"});
   for(const std::string& name : names)
-    if(const auto mesh = model(name))
-      measure_one_to_all(name, Glued_surface(triangulation_of(*mesh)), table);
+    if(const auto mesh = load_model(name))
+      measure_one_to_all(name, Array_surface(triangulation_of(*mesh)), table);
   table.print();
   std::printf(
       "To reach: 100 samples of bunny_37k in 0.6 s with set-up; one to all of 10k vertices in "

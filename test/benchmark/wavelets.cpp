@@ -45,7 +45,7 @@ double diagonal(const Mesh& mesh)
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
-Mesh semi_regular(const Mesh& input, unsigned levels)
+Mesh build_semi_regular_mesh(const Mesh& input, unsigned levels)
 {
   Mesh result;
   GP::semi_regular_remeshing(input, 250, levels, result,
@@ -54,7 +54,7 @@ Mesh semi_regular(const Mesh& input, unsigned levels)
 }
 
 // What a parameterization without kinks between base faces would give.
-Mesh laid_on(const Mesh& input, unsigned levels)
+Mesh projected_subdivision(const Mesh& input, unsigned levels)
 {
   Tree tree(faces(input).first, faces(input).second, input);
   tree.accelerate_distance_queries();
@@ -66,22 +66,22 @@ Mesh laid_on(const Mesh& input, unsigned levels)
     result = refined(result);
     for(int step = 0; step < 10; ++step)
     {
-      std::vector<Kernel::Point_3> places;
+      std::vector<Kernel::Point_3> positions;
       for(const Vertex v : result.vertices())
       {
         Kernel::Vector_3 sum(0., 0., 0.);
-        std::size_t number = 0;
+        std::size_t count = 0;
         if(!result.is_border(v))
           for(const auto h : CGAL::halfedges_around_target(v, result))
           {
             sum = sum + (result.point(result.source(h)) - result.point(v));
-            ++number;
+            ++count;
           }
-        places.push_back(
-            tree.closest_point(result.point(v) + (number > 0 ? 0.5 / double(number) : 0.) * sum));
+        positions.push_back(
+            tree.closest_point(result.point(v) + (count > 0 ? 0.5 / double(count) : 0.) * sum));
       }
       for(const Vertex v : result.vertices())
-        result.point(v) = places[v];
+        result.point(v) = positions[v];
     }
   }
   return result;
@@ -105,7 +105,7 @@ Errors errors(const Mesh& mesh, const Tree& tree, const std::vector<Kernel::Poin
 }
 
 // Points of the vertices, in the order of the mesh.
-std::vector<Kernel::Point_3> decoded(const Wavelet& wavelet, const Bytes& bytes)
+std::vector<Kernel::Point_3> decode(const Wavelet& wavelet, const Bytes& bytes)
 {
   Mesh mesh;
   GP::decode_wavelets(bytes, mesh);
@@ -147,14 +147,14 @@ void report(const std::string& name, const Mesh& mesh, std::vector<Panel>& panel
   {
     const Wavelet wavelet(mesh);
     const Errors found = errors(mesh, tree, samples(wavelet, mesh, percent));
-    table.add({"samples", number(percent, 0) + " %", "", number(found.vertices, 3),
-               number(found.surface, 3), ""});
+    table.add({"samples", format_fixed(percent, 0) + " %", "", format_fixed(found.vertices, 3),
+               format_fixed(found.surface, 3), ""});
     for(const auto p : predictions)
     {
-      const Wavelet own(mesh, GP::parameters::wavelet_prediction(p));
-      const Errors kept = errors(mesh, tree, with_details(own, mesh, percent));
-      table.add({name_of(p), number(percent, 0) + " %", "", number(kept.vertices, 3),
-                 number(kept.surface, 3), ""});
+      const Wavelet predicted_wavelet(mesh, GP::parameters::wavelet_prediction(p));
+      const Errors kept = errors(mesh, tree, with_details(predicted_wavelet, mesh, percent));
+      table.add({name_of(p), format_fixed(percent, 0) + " %", "", format_fixed(kept.vertices, 3),
+                 format_fixed(kept.surface, 3), ""});
     }
   }
   Panel panel = {name, "bits for each vertex", {}};
@@ -162,7 +162,7 @@ void report(const std::string& name, const Mesh& mesh, std::vector<Panel>& panel
   {
     const Wavelet wavelet(mesh, GP::parameters::wavelet_prediction(p));
     Bytes bytes;
-    const double time = seconds(
+    const double time = cpu_seconds(
         [&] {
           bytes =
               wavelet.encode(wavelet.analyze(mesh.points(), GP::parameters::do_use_frames(true)));
@@ -175,9 +175,10 @@ void report(const std::string& name, const Mesh& mesh, std::vector<Panel>& panel
     {
       const std::size_t size = std::min(bytes.size(), std::size_t(bits * n / 8.));
       const Errors found = errors(
-          mesh, tree, decoded(wavelet, Bytes(bytes.begin(), bytes.begin() + std::ptrdiff_t(size))));
-      table.add({name_of(p), "", number(8. * double(size) / n, 2), number(found.vertices, 3),
-                 number(found.surface, 3), number(time, 2)});
+          mesh, tree, decode(wavelet, Bytes(bytes.begin(), bytes.begin() + std::ptrdiff_t(size))));
+      table.add({name_of(p), "", format_fixed(8. * double(size) / n, 2),
+                 format_fixed(found.vertices, 3), format_fixed(found.surface, 3),
+                 format_fixed(time, 2)});
       vertices.points.push_back({bits, found.vertices * 1e-4});
       surface.points.push_back({bits, found.surface * 1e-4});
     }
@@ -195,10 +196,11 @@ int main(int argc, char** argv)
   const bool is_quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
   std::vector<Panel> panels;
   for(const char* const name : {"bunny_37k", "nefertiti_35k"})
-    if(const auto mesh = model(name))
+    if(const auto mesh = load_model(name))
     {
-      report(name, semi_regular(*mesh, is_quick ? 2 : 4), panels);
-      report(name + std::string(", smooth"), laid_on(*mesh, is_quick ? 2 : 4), panels);
+      report(name, build_semi_regular_mesh(*mesh, is_quick ? 2 : 4), panels);
+      report(name + std::string(", smooth"), projected_subdivision(*mesh, is_quick ? 2 : 4),
+             panels);
     }
   if(panels.empty())
     report("sphere", icosphere(is_quick ? 4 : 6), panels);

@@ -41,17 +41,17 @@ int fuzz_reader(program::Surface_file (*read)(std::string_view, const std::strin
     return 0;
   }
   must(file.corners.size() == 3 * file.number_of_polygons());
-  must(surface.gluing.twins.size() == file.corners.size());
-  for(std::uint32_t s = 0; s < file.corners.size(); ++s)
+  must(surface.connectivity.twins.size() == file.corners.size());
+  for(std::uint32_t h = 0; h < file.corners.size(); ++h)
   {
-    must(file.corners[s] < file.points.size());
-    const std::uint32_t next = s % 3 == 2 ? s - 2 : s + 1, twin = surface.gluing.twins[s];
-    must(file.corners[s] != file.corners[next]);
-    if(twin == program::no_side)
+    must(file.corners[h] < file.points.size());
+    const std::uint32_t next = h % 3 == 2 ? h - 2 : h + 1, twin = surface.connectivity.twins[h];
+    must(file.corners[h] != file.corners[next]);
+    if(twin == program::no_halfedge)
       continue;
     const std::uint32_t next_of_twin = twin % 3 == 2 ? twin - 2 : twin + 1;
-    must(surface.gluing.twins[twin] == s);
-    must(file.corners[twin] == file.corners[next] && file.corners[next_of_twin] == file.corners[s]);
+    must(surface.connectivity.twins[twin] == h);
+    must(file.corners[twin] == file.corners[next] && file.corners[next_of_twin] == file.corners[h]);
   }
   const program::Mesh mesh = program::make_mesh(surface);
   must(mesh.number_of_faces() == file.number_of_polygons());

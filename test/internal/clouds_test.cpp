@@ -15,9 +15,12 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // Means of n numbers of variance s^2 lie within five times s / sqrt(n), but for one in a million.
-double chance(double deviation, std::size_t n) { return 5. * deviation / std::sqrt(double(n)); }
+double statistical_tolerance(double deviation, std::size_t n)
+{
+  return 5. * deviation / std::sqrt(double(n));
+}
 
-TEST(clouds, have_offsets_along_normals_of_even_chances)
+TEST(clouds, noise_offsets_are_uniform_along_normals)
 {
   const Cloud sphere = octahedron_sphere(5);
   std::vector<double> radii(sphere.size());
@@ -27,33 +30,33 @@ TEST(clouds, have_offsets_along_normals_of_even_chances)
   {
     const Cloud noisy = with_noise(sphere, radii, level, 1);
     ASSERT_EQ(noisy.size(), sphere.size());
-    double sum = 0., squares = 0., most = 0.;
+    double sum = 0., squares = 0., largest = 0.;
     for(std::size_t i = 0; i < noisy.size(); ++i)
     {
-      const Spatial way = noisy.points[i] - sphere.points[i];
-      const double offset = dot(way, sphere.normals[i]);
-      EXPECT_LT(norm(way - offset * sphere.normals[i]), 1e-15); // rounding
-      const double share = offset / (level * radii[i]);
-      EXPECT_LE(std::abs(share), 1. + 1e-12);
-      most = std::max(most, std::abs(share));
-      sum += share;
-      squares += share * share;
+      const Vec3 offset_vector = noisy.points[i] - sphere.points[i];
+      const double offset = dot(offset_vector, sphere.normals[i]);
+      EXPECT_LT(norm(offset_vector - offset * sphere.normals[i]), 1e-15); // rounding
+      const double relative_offset = offset / (level * radii[i]);
+      EXPECT_LE(std::abs(relative_offset), 1. + 1e-12);
+      largest = std::max(largest, std::abs(relative_offset));
+      sum += relative_offset;
+      squares += relative_offset * relative_offset;
     }
     // Even chances between -1 and 1: variance 1/3, and 1/5 - 1/9 that of squares.
     const double n = double(noisy.size());
-    EXPECT_NEAR(sum / n, 0., chance(std::sqrt(1. / 3.), noisy.size()));
-    EXPECT_NEAR(squares / n, 1. / 3., chance(std::sqrt(4. / 45.), noisy.size()));
-    EXPECT_GT(most, 0.99); // of 4,098 numbers none above has a chance of 1e-18
+    EXPECT_NEAR(sum / n, 0., statistical_tolerance(std::sqrt(1. / 3.), noisy.size()));
+    EXPECT_NEAR(squares / n, 1. / 3., statistical_tolerance(std::sqrt(4. / 45.), noisy.size()));
+    EXPECT_GT(largest, 0.99); // of 4,098 numbers none above has a chance of 1e-18
   }
 }
 
-TEST(clouds, have_normals_turned_by_up_to_ten_degrees)
+TEST(clouds, normals_are_perturbed_by_at_most_ten_degrees)
 {
   const Cloud square = square_cloud(60);
   const Cloud noisy = with_noise(square, std::vector<double>(square.size(), 0.01), 1., 2);
   double sum = 0.;
-  Spatial directions = {0., 0., 0.};
-  for(const Spatial& n : noisy.normals)
+  Vec3 directions = {0., 0., 0.};
+  for(const Vec3& n : noisy.normals)
   {
     EXPECT_NEAR(norm(n), 1., 1e-15);
     const double angle = std::atan2(std::hypot(n[0], n[1]), n[2]);
@@ -62,12 +65,12 @@ TEST(clouds, have_normals_turned_by_up_to_ten_degrees)
     directions = directions + unit({n[0], n[1], 0.});
   }
   // Of the angle between 0 and 10 degrees, and of cosines of any direction.
-  EXPECT_NEAR(sum / 3600., pi / 36., chance(pi / 18. / std::sqrt(12.), 3600));
+  EXPECT_NEAR(sum / 3600., pi / 36., statistical_tolerance(pi / 18. / std::sqrt(12.), 3600));
   for(int k = 0; k < 2; ++k)
-    EXPECT_NEAR(directions[k] / 3600., 0., chance(std::sqrt(0.5), 3600));
+    EXPECT_NEAR(directions[k] / 3600., 0., statistical_tolerance(std::sqrt(0.5), 3600));
 }
 
-TEST(clouds, have_as_many_outliers_as_asked_for)
+TEST(clouds, outlier_fraction_is_exact)
 {
   const Cloud square = square_cloud(60);
   const std::vector<double> radii(square.size(), 0.01);
@@ -79,18 +82,18 @@ TEST(clouds, have_as_many_outliers_as_asked_for)
   std::size_t outside = 0;
   for(std::size_t i = noisy.size(); i < worse.size(); ++i)
   {
-    Spatial place = worse.points[i];
-    EXPECT_LE(std::abs(place[2]), 0.02 * (1. + 1e-12));
-    outside += std::abs(place[2]) > 0.005;
+    Vec3 point = worse.points[i];
+    EXPECT_LE(std::abs(point[2]), 0.02 * (1. + 1e-12));
+    outside += std::abs(point[2]) > 0.005;
     // Above or below a surfel of the square.
-    place[2] = 0.;
-    EXPECT_NE(std::find(square.points.begin(), square.points.end(), place), square.points.end());
+    point[2] = 0.;
+    EXPECT_NE(std::find(square.points.begin(), square.points.end(), point), square.points.end());
   }
   // Three quarters of them are farther off than noise is.
-  EXPECT_NEAR(double(outside) / 180., 0.75, chance(std::sqrt(3. / 16.), 180));
+  EXPECT_NEAR(double(outside) / 180., 0.75, statistical_tolerance(std::sqrt(3. / 16.), 180));
 }
 
-TEST(clouds, are_scanned_stripe_by_stripe)
+TEST(clouds, scan_noise_is_per_stripe_and_point)
 {
   const Cloud scan = scanned_square(94, 70, 3), truth = scanned_square(94, 70, 0);
   ASSERT_EQ(scan.size(), truth.size());
@@ -122,7 +125,7 @@ TEST(clouds, are_scanned_stripe_by_stripe)
   EXPECT_NEAR(stripes / 94. / (spacing * spacing), expected, known * expected);
 }
 
-TEST(clouds, are_the_same_for_a_seed)
+TEST(clouds, are_deterministic_for_seed)
 {
   const Cloud square = square_cloud(10);
   const std::vector<double> radii(square.size(), 0.1);

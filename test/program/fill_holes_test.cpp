@@ -15,7 +15,7 @@
 
 namespace {
 
-using program::Filled_holes;
+using program::Hole_filling_result;
 using program::Mesh;
 using program::Point;
 using program::Surface_file;
@@ -29,7 +29,7 @@ Mesh mesh_of(const std::vector<Point>& points, const Triangles& triangles)
   for(const auto& triangle : triangles)
   {
     file.corners.insert(file.corners.end(), triangle.begin(), triangle.end());
-    file.first.push_back(file.corners.size());
+    file.polygon_begin.push_back(file.corners.size());
   }
   return program::make_mesh(program::repair(std::move(file), ""));
 }
@@ -76,7 +76,7 @@ Mesh sheet(std::uint32_t squares, const std::set<std::size_t>& missing = {})
 {
   std::vector<Point> points;
   Triangles triangles;
-  std::size_t number = 0;
+  std::size_t triangle_index = 0;
   for(std::uint32_t j = 0; j <= squares; ++j)
     for(std::uint32_t i = 0; i <= squares; ++i)
       points.push_back({double(i), double(j), 0.});
@@ -85,20 +85,20 @@ Mesh sheet(std::uint32_t squares, const std::set<std::size_t>& missing = {})
     {
       const std::uint32_t a = j * (squares + 1) + i, b = a + 1, d = a + squares + 1, c = d + 1;
       for(const auto& triangle : Triangles{{a, b, c}, {a, c, d}})
-        if(missing.count(number++) == 0)
+        if(missing.count(triangle_index++) == 0)
           triangles.push_back(triangle);
     }
   return mesh_of(points, triangles);
 }
 
-std::size_t border_edges(const Mesh& mesh)
+std::size_t number_of_boundary_edges(const Mesh& mesh)
 {
   const auto edges = mesh.edges();
   return static_cast<std::size_t>(
       std::count_if(edges.begin(), edges.end(), [&](auto e) { return mesh.is_border(e); }));
 }
 
-bool joins_vertices_once(const Mesh& mesh)
+bool has_no_duplicate_edges(const Mesh& mesh)
 {
   std::set<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> seen;
   for(const auto e : mesh.edges())
@@ -107,19 +107,19 @@ bool joins_vertices_once(const Mesh& mesh)
   return true;
 }
 
-TEST(Fill_holes, a_tube_gets_two_flat_lids)
+TEST(Fill_holes, closes_tube_with_planar_lids)
 {
   for(const double scale : {1., 1e-160, 1e160})
     for(const std::uint32_t n : {3u, 12u, 150u, 600u})
     {
       Mesh mesh = tube(n, scale);
-      const Filled_holes holes = program::fill_holes(mesh);
-      EXPECT_EQ(holes.filled, 2u) << n;
-      EXPECT_EQ(holes.left, 0u) << n;
+      const Hole_filling_result holes = program::fill_holes(mesh);
+      EXPECT_EQ(holes.number_of_filled, 2u) << n;
+      EXPECT_EQ(holes.number_of_left, 0u) << n;
       EXPECT_EQ(mesh.number_of_vertices(), 2 * n);
       EXPECT_TRUE(CGAL::is_closed(mesh));
       EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
-      EXPECT_TRUE(joins_vertices_once(mesh));
+      EXPECT_TRUE(has_no_duplicate_edges(mesh));
       for(auto& p : mesh.points())
         p = {p.x() / scale, p.y() / scale, p.z() / scale};
       const double volume = n * std::sin(2. * CGAL_PI / n) / 2.;
@@ -127,59 +127,60 @@ TEST(Fill_holes, a_tube_gets_two_flat_lids)
     }
 }
 
-TEST(Fill_holes, no_larger_ones_than_asked_for)
+TEST(Fill_holes, respects_max_edges)
 {
-  for(const auto& [most, filled] : {std::pair(2, 0), {3, 1}, {9, 1}, {10, 3}})
+  for(const auto& [max_edges, filled] : {std::pair(2, 0), {3, 1}, {9, 1}, {10, 3}})
   {
     Mesh mesh = tube(10, 1., true);
-    const Filled_holes holes = program::fill_holes(mesh, static_cast<std::size_t>(most));
-    EXPECT_EQ(holes.filled, static_cast<std::size_t>(filled));
-    EXPECT_EQ(holes.left, 0u);
+    const Hole_filling_result holes =
+        program::fill_holes(mesh, static_cast<std::size_t>(max_edges));
+    EXPECT_EQ(holes.number_of_filled, static_cast<std::size_t>(filled));
+    EXPECT_EQ(holes.number_of_left, 0u);
     EXPECT_EQ(CGAL::is_closed(mesh), filled == 3);
   }
 }
 
-TEST(Fill_holes, a_sheet_is_closed_without_edges_that_it_has)
+TEST(Fill_holes, adds_no_duplicate_edges)
 {
   Mesh mesh = sheet(4);
-  EXPECT_EQ(program::fill_holes(mesh).filled, 1u);
+  EXPECT_EQ(program::fill_holes(mesh).number_of_filled, 1u);
   EXPECT_TRUE(CGAL::is_closed(mesh));
-  EXPECT_TRUE(joins_vertices_once(mesh));
+  EXPECT_TRUE(has_no_duplicate_edges(mesh));
 }
 
-TEST(Fill_holes, holes_that_share_a_vertex_are_two)
+TEST(Fill_holes, fills_holes_sharing_a_vertex)
 {
   // Opposite triangles around the vertex in the middle.
   Mesh mesh = sheet(4, {11, 20});
-  EXPECT_EQ(border_edges(mesh), 16u + 6u);
-  const Filled_holes holes = program::fill_holes(mesh, 3);
-  EXPECT_EQ(holes.filled, 2u);
-  EXPECT_EQ(holes.left, 0u);
-  EXPECT_EQ(border_edges(mesh), 16u);
+  EXPECT_EQ(number_of_boundary_edges(mesh), 16u + 6u);
+  const Hole_filling_result holes = program::fill_holes(mesh, 3);
+  EXPECT_EQ(holes.number_of_filled, 2u);
+  EXPECT_EQ(holes.number_of_left, 0u);
+  EXPECT_EQ(number_of_boundary_edges(mesh), 16u);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
 }
 
-TEST(Fill_holes, parts_that_touch_are_not_joined)
+TEST(Fill_holes, does_not_join_touching_components)
 {
   // Two tetrahedra without a face each, which share the vertex between their open sides.
   Mesh open =
       mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
               {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}});
-  EXPECT_EQ(program::fill_holes(open).filled, 2u);
+  EXPECT_EQ(program::fill_holes(open).number_of_filled, 2u);
   EXPECT_EQ(open.number_of_faces(), 8u);
-  EXPECT_EQ(border_edges(open), 0u);
+  EXPECT_EQ(number_of_boundary_edges(open), 0u);
   EXPECT_EQ(open.number_of_edges(), 12u);
 
   // What surrounds a single triangle is no hole.
   Mesh single =
       mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
-  const Filled_holes holes = program::fill_holes(single);
-  EXPECT_EQ(holes.filled, 0u);
-  EXPECT_EQ(holes.left, 2u);
+  const Hole_filling_result holes = program::fill_holes(single);
+  EXPECT_EQ(holes.number_of_filled, 0u);
+  EXPECT_EQ(holes.number_of_left, 2u);
   EXPECT_EQ(single.number_of_faces(), 2u);
 }
 
-TEST(Fill_holes, vertices_at_one_place_do_not_matter)
+TEST(Fill_holes, accepts_coincident_vertices)
 {
   // A tube of ten corners, neighbours of which move to one place, two at either end.
   for(std::uint32_t i = 0; i < 10; ++i)
@@ -189,19 +190,19 @@ TEST(Fill_holes, vertices_at_one_place_do_not_matter)
     { mesh.point(Mesh::Vertex_index(v)) = mesh.point(Mesh::Vertex_index(to)); };
     move(2 * i, 2 * ((i + 1) % 10));
     move(2 * ((i + 4) % 10) + 1, 2 * ((i + 5) % 10) + 1);
-    const Filled_holes holes = program::fill_holes(mesh);
-    EXPECT_EQ(holes.filled + holes.left, 2u);
-    EXPECT_EQ(CGAL::is_closed(mesh), holes.left == 0);
-    EXPECT_EQ(mesh.number_of_faces(), 20 + 8 * holes.filled);
+    const Hole_filling_result holes = program::fill_holes(mesh);
+    EXPECT_EQ(holes.number_of_filled + holes.number_of_left, 2u);
+    EXPECT_EQ(CGAL::is_closed(mesh), holes.number_of_left == 0);
+    EXPECT_EQ(mesh.number_of_faces(), 20 + 8 * holes.number_of_filled);
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
   }
 }
 
-TEST(Fill_holes, what_takes_too_long_or_has_no_area_is_left)
+TEST(Fill_holes, leaves_degenerate_or_expensive_holes)
 {
-  Mesh tube_of_many = tube(6000, 1.);
-  EXPECT_EQ(program::fill_holes(tube_of_many).left, 2u);
-  EXPECT_EQ(border_edges(tube_of_many), 12000u);
+  Mesh large_tube = tube(6000, 1.);
+  EXPECT_EQ(program::fill_holes(large_tube).number_of_left, 2u);
+  EXPECT_EQ(number_of_boundary_edges(large_tube), 12000u);
 
   // Fans around rims of any shape: all at one point, on a line, on two lines that do not meet, whose
   // Delaunay triangulation is as large as can be, and anywhere.
@@ -226,12 +227,12 @@ TEST(Fill_holes, what_takes_too_long_or_has_no_area_is_left)
         triangles.push_back({0, i + 1, (i + 1) % n + 1});
       }
       Mesh mesh = mesh_of(points, triangles);
-      const Filled_holes holes = program::fill_holes(mesh);
-      EXPECT_EQ(holes.filled + holes.left, 1u);
-      EXPECT_EQ(CGAL::is_closed(mesh), holes.filled == 1);
-      EXPECT_TRUE(joins_vertices_once(mesh));
-      EXPECT_EQ(mesh.number_of_faces(), holes.filled == 1 ? 2 * n - 2 : n);
-      EXPECT_TRUE(shape > 1 || holes.filled == 0);
+      const Hole_filling_result holes = program::fill_holes(mesh);
+      EXPECT_EQ(holes.number_of_filled + holes.number_of_left, 1u);
+      EXPECT_EQ(CGAL::is_closed(mesh), holes.number_of_filled == 1);
+      EXPECT_TRUE(has_no_duplicate_edges(mesh));
+      EXPECT_EQ(mesh.number_of_faces(), holes.number_of_filled == 1 ? 2 * n - 2 : n);
+      EXPECT_TRUE(shape > 1 || holes.number_of_filled == 0);
     }
 }
 

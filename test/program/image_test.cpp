@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Image.h"
 
-#include "picture/drawings.h"
+#include "picture/procedural_images.h"
 #include "io/errors.h"
 
 #include <gtest/gtest.h>
@@ -11,18 +11,18 @@
 
 namespace {
 
-using program::Colour;
+using program::Color;
 using program::Image;
 
-TEST(Image, is_linear_between_the_middles_of_pixels)
+TEST(Image, interpolates_bilinearly)
 {
   // Two rows of three; the lower one red, from dark to bright.
   const Image image{
       3, 2, {{0., 0., 0.}, {0.5, 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 1., 0.}, {0., 1., 0.}}};
-  EXPECT_EQ(image.at(0., 0.), (Colour{0., 0., 0.}));
-  EXPECT_EQ(image.at(1., 0.), (Colour{1., 0., 0.}));
-  EXPECT_EQ(image.at(0.5, 1.), (Colour{0., 1., 0.}));
-  const Colour between = image.at(1. / 3., 0.5);
+  EXPECT_EQ(image.at(0., 0.), (Color{0., 0., 0.}));
+  EXPECT_EQ(image.at(1., 0.), (Color{1., 0., 0.}));
+  EXPECT_EQ(image.at(0.5, 1.), (Color{0., 1., 0.}));
+  const Color between = image.at(1. / 3., 0.5);
   EXPECT_NEAR(between[0], 0.125, 1e-15); // rounding
   EXPECT_NEAR(between[1], 0.5, 1e-15);
   // Outside it repeats.
@@ -30,26 +30,26 @@ TEST(Image, is_linear_between_the_middles_of_pixels)
     EXPECT_NEAR(image.at(0.25 + shift, 0.25 + shift)[0], image.at(0.25, 0.25)[0], 1e-14);
 }
 
-TEST(Image, of_one_pixel_is_plain)
+TEST(Image, single_pixel_is_constant)
 {
   const Image image{1, 1, {{0.2, 0.3, 0.4}}};
   for(const double u : {-1e300, -0.5, 0., 0.3, 1., 1e300})
-    EXPECT_EQ(image.at(u, 1. - u), (Colour{0.2, 0.3, 0.4}));
+    EXPECT_EQ(image.at(u, 1. - u), (Color{0.2, 0.3, 0.4}));
 }
 
-TEST(Image, what_is_transparent_lends_no_colour)
+TEST(Image, transparent_pixels_do_not_bleed)
 {
   const Image image{2, 1, {{1., 0., 0.}, {0., 1., 0.}}, {1., 0.}};
-  const auto middle = image.with_opacity_at(0.5, 0.5);
+  const auto middle = image.rgba_at(0.5, 0.5);
   EXPECT_EQ(middle, (std::array<double, 4>{1., 0., 0., 0.5}));
-  EXPECT_EQ(image.with_opacity_at(1., 0.5)[3], 0.);
+  EXPECT_EQ(image.rgba_at(1., 0.5)[3], 0.);
   // Without opacities all is opaque.
   const Image opaque{2, 1, {{1., 0., 0.}, {0., 1., 0.}}};
-  EXPECT_EQ(opaque.with_opacity_at(0.5, 0.5), (std::array<double, 4>{0.5, 0.5, 0., 1.}));
+  EXPECT_EQ(opaque.rgba_at(0.5, 0.5), (std::array<double, 4>{0.5, 0.5, 0., 1.}));
 }
 
 #ifdef GEODESIC_PROCESSING_HAS_PNG
-TEST(Image, is_read_as_it_was_written)
+TEST(Image, round_trip_preserves_pixels)
 {
   const Image image{
       3,
@@ -69,35 +69,37 @@ TEST(Image, is_read_as_it_was_written)
 }
 #endif
 
-TEST(Image, a_polar_grid_has_dark_and_light_cells_in_turn)
+TEST(Image, polar_grid_alternates)
 {
-  EXPECT_EQ(program::polar_cell(1., 0.1, 20), -1);
-  EXPECT_EQ(program::polar_cell(std::nan(""), 0., 20), -1);
+  EXPECT_EQ(program::polar_grid_cell(1., 0.1, 20), -1);
+  EXPECT_EQ(program::polar_grid_cell(std::nan(""), 0., 20), -1);
   // Across a ring, and across a ray.
   const double angle = std::acos(-1.) / 24.;
-  const int cell = program::polar_cell(0.525 * std::cos(angle), 0.525 * std::sin(angle), 20);
-  EXPECT_EQ(program::polar_cell(0.575 * std::cos(angle), 0.575 * std::sin(angle), 20), 1 - cell);
-  EXPECT_EQ(program::polar_cell(0.525 * std::cos(angle), -0.525 * std::sin(angle), 20), 1 - cell);
+  const int cell = program::polar_grid_cell(0.525 * std::cos(angle), 0.525 * std::sin(angle), 20);
+  EXPECT_EQ(program::polar_grid_cell(0.575 * std::cos(angle), 0.575 * std::sin(angle), 20),
+            1 - cell);
+  EXPECT_EQ(program::polar_grid_cell(0.525 * std::cos(angle), -0.525 * std::sin(angle), 20),
+            1 - cell);
   const Image grid = program::polar_grid();
   EXPECT_EQ(grid.pixels.size(), grid.width * grid.height);
   EXPECT_EQ(grid.opacity.front(), 0.);
-  const auto colour = [&](double x, double y) { return grid.at(0.5 + 0.5 * x, 0.5 + 0.5 * y); };
+  const auto color = [&](double x, double y) { return grid.at(0.5 + 0.5 * x, 0.5 + 0.5 * y); };
   const double c = std::cos(angle), s = std::sin(angle);
-  EXPECT_GT(std::abs(colour(0.525 * c, 0.525 * s)[0] - colour(0.575 * c, 0.575 * s)[0]), 0.5);
+  EXPECT_GT(std::abs(color(0.525 * c, 0.525 * s)[0] - color(0.575 * c, 0.575 * s)[0]), 0.5);
   // The same but for rounding.
-  const Colour here = colour(0.525 * c, 0.525 * s), there = colour(0.575 * c, -0.575 * s);
+  const Color here = color(0.525 * c, 0.525 * s), there = color(0.575 * c, -0.575 * s);
   for(std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(here[k], there[k], 1e-12);
 }
 
-TEST(Image, a_compass_rose_has_red_above_and_is_round)
+TEST(Image, compass_rose_is_round_and_points_up)
 {
   const Image rose = program::compass_rose();
   const auto above = rose.at(0.51, 0.75), below = rose.at(0.49, 0.25);
   EXPECT_GT(above[0], above[2] + 0.5);
   EXPECT_LT(below[0], below[2]);
-  EXPECT_EQ(rose.with_opacity_at(0.01, 0.01)[3], 0.);
-  EXPECT_EQ(rose.with_opacity_at(0.5, 0.5)[3], 1.);
+  EXPECT_EQ(rose.rgba_at(0.01, 0.01)[3], 0.);
+  EXPECT_EQ(rose.rgba_at(0.5, 0.5)[3], 1.);
 }
 
 } // namespace

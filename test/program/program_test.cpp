@@ -4,7 +4,7 @@
 // Runs the program itself: GEODESIC_PROCESSING_PROGRAM is its file.
 #include <nlohmann/json.hpp>
 
-#include "subdivided.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -28,13 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome
+struct Run_result
 {
   int code = -1;
   std::string out, err;
 };
 
-std::string content(const fs::path& file)
+std::string read_file(const fs::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -50,15 +50,14 @@ std::string png(unsigned width, const std::string& rows)
   };
   const auto chunk = [&](const std::string& bytes) // its name, and what is in it
   {
-    std::uint32_t remainder = ~0u;
+    std::uint32_t crc = ~0u;
     for(const unsigned char byte : bytes)
     {
-      remainder ^= byte;
+      crc ^= byte;
       for(int bit = 0; bit < 8; ++bit)
-        remainder = remainder >> 1 ^ (remainder & 1 ? 0xedb88320u : 0u);
+        crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
     }
-    return big_endian(static_cast<std::uint32_t>(bytes.size() - 4)) + bytes +
-           big_endian(~remainder);
+    return big_endian(static_cast<std::uint32_t>(bytes.size() - 4)) + bytes + big_endian(~crc);
   };
   std::uint32_t a = 1, b = 0;
   for(const unsigned char byte : rows)
@@ -69,14 +68,14 @@ std::string png(unsigned width, const std::string& rows)
   // One block that is not compressed.
   const auto size = static_cast<std::uint16_t>(rows.size());
   const auto low = [](unsigned x) { return static_cast<char>(x & 255); };
-  const std::string stored =
+  const std::string zlib_stream =
       std::string{'\x78', '\x01', '\x01', low(size), low(size >> 8), low(~size), low(~size >> 8)} +
       rows + big_endian(b << 16 | a);
   const auto height = static_cast<std::uint32_t>(rows.size() / (width + 1));
   return "\x89PNG\r\n\x1a\n" +
          chunk("IHDR" + big_endian(width) + big_endian(height) +
                std::string{'\x08', '\0', '\0', '\0', '\0'}) +
-         chunk("IDAT" + stored) + chunk("IEND");
+         chunk("IDAT" + zlib_stream) + chunk("IEND");
 }
 
 // A fresh folder with some inputs, gone at the end.
@@ -136,31 +135,31 @@ protected:
   }
 
   // A command line, run in the folder.
-  Outcome run(const std::string& arguments) const
+  Run_result run(const std::string& arguments) const
   {
     const fs::path out = fs::path(m_folder.string() + ".out"), err = m_folder.string() + ".err";
-    const std::string redirected =
+    const std::string redirection =
         arguments.find('>') == std::string::npos ? " >'" + out.string() + "'" : "";
     const int status =
         std::system(("cd '" + m_folder.string() + "' && '" GEODESIC_PROCESSING_PROGRAM "' " +
-                     arguments + redirected + " 2>'" + err.string() + "'")
+                     arguments + redirection + " 2>'" + err.string() + "'")
                         .c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
+    Run_result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
     fs::remove(out);
     fs::remove(err);
-    return outcome;
+    return result;
   }
 
   nlohmann::json json(const std::string& arguments) const
   {
-    const Outcome outcome = run(arguments + " --json --quiet");
-    EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
-    return nlohmann::json::parse(outcome.out, nullptr, false);
+    const Run_result result = run(arguments + " --json --quiet");
+    EXPECT_EQ(result.code, 0) << arguments << ": " << result.err;
+    return nlohmann::json::parse(result.out, nullptr, false);
   }
 
   std::vector<double> numbers(const std::string& name) const
   {
-    std::istringstream stream(content(m_folder / name));
+    std::istringstream stream(read_file(m_folder / name));
     std::vector<double> result;
     for(std::string word; stream >> word;)
       result.push_back(std::strtod(word.c_str(), nullptr));
@@ -168,18 +167,18 @@ protected:
   }
 
   // The code, and one sentence that holds a part.
-  void expect_failure(const std::string& arguments, int code, const std::string& part) const
+  void expect_failure(const std::string& arguments, int code, const std::string& text) const
   {
-    const std::size_t files = count();
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, code) << arguments;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_PRED_FORMAT2(testing::IsSubstring, part, outcome.err);
-    EXPECT_EQ(count(), files) << arguments << " left a file behind";
+    const std::size_t files = number_of_files();
+    const Run_result result = run(arguments);
+    EXPECT_EQ(result.code, code) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, text, result.err);
+    EXPECT_EQ(number_of_files(), files) << arguments << " left a file behind";
   }
 
-  std::size_t count() const
+  std::size_t number_of_files() const
   {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), {}));
   }
@@ -195,7 +194,7 @@ std::set<std::string> keys(const nlohmann::json& object)
   return result;
 }
 
-TEST_F(Program, wrong_usage_is_1_and_one_sentence)
+TEST_F(Program, exits_with_1_on_wrong_usage)
 {
   expect_failure("", 1, "--help");
   expect_failure("fly square.ply", 1, "--help");
@@ -278,7 +277,7 @@ TEST_F(Program, wrong_usage_is_1_and_one_sentence)
   expect_failure("matrix square.ply --number 2 -o a.ply", 1, ".mtx");
 }
 
-TEST_F(Program, bad_input_is_2_and_names_the_file)
+TEST_F(Program, exits_with_2_on_bad_input)
 {
   expect_failure("info nowhere.ply", 2, "nowhere.ply: there is no such file");
   write("cut.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
@@ -309,7 +308,7 @@ TEST_F(Program, bad_input_is_2_and_names_the_file)
   expect_failure("path apart.off --from 0 --to 6 -o a.vtp", 2, "no path");
 }
 
-TEST_F(Program, what_cannot_be_written_is_3)
+TEST_F(Program, exits_with_3_if_output_cannot_be_written)
 {
   expect_failure("info square.ply -o none/a.ply", 3, "none");
   expect_failure("distance square.ply --source 0 --values none/a.txt", 3, "none");
@@ -322,7 +321,7 @@ TEST_F(Program, what_cannot_be_written_is_3)
   EXPECT_EQ(run("--help > /dev/full").code, 3);
 }
 
-TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
+TEST_F(Program, json_has_documented_keys)
 {
   const std::set<std::string> common = {"input",    "repaired", "kind",
                                         "vertices", "faces",    "seconds"};
@@ -392,22 +391,22 @@ TEST_F(Program, json_has_the_keys_that_scripts_rely_on)
                "converged"});
 }
 
-TEST_F(Program, json_alone_is_on_standard_output)
+TEST_F(Program, json_prints_nothing_else)
 {
   for(const char* const command :
       {"info quads.off", "distance quads.off --source 0", "path quads.off --from 0 --to 5",
        "voronoi quads.off --number 2", "sample quads.off --number 2", "remesh quads.off --number 9",
        "matrix quads.off --sources 0,5"})
   {
-    const Outcome outcome = run(std::string(command) + " --json");
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_TRUE(nlohmann::json::accept(outcome.out)) << outcome.out;
-    EXPECT_TRUE(nlohmann::json::parse(outcome.out)["repaired"].get<bool>());
+    const Run_result result = run(std::string(command) + " --json");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(nlohmann::json::accept(result.out)) << result.out;
+    EXPECT_TRUE(nlohmann::json::parse(result.out)["repaired"].get<bool>());
     EXPECT_EQ(run(std::string(command) + " --quiet").out, "");
   }
 }
 
-TEST_F(Program, surfels_have_normals_radii_and_a_graph)
+TEST_F(Program, surfels_reports_radii_and_graph)
 {
   const nlohmann::json lattice = json("surfels cloud.xyz --values r.txt -o s.ply");
   // Inside of a lattice, written with six digits, the eighth neighbour is a diagonal away.
@@ -419,13 +418,14 @@ TEST_F(Program, surfels_have_normals_radii_and_a_graph)
   EXPECT_EQ(json("surfels s.ply")["radius"], lattice["radius"]);
   // Spheres of influence of a lattice meet along its sides and diagonals, and touch, or fail to by
   // rounding, two sides further on.
-  const int sides = 2 * 11 * 12, diagonals = 2 * 11 * 11, doubles = 2 * 10 * 12;
-  const int arcs = json("surfels cloud.xyz --surfel-graph spheres")["arcs"];
-  EXPECT_GE(arcs, sides + diagonals);
-  EXPECT_LE(arcs, sides + diagonals + doubles);
+  const int number_of_sides = 2 * 11 * 12, number_of_diagonals = 2 * 11 * 11,
+            number_of_double_sides = 2 * 10 * 12;
+  const int number_of_edges = json("surfels cloud.xyz --surfel-graph spheres")["arcs"];
+  EXPECT_GE(number_of_edges, number_of_sides + number_of_diagonals);
+  EXPECT_LE(number_of_edges, number_of_sides + number_of_diagonals + number_of_double_sides);
   EXPECT_EQ(json("surfels cloud.xyz --arcs -o a.ply")["arcs"], lattice["arcs"]);
 
-  write("far.xyz", content(m_folder / "cloud.xyz") + "50 50 50 0 0 1\n");
+  write("far.xyz", read_file(m_folder / "cloud.xyz") + "50 50 50 0 0 1\n");
   const nlohmann::json far = json("surfels far.xyz --outliers 0.6 -o near.xyz.ply --values n.txt");
   EXPECT_GE(far["outliers"].get<int>(), 1);
   EXPECT_EQ(numbers("n.txt").size(), 145u - far["outliers"].get<std::size_t>());
@@ -434,7 +434,7 @@ TEST_F(Program, surfels_have_normals_radii_and_a_graph)
   expect_failure("surfels far.xyz --surfel-graph none", 1, "extended-spheres");
 }
 
-TEST_F(Program, distances_by_transport_come_nearer_to_lengths)
+TEST_F(Program, transport_distances_decrease_with_basis_size)
 {
   const auto farthest = [&](const std::string& method)
   {
@@ -462,7 +462,7 @@ TEST_F(Program, distances_by_transport_come_nearer_to_lengths)
   EXPECT_EQ(run("distance cloud.xyz --source 0 --method spectral --quiet").code, 0);
 }
 
-TEST_F(Program, emd_moves_masses)
+TEST_F(Program, emd_matches_known_costs)
 {
   // From corner to corner of a unit square.
   const nlohmann::json diagonal =
@@ -474,7 +474,7 @@ TEST_F(Program, emd_moves_masses)
   const std::vector<double> potential = numbers("p.txt");
   ASSERT_EQ(potential.size(), 81u);
   EXPECT_NEAR(potential[80] - potential[0], diagonal["lower"].get<double>(), 1e-9);
-  const std::string ply = content(m_folder / "e.ply");
+  const std::string ply = read_file(m_folder / "e.ply");
   for(const char* const field : {"flow_z", "gradient_x", "rotation_y", "harmonic_z"})
     EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
   EXPECT_EQ(json("info e.ply")["faces"], 128);
@@ -508,7 +508,7 @@ TEST_F(Program, emd_moves_masses)
   EXPECT_EQ(some["basis"], entries["basis"]);
   EXPECT_NEAR(some["value"].get<double>(), numbers("d.txt")[1], 1e-3 * exact);
   EXPECT_GT(some["lower"].get<double>(), 0.9 * exact); // of masses spread around points
-  const std::string flow = content(m_folder / "b.ply");
+  const std::string flow = read_file(m_folder / "b.ply");
   EXPECT_NE(flow.find("property double rotation_x\n"), std::string::npos);
   EXPECT_EQ(flow.find("potential"), std::string::npos);
   const double lines =
@@ -532,14 +532,14 @@ TEST_F(Program, emd_moves_masses)
   expect_failure("emd cloud.xyz --from 0 --to 11 --bound-above", 2, "need a mesh");
 }
 
-TEST_F(Program, plan_moves_masses_to_a_region)
+TEST_F(Program, plan_transports_to_a_region)
 {
   // From the left and the lower side to the two right corners.
   const nlohmann::json two = json("plan square.ply --from 45,6 --to 8,80 -o p.ply --hodge");
   EXPECT_NEAR(two["value"].get<double>(), 0.5 * (std::sqrt(1. + 9. / 64.) + 0.25), 2e-3);
   for(const double arrival : two["arrivals"])
     EXPECT_NEAR(arrival, 0.5, 0.02); // the other corner is 0.07 farther, fifty times the gap
-  const std::string ply = content(m_folder / "p.ply");
+  const std::string ply = read_file(m_folder / "p.ply");
   for(const char* const field : {"arrivals", "potential", "flow_x", "rotation_z"})
     EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
   // To a property: where the last answer's arrivals are.
@@ -577,14 +577,14 @@ TEST_F(Program, plan_moves_masses_to_a_region)
   expect_failure("plan cloud.xyz --from 0 --to 11 --hodge", 2, "need a mesh");
 }
 
-TEST_F(Program, barycenter_is_between_masses)
+TEST_F(Program, barycenter_lies_between_masses)
 {
   // Of two opposite corners, a root of two apart.
   const nlohmann::json two = json("barycenter square.ply --points 0,80 --values b.txt -o b.ply");
   EXPECT_NEAR(two["value"].get<double>(), 1., 0.01); // the gap
   EXPECT_EQ(two["point"], 40);
   EXPECT_NEAR(two["point_value"].get<double>(), 1., 1e-9);
-  const std::string ply = content(m_folder / "b.ply");
+  const std::string ply = read_file(m_folder / "b.ply");
   for(const char* const field : {"mass", "density"})
     EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
   // What was found is as far from both, and in the middle between itself and itself.
@@ -609,7 +609,7 @@ TEST_F(Program, barycenter_is_between_masses)
   expect_failure("barycenter square.ply --points 0,80 --tolerance 0", 1, "--tolerance");
 }
 
-TEST_F(Program, streamlines_lead_to_the_masses)
+TEST_F(Program, streamlines_end_at_the_target)
 {
   // From the lower left corner to both others on its sides.
   const nlohmann::json lines =
@@ -617,7 +617,7 @@ TEST_F(Program, streamlines_lead_to_the_masses)
   EXPECT_EQ(lines["lines"], 20);
   EXPECT_EQ(lines["arrived"], 20);
   EXPECT_NEAR(lines["mean_length"].get<double>(), 1., 1e-9); // rounding
-  EXPECT_NE(content(m_folder / "l.obj").find("\nl "), std::string::npos);
+  EXPECT_NE(read_file(m_folder / "l.obj").find("\nl "), std::string::npos);
   EXPECT_NEAR(
       json("streamlines square.ply --from 0 --to 80 --seeds 0")["mean_length"].get<double>(),
       std::sqrt(2.), 1e-9);
@@ -631,7 +631,7 @@ TEST_F(Program, streamlines_lead_to_the_masses)
   expect_failure("streamlines square.ply --from 0 --to 80 --seeds 99", 2, "99");
 }
 
-TEST_F(Program, fuzzy_geodesics_are_likely_between_their_ends)
+TEST_F(Program, fuzzy_likelihood_is_high_between_endpoints)
 {
   EXPECT_EQ(run("fuzzy square.ply --from 36 --to 44 --width 0.15 --values f.txt --quiet").code, 0);
   EXPECT_EQ(
@@ -655,7 +655,7 @@ TEST_F(Program, fuzzy_geodesics_are_likely_between_their_ends)
   expect_failure("fuzzy square.ply --from 0 --to 99", 2, "99");
 }
 
-TEST_F(Program, volume_measures_in_space)
+TEST_F(Program, volume_computes_distances_and_paths)
 {
   // Corners at one on each axis.
   write("o.off", "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
@@ -666,7 +666,7 @@ TEST_F(Program, volume_measures_in_space)
   EXPECT_LE(pair["lower"].get<double>(), pair["value"].get<double>());
   EXPECT_LE(pair["value"].get<double>(), pair["upper"].get<double>());
   EXPECT_LE(pair["upper"].get<double>(), pair["upper_continuous"].get<double>() * (1. + 1e-9));
-  EXPECT_NE(content(m_folder / "v.ply").find("property double potential\n"), std::string::npos);
+  EXPECT_NE(read_file(m_folder / "v.ply").find("property double potential\n"), std::string::npos);
   // The corner is a unit mass.
   EXPECT_NEAR(json("volume o.off --from 1,0,0 --to 0,1,0")["value"].get<double>(), std::sqrt(2.),
               2e-3);
@@ -676,7 +676,7 @@ TEST_F(Program, volume_measures_in_space)
   EXPECT_EQ(slice["points"], 98); // seven by seven, twice
   EXPECT_LE(slice["gap"].get<double>(), 0.02);
   EXPECT_GE(slice["max"].get<double>(), 2.);
-  EXPECT_NE(content(m_folder / "s.ply").find("property double distance\n"), std::string::npos);
+  EXPECT_NE(read_file(m_folder / "s.ply").find("property double distance\n"), std::string::npos);
   const nlohmann::json path =
       json("volume o.off --from 0.4,0.1,0 --to=-0.4,0.1,0 --path -o p.obj --values p.txt");
   EXPECT_TRUE(path["arrives"]);
@@ -693,7 +693,7 @@ TEST_F(Program, volume_measures_in_space)
   expect_failure("volume cloud.xyz --from 0,0,0 --to 1,0,0", 2, "closed mesh");
 }
 
-TEST_F(Program, feature_distance_is_from_all_of_a_feature)
+TEST_F(Program, feature_distance_matches_known_distances)
 {
   const nlohmann::json border =
       json("feature-distance square.ply --border --values d.txt -o d.ply");
@@ -722,7 +722,7 @@ TEST_F(Program, feature_distance_is_from_all_of_a_feature)
   expect_failure("feature-distance cloud.xyz --feature-path 0,1", 2, "need a mesh");
 }
 
-TEST_F(Program, flatten_lays_a_square_flat)
+TEST_F(Program, flatten_preserves_a_planar_square)
 {
   for(const std::string method : {"glle", "mds", "lscm", "arap", "glle --injective"})
   {
@@ -748,7 +748,7 @@ TEST_F(Program, flatten_lays_a_square_flat)
   expect_failure("flatten apart.off", 2, "not one piece");
 }
 
-TEST_F(Program, atlas_gives_each_face_a_place_of_its_own)
+TEST_F(Program, atlas_is_injective)
 {
   for(const std::string name : {"closed.off", "square.ply"})
   {
@@ -774,7 +774,7 @@ TEST_F(Program, atlas_gives_each_face_a_place_of_its_own)
   }
 }
 
-TEST_F(Program, base_divides_the_input)
+TEST_F(Program, divided_base_preserves_area_and_boundary)
 {
   const nlohmann::json base = json("base square.ply --number 20 -o base.ply"),
                        again = json("base square.ply --number 20 --divided -o divided.ply"),
@@ -787,10 +787,10 @@ TEST_F(Program, base_divides_the_input)
   EXPECT_EQ(divided["boundary_loops"], whole["boundary_loops"]);
 }
 
-TEST_F(Program, wavelet_keeps_what_matters)
+TEST_F(Program, wavelet_error_decreases_with_details_and_bits)
 {
   using namespace CGAL::Geodesic_processing::test;
-  const Triangulation surface = finest(icosphere(0), 4, onto_bumps);
+  const Triangulation surface = finest(icosphere(0), 4, onto_bumpy_sphere);
   std::ostringstream text;
   text.precision(17);
   text << "OFF\n" << surface.points.size() << ' ' << surface.corners.size() / 3 << " 0\n";
@@ -872,7 +872,7 @@ TEST_F(Program, logmap_writes_normal_coordinates)
   expect_failure("logmap square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
 }
 
-TEST_F(Program, decals_lie_in_colours_and_textures)
+TEST_F(Program, decal_writes_colors_and_textures)
 {
   // A compass rose from 0.2 to 0.8, up to the right: the middles of both of its rays are at 0.5.
   const nlohmann::json decal =
@@ -880,18 +880,18 @@ TEST_F(Program, decals_lie_in_colours_and_textures)
            "-o d.ply");
   EXPECT_EQ(decal["covered"], 25);
   EXPECT_EQ(decal["faces"], 6 * 6 * 2);
-  const std::vector<double> colours = numbers("c.txt");
-  ASSERT_EQ(colours.size(), 3u * 81u);
-  const auto colour = [&](int column, int row)
+  const std::vector<double> colors = numbers("c.txt");
+  ASSERT_EQ(colors.size(), 3u * 81u);
+  const auto color = [&](int column, int row)
   {
-    const auto begin = colours.begin() + 3 * (9 * row + column);
+    const auto begin = colors.begin() + 3 * (9 * row + column);
     return std::vector<double>(begin, begin + 3);
   };
   const std::vector<double> plain = {204., 209., 217.}; // of a surface without colours
-  EXPECT_EQ(colour(0, 0), plain);
-  EXPECT_EQ(colour(2, 2), plain); // outside of the ring
-  EXPECT_NE(colour(4, 4), plain);
-  EXPECT_NE(colour(6, 4), plain);
+  EXPECT_EQ(color(0, 0), plain);
+  EXPECT_EQ(color(2, 2), plain); // outside of the ring
+  EXPECT_NE(color(4, 4), plain);
+  EXPECT_NE(color(6, 4), plain);
   EXPECT_EQ(json("info d.ply")["vertices"], 81);
 
   // Two, the second one of its own size, over the first.
@@ -899,9 +899,9 @@ TEST_F(Program, decals_lie_in_colours_and_textures)
       json("decal square.ply --base 40,0 --up 0,1,0 --width 0.6 --width 0.3 --height 0.6 "
            "--height 0.2 --method exact -o two.obj");
   EXPECT_GT(two["faces"].get<int>(), 72);
-  EXPECT_EQ(content(m_folder / "two.obj").substr(0, 15), "mtllib two.mtl\n");
-  EXPECT_NE(content(m_folder / "two.mtl").find("map_Kd two_texture.png\n"), std::string::npos);
-  EXPECT_EQ(content(m_folder / "two_texture.png").substr(1, 3), "PNG");
+  EXPECT_EQ(read_file(m_folder / "two.obj").substr(0, 15), "mtllib two.mtl\n");
+  EXPECT_NE(read_file(m_folder / "two.mtl").find("map_Kd two_texture.png\n"), std::string::npos);
+  EXPECT_EQ(read_file(m_folder / "two_texture.png").substr(1, 3), "PNG");
   EXPECT_EQ(json("info two.obj")["faces"], 128);
 
   // A black picture; its height follows its own.
@@ -927,7 +927,7 @@ TEST_F(Program, decals_lie_in_colours_and_textures)
   expect_failure("decal square.ply --base 40 --up 0,0,1", 2, "normal to the surface");
 }
 
-TEST_F(Program, paths_on_clouds_are_no_longer_than_their_chains)
+TEST_F(Program, cloud_path_is_not_longer_than_initial_path)
 {
   for(const char* const method : {"projected-quadrics", "projected-spheres", "projected-planes",
                                   "spheres", "robust-spheres", "planes", "disks"})
@@ -942,7 +942,7 @@ TEST_F(Program, paths_on_clouds_are_no_longer_than_their_chains)
             json("path cloud.xyz --from 5 --to 143")["points"]);
 }
 
-TEST_F(Program, info_knows_the_shape)
+TEST_F(Program, info_reports_topology_and_area)
 {
   const nlohmann::json square = json("info square.ply");
   EXPECT_EQ(square["boundary_loops"], 1);
@@ -958,34 +958,35 @@ TEST_F(Program, info_knows_the_shape)
   EXPECT_EQ(json("info pinched.off")["manifold"], false);
 }
 
-TEST_F(Program, info_counts_the_parts_of_a_cloud)
+TEST_F(Program, info_counts_cloud_components)
 {
   EXPECT_EQ(json("info cloud.xyz")["components"], 1);
-  std::string two = content(m_folder / "cloud.xyz");
+  std::string two = read_file(m_folder / "cloud.xyz");
   for(int i = 0; i < 100; ++i) // a patch far above
     two += std::to_string(i % 10 / 10.) + ' ' + std::to_string(i / 10 / 10.) + " 9 0 0 1\n";
   std::ofstream(m_folder / "two.xyz") << two;
   EXPECT_EQ(json("info two.xyz")["components"], 2);
 }
 
-TEST_F(Program, samples_cover)
+TEST_F(Program, sample_reports_covering_radius)
 {
   // The corners of a square of nine by nine vertices, which the file numbers in rows.
   const nlohmann::json four = json("sample square.ply --number 4 --values s.txt -o s.ply");
   EXPECT_EQ(four["samples"], 4);
   // Half of the diagonal.
   EXPECT_NEAR(four["covering_radius"].get<double>(), std::sqrt(0.5), 1e-12);
-  std::istringstream lines(content(m_folder / "s.txt"));
+  std::istringstream lines(read_file(m_folder / "s.txt"));
   std::set<std::size_t> corners;
   for(std::string line; std::getline(lines, line);)
   {
     std::istringstream words(line);
     std::size_t vertex[3];
-    double share[3];
-    words >> vertex[0] >> vertex[1] >> vertex[2] >> share[0] >> share[1] >> share[2];
+    double barycentric[3];
+    words >> vertex[0] >> vertex[1] >> vertex[2] >> barycentric[0] >> barycentric[1] >>
+        barycentric[2];
     ASSERT_TRUE(words);
     for(int k = 0; k < 3; ++k)
-      if(share[k] == 1.)
+      if(barycentric[k] == 1.)
         corners.insert(vertex[k]);
   }
   EXPECT_EQ(corners, (std::set<std::size_t>{0, 8, 72, 80}));
@@ -1002,7 +1003,7 @@ TEST_F(Program, samples_cover)
   EXPECT_EQ(json("info s.ply")["vertices"], 5);
 }
 
-TEST_F(Program, a_square_is_a_square_when_remeshed)
+TEST_F(Program, remesh_preserves_a_square)
 {
   for(const char* const options : {"", " --lloyd 3", " --speed double_speed", " --keep-sharp 30"})
     for(const int number : {4, 30, 200})
@@ -1011,13 +1012,13 @@ TEST_F(Program, a_square_is_a_square_when_remeshed)
                                          std::to_string(number) + options);
       const std::size_t vertices = result["vertices_out"];
       EXPECT_EQ(vertices, number + result["added"].get<std::size_t>());
-      const nlohmann::json shape = json("info r.ply");
-      EXPECT_EQ(shape["vertices"], vertices);
-      EXPECT_EQ(shape["faces"], result["faces_out"]);
-      EXPECT_EQ(shape["boundary_loops"], 1);
-      EXPECT_EQ(shape["genus"], 0);
-      EXPECT_NEAR(shape["area"].get<double>(), 1., 1e-9); // with its corners
-      EXPECT_EQ(numbers("r.txt").size(), 6 * vertices);   // three vertices of a face, three shares
+      const nlohmann::json remeshed = json("info r.ply");
+      EXPECT_EQ(remeshed["vertices"], vertices);
+      EXPECT_EQ(remeshed["faces"], result["faces_out"]);
+      EXPECT_EQ(remeshed["boundary_loops"], 1);
+      EXPECT_EQ(remeshed["genus"], 0);
+      EXPECT_NEAR(remeshed["area"].get<double>(), 1., 1e-9); // with its corners
+      EXPECT_EQ(numbers("r.txt").size(), 6 * vertices); // three vertices of a face, three shares
     }
   // No closed surface has fewer than four vertices; parts without a face are left out.
   EXPECT_GE(json("remesh closed.off --number 0")["vertices_out"], 4);
@@ -1025,7 +1026,7 @@ TEST_F(Program, a_square_is_a_square_when_remeshed)
   EXPECT_EQ(json("info a.off")["components"], 2);
 }
 
-TEST_F(Program, vertices_are_added_where_the_input_is_far)
+TEST_F(Program, remesh_adds_vertices_for_maximum_deviation)
 {
   // A tent over the middle of a square of 41 x 41 vertices.
   std::ostringstream tent;
@@ -1051,7 +1052,7 @@ TEST_F(Program, vertices_are_added_where_the_input_is_far)
   EXPECT_EQ(added("--maximum-deviation 11"), few); // its height is 10
 }
 
-TEST_F(Program, vertices_fit_the_input)
+TEST_F(Program, remesh_fit_reduces_area_error)
 {
   const auto ball = CGAL::Geodesic_processing::test::icosphere(3);
   std::ostringstream off;
@@ -1074,7 +1075,7 @@ TEST_F(Program, vertices_fit_the_input)
   EXPECT_LT(std::abs(input - fitted), 0.5 * std::abs(input - touching));
 }
 
-TEST_F(Program, holes_are_filled_before_remeshing)
+TEST_F(Program, remesh_fills_holes)
 {
   // A box of side 2 without its lid, whose floor lacks a triangle.
   write("box.off", "OFF\n8 9 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n"
@@ -1095,19 +1096,20 @@ TEST_F(Program, holes_are_filled_before_remeshing)
     EXPECT_EQ(shape["genus"], 0);
     EXPECT_NEAR(shape["area"].get<double>(), area, 1e-9); // with its edges
     // Places name vertices of the file, in faces that may be new.
-    const std::vector<double> places = numbers("r.txt");
-    ASSERT_EQ(places.size(), 6 * shape["vertices"].get<std::size_t>());
-    for(std::size_t i = 0; i < places.size(); i += 6)
+    const std::vector<double> locations = numbers("r.txt");
+    ASSERT_EQ(locations.size(), 6 * shape["vertices"].get<std::size_t>());
+    for(std::size_t i = 0; i < locations.size(); i += 6)
     {
-      EXPECT_LT(std::max({places[i], places[i + 1], places[i + 2]}), 8.);
-      EXPECT_NEAR(places[i + 3] + places[i + 4] + places[i + 5], 1., 1e-15); // two roundings
+      EXPECT_LT(std::max({locations[i], locations[i + 1], locations[i + 2]}), 8.);
+      EXPECT_NEAR(locations[i + 3] + locations[i + 4] + locations[i + 5], 1.,
+                  1e-15); // two roundings
     }
   }
   // Speeds are given for the vertices of the file, and no others come.
   EXPECT_EQ(json("remesh square.ply --number 40 --speed double_speed --fill-holes")["holes_filled"],
             1);
   // What surrounds a single triangle stays open, which a sentence says.
-  const Outcome outcome = run("remesh apart.off --number 9 --fill-holes");
+  const Run_result outcome = run("remesh apart.off --number 9 --fill-holes");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "2 holes are left open", outcome.err);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "holes filled    0", outcome.out);
@@ -1115,7 +1117,7 @@ TEST_F(Program, holes_are_filled_before_remeshing)
   EXPECT_EQ(run("remesh --number 9 --fill-holes square.ply").code, 0);
 }
 
-TEST_F(Program, threads_change_no_result)
+TEST_F(Program, results_are_independent_of_threads)
 {
   for(const char* const command :
       {"distance cloud.xyz --source 5", "voronoi cloud.xyz --number 4",
@@ -1127,12 +1129,12 @@ TEST_F(Program, threads_change_no_result)
     for(const char* const threads : {"0", "2", "7"})
     {
       EXPECT_EQ(run(std::string(command) + " --values more.txt --threads " + threads).code, 0);
-      EXPECT_EQ(content(m_folder / "one.txt"), content(m_folder / "more.txt")) << command;
+      EXPECT_EQ(read_file(m_folder / "one.txt"), read_file(m_folder / "more.txt")) << command;
     }
   }
 }
 
-TEST_F(Program, info_converts)
+TEST_F(Program, info_converts_formats)
 {
   for(const char* const name : {"a.ply", "a.off", "a.obj", "a.vtp"})
   {
@@ -1144,7 +1146,7 @@ TEST_F(Program, info_converts)
   }
 }
 
-TEST_F(Program, distances_of_a_flat_square_are_straight)
+TEST_F(Program, distance_on_a_square_is_euclidean)
 {
   for(const char* const method : {"euclidean", "exact", "fast-marching", "dijkstra", "heat"})
   {
@@ -1166,7 +1168,7 @@ TEST_F(Program, distances_of_a_flat_square_are_straight)
   }
 }
 
-TEST_F(Program, sources_of_every_kind)
+TEST_F(Program, distance_accepts_all_source_kinds)
 {
   json("distance square.ply --source-at 0.5,0.5,7 --values d.txt");
   EXPECT_NEAR(numbers("d.txt")[0], std::sqrt(0.5), 1e-12);
@@ -1180,7 +1182,7 @@ TEST_F(Program, sources_of_every_kind)
   EXPECT_NEAR(values[72], 1., 1e-12);
 }
 
-TEST_F(Program, a_limit_leaves_the_rest_unreached)
+TEST_F(Program, distance_limit_leaves_vertices_unreached)
 {
   const nlohmann::json result = json("distance square.ply --source 0 --limit 0.5 --values d.txt");
   const std::vector<double> values = numbers("d.txt");
@@ -1193,7 +1195,7 @@ TEST_F(Program, a_limit_leaves_the_rest_unreached)
         << i;
 }
 
-TEST_F(Program, twice_the_speed_is_half_the_time)
+TEST_F(Program, doubling_speed_halves_distance)
 {
   for(const char* const method : {"euclidean", "fast-marching"})
   {
@@ -1207,7 +1209,7 @@ TEST_F(Program, twice_the_speed_is_half_the_time)
   }
 }
 
-TEST_F(Program, speeds_are_made_of_curvature)
+TEST_F(Program, speed_depends_on_curvature)
 {
   // A flat square has none: what is left is the front that takes speeds.
   for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
@@ -1268,10 +1270,10 @@ TEST_F(Program, speeds_are_made_of_curvature)
       json(std::string(command) + " --speed " + speed);
 }
 
-TEST_F(Program, speeds_are_made_of_colours_and_images)
+TEST_F(Program, speed_depends_on_colors_and_images)
 {
   // Red grows along x, so that the speed is the same everywhere.
-  std::string square = content(m_folder / "square.ply");
+  std::string square = read_file(m_folder / "square.ply");
   const std::string one = "property float double_speed\n";
   square.replace(square.find(one), one.size(),
                  "property uchar red\nproperty uchar green\nproperty uchar blue\n");
@@ -1279,9 +1281,9 @@ TEST_F(Program, speeds_are_made_of_colours_and_images)
   for(int i = 0; i < 81; ++i)
   {
     const std::size_t end = square.find('\n', line);
-    const std::string colour = std::to_string(30 * (i % 9)) + " 1 2";
-    square.replace(end - 1, 1, colour);
-    line = end + colour.size();
+    const std::string color = std::to_string(30 * (i % 9)) + " 1 2";
+    square.replace(end - 1, 1, color);
+    line = end + color.size();
   }
   write("red.ply", square);
   json("distance square.ply --source 0 --values d.txt --method fast-marching");
@@ -1294,7 +1296,7 @@ TEST_F(Program, speeds_are_made_of_colours_and_images)
       EXPECT_NEAR(slow[i], factor * plain[i], 1e-11); // rounding
   }
 
-  const Outcome refused = run("sample square.ply --number 9 --density-image nowhere.png");
+  const Run_result refused = run("sample square.ply --number 9 --density-image nowhere.png");
   if(refused.code == 1) // built without them
   {
     EXPECT_PRED_FORMAT2(testing::IsSubstring, "libpng", refused.err);
@@ -1316,7 +1318,7 @@ TEST_F(Program, speeds_are_made_of_colours_and_images)
   EXPECT_GT(slow[8], 3.);
   // What is seen of it through texture coordinates is black everywhere.
   std::string lines = "vt 0.1 0.1\n";
-  std::istringstream obj((json("info square.ply -o plain.obj"), content(m_folder / "plain.obj")));
+  std::istringstream obj((json("info square.ply -o plain.obj"), read_file(m_folder / "plain.obj")));
   for(std::string word; std::getline(obj, word); lines += word + '\n')
     if(word[0] == 'f')
     {
@@ -1341,7 +1343,7 @@ TEST_F(Program, other_components_and_isolated_vertices_are_unreached)
   EXPECT_EQ(json("distance apart.off --source 6")["unreached"], 6);
 }
 
-TEST_F(Program, fronts_and_paths_pass_pinched_vertices)
+TEST_F(Program, distances_and_paths_cross_nonmanifold_vertices)
 {
   for(const char* const name : {"pinched.off", "bowtie.off"})
   {
@@ -1356,7 +1358,7 @@ TEST_F(Program, fronts_and_paths_pass_pinched_vertices)
   }
 }
 
-TEST_F(Program, results_carry_the_distances)
+TEST_F(Program, output_contains_distances)
 {
   json("distance square.ply --source 0 -o d.ply --values d.txt");
   json("distance square.ply --source 0 -o d.vtp");
@@ -1364,26 +1366,26 @@ TEST_F(Program, results_carry_the_distances)
   for(const char* const name : {"d.ply", "d.vtp"})
     EXPECT_EQ(run(std::string("distance ") + name + " --source 80 --speed distance").code, 0);
   EXPECT_EQ(run("distance square.ply --source 0 -o d.obj").code, 0);
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "vt 0 0.5", content(m_folder / "d.obj"));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "vt 0 0.5", read_file(m_folder / "d.obj"));
   EXPECT_EQ(run("distance square.ply --source 0 -o d.off").code, 0);
-  EXPECT_EQ(content(m_folder / "d.off").substr(0, 4), "COFF");
+  EXPECT_EQ(read_file(m_folder / "d.off").substr(0, 4), "COFF");
 }
 
-TEST_F(Program, a_path_on_a_flat_square_is_straight)
+TEST_F(Program, path_on_a_square_is_straight)
 {
-  const nlohmann::json corners = json("path square.ply --from 0 --to 80 --values p.txt");
-  EXPECT_NEAR(corners["length"].get<double>(), std::sqrt(2.), 1e-12);
-  EXPECT_NEAR(corners["front_distance"].get<double>(), std::sqrt(2.), 1e-12);
+  const nlohmann::json corner_path = json("path square.ply --from 0 --to 80 --values p.txt");
+  EXPECT_NEAR(corner_path["length"].get<double>(), std::sqrt(2.), 1e-12);
+  EXPECT_NEAR(corner_path["front_distance"].get<double>(), std::sqrt(2.), 1e-12);
   const std::vector<double> points = numbers("p.txt");
-  EXPECT_EQ(points.size(), 3 * corners["points"].get<std::size_t>());
+  EXPECT_EQ(points.size(), 3 * corner_path["points"].get<std::size_t>());
   EXPECT_EQ((std::vector<double>(points.begin(), points.begin() + 3)),
             (std::vector<double>{0, 0, 0}));
   EXPECT_EQ((std::vector<double>(points.end() - 3, points.end())), (std::vector<double>{1, 1, 0}));
 
-  const nlohmann::json places =
+  const nlohmann::json inner_path =
       json("path square.ply --from-at 0.1,0.2,0 --to-at 0.9,0.3,1 -o p.vtp");
-  EXPECT_NEAR(places["length"].get<double>(), std::hypot(0.8, 0.1), 1e-12);
-  EXPECT_EQ(json("info p.vtp")["vertices"], places["points"]);
+  EXPECT_NEAR(inner_path["length"].get<double>(), std::hypot(0.8, 0.1), 1e-12);
+  EXPECT_EQ(json("info p.vtp")["vertices"], inner_path["points"]);
   EXPECT_EQ(json("path square.ply --from 3 --to 3")["length"], 0.);
 
   for(const char* const method : {"dijkstra", "fast-marching", "euclidean", "heat"})
@@ -1403,7 +1405,7 @@ TEST_F(Program, a_path_on_a_flat_square_is_straight)
   EXPECT_NEAR(exact["front_distance"].get<double>(), std::hypot(0.8, 0.1), 1e-12);
 }
 
-TEST_F(Program, a_path_on_a_cloud_joins_its_ends)
+TEST_F(Program, path_on_a_cloud_joins_endpoints)
 {
   const nlohmann::json path = json("path cloud.xyz --from 0 --to 143 --values p.txt");
   // A flat grid: no shorter than straight, and straightened to within a per cent.
@@ -1415,7 +1417,7 @@ TEST_F(Program, a_path_on_a_cloud_joins_its_ends)
   EXPECT_NEAR(points[points.size() - 3] + points[points.size() - 2], 2., 1e-12);
 }
 
-TEST_F(Program, cells_belong_to_the_nearest_seed)
+TEST_F(Program, voronoi_labels_nearest_seed)
 {
   const nlohmann::json result = json("voronoi square.ply --seeds 0,80 --values l.txt");
   EXPECT_EQ(result["seeds"], nlohmann::json::parse("[0,80]"));
@@ -1428,7 +1430,7 @@ TEST_F(Program, cells_belong_to_the_nearest_seed)
     }
 }
 
-TEST_F(Program, charts_are_numbered_faces_of_even_patches)
+TEST_F(Program, segment_makes_charts_of_equal_size)
 {
   // A square of 8 x 8 cells in two triangles each.
   const nlohmann::json result =
@@ -1459,21 +1461,21 @@ TEST_F(Program, charts_are_numbered_faces_of_even_patches)
   EXPECT_EQ(numbers("c.txt").size(), 144u);
 }
 
-TEST_F(Program, farthest_seeds_cover_every_component_and_end_in_time)
+TEST_F(Program, voronoi_seeds_cover_every_component)
 {
   const nlohmann::json two = json("voronoi apart.off --number 2 --values l.txt");
   EXPECT_EQ(two["unreached"], 1); // the isolated vertex gets no seed
-  std::set<bool> parts;
+  std::set<bool> components;
   for(const std::size_t seed : two["seeds"].get<std::vector<std::size_t>>())
-    parts.insert(seed < 3);
-  EXPECT_EQ(parts.size(), 2u);
+    components.insert(seed < 3);
+  EXPECT_EQ(components.size(), 2u);
   EXPECT_EQ(numbers("l.txt")[6], -1.);
   EXPECT_EQ(json("voronoi apart.off --number 100")["seeds"].size(), 6u);
   write("one.xyz", "1 2 3\n1 2 3\n");
   EXPECT_EQ(json("voronoi one.xyz --number 5")["seeds"].size(), 1u);
 }
 
-TEST_F(Program, farthest_seeds_are_far_apart)
+TEST_F(Program, voronoi_seeds_are_far_apart)
 {
   for(const char* const name : {"square.ply", "cloud.xyz"})
   {
@@ -1493,7 +1495,7 @@ TEST_F(Program, farthest_seeds_are_far_apart)
   }
 }
 
-TEST_F(Program, a_matrix_has_the_distances_of_all_pairs)
+TEST_F(Program, matrix_has_all_pairs)
 {
   const std::vector<int> vertices = {80, 3, 40, 11};
   for(const char* const method : {"euclidean", "exact", "fast-marching", "dijkstra", "heat"})
@@ -1504,11 +1506,11 @@ TEST_F(Program, a_matrix_has_the_distances_of_all_pairs)
     EXPECT_EQ(result["rows"], 4);
     EXPECT_EQ(result["entries"], 16);
     EXPECT_EQ(result["sources"], nlohmann::json(vertices));
-    const std::string text = content(m_folder / "m.txt");
+    const std::string text = read_file(m_folder / "m.txt");
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
     const std::vector<double> values = numbers("m.txt");
     ASSERT_EQ(values.size(), 16u);
-    // As in distances_of_a_flat_square_are_straight.
+    // As in distance_on_a_square_is_euclidean.
     const double tolerance = std::string(method)[0] == 'e' ? 1e-12 : 0.12;
     for(std::size_t i = 0; i < 4; ++i)
       for(std::size_t j = 0; j < 4; ++j)
@@ -1519,7 +1521,7 @@ TEST_F(Program, a_matrix_has_the_distances_of_all_pairs)
       }
 
     // The same numbers, column by column.
-    std::istringstream market(content(m_folder / "m.mtx"));
+    std::istringstream market(read_file(m_folder / "m.mtx"));
     std::string head;
     std::getline(market, head);
     EXPECT_EQ(head, "%%MatrixMarket matrix array real general");
@@ -1538,7 +1540,7 @@ TEST_F(Program, a_matrix_has_the_distances_of_all_pairs)
   }
 }
 
-TEST_F(Program, a_matrix_with_a_limit_has_the_near_pairs)
+TEST_F(Program, matrix_limit_keeps_near_pairs)
 {
   for(const char* const method : {"euclidean", "exact"})
   {
@@ -1562,7 +1564,7 @@ TEST_F(Program, a_matrix_with_a_limit_has_the_near_pairs)
       }
     EXPECT_EQ(value, values.end());
 
-    std::istringstream market(content(m_folder / "m.mtx"));
+    std::istringstream market(read_file(m_folder / "m.mtx"));
     std::string head;
     std::getline(market, head);
     EXPECT_EQ(head, "%%MatrixMarket matrix coordinate real general");
@@ -1587,7 +1589,7 @@ TEST_F(Program, a_matrix_with_a_limit_has_the_near_pairs)
             (std::vector<double>{0, 0, 0, 1, 1, 0, 1, 2, 0.125, 2, 1, 0.125, 2, 2, 0}));
 }
 
-TEST_F(Program, a_matrix_says_what_no_path_joins)
+TEST_F(Program, matrix_has_infinity_between_components)
 {
   EXPECT_EQ(json("matrix apart.off --sources 0,1,3,6 --values m.txt")["entries"], 6);
   EXPECT_EQ(numbers("m.txt"),
@@ -1597,19 +1599,19 @@ TEST_F(Program, a_matrix_says_what_no_path_joins)
   EXPECT_EQ(json("matrix apart.off --limit 10")["entries"], 19);
 }
 
-TEST_F(Program, a_matrix_and_cells_choose_the_same_vertices)
+TEST_F(Program, matrix_and_voronoi_choose_same_vertices)
 {
   for(const char* const name : {"square.ply", "cloud.xyz", "apart.off"})
     EXPECT_EQ(json(std::string("matrix ") + name + " --number 5 --seed 7")["sources"],
               json(std::string("voronoi ") + name + " --number 5 --seed 7")["seeds"]);
 }
 
-TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
+TEST_F(Program, picture_fails_early_without_display)
 {
-  const Outcome outcome = run("distance square.ply --source 0 --picture a.png --quiet");
-  if(outcome.code == 0)
+  const Run_result result = run("distance square.ply --source 0 --picture a.png --quiet");
+  if(result.code == 0)
   {
-    EXPECT_EQ(content(m_folder / "a.png").substr(1, 3), "PNG");
+    EXPECT_EQ(read_file(m_folder / "a.png").substr(1, 3), "PNG");
     for(const char* const command :
         {"voronoi square.ply --number 3", "path square.ply --from 0 --to 80", "info cloud.xyz",
          "distance cloud.xyz --source 0", "voronoi cloud.xyz --number 3",
@@ -1626,7 +1628,7 @@ TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
     const auto shown = [&](const std::string& options)
     {
       EXPECT_EQ(run("info square.ply --picture b.png --quiet" + options).code, 0);
-      return content(m_folder / "b.png");
+      return read_file(m_folder / "b.png");
     };
     EXPECT_NE(shown(" --sides"), shown(""));
     expect_failure("info cloud.xyz --sides --picture b.png", 1, "--sides");
@@ -1639,7 +1641,7 @@ TEST_F(Program, pictures_are_drawn_or_refused_before_any_computing)
   ::setenv("PATH", path.c_str(), 1);
 }
 
-TEST_F(Program, names_with_blanks_and_other_letters)
+TEST_F(Program, accepts_non_ascii_file_names)
 {
   fs::copy_file(m_folder / "closed.off", m_folder / "a b \xc3\xa9.off");
   EXPECT_EQ(json("info 'a b \xc3\xa9.off' -o 'c d.ply'")["vertices"], 4);

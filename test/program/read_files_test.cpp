@@ -15,7 +15,7 @@ using program::Surface_file;
 using Reader = Surface_file (*)(std::string_view, const std::string&);
 
 // What the reader says about bad bytes; empty when it takes them.
-std::string complaint(Reader read, const std::string& bytes)
+std::string error_message(Reader read, const std::string& bytes)
 {
   try
   {
@@ -28,9 +28,9 @@ std::string complaint(Reader read, const std::string& bytes)
   }
 }
 
-void expect_complaint(Reader read, const std::string& bytes, const std::string& part)
+void expect_error(Reader read, const std::string& bytes, const std::string& text)
 {
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, part, complaint(read, bytes));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, text, error_message(read, bytes));
 }
 
 const std::string tetrahedron_off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
@@ -44,12 +44,12 @@ void expect_tetrahedron(const Surface_file& surface)
   EXPECT_EQ(surface.points,
             (std::vector<program::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}));
-  EXPECT_EQ(surface.first, (std::vector<std::size_t>{0, 3, 6, 9, 12}));
+  EXPECT_EQ(surface.polygon_begin, (std::vector<std::size_t>{0, 3, 6, 9, 12}));
 }
 
-TEST(Read_off, a_tetrahedron) { expect_tetrahedron(program::read_off(tetrahedron_off, "")); }
+TEST(Read_off, reads_tetrahedron) { expect_tetrahedron(program::read_off(tetrahedron_off, "")); }
 
-TEST(Read_off, carriage_returns_comments_and_blank_lines)
+TEST(Read_off, accepts_crlf_comments_and_blank_lines)
 {
   std::string bytes = "# first\n\n" + tetrahedron_off + "# last";
   for(std::size_t i = 0; (i = bytes.find('\n', i)) != std::string::npos; i += 2)
@@ -57,30 +57,30 @@ TEST(Read_off, carriage_returns_comments_and_blank_lines)
   expect_tetrahedron(program::read_off(bytes, ""));
 }
 
-TEST(Read_off, normals_and_homogeneous_coordinates)
+TEST(Read_off, reads_normals_and_homogeneous_coordinates)
 {
   const Surface_file surface = program::read_off("CN4OFF 1 0 0\n2 4 6 2  0 0 3  255 0 0 255\n", "");
   EXPECT_EQ(surface.points[0], (program::Point{1, 2, 3}));
   EXPECT_EQ(surface.normals[0], (program::Point{0, 0, 3}));
 }
 
-TEST(Read_off, says_what_is_wrong)
+TEST(Read_off, reports_errors)
 {
   const Reader read = program::read_off;
-  expect_complaint(read, "OFF BINARY\n1 0 0\n", "binary");
-  expect_complaint(read, "GIF89a\n", "not an OFF file");
-  expect_complaint(read, "nOFF\n4\n1 0 0\n", "three dimensions");
-  expect_complaint(read, "OFF\n1000000000000 0 0\n0 0 0\n", "more than the file");
-  expect_complaint(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3, but there are 3");
-  expect_complaint(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1");
-  expect_complaint(read, "OFF\n1 0 0\n0 nan 0\n", "line 3: the coordinate 'nan'");
-  expect_complaint(read, "OFF\n1 0 0\n0 1e999 0\n", "not finite");
-  expect_complaint(read, "OFF\n0 0 0\n", "no points");
-  expect_complaint(read, tetrahedron_off.substr(0, tetrahedron_off.size() - 8),
-                   "it ends after 3 of 4 faces");
+  expect_error(read, "OFF BINARY\n1 0 0\n", "binary");
+  expect_error(read, "GIF89a\n", "not an OFF file");
+  expect_error(read, "nOFF\n4\n1 0 0\n", "three dimensions");
+  expect_error(read, "OFF\n1000000000000 0 0\n0 0 0\n", "more than the file");
+  expect_error(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "vertex 3, but there are 3");
+  expect_error(read, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "vertex -1");
+  expect_error(read, "OFF\n1 0 0\n0 nan 0\n", "line 3: the coordinate 'nan'");
+  expect_error(read, "OFF\n1 0 0\n0 1e999 0\n", "not finite");
+  expect_error(read, "OFF\n0 0 0\n", "no points");
+  expect_error(read, tetrahedron_off.substr(0, tetrahedron_off.size() - 8),
+               "it ends after 3 of 4 faces");
 }
 
-TEST(Read_ply, text_with_properties_lists_and_other_elements)
+TEST(Read_ply, reads_ascii_with_lists_and_unknown_elements)
 {
   const Surface_file surface = program::read_ply(
       ply_header + "property double speed\nproperty list uchar int extra\n"
@@ -95,7 +95,7 @@ TEST(Read_ply, text_with_properties_lists_and_other_elements)
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{2, 0, 1}));
 }
 
-TEST(Read_ply, all_types_in_both_byte_orders)
+TEST(Read_ply, reads_all_types_in_both_byte_orders)
 {
   const std::string header = "element vertex 1\nproperty double x\nproperty float y\n"
                              "property char z\nproperty uchar a\nproperty short b\n"
@@ -128,7 +128,7 @@ TEST(Read_ply, all_types_in_both_byte_orders)
   }
 }
 
-TEST(Read_ply, triangle_strips)
+TEST(Read_ply, reads_triangle_strips)
 {
   const Surface_file surface =
       program::read_ply(ply_header + "element tristrips 1\nproperty list int int vertex_indices\n"
@@ -137,7 +137,7 @@ TEST(Read_ply, triangle_strips)
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 2, 1, 0}));
 }
 
-TEST(Read_ply, edges)
+TEST(Read_ply, reads_edges)
 {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n";
   EXPECT_EQ(program::read_ply(ply_header +
@@ -156,95 +156,97 @@ TEST(Read_ply, edges)
                                 "")
                   .edges.empty());
   for(const char* const end : {"3", "-1", "nan", "1e30"})
-    expect_complaint(program::read_ply,
-                     ply_header +
-                         "element edge 1\nproperty int vertex1\n"
-                         "property int vertex2\nend_header\n" +
-                         body + "0 " + end + '\n',
-                     "an edge names vertex");
+    expect_error(program::read_ply,
+                 ply_header +
+                     "element edge 1\nproperty int vertex1\n"
+                     "property int vertex2\nend_header\n" +
+                     body + "0 " + end + '\n',
+                 "an edge names vertex");
 }
 
-TEST(Read_ply, says_what_is_wrong)
+TEST(Read_ply, reports_errors)
 {
   const Reader read = program::read_ply;
   const std::string binary = "ply\nformat binary_little_endian 1.0\n";
-  expect_complaint(read, "plyer\n", "not a PLY file");
-  expect_complaint(read, ply_header, "header has no end");
-  expect_complaint(read, "ply\nend_header\n", "no format");
-  expect_complaint(read, "ply\nformat ascii 1.0\nend_header\n", "no points");
-  expect_complaint(read, ply_header + "end_header\n0 0 0\n", "more than the file");
-  expect_complaint(read, ply_header + "end_header\n0.000 0 0 1 1 1 22 nan\n", "it ends too early");
-  expect_complaint(read, ply_header + "end_header\n0 0 0 1 1 1 2 nan 2\n", "not finite");
-  expect_complaint(read, ply_header + "end_header\n0 0 0 1 1 1 2 two 2\n", "'two' is not a number");
-  expect_complaint(read,
-                   binary + "element vertex 99999999999\nproperty float x\n"
-                            "property float y\nproperty float z\nend_header\n",
-                   "more than the file");
-  expect_complaint(read,
-                   binary + "element face 1\nproperty list int int vertex_indices\n"
-                            "end_header\n\xff\xff\xff\x7f",
-                   "longer than the file");
-  expect_complaint(read,
-                   binary + "element vertex 1\nproperty float x\nproperty list float "
-                            "int y\nend_header\n",
-                   "counts of a list");
-  expect_complaint(read,
-                   ply_header + "element face 1\nproperty list uchar int vertex_indices\n"
-                                "end_header\n0 0 0 1 0 0 0 1 0 3 0 1 9\n",
-                   "vertex 9, but there are only 3");
+  expect_error(read, "plyer\n", "not a PLY file");
+  expect_error(read, ply_header, "header has no end");
+  expect_error(read, "ply\nend_header\n", "no format");
+  expect_error(read, "ply\nformat ascii 1.0\nend_header\n", "no points");
+  expect_error(read, ply_header + "end_header\n0 0 0\n", "more than the file");
+  expect_error(read, ply_header + "end_header\n0.000 0 0 1 1 1 22 nan\n", "it ends too early");
+  expect_error(read, ply_header + "end_header\n0 0 0 1 1 1 2 nan 2\n", "not finite");
+  expect_error(read, ply_header + "end_header\n0 0 0 1 1 1 2 two 2\n", "'two' is not a number");
+  expect_error(read,
+               binary + "element vertex 99999999999\nproperty float x\n"
+                        "property float y\nproperty float z\nend_header\n",
+               "more than the file");
+  expect_error(read,
+               binary + "element face 1\nproperty list int int vertex_indices\n"
+                        "end_header\n\xff\xff\xff\x7f",
+               "longer than the file");
+  expect_error(read,
+               binary + "element vertex 1\nproperty float x\nproperty list float "
+                        "int y\nend_header\n",
+               "counts of a list");
+  expect_error(read,
+               ply_header + "element face 1\nproperty list uchar int vertex_indices\n"
+                            "end_header\n0 0 0 1 0 0 0 1 0 3 0 1 9\n",
+               "vertex 9, but there are only 3");
 }
 
-TEST(Read_obj, slashes_negative_indices_and_polygons)
+TEST(Read_obj, reads_slashes_negative_indices_and_polygons)
 {
   const Surface_file surface = program::read_obj("# c\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 1 1 "
                                                  "0\nv 0 1 0\nf 1/1/1 2//1 3/1 4\nf -4 -3 \\\n-2\n",
                                                  "");
   EXPECT_EQ(surface.points.size(), 4u);
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 3, 0, 1, 2}));
-  EXPECT_EQ(surface.first, (std::vector<std::size_t>{0, 4, 7}));
+  EXPECT_EQ(surface.polygon_begin, (std::vector<std::size_t>{0, 4, 7}));
 }
 
-TEST(Read_obj, texture_coordinates_are_those_of_the_first_face)
+TEST(Read_obj, first_face_defines_texture_coordinates)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
-  const std::string places = "vt 0 0\nvt 1 0 0\nvt 0.5\nvt 0.25 1\n";
-  using Places = std::vector<std::array<double, 2>>;
-  EXPECT_EQ(program::read_obj(points + places + "f 1/1 2/2 3/3\nf 3/-4 2/1 4/-1/7\n", "").uv,
-            (Places{{0., 0.}, {1., 0.}, {0.5, 0.}, {0.25, 1.}}));
+  const std::string texture_coordinates = "vt 0 0\nvt 1 0 0\nvt 0.5\nvt 0.25 1\n";
+  using Texture_coordinates = std::vector<std::array<double, 2>>;
+  EXPECT_EQ(
+      program::read_obj(points + texture_coordinates + "f 1/1 2/2 3/3\nf 3/-4 2/1 4/-1/7\n", "").uv,
+      (Texture_coordinates{{0., 0.}, {1., 0.}, {0.5, 0.}, {0.25, 1.}}));
   // Not where a corner has none.
   for(const char* const faces :
       {"f 1/1 2/2 3\n", "f 1/1 2/2 3/9\n", "f 1/1 2/2 3/-9\n", "f 1 2 3\n", "f 1/1 2/2 3//1\n",
        "f 1/1 2/2 3/x\n", "f 1/1 2/2 3/0\n", ""})
-    EXPECT_TRUE(program::read_obj(points + places + faces, "").uv.empty()) << faces;
+    EXPECT_TRUE(program::read_obj(points + texture_coordinates + faces, "").uv.empty()) << faces;
 }
 
-TEST(Read_obj, colours_follow_the_coordinates)
+TEST(Read_obj, reads_vertex_colors)
 {
   using Values = std::vector<double>;
   const auto properties = [](const std::string& text)
   { return program::read_obj(text + "f 1 2 3\n", "").properties; };
-  const auto parts = properties("v 0 0 0 1 0 0.2\nv 1 0 0 0 0.501961 0\nv 0 1 0 0 0 0.0039216\n");
-  EXPECT_EQ(parts.at("red"), (Values{255., 0., 0.}));
-  EXPECT_EQ(parts.at("green"), (Values{0., 128., 0.}));
-  EXPECT_EQ(parts.at("blue"), (Values{51., 0., 1.}));
-  const auto bytes = properties("v 0 0 0 255 1 0\nv 1 0 0 3 128 0\nv 0 1 0 0 0 7\n");
-  EXPECT_EQ(bytes.at("red"), (Values{255., 3., 0.}));
-  EXPECT_EQ(bytes.at("green"), (Values{1., 128., 0.}));
+  const auto unit_colors =
+      properties("v 0 0 0 1 0 0.2\nv 1 0 0 0 0.501961 0\nv 0 1 0 0 0 0.0039216\n");
+  EXPECT_EQ(unit_colors.at("red"), (Values{255., 0., 0.}));
+  EXPECT_EQ(unit_colors.at("green"), (Values{0., 128., 0.}));
+  EXPECT_EQ(unit_colors.at("blue"), (Values{51., 0., 1.}));
+  const auto byte_colors = properties("v 0 0 0 255 1 0\nv 1 0 0 3 128 0\nv 0 1 0 0 0 7\n");
+  EXPECT_EQ(byte_colors.at("red"), (Values{255., 3., 0.}));
+  EXPECT_EQ(byte_colors.at("green"), (Values{1., 128., 0.}));
   // Not where a vertex has none: one more number is a weight.
   EXPECT_TRUE(properties("v 0 0 0 1\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\n").empty());
   EXPECT_TRUE(properties("v 0 0 0 1 x 1\nv 1 0 0\nv 0 1 0\n").empty());
 }
 
-TEST(Read_obj, says_what_is_wrong)
+TEST(Read_obj, reports_errors)
 {
-  expect_complaint(program::read_obj, "v 0 0 0\nf 1 2 3\n", "there are only 1");
-  expect_complaint(program::read_obj, "v 0 0 0\nf 0 0 0\n", "line 2");
-  expect_complaint(program::read_obj, "v 0 0 0\nf -2 1 1\n", "line 2");
-  expect_complaint(program::read_obj, "v 0 0\n", "a number is missing");
-  expect_complaint(program::read_obj, "garbage", "no points");
+  expect_error(program::read_obj, "v 0 0 0\nf 1 2 3\n", "there are only 1");
+  expect_error(program::read_obj, "v 0 0 0\nf 0 0 0\n", "line 2");
+  expect_error(program::read_obj, "v 0 0 0\nf -2 1 1\n", "line 2");
+  expect_error(program::read_obj, "v 0 0\n", "a number is missing");
+  expect_error(program::read_obj, "garbage", "no points");
 }
 
-TEST(Read_stl, text_is_welded)
+TEST(Read_stl, welds_ascii_vertices)
 {
   const Surface_file surface = program::read_stl(
       "solid two\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
@@ -256,7 +258,7 @@ TEST(Read_stl, text_is_welded)
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3}));
 }
 
-TEST(Read_stl, binary_files_that_begin_with_solid)
+TEST(Read_stl, reads_binary_starting_with_solid)
 {
   std::string bytes = "solid" + std::string(75, ' ') + std::string("\1\0\0\0", 4);
   const std::string zero(4, '\0'), one("\0\0\x80\x3f", 4);
@@ -266,36 +268,36 @@ TEST(Read_stl, binary_files_that_begin_with_solid)
   bytes += std::string(2, '\0');
   const Surface_file surface = program::read_stl(bytes, "");
   EXPECT_EQ(surface.points, (std::vector<program::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-  EXPECT_NE(complaint(program::read_stl, "Solid" + bytes.substr(5) + "x"), "");
-  EXPECT_NE(complaint(program::read_stl, "not one"), "");
+  EXPECT_NE(error_message(program::read_stl, "Solid" + bytes.substr(5) + "x"), "");
+  EXPECT_NE(error_message(program::read_stl, "not one"), "");
 }
 
-TEST(Read_xyz, columns_and_separators)
+TEST(Read_xyz, accepts_separators_and_extra_columns)
 {
   const Surface_file surface = program::read_xyz("# c\n0,0, 0\t0 0 2 9\n// c\n1;0;0 0 0 2 9\n", "");
   EXPECT_EQ(surface.points, (std::vector<program::Point>{{0, 0, 0}, {1, 0, 0}}));
   EXPECT_EQ(surface.normals, (std::vector<program::Point>{{0, 0, 2}, {0, 0, 2}}));
 }
 
-TEST(Read_xyz, says_what_is_wrong)
+TEST(Read_xyz, reports_errors)
 {
-  expect_complaint(program::read_xyz, "0 0 0\n1 0 0 1\n",
-                   "line 2: it has 4 numbers, the lines before 3");
-  expect_complaint(program::read_xyz, "0 0\n", "three coordinates");
-  expect_complaint(program::read_xyz, "3\n0 0 0\n", "another number of points");
-  expect_complaint(program::read_xyz, "0 0 x\n", "'x' is not a number");
+  expect_error(program::read_xyz, "0 0 0\n1 0 0 1\n",
+               "line 2: it has 4 numbers, the lines before 3");
+  expect_error(program::read_xyz, "0 0\n", "three coordinates");
+  expect_error(program::read_xyz, "3\n0 0 0\n", "another number of points");
+  expect_error(program::read_xyz, "0 0 x\n", "'x' is not a number");
 }
 
-TEST(Read_pwn, normals_beside_and_behind_the_points)
+TEST(Read_pwn, reads_both_normal_layouts)
 {
-  const Surface_file beside = program::read_pwn("0 0 0 0 0 1\n1 0 0 0 1 0\n", "");
-  const Surface_file behind = program::read_pwn("2\n0 0 0\n1 0 0\n0 0 1\n0 1 0\n", "");
-  EXPECT_EQ(beside.points, behind.points);
-  EXPECT_EQ(beside.normals, behind.normals);
-  EXPECT_EQ(behind.normals, (std::vector<program::Point>{{0, 0, 1}, {0, 1, 0}}));
+  const Surface_file interleaved = program::read_pwn("0 0 0 0 0 1\n1 0 0 0 1 0\n", "");
+  const Surface_file separate = program::read_pwn("2\n0 0 0\n1 0 0\n0 0 1\n0 1 0\n", "");
+  EXPECT_EQ(interleaved.points, separate.points);
+  EXPECT_EQ(interleaved.normals, separate.normals);
+  EXPECT_EQ(separate.normals, (std::vector<program::Point>{{0, 0, 1}, {0, 1, 0}}));
 }
 
-TEST(Read_vtp, text_and_strips)
+TEST(Read_vtp, reads_ascii_and_strips)
 {
   const Surface_file surface = program::read_vtp(
       "<?xml version=\"1.0\"?><!-- > --><VTKFile type='PolyData'><PolyData><Piece><PointData>"
@@ -309,26 +311,26 @@ TEST(Read_vtp, text_and_strips)
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3}));
 }
 
-TEST(Read_vtp, says_what_is_wrong)
+TEST(Read_vtp, reports_errors)
 {
   const Reader read = program::read_vtp;
-  expect_complaint(read, "<VTKFile type=\"UnstructuredGrid\">", "not a VTP file");
-  expect_complaint(read, "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\">",
-                   "compressed");
-  expect_complaint(read, "<VTKFile type=\"PolyData\"><Piece/><Piece/>", "pieces");
-  expect_complaint(read,
-                   "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
-                   "format=\"binary\">AQAAAA==?</DataArray>",
-                   "not base64");
-  expect_complaint(read,
-                   "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
-                   "format=\"binary\">/////w==</DataArray>",
-                   "ends too early");
+  expect_error(read, "<VTKFile type=\"UnstructuredGrid\">", "not a VTP file");
+  expect_error(read, "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\">",
+               "compressed");
+  expect_error(read, "<VTKFile type=\"PolyData\"><Piece/><Piece/>", "pieces");
+  expect_error(read,
+               "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
+               "format=\"binary\">AQAAAA==?</DataArray>",
+               "not base64");
+  expect_error(read,
+               "<VTKFile type=\"PolyData\"><Points><DataArray type=\"Float32\" "
+               "format=\"binary\">/////w==</DataArray>",
+               "ends too early");
 }
 
-TEST(Read_surface_file, names_the_file_and_the_reason)
+TEST(Read_surface_file, error_names_file_and_reason)
 {
-  const auto sentence = [](const std::string& name)
+  const auto error_of = [](const std::string& name)
   {
     try
     {
@@ -342,18 +344,18 @@ TEST(Read_surface_file, names_the_file_and_the_reason)
   };
   const std::string folder = testing::TempDir();
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "nowhere.ply: there is no such",
-                      sentence(folder + "nowhere.ply"));
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "not a regular file", sentence(folder));
+                      error_of(folder + "nowhere.ply"));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "not a regular file", error_of(folder));
   std::ofstream(folder + "read_surface_file.doc") << "x";
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "does not end with",
-                      sentence(folder + "read_surface_file.doc"));
+                      error_of(folder + "read_surface_file.doc"));
   std::ofstream(folder + "read_surface_file.off").close();
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "it is empty",
-                      sentence(folder + "read_surface_file.off"));
+                      error_of(folder + "read_surface_file.off"));
 }
 
 // Whatever is cut off or changed in a good file, the reader says so or reads something valid.
-TEST(Read_files, cut_and_changed_files_never_break_a_promise)
+TEST(Read_files, corrupted_files_are_rejected_or_valid)
 {
   const std::map<std::string, Reader> readers = {
       {"ply", program::read_ply}, {"off", program::read_off}, {"obj", program::read_obj},

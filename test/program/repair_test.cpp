@@ -13,7 +13,7 @@
 
 namespace {
 
-using program::Gluing;
+using program::Connectivity;
 using program::Point;
 using program::Surface;
 using program::Surface_file;
@@ -25,7 +25,7 @@ Surface_file soup(std::vector<Point> points, const std::vector<std::vector<std::
   for(const auto& face : faces)
   {
     surface.corners.insert(surface.corners.end(), face.begin(), face.end());
-    surface.first.push_back(surface.corners.size());
+    surface.polygon_begin.push_back(surface.corners.size());
   }
   return surface;
 }
@@ -80,7 +80,7 @@ TEST(Triangulate, concave_polygons_keep_their_area)
     }
 }
 
-TEST(Triangulate, every_polygon_has_two_triangles_fewer_than_corners)
+TEST(Triangulate, polygon_with_n_corners_has_n_minus_2_triangles)
 {
   // Polygons that cross themselves, that are flat or in one point, too.
   std::mt19937 random(7);
@@ -101,7 +101,7 @@ TEST(Triangulate, every_polygon_has_two_triangles_fewer_than_corners)
   }
 }
 
-TEST(Triangulate, repeated_corners_and_copies_go)
+TEST(Triangulate, removes_repeated_corners_and_duplicates)
 {
   Surface_file surface = soup(
       tetrahedron, {{0, 1, 1}, {0, 1}, {2}, {}, {0, 1, 2}, {1, 2, 0}, {2, 1, 0}, {3, 3, 1, 2}});
@@ -109,14 +109,14 @@ TEST(Triangulate, repeated_corners_and_copies_go)
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 3, 1, 2}));
 }
 
-TEST(Triangulate, triangles_stay_as_they_are)
+TEST(Triangulate, keeps_triangles)
 {
   Surface_file surface = soup(tetrahedron, {{2, 0, 1}, {0, 1, 3}});
   EXPECT_FALSE(program::triangulate(surface, ""));
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{2, 0, 1, 0, 1, 3}));
 }
 
-TEST(Triangulate, endless_polygons_are_refused)
+TEST(Triangulate, rejects_polygons_with_too_many_corners)
 {
   std::vector<Point> points(10001, Point{0., 0., 0.});
   std::vector<std::uint32_t> face(10001);
@@ -126,30 +126,31 @@ TEST(Triangulate, endless_polygons_are_refused)
   EXPECT_THROW(program::triangulate(surface, "name"), program::Input_error);
 }
 
-TEST(Orient, turns_the_fewer_triangles_round)
+TEST(Orient, flips_minority_orientation)
 {
   Surface_file surface = soup(tetrahedron, {{0, 2, 1}, {0, 3, 1}, {1, 2, 3}, {2, 0, 3}});
-  const Gluing gluing = program::orient(surface);
-  EXPECT_EQ(gluing.flipped, 1u);
+  const Connectivity connectivity = program::orient(surface);
+  EXPECT_EQ(connectivity.number_of_flipped_faces, 1u);
   EXPECT_EQ(surface.corners, (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}));
-  EXPECT_TRUE(gluing.is_manifold());
-  EXPECT_EQ(gluing.genus(4), 0);
-  EXPECT_EQ(gluing.boundary_loops, 0u);
-  EXPECT_EQ(std::count(gluing.twins.begin(), gluing.twins.end(), program::no_side), 0);
+  EXPECT_TRUE(connectivity.is_manifold());
+  EXPECT_EQ(connectivity.genus(4), 0);
+  EXPECT_EQ(connectivity.number_of_boundary_loops, 0u);
+  EXPECT_EQ(std::count(connectivity.twins.begin(), connectivity.twins.end(), program::no_halfedge),
+            0);
 }
 
-TEST(Orient, leaves_a_crowded_edge_open)
+TEST(Orient, cuts_nonmanifold_edges)
 {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
   Surface_file surface = soup(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
-  const Gluing gluing = program::orient(surface);
-  EXPECT_EQ(gluing.cut, 1u);
-  EXPECT_EQ(gluing.components, 3u);
-  EXPECT_EQ(gluing.pinched, 2u);
-  EXPECT_FALSE(gluing.is_manifold());
+  const Connectivity connectivity = program::orient(surface);
+  EXPECT_EQ(connectivity.number_of_cut_edges, 1u);
+  EXPECT_EQ(connectivity.number_of_components, 3u);
+  EXPECT_EQ(connectivity.number_of_nonmanifold_vertices, 2u);
+  EXPECT_FALSE(connectivity.is_manifold());
 }
 
-TEST(Orient, cuts_a_one_sided_band_across)
+TEST(Orient, cuts_moebius_strip)
 {
   std::vector<Point> points;
   std::vector<std::vector<std::uint32_t>> faces;
@@ -169,29 +170,29 @@ TEST(Orient, cuts_a_one_sided_band_across)
     faces.push_back({b, c, d});
   }
   Surface_file surface = soup(points, faces);
-  const Gluing gluing = program::orient(surface);
-  EXPECT_EQ(gluing.cut, 1u); // the shortest cut across the band is one edge
-  EXPECT_EQ(gluing.components, 1u);
-  EXPECT_EQ(gluing.boundary_loops, 1u);
-  EXPECT_EQ(gluing.genus(faces.size()), 0);
+  const Connectivity connectivity = program::orient(surface);
+  EXPECT_EQ(connectivity.number_of_cut_edges, 1u); // the shortest cut across the band is one edge
+  EXPECT_EQ(connectivity.number_of_components, 1u);
+  EXPECT_EQ(connectivity.number_of_boundary_loops, 1u);
+  EXPECT_EQ(connectivity.genus(faces.size()), 0);
 }
 
-TEST(Make_mesh, pinched_vertices_stay_one_vertex)
+TEST(Make_mesh, keeps_nonmanifold_vertices)
 {
   // Two triangles that touch in a corner, and a third at the other end.
   const Surface surface = program::repair(
       soup({{0, 0, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {0, 2, 0}, {1, 3, 0}},
            {{0, 2, 1}, {0, 4, 3}, {0, 5, 6}}),
       "");
-  EXPECT_EQ(surface.gluing.pinched, 1u);
-  EXPECT_EQ(surface.gluing.boundary_loops, 3u);
+  EXPECT_EQ(surface.connectivity.number_of_nonmanifold_vertices, 1u);
+  EXPECT_EQ(surface.connectivity.number_of_boundary_loops, 3u);
   const program::Mesh mesh = program::make_mesh(surface);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
   EXPECT_EQ(mesh.number_of_vertices(), 7u);
   EXPECT_EQ(mesh.degree(program::Mesh::Vertex_index(0)), 6u);
 }
 
-TEST(Make_mesh, is_valid_whatever_random_triangles_meet)
+TEST(Make_mesh, is_valid_for_random_triangles)
 {
   std::mt19937 random(3);
   for(int round = 0; round < 100; ++round)
@@ -224,7 +225,7 @@ TEST(Make_mesh, is_valid_whatever_random_triangles_meet)
       EXPECT_EQ(mesh.degree(f), 3u);
     EXPECT_EQ(mesh.number_of_vertices(), 8u);
     EXPECT_EQ(mesh.number_of_faces(), surface.file.number_of_polygons());
-    EXPECT_GE(surface.gluing.genus(mesh.number_of_faces()), 0);
+    EXPECT_GE(surface.connectivity.genus(mesh.number_of_faces()), 0);
   }
 }
 
@@ -242,7 +243,7 @@ std::vector<Point> sphere(std::size_t n, double radius, double offset)
   return points;
 }
 
-TEST(Complete_normals, of_a_sphere_point_outwards_at_any_scale)
+TEST(Complete_normals, point_outwards_on_sphere_at_any_scale)
 {
   for(const double scale : {1., 1e-160, 1e160})
   {
@@ -258,7 +259,7 @@ TEST(Complete_normals, of_a_sphere_point_outwards_at_any_scale)
   }
 }
 
-TEST(Complete_normals, lengths_become_one_and_zeros_follow_their_neighbours)
+TEST(Complete_normals, normalizes_lengths_and_fills_zeros)
 {
   Surface_file cloud;
   cloud.points = sphere(500, 1., 0.);
@@ -281,7 +282,7 @@ TEST(Complete_normals, lengths_become_one_and_zeros_follow_their_neighbours)
   EXPECT_EQ(inwards, 500u);
 }
 
-TEST(Complete_normals, unit_vectors_for_points_that_span_nothing)
+TEST(Complete_normals, gives_unit_vectors_for_degenerate_clouds)
 {
   const std::vector<std::vector<Point>> clouds = {
       {{1, 2, 3}},

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Output_file.h"
 #include "repair/Surface.h"
-#include "io/colours.h"
+#include "io/colors.h"
 #include "io/errors.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ namespace {
 namespace fs = std::filesystem;
 using program::Surface_file;
 
-Surface_file strip_of_triangles()
+Surface_file triangle_strip()
 {
   Surface_file surface;
   surface.points = {{0, 0, 0.1}, {1. / 3., 0, 1e-300}, {0, 1e300, -0.}, {1, 1, 1}};
   surface.corners = {0, 1, 2, 2, 1, 3};
-  surface.first = {0, 3, 6};
+  surface.polygon_begin = {0, 3, 6};
   surface.normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
   surface.properties["distance"] = {0., 0.1, INFINITY, 2.};
   return surface;
@@ -44,26 +44,26 @@ struct Folder
   }
 };
 
-TEST(Write_files, ply_and_vtp_give_everything_back_to_the_last_bit)
+TEST(Write_files, ply_and_vtp_round_trip_exactly)
 {
   const Folder folder;
-  const Surface_file surface = strip_of_triangles();
+  const Surface_file surface = triangle_strip();
   for(const char* const name : {"a.ply", "a.vtp"})
   {
     program::write_surface_file(folder / name, surface);
     const Surface_file again = program::read_surface_file(folder / name);
     EXPECT_EQ(again.points, surface.points) << name;
     EXPECT_EQ(again.corners, surface.corners) << name;
-    EXPECT_EQ(again.first, surface.first) << name;
+    EXPECT_EQ(again.polygon_begin, surface.polygon_begin) << name;
     EXPECT_EQ(again.normals, surface.normals) << name;
     EXPECT_EQ(again.properties, surface.properties) << name;
   }
 }
 
-TEST(Write_files, vectors_and_numbers_of_faces_are_passed_over)
+TEST(Write_files, readers_skip_face_attributes)
 {
   const Folder folder;
-  Surface_file surface = strip_of_triangles();
+  Surface_file surface = triangle_strip();
   surface.vectors["flow"] = {{1., 2., 3.}, {4., 5., 6.}};
   surface.face_numbers["part"] = {7, 4000000000};
   for(const char* const name : {"a.ply", "a.vtp"})
@@ -84,10 +84,10 @@ TEST(Write_files, vectors_and_numbers_of_faces_are_passed_over)
   EXPECT_NE(vtp.find("Name=\"part\""), std::string::npos);
 }
 
-TEST(Write_files, off_and_obj_give_the_shape_back_to_the_last_bit)
+TEST(Write_files, off_and_obj_round_trip_geometry_exactly)
 {
   const Folder folder;
-  const Surface_file surface = strip_of_triangles();
+  const Surface_file surface = triangle_strip();
   for(const char* const name : {"a.off", "a.obj"})
   {
     program::write_surface_file(folder / name, surface, "distance");
@@ -98,10 +98,10 @@ TEST(Write_files, off_and_obj_give_the_shape_back_to_the_last_bit)
   EXPECT_EQ(program::read_surface_file(folder / "a.off").normals, surface.normals);
 }
 
-TEST(Write_files, ply_has_colours_as_bytes)
+TEST(Write_files, ply_writes_colors_as_bytes)
 {
   const Folder folder;
-  Surface_file surface = strip_of_triangles();
+  Surface_file surface = triangle_strip();
   surface.properties["red"] = {0., 17., 255., 3.};
   surface.properties["green"] = {0., 0.5, 1., 0.}; // no bytes
   surface.polylines = {{{0., 0., 0.}, {1., 0., 0.}}};
@@ -119,10 +119,10 @@ TEST(Write_files, ply_has_colours_as_bytes)
   EXPECT_EQ(again.corners, surface.corners);
 }
 
-TEST(Write_files, obj_has_colours_but_under_a_texture)
+TEST(Write_files, obj_writes_colors_without_texture)
 {
   const Folder folder;
-  Surface_file surface = strip_of_triangles();
+  Surface_file surface = triangle_strip();
   surface.polylines = {{{0., 0., 0.}, {1., 0., 0.}}};
   surface.properties = {
       {"red", {0., 17., 255., 3.}}, {"green", {0., 1., 128., 0.}}, {"blue", {2., 0., 0., 254.}}};
@@ -138,9 +138,9 @@ TEST(Write_files, obj_has_colours_but_under_a_texture)
   EXPECT_NE(program::to_obj(surface).find("v 1 1 1\n"), std::string::npos);
 }
 
-TEST(Write_files, obj_has_a_place_in_the_texture_for_each_corner)
+TEST(Write_files, obj_writes_texture_coordinates_per_corner)
 {
-  Surface_file surface = strip_of_triangles();
+  Surface_file surface = triangle_strip();
   surface.normals.clear();
   surface.corner_uv = {{0., 0.}, {1., 0.}, {0., 1.}, {0., 0.}, {0.5, 0.5}, {1., 0.}};
   surface.material = "a.mtl";
@@ -150,12 +150,12 @@ TEST(Write_files, obj_has_a_place_in_the_texture_for_each_corner)
             std::string::npos);
 }
 
-TEST(Write_files, points_without_faces_stay_points)
+TEST(Write_files, keeps_point_clouds)
 {
   const Folder folder;
-  Surface_file surface = strip_of_triangles();
+  Surface_file surface = triangle_strip();
   surface.corners.clear();
-  surface.first = {0};
+  surface.polygon_begin = {0};
   for(const char* const name : {"a.ply", "a.off", "a.obj", "a.vtp"})
   {
     program::write_surface_file(folder / name, surface);
@@ -165,7 +165,7 @@ TEST(Write_files, points_without_faces_stay_points)
   }
 }
 
-TEST(Write_files, polylines_follow_the_points)
+TEST(Write_files, writes_polylines_after_points)
 {
   Surface_file surface;
   surface.polylines = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}};
@@ -183,7 +183,7 @@ TEST(Write_files, ply_keeps_edges)
   EXPECT_EQ(program::read_ply(program::to_ply(surface), "").edges, surface.edges);
 }
 
-TEST(Write_files, all_or_nothing)
+TEST(Write_files, write_is_atomic)
 {
   const Folder folder;
   const std::string name = folder / "a.ply";
@@ -205,7 +205,7 @@ TEST(Write_files, all_or_nothing)
   EXPECT_EQ(folder.files(), 1u);
 }
 
-TEST(Write_files, links_stay_links)
+TEST(Write_files, follows_symbolic_links)
 {
   const Folder folder;
   std::ofstream(folder / "a.ply") << "old";
@@ -216,32 +216,32 @@ TEST(Write_files, links_stay_links)
   EXPECT_EQ(folder.files(), 2u);
 }
 
-TEST(Write_files, other_kinds_are_refused)
+TEST(Write_files, rejects_unknown_extensions)
 {
-  EXPECT_THROW(program::check_can_write("a.stl"), program::Usage_error);
-  EXPECT_NO_THROW(program::check_can_write("A.PLY"));
+  EXPECT_THROW(program::check_output_extension("a.stl"), program::Usage_error);
+  EXPECT_NO_THROW(program::check_output_extension("A.PLY"));
 }
 
-TEST(Colours, cover_the_range_and_leave_the_unreached_grey)
+TEST(Colors, map_range_and_gray_out_infinite)
 {
-  const std::vector<program::Colour> colours = program::colours_of({0., 0.5, 1., INFINITY, NAN});
-  EXPECT_EQ(colours[0], program::viridis(0.));
-  EXPECT_EQ(colours[1], program::viridis(0.5));
-  EXPECT_EQ(colours[2], program::viridis(1.));
-  EXPECT_EQ(colours[3], program::grey);
-  EXPECT_EQ(colours[4], program::grey);
+  const std::vector<program::Color> colors = program::colors_of({0., 0.5, 1., INFINITY, NAN});
+  EXPECT_EQ(colors[0], program::viridis(0.));
+  EXPECT_EQ(colors[1], program::viridis(0.5));
+  EXPECT_EQ(colors[2], program::viridis(1.));
+  EXPECT_EQ(colors[3], program::gray);
+  EXPECT_EQ(colors[4], program::gray);
 }
 
-TEST(Colours, labels_differ)
+TEST(Colors, labels_have_distinct_colors)
 {
   // Sixty seeds is what the tour draws; two shades of 255 apart is what a screen can show.
   for(long long i = 0; i < 60; ++i)
     for(long long j = 0; j < i; ++j)
     {
-      const program::Colour a = program::colour_of_label(i), b = program::colour_of_label(j);
+      const program::Color a = program::color_of_label(i), b = program::color_of_label(j);
       EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 2. / 255.) << i << ' ' << j;
     }
-  EXPECT_EQ(program::colour_of_label(-1), program::grey);
+  EXPECT_EQ(program::color_of_label(-1), program::gray);
 }
 
 } // namespace

@@ -10,15 +10,15 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
 // Two components and a vertex in no triangle, at the front, in the middle and at the end.
-Triangulation with_isolated(Index& first, Index& middle, Index& last)
+Triangulation mesh_with_isolated_vertices(Index& first, Index& middle, Index& last)
 {
   Triangulation result;
   result.points.push_back({5., 5., 5.});
-  result = apart(result, tetrahedron());
+  result = disjoint_union(result, tetrahedron());
   first = 0;
   middle = Index(result.points.size());
   result.points.push_back({6., 5., 5.});
-  result = apart(result, square(4, 0.2));
+  result = disjoint_union(result, square(4, 0.2));
   last = Index(result.points.size());
   result.points.push_back({6., 5., 5.}); // a duplicate of the one in the middle
   return result;
@@ -27,7 +27,7 @@ Triangulation with_isolated(Index& first, Index& middle, Index& last)
 TEST(Isolated_vertices, are_infinitely_far)
 {
   Index first, middle, last;
-  const Glued_surface surface(with_isolated(first, middle, last));
+  const Array_surface surface(mesh_with_isolated_vertices(first, middle, last));
   for(const Method method : all_methods)
   {
     const auto d = distances(surface, method, {surface.source(1)});
@@ -36,10 +36,10 @@ TEST(Isolated_vertices, are_infinitely_far)
   }
 }
 
-TEST(Isolated_vertices, are_sources_of_themselves)
+TEST(Isolated_vertices, are_reached_from_themselves_only)
 {
   Index first, middle, last;
-  const Glued_surface surface(with_isolated(first, middle, last));
+  const Array_surface surface(mesh_with_isolated_vertices(first, middle, last));
   for(const Method method : all_methods)
     for(const Index source : {first, middle, last})
     {
@@ -49,10 +49,10 @@ TEST(Isolated_vertices, are_sources_of_themselves)
     }
 }
 
-TEST(Isolated_vertices, do_not_keep_other_sources_from_their_components)
+TEST(Isolated_vertices, do_not_affect_other_sources)
 {
   Index first, middle, last;
-  const Glued_surface surface(with_isolated(first, middle, last));
+  const Array_surface surface(mesh_with_isolated_vertices(first, middle, last));
   for(const Method method : all_methods)
   {
     const auto all = distances(
@@ -71,9 +71,9 @@ TEST(Isolated_vertices, do_not_keep_other_sources_from_their_components)
   }
 }
 
-TEST(Isolated_vertices, may_be_all_there_is)
+TEST(Isolated_vertices, are_accepted_without_faces)
 {
-  const Glued_surface surface({{{0., 0., 0.}, {1., 0., 0.}, {1., 0., 0.}}, {}});
+  const Array_surface surface({{{0., 0., 0.}, {1., 0., 0.}, {1., 0., 0.}}, {}});
   for(const Method method : all_methods)
     EXPECT_EQ(distances(surface, method, {surface.source(1)}),
               (std::vector<double>{internal::infinity, 0., internal::infinity}))
@@ -83,8 +83,8 @@ TEST(Isolated_vertices, may_be_all_there_is)
 TEST(Isolated_vertices, have_no_path)
 {
   Index first, middle, last;
-  const Glued_surface surface(with_isolated(first, middle, last));
-  const std::vector<internal::Source> sources = {surface.source(1)};
+  const Array_surface surface(mesh_with_isolated_vertices(first, middle, last));
+  const std::vector<internal::Front_source> sources = {surface.source(1)};
   internal::Front front(surface.triangles(), internal::Front_kind::euclidean);
   front.run(sources);
   for(const Index from : {first, middle, last, middle + 1})

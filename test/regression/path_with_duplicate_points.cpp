@@ -11,12 +11,12 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
 // No path is empty, has a point twice in a row, or leaves the triangles that it names.
-void expect_clean_paths(const Triangulation& shape)
+void expect_no_duplicate_points(const Triangulation& shape)
 {
-  const Glued_surface surface(shape);
-  const Glued_triangles& t = *surface.triangles();
+  const Array_surface surface(shape);
+  const Surface_arrays& t = *surface.triangles();
   std::mt19937 random(2);
-  const auto place = [&]() -> Location
+  const auto random_query_location = [&]() -> Surface_location
   {
     switch(random() % 3)
     {
@@ -31,47 +31,50 @@ void expect_clean_paths(const Triangulation& shape)
   internal::Front front(surface.triangles(), internal::Front_kind::euclidean);
   for(int query = 0; query < 20; ++query)
   {
-    const Location to = place();
-    const std::vector<internal::Source> sources = {surface.source(to)};
+    const Surface_location to = random_query_location();
+    const std::vector<internal::Front_source> sources = {surface.source(to)};
     front.run(sources);
     for(int i = 0; i < 10; ++i)
     {
-      const Location from = i == 0 ? to : place();
-      const auto found = path(t, front, sources, from);
-      expect_path_on_surface(t, found, from, to);
-      EXPECT_GE(surface.scale() * internal::path_length(t, found),
+      const Surface_location from = i == 0 ? to : random_query_location();
+      const auto geodesic = path(t, front, sources, from);
+      expect_path_on_surface(t, geodesic, from, to);
+      EXPECT_GE(surface.scale() * internal::path_length(t, geodesic),
                 distance(point_at(t, from), point_at(t, to)) - rounding);
     }
   }
 }
 
-TEST(Path_with_duplicate_points, is_not_found_in_a_plane) { expect_clean_paths(square(10)); }
-
-TEST(Path_with_duplicate_points, is_not_found_among_odd_triangles)
+TEST(Path_with_duplicate_points, does_not_occur_in_plane)
 {
-  expect_clean_paths(square(10, 0.24, 3));
+  expect_no_duplicate_points(square(10));
 }
 
-TEST(Path_with_duplicate_points, is_not_found_on_a_rough_sphere)
+TEST(Path_with_duplicate_points, does_not_occur_on_irregular_mesh)
 {
-  expect_clean_paths(shaken(icosphere(3), 0.05));
+  expect_no_duplicate_points(square(10, 0.24, 3));
 }
 
-TEST(Path_with_duplicate_points, is_not_found_around_a_hole)
+TEST(Path_with_duplicate_points, does_not_occur_on_rough_sphere)
 {
-  expect_clean_paths(annulus(16, 4, 1., 3.));
+  expect_no_duplicate_points(jittered(icosphere(3), 0.05));
 }
 
-TEST(Path_with_duplicate_points, is_not_found_on_saddles)
+TEST(Path_with_duplicate_points, does_not_occur_around_hole)
 {
-  expect_clean_paths(cone(12, 5, 3. * pi));
+  expect_no_duplicate_points(annulus(16, 4, 1., 3.));
 }
 
-TEST(Path_with_duplicate_points, is_not_found_on_few_triangles)
+TEST(Path_with_duplicate_points, does_not_occur_on_saddles)
 {
-  expect_clean_paths(one_triangle());
-  expect_clean_paths(square(1));
-  expect_clean_paths(tetrahedron());
+  expect_no_duplicate_points(cone(12, 5, 3. * pi));
+}
+
+TEST(Path_with_duplicate_points, does_not_occur_on_few_triangles)
+{
+  expect_no_duplicate_points(one_triangle());
+  expect_no_duplicate_points(square(1));
+  expect_no_duplicate_points(tetrahedron());
 }
 
 } // namespace

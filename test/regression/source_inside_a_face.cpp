@@ -11,21 +11,21 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::test;
 
-TEST(Source_inside_a_face, is_at_planar_distance_from_its_corners)
+TEST(Source_inside_a_face, distance_to_corners_is_euclidean)
 {
-  const Triangulation shape = shaken(icosphere(2), 0.03);
-  const Glued_surface surface(shape);
-  const Glued_triangles& t = *surface.triangles();
+  const Triangulation shape = jittered(icosphere(2), 0.03);
+  const Array_surface surface(shape);
+  const Surface_arrays& t = *surface.triangles();
   std::mt19937 random(1);
   for(int i = 0; i < 100; ++i)
   {
-    const Location location = random_location(t, random);
+    const Surface_location location = random_location(t, random);
     for(const Method method : fronts)
     {
       const auto d = distances(surface, method, {surface.source(location)});
       for(int k = 0; k < 3; ++k)
       {
-        const Index corner = surface.point_of_site(t.corner[3 * location.triangle + k]);
+        const Index corner = surface.caller_vertex(t.corner[3 * location.triangle + k]);
         EXPECT_NEAR(d[corner], distance(shape.points[corner], point_at(t, location)), rounding)
             << method;
       }
@@ -33,10 +33,10 @@ TEST(Source_inside_a_face, is_at_planar_distance_from_its_corners)
   }
 }
 
-TEST(Source_inside_a_face, may_lie_off_it_by_rounding)
+TEST(Source_inside_a_face, accepts_round_off_in_barycentric_coordinates)
 {
   const Triangulation plane = square(6, 0.2);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   const double tiny = 1e-15;
   for(const std::array<double, 3>& barycentric : {std::array<double, 3>{1. + tiny, -tiny, 0.},
                                                   {0.5, 0.5 + tiny, -tiny},
@@ -46,7 +46,7 @@ TEST(Source_inside_a_face, may_lie_off_it_by_rounding)
                                                   {0., 1e-300, 1.}})
     for(const Index face : {0u, 30u, 71u})
     {
-      const Location location =
+      const Surface_location location =
           internal::checked(*surface.triangles(), surface.in(face, barycentric));
       const Point p = point_at(*surface.triangles(), location);
       for(const Method method : all_methods)
@@ -55,28 +55,30 @@ TEST(Source_inside_a_face, may_lie_off_it_by_rounding)
       EXPECT_LT(
           largest_error(distances(surface, Method::euclidean_front, {surface.source(location)}),
                         [&](Index i) { return distance(p, plane.points[i]); }),
-          rounding_of_fronts);
+          front_tolerance);
     }
 }
 
-TEST(Source_inside_a_face, is_continuous_towards_its_corner)
+TEST(Source_inside_a_face, distance_is_continuous_towards_corner)
 {
-  const Glued_surface surface(shaken(icosphere(2), 0.03));
-  const Glued_triangles& t = *surface.triangles();
-  for(const double share : {0., 1e-300, 1e-17, 1e-13, 1e-9})
+  const Array_surface surface(jittered(icosphere(2), 0.03));
+  const Surface_arrays& t = *surface.triangles();
+  for(const double fraction : {0., 1e-300, 1e-17, 1e-13, 1e-9})
     for(const Method method : fronts)
     {
-      const Location location = surface.in(17, {1. - share, share / 2., share / 2.});
+      const Surface_location location =
+          surface.in(17, {1. - fraction, fraction / 2., fraction / 2.});
       const Index corner = t.corner[3 * location.triangle];
-      const auto at = distances(surface, method, {surface.source(surface.point_of_site(corner))});
-      const auto near = distances(surface, method, {surface.source(location)});
+      const auto from_vertex =
+          distances(surface, method, {surface.source(surface.caller_vertex(corner))});
+      const auto from_face = distances(surface, method, {surface.source(location)});
       // Starting from a face or from a site is not the same triangulation: a planar front has been
       // around the site without an error, one of a face has not.
       const double error = method == Method::euclidean_front ? 1e-3
-                           : method == Method::dijkstra      ? 2. * share + rounding
+                           : method == Method::dijkstra      ? 2. * fraction + rounding
                                                              : 0.05;
-      EXPECT_LT(largest_error(near, [&](Index i) { return at[i]; }), error)
-          << method << ", share " << share;
+      EXPECT_LT(largest_error(from_face, [&](Index i) { return from_vertex[i]; }), error)
+          << method << ", share " << fraction;
     }
 }
 

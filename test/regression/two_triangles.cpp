@@ -12,23 +12,23 @@ using namespace CGAL::Geodesic_processing::test;
 
 void expect_plane(const Triangulation& plane)
 {
-  const Glued_surface surface(plane);
-  const Glued_triangles& t = *surface.triangles();
+  const Array_surface surface(plane);
+  const Surface_arrays& t = *surface.triangles();
   std::mt19937 random(1);
   for(int i = 0; i < 50; ++i)
   {
-    const Location from = random_location(t, random), to = random_location(t, random);
-    const std::vector<internal::Source> sources = {surface.source(to)};
+    const Surface_location from = random_location(t, random), to = random_location(t, random);
+    const std::vector<internal::Front_source> sources = {surface.source(to)};
     internal::Front front(surface.triangles(), internal::Front_kind::euclidean);
     front.run(sources);
-    const double truth = distance(point_at(t, from), point_at(t, to));
+    const double expected = distance(point_at(t, from), point_at(t, to));
     EXPECT_LT(largest_error(surface.distances(front),
                             [&](Index v) { return distance(plane.points[v], point_at(t, to)); }),
               rounding);
-    EXPECT_NEAR(surface.scale() * front.distance(from), truth, rounding);
-    const auto straight = path(t, front, sources, from);
-    expect_path_on_surface(t, straight, from, to);
-    EXPECT_NEAR(surface.scale() * internal::path_length(t, straight), truth, rounding);
+    EXPECT_NEAR(surface.scale() * front.distance(from), expected, rounding);
+    const auto geodesic = path(t, front, sources, from);
+    expect_path_on_surface(t, geodesic, from, to);
+    EXPECT_NEAR(surface.scale() * internal::path_length(t, geodesic), expected, rounding);
   }
   for(const Method method : all_methods)
     for(Index source = 0; source < surface.size(); ++source)
@@ -36,21 +36,21 @@ void expect_plane(const Triangulation& plane)
         EXPECT_TRUE(value >= 0. && value < internal::infinity) << method;
 }
 
-TEST(Two_triangles, are_exact) { expect_plane(square(1)); }
+TEST(Two_triangles, distances_are_exact) { expect_plane(square(1)); }
 
-TEST(Two_triangles, are_exact_alone) { expect_plane(one_triangle()); }
+TEST(Two_triangles, distances_are_exact_on_one_triangle) { expect_plane(one_triangle()); }
 
-TEST(Two_triangles, are_exact_when_thin)
+TEST(Two_triangles, distances_are_exact_on_thin_triangles)
 {
   expect_plane({{{0., 0., 0.}, {1., 0., 0.}, {0.5, 0.1, 0.}, {0.5, -0.1, 0.}}, {0, 1, 2, 1, 0, 3}});
 }
 
-TEST(Two_triangles, are_unfolded_over_their_side)
+TEST(Two_triangles, are_unfolded_across_shared_edge)
 {
   // Folded by a right angle; corner 3 unfolds to (0.5, -1).
   const Triangulation folded = {{{0., 0., 0.}, {1., 0., 0.}, {0.5, 1., 0.}, {0.5, 0., 1.}},
                                 {0, 1, 2, 1, 0, 3}};
-  const Glued_surface surface(folded);
+  const Array_surface surface(folded);
   for(const Method method : {Method::fast_marching, Method::euclidean_front})
   {
     const auto d = distances(surface, method, {surface.source(2)});

@@ -5,8 +5,8 @@
 
 #include <CGAL/Geodesic_processing/internal/surfels/Surfel_cloud.h>
 #include "surfels/normals.h"
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <algorithm>
 #include <array>
@@ -26,14 +26,14 @@ namespace CGAL::Geodesic_processing::test {
 // Not a type of this namespace: its operators have to be named.
 using internal::operator+;
 using internal::operator*;
-using internal::Spatial;
+using internal::Vec3;
 
 struct Cloud
 {
-  std::vector<Spatial> points, normals; // unit normals
+  std::vector<Vec3> points, normals; // unit normals
 
   std::size_t size() const { return points.size(); }
-  void add(const Spatial& point, const Spatial& normal)
+  void add(const Vec3& point, const Vec3& normal)
   {
     points.push_back(point);
     normals.push_back(normal);
@@ -43,8 +43,7 @@ struct Cloud
 // The unit sphere: an octahedron, each triangle cut into four `level` times; 4^(level + 1) + 2 surfels.
 inline Cloud octahedron_sphere(unsigned level)
 {
-  std::vector<Spatial> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
-                                 {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+  std::vector<Vec3> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   std::vector<std::array<std::size_t, 3>> triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for(unsigned i = 0; i < level; ++i)
@@ -52,10 +51,10 @@ inline Cloud octahedron_sphere(unsigned level)
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> middle;
     const auto between = [&](std::size_t a, std::size_t b)
     {
-      const auto [place, is_new] = middle.try_emplace(std::minmax(a, b), points.size());
+      const auto [entry, is_new] = middle.try_emplace(std::minmax(a, b), points.size());
       if(is_new)
         points.push_back(internal::unit(points[a] + points[b]));
-      return place->second;
+      return entry->second;
     };
     std::vector<std::array<std::size_t, 3>> finer;
     for(const auto& [a, b, c] : triangles)
@@ -94,19 +93,19 @@ inline Cloud cylinder_cloud(std::size_t around, std::size_t along, double radius
 }
 
 // Evenly spaced points of the unit sphere.
-inline Spatial on_spiral(std::size_t i, std::size_t n)
+inline Vec3 on_spiral(std::size_t i, std::size_t n)
 {
   const double z = 1. - (2. * double(i) + 1.) / double(n), r = std::sqrt(1. - z * z);
   const double a = double(i) * internal::pi * (3. - std::sqrt(5.));
   return {r * std::cos(a), r * std::sin(a), z};
 }
 
-inline Cloud ellipsoid_cloud(std::size_t n, const Spatial& axes)
+inline Cloud ellipsoid_cloud(std::size_t n, const Vec3& axes)
 {
   Cloud cloud;
   for(std::size_t i = 0; i < n; ++i)
   {
-    const Spatial p = on_spiral(i, n);
+    const Vec3 p = on_spiral(i, n);
     cloud.add({axes[0] * p[0], axes[1] * p[1], axes[2] * p[2]},
               internal::unit({p[0] / axes[0], p[1] / axes[1], p[2] / axes[2]}));
   }
@@ -140,13 +139,13 @@ inline Cloud cube_cloud(std::size_t n)
 {
   Cloud cloud;
   for(int axis = 0; axis < 3; ++axis)
-    for(const double side : {-1., 1.})
+    for(const double sign : {-1., 1.})
       for(std::size_t i = 0; i < n; ++i)
         for(std::size_t j = 0; j < n; ++j)
         {
-          Spatial point, normal = {0., 0., 0.};
-          normal[axis] = side;
-          point[axis] = 0.5 * side;
+          Vec3 point, normal = {0., 0., 0.};
+          normal[axis] = sign;
+          point[axis] = 0.5 * sign;
           point[(axis + 1) % 3] = (double(i) + 0.5) / double(n) - 0.5;
           point[(axis + 2) % 3] = (double(j) + 0.5) / double(n) - 0.5;
           cloud.add(point, normal);
@@ -174,7 +173,7 @@ inline Cloud with_noise(Cloud cloud, const std::vector<double>& radii, double le
       azimuth(0., 2. * internal::pi);
   for(std::size_t i = 0; i < cloud.size(); ++i)
   {
-    Spatial& normal = cloud.normals[i];
+    Vec3& normal = cloud.normals[i];
     cloud.points[i] = cloud.points[i] + offset(random) * radii[i] * normal;
     const auto [u, v] = internal::tangent_frame(normal);
     const double a = azimuth(random), b = polar(random);
@@ -185,20 +184,20 @@ inline Cloud with_noise(Cloud cloud, const std::vector<double>& radii, double le
 
 // Adds `part` of the surfels again, with noise of the level.
 inline Cloud with_outliers(Cloud cloud, const Cloud& clean, const std::vector<double>& radii,
-                           double part, double level, unsigned seed)
+                           double fraction, double level, unsigned seed)
 {
   std::mt19937 random(seed);
-  Cloud some;
-  std::vector<double> some_radii;
-  for(std::size_t i = 0; i < std::size_t(part * double(clean.size())); ++i)
+  Cloud outliers;
+  std::vector<double> outlier_radii;
+  for(std::size_t i = 0; i < std::size_t(fraction * double(clean.size())); ++i)
   {
     const std::size_t j = random() % clean.size();
-    some.add(clean.points[j], clean.normals[j]);
-    some_radii.push_back(radii[j]);
+    outliers.add(clean.points[j], clean.normals[j]);
+    outlier_radii.push_back(radii[j]);
   }
-  some = with_noise(std::move(some), some_radii, level, seed + 1);
-  cloud.points.insert(cloud.points.end(), some.points.begin(), some.points.end());
-  cloud.normals.insert(cloud.normals.end(), some.normals.begin(), some.normals.end());
+  outliers = with_noise(std::move(outliers), outlier_radii, level, seed + 1);
+  cloud.points.insert(cloud.points.end(), outliers.points.begin(), outliers.points.end());
+  cloud.normals.insert(cloud.normals.end(), outliers.normals.begin(), outliers.normals.end());
   return cloud;
 }
 
@@ -229,23 +228,23 @@ inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
 }
 
 // Whether a chain of arcs no longer than `most` joins two sites.
-inline bool are_joined(const internal::Surfel_cloud& cloud, internal::Index from,
-                       internal::Index to, double most)
+inline bool is_connected_within(const internal::Surfel_cloud& cloud, internal::Index from,
+                                internal::Index to, double max_length)
 {
   using namespace internal;
-  const Site_graph& graph = cloud.graph;
+  const Proximity_graph& graph = cloud.graph;
   std::map<Index, double> distance = {{from, 0.}};
   std::vector<Index> queue = {from};
   for(std::size_t i = 0; i < queue.size() && distance.count(to) == 0; ++i)
-    for(Index arc = graph.first[queue[i]]; arc < graph.first[queue[i] + 1]; ++arc)
+    for(Index edge = graph.begin[queue[i]]; edge < graph.begin[queue[i] + 1]; ++edge)
       if(const double d =
-             distance[queue[i]] + norm(cloud.point[graph.target[arc]] - cloud.point[queue[i]]);
-         d <= most)
-        if(const auto [place, is_new] = distance.try_emplace(graph.target[arc], d);
-           is_new || d < place->second)
+             distance[queue[i]] + norm(cloud.point[graph.target[edge]] - cloud.point[queue[i]]);
+         d <= max_length)
+        if(const auto [entry, is_new] = distance.try_emplace(graph.target[edge], d);
+           is_new || d < entry->second)
         {
-          place->second = d;
-          queue.push_back(place->first);
+          entry->second = d;
+          queue.push_back(entry->first);
         }
   return distance.count(to) > 0;
 }

@@ -7,7 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/heat.h>
 #include <CGAL/Geodesic_processing/internal/paths/path_to_sources.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <ostream>
 #include <vector>
@@ -35,20 +35,20 @@ inline std::ostream& operator<<(std::ostream& out, Method method)
 
 // A final site goes back into the queue for a gain of one part in 10^9 or more; what is below is
 // left, and on the surfaces of these tests passed on some tens of times.
-constexpr double rounding_of_fronts = 1e-7;
+constexpr double front_tolerance = 1e-7;
 // Sums of some hundred lengths.
 constexpr double rounding = 1e-12;
 
 inline internal::Front_kind kind_of(Method method)
 {
-  return method == Method::dijkstra        ? internal::Front_kind::arcs
+  return method == Method::dijkstra        ? internal::Front_kind::dijkstra
          : method == Method::fast_marching ? internal::Front_kind::planar
                                            : internal::Front_kind::euclidean;
 }
 
 // Distances at the points of a surface, in its unit.
-inline std::vector<double> distances(const Glued_surface& surface, Method method,
-                                     const std::vector<internal::Source>& sources)
+inline std::vector<double> distances(const Array_surface& surface, Method method,
+                                     const std::vector<internal::Front_source>& sources)
 {
   if(method == Method::heat)
   {
@@ -62,9 +62,10 @@ inline std::vector<double> distances(const Glued_surface& surface, Method method
 }
 
 // The path of the Euclidean front from a location to its nearest source.
-inline std::vector<Location> path(const Glued_triangles& triangles, const internal::Front& front,
-                                  const std::vector<internal::Source>& sources,
-                                  const Location& from)
+inline std::vector<Surface_location> path(const Surface_arrays& triangles,
+                                          const internal::Front& front,
+                                          const std::vector<internal::Front_source>& sources,
+                                          const Surface_location& from)
 {
   return internal::path_to_sources(
       triangles, from, sources, [&](Index i) { return front.distance(i); },

@@ -45,9 +45,9 @@ double mean_error_on_sphere(const Map& map, PointOf point)
 {
   const auto frame = map.frame();
   double sum = 0., number = 0.;
-  for(const auto& site : map.reached())
+  for(const auto& v : map.reached())
   {
-    const auto truth = vector_on_sphere(frame, point(site)), found = map(site);
+    const auto truth = vector_on_sphere(frame, point(v)), found = map(v);
     const double distance = std::hypot(truth[0], truth[1]);
     if(distance < 1e-9) // the base itself, but for rounding
       continue;
@@ -67,7 +67,7 @@ struct Hyperbolic_patch
 };
 inline Hyperbolic_patch hyperbolic_patch(std::size_t n, double jitter)
 {
-  const auto place = [](double s, double t) -> Point
+  const auto position_at = [](double s, double t) -> Point
   {
     const double u = 0.6 * (2. * s - 1.), v = 0.6 * (2. * t - 1.), r = std::hypot(u, v);
     const double cosine = r > 0. ? u / r : 1., sine = r > 0. ? v / r : 0.;
@@ -76,11 +76,11 @@ inline Hyperbolic_patch hyperbolic_patch(std::size_t n, double jitter)
     const double x = 2.4 * cosine * std::sinh(r) / below, y = 2.4 / below;
     return {std::cos(x) / y, std::sin(x) / y, std::acosh(y) - std::sqrt(1. - 1. / (y * y))};
   };
-  return {grid(n, n, place, jitter), Index((n + 1) * (n / 2) + n / 2)};
+  return {grid(n, n, position_at, jitter), Index((n + 1) * (n / 2) + n / 2)};
 }
 
 // A measure of distortion m near the base of normal coordinates: m = at_base + c |u|^power + O(|u|^(power+2)).
-struct Measure_near_base
+struct Measure_asymptotics
 {
   const char* name;
   std::function<double(const Face_distortion&)> measure;
@@ -89,7 +89,7 @@ struct Measure_near_base
   std::function<double(double)> coefficient; // c, of the curvature at the base
 };
 
-inline std::vector<Measure_near_base> measures_near_base()
+inline std::vector<Measure_asymptotics> measure_asymptotics()
 {
   using D = Face_distortion;
   using std::fabs;
@@ -136,7 +136,7 @@ std::vector<Distorted_face> faces_around(const Mesh& mesh, const Map& map, doubl
 }
 
 // The coefficient c of a measure, from faces: of all c |u|^power + c' |u|^(power+2) the one nearest to it.
-inline double fitted_coefficient(const Measure_near_base& measure,
+inline double fitted_coefficient(const Measure_asymptotics& measure,
                                  const std::vector<Distorted_face>& faces)
 {
   double aa = 0., ab = 0., bb = 0., ay = 0., by = 0.;

@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_PATH_CHECKS_H
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include "paths/straighten.h"
+#include "paths/shorten_geodesic.h"
 
 #include "triangulations.h"
 
@@ -19,12 +19,13 @@
 namespace CGAL::Geodesic_processing::test {
 
 // Joins the two ends by points on the surface, consecutive ones different and in one triangle.
-inline void expect_path_on_surface(const Glued_triangles& t, const std::vector<Location>& path,
-                                   const Location& from, const Location& to)
+inline void expect_path_on_surface(const Surface_arrays& t,
+                                   const std::vector<Surface_location>& path,
+                                   const Surface_location& from, const Surface_location& to)
 {
   using namespace internal;
   ASSERT_FALSE(path.empty());
-  for(const Location& location : path)
+  for(const Surface_location& location : path)
   {
     double sum = 0.;
     for(const double b : location.barycentric)
@@ -34,8 +35,8 @@ inline void expect_path_on_surface(const Glued_triangles& t, const std::vector<L
     }
     EXPECT_NEAR(sum, 1., 1e-15 * 4); // a few roundings
   }
-  EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
-  EXPECT_TRUE(is_same_point(t, path.back(), cleaned(t, to)));
+  EXPECT_TRUE(is_same_point(t, path.front(), canonical(t, from)));
+  EXPECT_TRUE(is_same_point(t, path.back(), canonical(t, to)));
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
   {
     EXPECT_FALSE(is_same_point(t, path[i], path[i + 1])) << "location " << i;
@@ -44,11 +45,11 @@ inline void expect_path_on_surface(const Glued_triangles& t, const std::vector<L
 }
 
 // At every site that it touches there is an angle of at least pi on both sides.
-inline void expect_locally_shortest(const internal::Straight_path& path, double tolerance)
+inline void expect_locally_shortest(const internal::Locally_shortest_path& path, double tolerance)
 {
-  for(const internal::Touched_site& touched : path.touched)
-    EXPECT_GE(std::min(touched.left, touched.right), pi - tolerance)
-        << "at location " << touched.place << " of " << path.locations.size();
+  for(const internal::Touched_vertex& touched : path.touched_vertices)
+    EXPECT_GE(std::min(touched.left_angle, touched.right_angle), pi - tolerance)
+        << "at location " << touched.location_index << " of " << path.locations.size();
 }
 
 } // namespace CGAL::Geodesic_processing::test

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_POLYGONS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_POLYGONS_H
 
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include "triangulations.h"
 
@@ -19,7 +19,8 @@ using internal::operator-;
 using internal::operator*;
 
 // What of a convex polygon is nearer to p than to q, side by side.
-inline std::vector<Point> nearer(const std::vector<Point>& polygon, const Point& p, const Point& q)
+inline std::vector<Point> clip_to_bisector(const std::vector<Point>& polygon, const Point& p,
+                                           const Point& q)
 {
   const auto excess = [&](const Point& x) { return dot(x - p, x - p) - dot(x - q, x - q); };
   std::vector<Point> result;
@@ -41,9 +42,9 @@ inline Point centroid(const std::vector<Point>& polygon)
   for(std::size_t i = 2; i < polygon.size(); ++i)
   {
     const Point &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
-    const double here = cross(b - a, c - a)[2];
-    area += here;
-    moment = moment + (here / 3.) * (a + b + c);
+    const double twice_signed_area = cross(b - a, c - a)[2];
+    area += twice_signed_area;
+    moment = moment + (twice_signed_area / 3.) * (a + b + c);
   }
   return (1. / area) * moment;
 }

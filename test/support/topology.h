@@ -41,14 +41,14 @@ struct Topology
 inline Topology topology(const std::vector<Index>& corners)
 {
   Topology result;
-  std::map<std::pair<Index, Index>, Index> third; // of each side's triangle
+  std::map<std::pair<Index, Index>, Index> opposite_corner; // of each side's triangle
   std::set<std::array<Index, 3>> triangles;
-  std::map<Index, Index> up; // towards the root of each component
+  std::map<Index, Index> parent; // towards the root of each component
   const auto root = [&](Index p)
   {
-    up.try_emplace(p, p);
-    while(up[p] != p)
-      p = up[p] = up[up[p]];
+    parent.try_emplace(p, p);
+    while(parent[p] != p)
+      p = parent[p] = parent[parent[p]];
     return p;
   };
   for(std::size_t f = 0; f < corners.size(); f += 3)
@@ -57,9 +57,9 @@ inline Topology topology(const std::vector<Index>& corners)
     for(int k = 0; k < 3; ++k)
     {
       const Index a = sorted[k], b = sorted[(k + 1) % 3];
-      result.is_simple =
-          result.is_simple && a != b && third.try_emplace({a, b}, sorted[(k + 2) % 3]).second;
-      up[root(a)] = root(b);
+      result.is_simple = result.is_simple && a != b &&
+                         opposite_corner.try_emplace({a, b}, sorted[(k + 2) % 3]).second;
+      parent[root(a)] = root(b);
     }
     std::sort(sorted.begin(), sorted.end());
     result.is_simple = triangles.insert(sorted).second && result.is_simple;
@@ -70,13 +70,13 @@ inline Topology topology(const std::vector<Index>& corners)
   std::map<Index, std::pair<std::ptrdiff_t, std::size_t>> components;
   std::map<Index, std::size_t> degree; // triangles around each point
   std::map<Index, Index> next;         // on the border
-  for(const auto& [p, to] : up)
+  for(const auto& [p, to] : parent)
     ++components[root(p)].first;
-  for(const auto& [side, opposite] : third)
+  for(const auto& [edge, opposite] : opposite_corner)
   {
-    const auto& [a, b] = side;
+    const auto& [a, b] = edge;
     ++degree[a];
-    const bool is_border = third.count({b, a}) == 0;
+    const bool is_border = opposite_corner.count({b, a}) == 0;
     if(is_border || a < b)
       --components[root(a)].first;
     if(is_border)
@@ -88,32 +88,32 @@ inline Topology topology(const std::vector<Index>& corners)
   // One fan around each point: turning from any side, or from the border, comes by all of them.
   for(const auto& [p, number] : degree)
   {
-    const auto begin = third.lower_bound({p, 0});
+    const auto begin = opposite_corner.lower_bound({p, 0});
     Index from = begin->first.second;
-    for(Index back = from; third.count({back, p}) > 0;)
+    for(Index back = from; opposite_corner.count({back, p}) > 0;)
     {
-      back = third[{back, p}];
+      back = opposite_corner[{back, p}];
       from = back;
       if(back == begin->first.second)
         break;
     }
-    std::size_t turned = 0;
-    for(Index at = from; third.count({p, at}) > 0;)
+    std::size_t number_turned = 0;
+    for(Index at = from; opposite_corner.count({p, at}) > 0;)
     {
-      ++turned;
-      at = third[{p, at}];
+      ++number_turned;
+      at = opposite_corner[{p, at}];
       if(at == from)
         break;
     }
-    result.is_simple = result.is_simple && turned == number;
+    result.is_simple = result.is_simple && number_turned == number;
   }
-  std::set<Index> open;
+  std::set<Index> unvisited;
   for(const auto& [a, b] : next)
-    open.insert(a);
-  while(!open.empty() && result.is_simple)
+    unvisited.insert(a);
+  while(!unvisited.empty() && result.is_simple)
   {
-    ++components[root(*open.begin())].second;
-    for(Index p = *open.begin(); open.erase(p) > 0;)
+    ++components[root(*unvisited.begin())].second;
+    for(Index p = *unvisited.begin(); unvisited.erase(p) > 0;)
       p = next[p];
   }
   for(const auto& [p, component] : components)

@@ -3,9 +3,9 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TRIANGULATIONS_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_TRIANGULATIONS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <array>
 #include <cmath>
@@ -23,12 +23,12 @@
 
 namespace CGAL::Geodesic_processing::test {
 
-using internal::Glued_mesh;
-using internal::Glued_triangles;
 using internal::Index;
-using internal::Location;
+using internal::Mesh_arrays;
 using internal::none;
 using internal::pi;
+using internal::Surface_arrays;
+using internal::Surface_location;
 
 using Point = std::array<double, 3>;
 
@@ -38,10 +38,11 @@ struct Triangulation
   std::vector<Index> corners; // 3 #triangles
 };
 
-inline Glued_mesh glued(const Triangulation& surface)
+inline Mesh_arrays arrays_of(const Triangulation& surface)
 {
-  return internal::glue(surface.points, surface.corners,
-                        internal::twins_of_soup(surface.points.size(), surface.corners));
+  return internal::build_mesh_arrays(
+      surface.points, surface.corners,
+      internal::twins_of_soup(surface.points.size(), surface.corners));
 }
 
 inline Triangulation one_triangle()
@@ -59,7 +60,7 @@ inline Triangulation tetrahedron()
 // random when jitter > 0); corner (i,j) is point i + (columns+1) j, put at place(i/columns, j/rows)
 // after inner points moved by up to jitter times the square's size.
 inline Triangulation grid(std::size_t columns, std::size_t rows,
-                          const std::function<Point(double, double)>& place, double jitter = 0.,
+                          const std::function<Point(double, double)>& position, double jitter = 0.,
                           unsigned seed = 1)
 {
   std::mt19937 random(seed);
@@ -71,7 +72,7 @@ inline Triangulation grid(std::size_t columns, std::size_t rows,
       const bool inner = i > 0 && i < columns && j > 0 && j < rows;
       const double dx = offset(random), dy = offset(random);
       result.points.push_back(
-          place((i + (inner ? dx : 0.)) / columns, (j + (inner ? dy : 0.)) / rows));
+          position((i + (inner ? dx : 0.)) / columns, (j + (inner ? dy : 0.)) / rows));
     }
   for(std::size_t j = 0; j < rows; ++j)
     for(std::size_t i = 0; i < columns; ++i)
@@ -208,7 +209,7 @@ inline Triangulation icosphere(unsigned level)
     std::map<std::pair<Index, Index>, Index> middle;
     const auto between = [&](Index a, Index b)
     {
-      const auto [place, is_new] =
+      const auto [entry, is_new] =
           middle.try_emplace(std::minmax(a, b), Index(result.points.size()));
       if(is_new)
       {
@@ -218,7 +219,7 @@ inline Triangulation icosphere(unsigned level)
         normalize(p);
         result.points.push_back(p);
       }
-      return place->second;
+      return entry->second;
     };
     std::vector<Index> corners;
     for(std::size_t c = 0; c < result.corners.size(); c += 3)
@@ -241,10 +242,10 @@ inline Triangulation blocks(int nx, int ny, int nz,
   std::map<std::array<int, 3>, Index> index;
   const auto corner = [&](const std::array<int, 3>& p)
   {
-    const auto [place, is_new] = index.try_emplace(p, Index(result.points.size()));
+    const auto [entry, is_new] = index.try_emplace(p, Index(result.points.size()));
     if(is_new)
       result.points.push_back({double(p[0]), double(p[1]), double(p[2])});
-    return place->second;
+    return entry->second;
   };
   const auto full = [&](const std::array<int, 3>& p)
   {
@@ -276,7 +277,7 @@ inline Triangulation blocks(int nx, int ny, int nz,
 }
 
 // A plate with two square holes: of genus 2.
-inline Triangulation double_ring(int size = 4)
+inline Triangulation double_torus(int size = 4)
 {
   return blocks(5 * size, 3 * size, size,
                 [=](int i, int j, int)
@@ -292,7 +293,7 @@ inline Triangulation scaled(Triangulation surface, double factor)
 }
 
 // Moves each point by up to `amount` in each coordinate.
-inline Triangulation shaken(Triangulation surface, double amount, unsigned seed = 1)
+inline Triangulation jittered(Triangulation surface, double amount, unsigned seed = 1)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> offset(-amount, amount);
@@ -319,7 +320,7 @@ inline Triangulation torus(Index n, Index m)
 }
 
 // Two surfaces that do not touch.
-inline Triangulation apart(Triangulation a, const Triangulation& b)
+inline Triangulation disjoint_union(Triangulation a, const Triangulation& b)
 {
   const Index first = Index(a.points.size());
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());
@@ -355,7 +356,7 @@ inline Triangulation read_off(const std::string& file)
 }
 
 // A random location in a random triangle.
-inline Location random_location(const Glued_triangles& triangles, std::mt19937& random)
+inline Surface_location random_location(const Surface_arrays& triangles, std::mt19937& random)
 {
   std::uniform_real_distribution<double> unit(0., 1.);
   double a = unit(random), b = unit(random);
@@ -364,20 +365,20 @@ inline Location random_location(const Glued_triangles& triangles, std::mt19937& 
     a = 1. - a;
     b = 1. - b;
   }
-  Location result;
+  Surface_location result;
   result.triangle = Index(random() % triangles.number_of_triangles());
   result.barycentric = {1. - a - b, a, b};
   return result;
 }
 
 // Where a location lies in space, in the caller's scale.
-inline Point point_at(const Glued_triangles& triangles, const Location& location)
+inline Point point_at(const Surface_arrays& triangles, const Surface_location& location)
 {
   Point result = {0., 0., 0.};
   for(int k = 0; k < 3; ++k)
   {
     if(location.triangle == none)
-      result[k] = triangles.point[location.site][k];
+      result[k] = triangles.point[location.vertex][k];
     else
       for(int i = 0; i < 3; ++i)
         result[k] += location.barycentric[i] *

@@ -8,7 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/adaptors/add_faces.h>
 #include <CGAL/Geodesic_processing/internal/remeshing/base_map.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/adaptors/remeshing_goal.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/remeshing_options.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <algorithm>
@@ -34,11 +34,11 @@ namespace internal {
 
 // What named parameters ask of a base mesh.
 template <typename Surface, typename Domain, typename NamedParameters>
-Remeshing_goal base_goal(const Surface& surface, const Domain& domain, std::size_t number,
-                         const NamedParameters& np)
+Remeshing_options base_mesh_options(const Surface& surface, const Domain& domain,
+                                    std::size_t number, const NamedParameters& np)
 {
-  Remeshing_goal result = remeshing_goal(surface, domain, number, np);
-  result.is_fitted = false;
+  Remeshing_options result = remeshing_options(surface, domain, number, np);
+  result.does_fit_to_input = false;
   result.maximum_deviation = infinity;
   return result;
 }
@@ -100,8 +100,8 @@ public:
                         const NamedParameters& np = NamedParameters())
       : m_domain(mesh, np)
   {
-    auto base = std::make_shared<internal::Base_mesh>(
-        internal::base_mesh(m_domain.triangles(), internal::base_goal(mesh, m_domain, number, np)));
+    auto base = std::make_shared<internal::Base_mesh>(internal::build_base_mesh(
+        m_domain.triangles(), internal::base_mesh_options(mesh, m_domain, number, np)));
     if(base->triangles.empty())
       throw Invalid_argument_error("The mesh has no triangle, or the base was cancelled.");
     m_map = std::make_shared<const internal::Base_map>(
@@ -129,17 +129,18 @@ public:
   /// the number of triangles that are folded: zero, but where rounding folds uniform coordinates.
   std::size_t folds() const { return m_map->folds(); }
   /// the number of base faces whose coordinates are not those asked for.
-  std::size_t repaired_faces() const { return m_map->repaired(); }
+  std::size_t repaired_faces() const { return m_map->number_of_repaired_regions(); }
 
   /// returns where a place of the mesh is on the base.  Proportional to the parts of its face.
   Base_location operator()(const Location& location) const
   {
-    return place(internal::cleaned(*m_domain.triangles(), m_domain.inner(location)));
+    return locate(internal::canonical(*m_domain.triangles(), m_domain.inner(location)));
   }
   /// the same for a vertex; one that has no face throws `Invalid_argument_error`.
-  Base_location operator()(typename Domain::Site vertex) const
+  Base_location operator()(typename Domain::Vertex vertex) const
   {
-    return place(internal::at_site(*m_domain.triangles(), m_domain.inner_site(vertex).site));
+    return locate(
+        internal::vertex_location(*m_domain.triangles(), m_domain.inner_vertex(vertex).vertex));
   }
   /// returns what place of the mesh is at a place of the base.  Proportional to the faces of its base face.
   Location inverse(const Base_location& location) const { return m_domain.outer(inner(location)); }
@@ -158,14 +159,14 @@ private:
     if(face >= number_of_base_faces())
       throw Invalid_argument_error("There is no base face of that number.");
   }
-  Base_location place(const internal::Location& location) const
+  Base_location locate(const internal::Surface_location& location) const
   {
     if(location.triangle == internal::none)
       throw Invalid_argument_error("An isolated vertex has no place on a base mesh.");
     const internal::Base_location found = (*m_map)(location);
     return {found.triangle, found.barycentric};
   }
-  internal::Location inner(const Base_location& location) const
+  internal::Surface_location inner(const Base_location& location) const
   {
     check_face(location.face);
     const auto& b = location.barycentric;

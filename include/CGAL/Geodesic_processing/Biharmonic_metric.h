@@ -31,7 +31,7 @@ class Biharmonic_metric
 {
 public:
   using Domain = internal::Domain_of<Surface>;
-  using Site = typename Domain::Site;
+  using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
   /// prepares the surface; `np` is what `make_domain()` takes.
@@ -65,30 +65,30 @@ public:
   /// \param distance_map receives a `double` for each site; infinity on other components
   /// \param np `threads` as for `geodesic_distance_matrix()`
   /// \throws Invalid_argument_error when the place is not on the surface
-  template <typename Concurrency_tag = Sequential_tag, typename Place, typename DistanceMap,
-            typename NamedParameters = internal::Default_parameters>
-  void write_distances(const Place& from, DistanceMap distance_map,
+  template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
+            typename DistanceMap, typename NamedParameters = internal::Default_parameters>
+  void write_distances(const Vertex_or_location& from, DistanceMap distance_map,
                        const NamedParameters& np = NamedParameters()) const
   {
-    const internal::Glued_triangles& t = *m_domain.triangles();
+    const internal::Surface_arrays& t = *m_domain.triangles();
     const internal::Vector found =
         m_distances->one_to_all(internal::masses_at(t, {internal::location(m_domain, from)}),
                                 internal::threads<Concurrency_tag>(np));
-    m_domain.write([&](internal::Index site) { return t.scale * found[site]; }, distance_map);
+    m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
   }
 
   /// returns the distances of all pairs of places, a range of sites or of locations.
-  template <typename Places>
-  Eigen::MatrixXd distance_matrix(const Places& places) const
+  template <typename Locations>
+  Eigen::MatrixXd distance_matrix(const Locations& locations) const
   {
-    return pairs(internal::locations(m_domain, places));
+    return pairs(internal::locations(m_domain, locations));
   }
 
 private:
-  Eigen::MatrixXd pairs(const std::vector<internal::Location>& places) const
+  Eigen::MatrixXd pairs(const std::vector<internal::Surface_location>& locations) const
   {
-    const internal::Glued_triangles& t = *m_domain.triangles();
-    return t.scale * m_distances->all_pairs(internal::masses_at(t, places));
+    const internal::Surface_arrays& t = *m_domain.triangles();
+    return t.scale * m_distances->all_pairs(internal::masses_at(t, locations));
   }
 
   Domain m_domain;

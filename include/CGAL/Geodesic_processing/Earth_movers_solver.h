@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Streamline_tracer.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/operators/blur.h>
+#include <CGAL/Geodesic_processing/internal/operators/diffusion.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -52,7 +52,7 @@ struct Earth_movers_cost
 
   Earth_movers_cost() = default;
 #ifndef DOXYGEN_RUNNING
-  explicit Earth_movers_cost(const internal::Transport& found)
+  explicit Earth_movers_cost(const internal::Transport_result& found)
       : value(found.value), lower(found.lower), upper(found.upper), estimate(found.value),
         iterations(found.iterations), residual(found.residual), converged(found.converged)
   {}
@@ -67,13 +67,13 @@ class Transport_solution
 {
 public:
   using Domain = internal::Domain_of<Surface>;
-  using Site = typename Domain::Site;
+  using Vertex = typename Domain::Vertex;
 
   const Domain& domain() const { return m_domain; }
 
   /// returns the potential of a site: it grows along the flow, nowhere by more than distance does, and
   /// its integral over the masses is the lower bound.
-  double potential(Site site) const { return m_result.potential[m_domain.index(site)]; }
+  double potential(Vertex vertex) const { return m_result.potential[m_domain.index(vertex)]; }
 
   /// writes the potential of each site.
   template <typename PotentialMap>
@@ -96,10 +96,10 @@ public:
   template <typename LikelihoodMap>
   void write_likelihood(LikelihoodMap map, double radius = 0.) const
   {
-    const internal::Glued_triangles& t = *m_domain.triangles();
-    internal::Vector lengths = internal::mean_lengths(t, m_result.flow);
+    const internal::Surface_arrays& t = *m_domain.triangles();
+    internal::Vector lengths = internal::mean_magnitudes(t, m_result.flow);
     if(radius > 0.)
-      lengths = internal::blurred(internal::operators(t), lengths, radius / t.scale).cwiseMax(0.);
+      lengths = internal::diffused(internal::operators(t), lengths, radius / t.scale).cwiseMax(0.);
     const double largest = lengths.size() > 0 ? lengths.maxCoeff() : 0.;
     m_domain.write([&](internal::Index i) { return largest > 0. ? lengths[i] / largest : 0.; },
                    map);
@@ -138,29 +138,30 @@ protected:
   template <typename NamedParameters>
   Transport_solution(const Domain& domain, const NamedParameters& np,
                      internal::Transport_region region = {})
-      : m_domain(domain), m_kernel(std::make_shared<const internal::Earth_movers>(
-                              domain.triangles(),
-                              internal::parameter(np, internal_np::number_of_refinements,
-                                                  internal::usual_refinements(*domain.triangles())),
-                              internal::measure(domain, np), std::move(region)))
+      : m_domain(domain),
+        m_kernel(std::make_shared<const internal::Multilevel_transport_solver>(
+            domain.triangles(),
+            internal::parameter(np, internal_np::number_of_refinements,
+                                internal::default_number_of_refinements(*domain.triangles())),
+            internal::read_metric(domain, np), std::move(region)))
   {}
 
   template <typename Method, typename NamedParameters>
-  internal::Earth_movers_options options(const NamedParameters& np)
+  internal::Multilevel_transport_options options(const NamedParameters& np)
   {
     using internal::Transport_method;
-    internal::Earth_movers_options result;
+    internal::Multilevel_transport_options result;
     result.transport.method = std::is_same_v<Method, Interior_point>
                                   ? Transport_method::interior_point
                               : std::is_same_v<Method, Weiszfeld> ? Transport_method::weiszfeld
-                                                                  : Transport_method::splitting;
+                                                                  : Transport_method::admm;
     result.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
     result.transport.maximum_iterations =
         internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
     result.transport.callback =
         internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
     if(internal::parameter(np, internal_np::do_start_from_last, false))
-      result.transport.start = std::move(m_result.state);
+      result.transport.warm_start = std::move(m_result.state);
     result.do_normalize = internal::parameter(np, internal_np::do_normalize, false);
     result.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
     return result;
@@ -175,8 +176,8 @@ protected:
   }
 
   Domain m_domain;
-  std::shared_ptr<const internal::Earth_movers> m_kernel;
-  internal::Earth_movers_result m_result;
+  std::shared_ptr<const internal::Multilevel_transport_solver> m_kernel;
+  internal::Multilevel_transport_result m_result;
 };
 
 /// finds out what it costs to move masses along a surface, for many masses on one surface.

@@ -56,7 +56,7 @@ class Geodesic_distance_solver
 
 public:
   using Domain = internal::Domain_of<Surface>;
-  using Site = typename Domain::Site;
+  using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
   /// prepares the surface; `np` is what `make_domain()` takes.
@@ -106,32 +106,38 @@ public:
   /// @{
 
   /// returns the distance of a site, +infinity where no source reaches.
-  double distance(Site site) const { return scale() * m_engine.distance(m_domain.index(site)); }
+  double distance(Vertex vertex) const
+  {
+    return scale() * m_engine.distance(m_domain.index(vertex));
+  }
   /// returns the distance anywhere on the surface.
   double distance(const Location& location) const
   {
     return scale() * m_engine.distance(m_domain.inner(location));
   }
   /// returns the label of the nearest source, the largest `std::size_t` where none reaches.
-  std::size_t source_label(Site site) const { return label(m_domain.index(site)); }
+  std::size_t source_label(Vertex vertex) const { return label(m_domain.index(vertex)); }
   /// returns a neighbour nearer to the source, next to which the shortest path arrives; the site
   /// itself at sources and where none reaches.
-  Site predecessor(Site site) const { return m_domain.site(before(m_domain.index(site))); }
-  /// returns the sites reached, nearly in the order of their distances.
-  std::vector<Site> reached() const
+  Vertex predecessor(Vertex vertex) const
   {
-    std::vector<Site> result;
+    return m_domain.vertex(predecessor_index(m_domain.index(vertex)));
+  }
+  /// returns the sites reached, nearly in the order of their distances.
+  std::vector<Vertex> reached() const
+  {
+    std::vector<Vertex> result;
     result.reserve(m_engine.reached().size());
     for(const internal::Index index : m_engine.reached())
-      result.push_back(m_domain.site(index));
+      result.push_back(m_domain.vertex(index));
     return result;
   }
   /// returns the path from a site or a location to its nearest source; empty where none reaches.
   /// With `Exact` it is as long as the distance.
-  template <typename Place>
-  Surface_path<Surface> path(const Place& from) const
+  template <typename QueryLocation>
+  Surface_path<Surface> path(const QueryLocation& from) const
   {
-    const internal::Location inner = internal::location(m_domain, from);
+    const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     // Only triangles without area keep an exact path from being found.
     if constexpr(std::is_same_v<Method, Exact>)
@@ -151,12 +157,12 @@ public:
   ///
   /// \param tolerance paths longer by this part of the distance count as shortest; far smaller than an
   ///        edge, it makes up for rounding.
-  template <typename Place>
-  std::vector<Surface_path<Surface>> shortest_paths(const Place& from,
+  template <typename QueryLocation>
+  std::vector<Surface_path<Surface>> shortest_paths(const QueryLocation& from,
                                                     double tolerance = 1e-9) const
   {
     static_assert(std::is_same_v<Method, Exact>, "All shortest paths are known to Exact alone.");
-    const internal::Location inner = internal::location(m_domain, from);
+    const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     std::vector<Surface_path<Surface>> result;
     for(const auto& path : m_engine.paths(inner, tolerance))
@@ -164,8 +170,8 @@ public:
     return result;
   }
   /// returns how the shortest path to a site or a location leaves its source.  Only with `Exact`.
-  template <typename Place>
-  Geodesic_departure<Surface> departure(const Place& to) const
+  template <typename QueryLocation>
+  Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {
     static_assert(std::is_same_v<Method, Exact>, "Departures are known to Exact alone.");
     const internal::Departure found = m_engine.departure(internal::location(m_domain, to));
@@ -175,8 +181,9 @@ public:
     result.from = m_domain.outer(found.from);
     result.polar_angle = found.polar_angle;
     result.length = scale() * found.length;
-    const auto way = m_domain.point(found.next) - m_domain.point(found.from);
-    const double x = to_double(way.x()), y = to_double(way.y()), z = to_double(way.z());
+    const auto first_segment = m_domain.point(found.next) - m_domain.point(found.from);
+    const double x = to_double(first_segment.x()), y = to_double(first_segment.y()),
+                 z = to_double(first_segment.z());
     if(const double size = std::hypot(x, y, z); size > 0.)
       result.direction = typename Domain::Vector_3(x / size, y / size, z / size);
     return result;
@@ -195,7 +202,7 @@ public:
   template <typename PredecessorMap>
   void write_predecessors(PredecessorMap map) const
   {
-    m_domain.write([&](internal::Index i) { return m_domain.site(before(i)); }, map);
+    m_domain.write([&](internal::Index i) { return m_domain.vertex(predecessor_index(i)); }, map);
   }
   /// @}
 
@@ -206,7 +213,7 @@ private:
     const internal::Index source = m_engine.source(index);
     return source == internal::none ? (std::numeric_limits<std::size_t>::max)() : m_labels[source];
   }
-  internal::Index before(internal::Index index) const
+  internal::Index predecessor_index(internal::Index index) const
   {
     const internal::Index predecessor = m_engine.predecessor(index);
     return predecessor == internal::none ? index : predecessor;
@@ -214,7 +221,7 @@ private:
 
   Domain m_domain;
   internal::Engine<Method> m_engine;
-  std::vector<internal::Source> m_sources;
+  std::vector<internal::Front_source> m_sources;
   std::vector<std::size_t> m_labels;
 };
 

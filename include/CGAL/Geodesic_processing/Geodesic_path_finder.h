@@ -44,12 +44,12 @@ public:
 
   /// returns a path from one site or location to another; empty when they are not connected.
   /// \throws Invalid_argument_error when a location is not usable
-  template <typename Place1, typename Place2>
-  Surface_path<Surface> operator()(const Place1& from, const Place2& to)
+  template <typename FromLocation, typename ToLocation>
+  Surface_path<Surface> operator()(const FromLocation& from, const ToLocation& to)
   {
     const auto found =
         m_finder(internal::location(m_domain, from), internal::location(m_domain, to));
-    const auto path = internal::shortened(*m_domain.triangles(), found);
+    const auto path = internal::shorten_path(*m_domain.triangles(), found);
     auto result = internal::surface_path(m_domain, path, internal::infinity);
     if(!path.empty())
       result.front_distance = result.length;

@@ -45,7 +45,7 @@ struct Is_cloud<Surface, std::void_t<decltype(std::declval<const Surface&>().beg
 template <typename Surface, bool is_cloud = Is_cloud<Surface>::value>
 struct Surface_traits
 {
-  using Site = typename boost::graph_traits<Surface>::vertex_descriptor;
+  using Vertex = typename boost::graph_traits<Surface>::vertex_descriptor;
   using Location = Polygon_mesh_processing::Face_location<Surface, double>;
   using Point_3 = typename boost::property_traits<
       typename boost::property_map<Surface, vertex_point_t>::type>::value_type;
@@ -55,8 +55,8 @@ struct Surface_traits
 template <typename Surface>
 struct Surface_traits<Surface, true>
 {
-  using Site = std::size_t;
-  using Location = Surfel_location<Site>;
+  using Vertex = std::size_t;
+  using Location = Surfel_location<Vertex>;
   using Point_3 = Simple_cartesian<double>::Point_3;
   using Vector_3 = Simple_cartesian<double>::Vector_3;
 };
@@ -64,8 +64,8 @@ struct Surface_traits<Surface, true>
 template <typename Point, typename Vector>
 struct Surface_traits<Point_set_3<Point, Vector>, true>
 {
-  using Site = typename Point_set_3<Point, Vector>::Index;
-  using Location = Surfel_location<Site>;
+  using Vertex = typename Point_set_3<Point, Vector>::Index;
+  using Location = Surfel_location<Vertex>;
   using Point_3 = Point;
   using Vector_3 = Vector;
 };

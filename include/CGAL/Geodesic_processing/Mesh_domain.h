@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -51,7 +51,7 @@ class Mesh_domain
 public:
   using Surface = TriangleMesh;
   using Traits = internal::Surface_traits<Surface>;
-  using Site = typename Traits::Site;         ///< a vertex descriptor
+  using Vertex = typename Traits::Vertex;     ///< a vertex descriptor
   using Location = typename Traits::Location; ///< `Polygon_mesh_processing::Face_location`
   using Point_3 = typename Traits::Point_3;
   using Vector_3 = typename Traits::Vector_3;
@@ -70,27 +70,27 @@ public:
   explicit Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
 
   /// the number of vertices.
-  std::size_t number_of_sites() const { return m_data->vertices.size(); }
+  std::size_t number_of_vertices() const { return m_data->vertices.size(); }
 
   /// writes a value for each vertex: `values` maps the domain's own numbers, below
-  /// `number_of_sites()`, to them.
+  /// `number_of_vertices()`, to them.
   template <typename Values, typename PropertyMap>
   void write(const Values& values, PropertyMap map) const
   {
     using Value = typename boost::property_traits<PropertyMap>::value_type;
-    for(internal::Index i = 0; i < number_of_sites(); ++i)
+    for(internal::Index i = 0; i < number_of_vertices(); ++i)
       put(map, m_data->vertices[i], static_cast<Value>(values(i)));
   }
 
   /// \name Between the mesh and the kernels
   /// @{
-  const std::shared_ptr<const internal::Glued_triangles>& triangles() const { return m_triangles; }
-  internal::Index index(Site vertex) const { return get(m_data->index_of_vertex, vertex); }
-  Site site(internal::Index index) const { return m_data->vertices[index]; }
-  internal::Location inner(const Location& location) const;
-  internal::Location inner_site(Site vertex) const;
-  Location outer(const internal::Location& location) const;
-  Point_3 point(const internal::Location& location) const;
+  const std::shared_ptr<const internal::Surface_arrays>& triangles() const { return m_triangles; }
+  internal::Index index(Vertex v) const { return get(m_data->index_of_vertex, v); }
+  Vertex vertex(internal::Index index) const { return m_data->vertices[index]; }
+  internal::Surface_location inner(const Location& location) const;
+  internal::Surface_location inner_vertex(Vertex v) const;
+  Location outer(const internal::Surface_location& location) const;
+  Point_3 point(const internal::Surface_location& location) const;
   internal::Index triangle(Face face) const { return get(m_data->triangle_of_face, face); }
   Face face(internal::Index triangle) const { return m_data->faces[triangle]; }
   template <typename SpeedMap>
@@ -102,12 +102,12 @@ private:
   using Map = typename boost::property_map<TriangleMesh, Property>::const_type;
   struct Data
   {
-    Map<Site, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
+    Map<Vertex, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
     Map<Face, dynamic_face_property_t<internal::Index>> triangle_of_face;
-    std::vector<Site> vertices; // #sites
-    std::vector<Face> faces;    // #triangles
+    std::vector<Vertex> vertices; // #sites
+    std::vector<Face> faces;      // #triangles
     // The least and the greatest descriptors: maps must not be asked about others.
-    std::pair<Site, Site> vertex_range;
+    std::pair<Vertex, Vertex> vertex_range;
     std::pair<Face, Face> face_range;
   };
   template <typename Descriptor>
@@ -116,7 +116,7 @@ private:
   {
     return !(descriptor < range.first) && !(range.second < descriptor);
   }
-  std::shared_ptr<const internal::Glued_triangles> m_triangles;
+  std::shared_ptr<const internal::Surface_arrays> m_triangles;
   std::shared_ptr<const Data> m_data;
 };
 
@@ -133,14 +133,14 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
   data->triangle_of_face = get(dynamic_face_property_t<Index>(), mesh);
 
   std::vector<std::array<double, 3>> coordinates;
-  std::vector<Site> read_vertices;
+  std::vector<Vertex> read_vertices;
   coordinates.reserve(num_vertices(mesh));
   read_vertices.reserve(num_vertices(mesh));
-  for(const Site vertex : vertices(mesh))
+  for(const Vertex v : vertices(mesh))
   {
-    const auto& point = get(points, vertex);
-    put(data->index_of_vertex, vertex, static_cast<Index>(read_vertices.size()));
-    read_vertices.push_back(vertex);
+    const auto& point = get(points, v);
+    put(data->index_of_vertex, v, static_cast<Index>(read_vertices.size()));
+    read_vertices.push_back(v);
     coordinates.push_back(
         {CGAL::to_double(point[0]), CGAL::to_double(point[1]), CGAL::to_double(point[2])});
   }
@@ -169,12 +169,12 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
         twins.push_back(internal::none);
         continue;
       }
-      const Face other = internal::face_of(twin, mesh);
-      auto side = halfedge(other, mesh);
-      Index place = 3 * get(data->triangle_of_face, other);
-      for(int step = 0; side != twin && step < 2; ++step, ++place)
-        side = next(side, mesh);
-      twins.push_back(place);
+      const Face twin_face = internal::face_of(twin, mesh);
+      auto candidate = halfedge(twin_face, mesh);
+      Index twin_index = 3 * get(data->triangle_of_face, twin_face);
+      for(int k_twin = 0; candidate != twin && k_twin < 2; ++k_twin, ++twin_index)
+        candidate = next(candidate, mesh);
+      twins.push_back(twin_index);
     }
     if(h != halfedge(read_face, mesh))
       throw Unsupported_surface_error("A face of the mesh is not a triangle.");
@@ -182,49 +182,51 @@ Mesh_domain<TriangleMesh>::Mesh_domain(const TriangleMesh& mesh, const NamedPara
 
   if(!read_vertices.empty())
   {
-    const auto [least, greatest] = std::minmax_element(read_vertices.begin(), read_vertices.end());
-    data->vertex_range = {*least, *greatest};
+    const auto [first_descriptor, last_descriptor] =
+        std::minmax_element(read_vertices.begin(), read_vertices.end());
+    data->vertex_range = {*first_descriptor, *last_descriptor};
   }
   if(!read_faces.empty())
   {
-    const auto [least, greatest] = std::minmax_element(read_faces.begin(), read_faces.end());
-    data->face_range = {*least, *greatest};
+    const auto [first_descriptor, last_descriptor] =
+        std::minmax_element(read_faces.begin(), read_faces.end());
+    data->face_range = {*first_descriptor, *last_descriptor};
   }
 
-  internal::Glued_mesh glued = internal::glue(std::move(coordinates), corners, twins);
+  internal::Mesh_arrays arrays =
+      internal::build_mesh_arrays(std::move(coordinates), corners, twins);
   corners = {};
   twins = {};
   data->vertices.reserve(read_vertices.size());
-  for(const Index vertex : glued.vertex_of_site)
+  for(const Index v : arrays.caller_vertex)
   {
-    put(data->index_of_vertex, read_vertices[vertex], static_cast<Index>(data->vertices.size()));
-    data->vertices.push_back(read_vertices[vertex]);
+    put(data->index_of_vertex, read_vertices[v], static_cast<Index>(data->vertices.size()));
+    data->vertices.push_back(read_vertices[v]);
   }
   data->faces.reserve(read_faces.size());
-  for(const Index face : glued.face_of_triangle)
+  for(const Index face : arrays.face_of_triangle)
   {
     put(data->triangle_of_face, read_faces[face], static_cast<Index>(data->faces.size()));
     data->faces.push_back(read_faces[face]);
   }
-  m_triangles = std::make_shared<const internal::Glued_triangles>(std::move(glued.triangles));
+  m_triangles = std::make_shared<const internal::Surface_arrays>(std::move(arrays.arrays));
   m_data = std::move(data);
 }
 
 template <typename TriangleMesh>
-internal::Location Mesh_domain<TriangleMesh>::inner_site(Site vertex) const
+internal::Surface_location Mesh_domain<TriangleMesh>::inner_vertex(Vertex v) const
 {
-  if(vertex != Graph::null_vertex() && number_of_sites() > 0 &&
-     is_within(vertex, m_data->vertex_range))
+  if(v != Graph::null_vertex() && number_of_vertices() > 0 && is_within(v, m_data->vertex_range))
   {
-    const internal::Index i = index(vertex);
-    if(i < number_of_sites() && site(i) == vertex)
+    const internal::Index i = index(v);
+    if(i < number_of_vertices() && vertex(i) == v)
       return {internal::none, i, {}};
   }
   throw Invalid_argument_error("A vertex is none of the mesh's.");
 }
 
 template <typename TriangleMesh>
-internal::Location Mesh_domain<TriangleMesh>::inner(const Location& location) const
+internal::Surface_location Mesh_domain<TriangleMesh>::inner(const Location& location) const
 {
   if(location.first == Graph::null_face())
     throw Invalid_argument_error("A location has no face.");
@@ -238,11 +240,11 @@ internal::Location Mesh_domain<TriangleMesh>::inner(const Location& location) co
 
 template <typename TriangleMesh>
 typename Mesh_domain<TriangleMesh>::Location
-Mesh_domain<TriangleMesh>::outer(const internal::Location& location) const
+Mesh_domain<TriangleMesh>::outer(const internal::Surface_location& location) const
 {
-  const internal::Location in_triangle = location.triangle == internal::none
-                                             ? internal::at_site(*m_triangles, location.site)
-                                             : location;
+  const internal::Surface_location in_triangle =
+      location.triangle == internal::none ? internal::vertex_location(*m_triangles, location.vertex)
+                                          : location;
   if(in_triangle.triangle == internal::none)
     return {Graph::null_face(), {0., 0., 0.}};
   return {face(in_triangle.triangle), in_triangle.barycentric};
@@ -250,7 +252,7 @@ Mesh_domain<TriangleMesh>::outer(const internal::Location& location) const
 
 template <typename TriangleMesh>
 typename Mesh_domain<TriangleMesh>::Point_3
-Mesh_domain<TriangleMesh>::point(const internal::Location& location) const
+Mesh_domain<TriangleMesh>::point(const internal::Surface_location& location) const
 {
   const auto p = internal::coordinates(*m_triangles, location);
   return Point_3(p[0], p[1], p[2]);
@@ -271,9 +273,9 @@ std::vector<double> Mesh_domain<TriangleMesh>::slowness(SpeedMap speed) const
   else
   {
     values.reserve(m_data->vertices.size());
-    for(const Site vertex : m_data->vertices)
-      values.push_back(get(speed, vertex));
-    return internal::mean_of_corners(*m_triangles, internal::slowness_of(std::move(values)));
+    for(const Vertex v : m_data->vertices)
+      values.push_back(get(speed, v));
+    return internal::mean_over_corners(*m_triangles, internal::slowness_of(std::move(values)));
   }
 }
 

@@ -22,19 +22,19 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 {
   std::vector<std::size_t> labels;
   Transport_region result;
-  for(const internal::Source& source : sources(domain, region, labels))
+  for(const internal::Front_source& source : sources(domain, region, labels))
   {
-    std::vector<Index> sites;
+    std::vector<Index> vertices;
     for(const Location& location : source.polyline)
-      if(const Index site = site_of(*domain.triangles(), location); site != none)
-        sites.push_back(site);
-    if(sites.size() < source.polyline.size())
+      if(const Index vertex = vertex_of(*domain.triangles(), location); vertex != none)
+        vertices.push_back(vertex);
+    if(vertices.size() < source.polyline.size())
     {
-      sites.clear();
+      vertices.clear();
       result.curves.resize(result.exits.size());
       result.curves.push_back(source.polyline);
     }
-    result.exits.push_back(std::move(sites));
+    result.exits.push_back(std::move(vertices));
   }
   if(!result.curves.empty())
     result.curves.resize(result.exits.size());
@@ -77,7 +77,7 @@ class Region_transport_solver : public Transport_solution<Surface>
 
 public:
   using typename Base::Domain;
-  using typename Base::Site;
+  using typename Base::Vertex;
 
   /// prepares surface and region, as `Earth_movers_solver` does.
   ///
@@ -127,13 +127,16 @@ public:
   }
 
   /// returns whether a way leads from a site to the region.
-  bool is_reachable(Site site) const
+  bool is_reachable(Vertex vertex) const
   {
-    return this->m_kernel->reaches_region()[this->m_domain.index(site)];
+    return this->m_kernel->is_region_reachable()[this->m_domain.index(vertex)];
   }
 
   /// returns the mass that arrived at a site, zero away from the region.
-  double arrival(Site site) const { return this->m_result.arrivals[this->m_domain.index(site)]; }
+  double arrival(Vertex vertex) const
+  {
+    return this->m_result.arrivals[this->m_domain.index(vertex)];
+  }
 
   /// writes the mass that arrived at each site.
   template <typename ArrivalMap>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 
@@ -29,30 +29,31 @@ template <typename Surface>
 class Source
 {
 public:
-  using Site = typename internal::Surface_traits<Surface>::Site;
+  using Vertex = typename internal::Surface_traits<Surface>::Vertex;
   using Location = typename internal::Surface_traits<Surface>::Location;
   using Polyline = std::vector<Location>;
 
   /// `offset` is in the surface's unit and may be negative.  Without a label a source is known by
   /// its position in the range of sources.
-  Source(Site site, double offset = 0., std::optional<std::size_t> label = std::nullopt)
-      : m_place(site), m_offset(offset), m_has_label(label.has_value()), m_label(label.value_or(0))
+  Source(Vertex vertex, double offset = 0., std::optional<std::size_t> label = std::nullopt)
+      : m_location(vertex), m_offset(offset), m_has_label(label.has_value()),
+        m_label(label.value_or(0))
   {}
   Source(Location location, double offset = 0., std::optional<std::size_t> label = std::nullopt)
-      : m_place(Polyline{std::move(location)}), m_offset(offset), m_has_label(label.has_value()),
+      : m_location(Polyline{std::move(location)}), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
   Source(Polyline polyline, double offset = 0., std::optional<std::size_t> label = std::nullopt)
-      : m_place(std::move(polyline)), m_offset(offset), m_has_label(label.has_value()),
+      : m_location(std::move(polyline)), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
   {}
 
-  const std::variant<Site, Polyline>& place() const { return m_place; }
+  const std::variant<Vertex, Polyline>& location() const { return m_location; }
   double offset() const { return m_offset; }
   std::size_t label(std::size_t position) const { return m_has_label ? m_label : position; }
 
 private:
-  std::variant<Site, Polyline> m_place;
+  std::variant<Vertex, Polyline> m_location;
   double m_offset;
   bool m_has_label;
   std::size_t m_label;

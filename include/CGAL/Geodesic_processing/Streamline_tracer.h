@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_STREAMLINE_TRACER_H
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
-#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -49,12 +49,12 @@ public:
   using Location = typename Domain::Location;
 
 #ifndef DOXYGEN_RUNNING
-  Streamline_tracer(const Domain& domain, const internal::Earth_movers& kernel,
-                    const internal::Earth_movers_result& found, bool do_straighten)
-      : m_domain(domain), m_triangles(kernel.open_triangles()),
-        m_lines(std::make_shared<const internal::Streamlines>(kernel.streamlines(found))),
+  Streamline_tracer(const Domain& domain, const internal::Multilevel_transport_solver& solver,
+                    const internal::Multilevel_transport_result& found, bool do_straighten)
+      : m_domain(domain), m_triangles(solver.open_triangles()),
+        m_streamlines(std::make_shared<const internal::Streamlines>(solver.streamlines(found))),
         m_potential(std::make_shared<const internal::Vector>(found.potential)),
-        m_do_straighten(do_straighten && kernel.has_own_lengths())
+        m_do_straighten(do_straighten && solver.has_surface_metric())
   {}
 #endif
 
@@ -63,11 +63,11 @@ public:
   /// \throws Invalid_argument_error when the place is none of the surface's
   ///
   /// O(number of faces, or surfels, passed).
-  template <typename Place>
-  Streamline<Surface> operator()(const Place& place) const
+  template <typename Vertex_or_location>
+  Streamline<Surface> operator()(const Vertex_or_location& location) const
   {
-    internal::Line_shortener shorten(m_triangles);
-    return line({internal::location(m_domain, place)}, shorten);
+    internal::Line_shortener shortener(m_triangles);
+    return line({internal::location(m_domain, location)}, shortener);
   }
 
   /// writes lines that stand for equal parts of all the mass that moves: on a mesh they begin at places
@@ -75,17 +75,18 @@ public:
   template <typename OutputIterator>
   OutputIterator operator()(std::size_t number, OutputIterator out) const
   {
-    internal::Line_shortener shorten(m_triangles);
-    for(const internal::Grain& grain : m_lines->grains(number))
-      *out++ = line(grain, shorten);
+    internal::Line_shortener shortener(m_triangles);
+    for(const internal::Streamline_seed& seed : m_streamlines->seeds(number))
+      *out++ = line(seed, shortener);
     return out;
   }
 
   /// returns where a grain of mass goes: the end of its line, without pulling that taut.
-  template <typename Place>
-  Location destination(const Place& place) const
+  template <typename Vertex_or_location>
+  Location destination(const Vertex_or_location& location) const
   {
-    return m_domain.outer((*m_lines)({internal::location(m_domain, place)}).locations.back());
+    return m_domain.outer(
+        (*m_streamlines)({internal::location(m_domain, location)}).locations.back());
   }
 
   /// writes an assignment: for equal parts of all the mass a pair of locations, where it was and where it
@@ -93,20 +94,20 @@ public:
   template <typename OutputIterator>
   OutputIterator assignment(std::size_t number, OutputIterator out) const
   {
-    for(const internal::Grain& grain : m_lines->grains(number))
+    for(const internal::Streamline_seed& seed : m_streamlines->seeds(number))
     {
-      const internal::Streamline traced = (*m_lines)(grain);
-      *out++ = std::pair<Location, Location>(m_domain.outer(traced.locations.front()),
-                                             m_domain.outer(traced.locations.back()));
+      const internal::Streamline streamline = (*m_streamlines)(seed);
+      *out++ = std::pair<Location, Location>(m_domain.outer(streamline.locations.front()),
+                                             m_domain.outer(streamline.locations.back()));
     }
     return out;
   }
 
 private:
-  double potential(const internal::Location& location) const
+  double potential(const internal::Surface_location& location) const
   {
     if(location.triangle == internal::none)
-      return (*m_potential)[location.site];
+      return (*m_potential)[location.vertex];
     double result = 0.;
     for(std::size_t k = 0; k < 3; ++k)
       result += location.barycentric[k] *
@@ -114,21 +115,24 @@ private:
     return result;
   }
 
-  Streamline<Surface> line(const internal::Grain& grain, internal::Line_shortener& shorten) const
+  Streamline<Surface> line(const internal::Streamline_seed& seed,
+                           internal::Line_shortener& shortener) const
   {
-    const internal::Streamline traced = (*m_lines)(grain);
-    const double growth = potential(traced.locations.back()) - potential(traced.locations.front());
+    const internal::Streamline streamline = (*m_streamlines)(seed);
+    const double potential_difference =
+        potential(streamline.locations.back()) - potential(streamline.locations.front());
     Streamline<Surface> result{internal::surface_path(
         m_domain,
-        m_do_straighten ? shorten(traced.locations, growth / m_triangles->scale) : traced.locations,
-        growth)};
-    result.has_arrived = traced.has_arrived;
+        m_do_straighten ? shortener(streamline.locations, potential_difference / m_triangles->scale)
+                        : streamline.locations,
+        potential_difference)};
+    result.has_arrived = streamline.has_arrived;
     return result;
   }
 
   Domain m_domain;
-  std::shared_ptr<const internal::Glued_triangles> m_triangles; // where nothing is closed
-  std::shared_ptr<const internal::Streamlines> m_lines;
+  std::shared_ptr<const internal::Surface_arrays> m_triangles; // where nothing is closed
+  std::shared_ptr<const internal::Streamlines> m_streamlines;
   std::shared_ptr<const internal::Vector> m_potential;
   bool m_do_straighten;
 };

@@ -167,7 +167,7 @@ private:
 
   std::vector<Vertex> m_vertices;
   std::shared_ptr<const internal::Lifting> m_lifting;
-  bool m_is_updating = true;
+  bool m_use_update = true;
   internal::Prediction m_prediction = internal::Prediction::butterfly;
 };
 
@@ -178,51 +178,53 @@ Subdivision_wavelet<TriangleMesh>::Subdivision_wavelet(const TriangleMesh& mesh,
 {
   using internal::Index;
   const auto index = get(dynamic_vertex_property_t<Index>(), mesh);
-  std::vector<Vertex> read;
+  std::vector<Vertex> input_vertices;
   for(const Vertex vertex : vertices(mesh))
   {
-    put(index, vertex, Index(read.size()));
-    read.push_back(vertex);
+    put(index, vertex, Index(input_vertices.size()));
+    input_vertices.push_back(vertex);
   }
   std::vector<internal::Triangle> triangles;
   for(const auto face : faces(mesh))
   {
-    const auto first = halfedge(face, mesh);
-    auto h = first;
+    const auto first_halfedge = halfedge(face, mesh);
+    auto h = first_halfedge;
     internal::Triangle t;
     for(Index& v : t)
     {
       v = get(index, target(h, mesh)); // the first one that the face was made of
       h = next(h, mesh);
     }
-    if(h != first)
+    if(h != first_halfedge)
       throw Unsupported_surface_error("A face is not a triangle.");
     triangles.push_back(t);
   }
-  constexpr std::size_t most_levels = 15; // of 2^31 half-edges
-  const std::size_t asked = internal::parameter(np, internal_np::number_of_levels, most_levels);
-  internal::Hierarchy found;
+  constexpr std::size_t max_number_of_levels = 15; // of 2^31 half-edges
+  const std::size_t requested_levels =
+      internal::parameter(np, internal_np::number_of_levels, max_number_of_levels);
+  internal::Hierarchy hierarchy;
   try
   {
-    found = internal::recover_hierarchy(triangles, Index(read.size()),
-                                        unsigned((std::min)(asked, most_levels)));
+    hierarchy =
+        internal::recover_hierarchy(triangles, Index(input_vertices.size()),
+                                    unsigned((std::min)(requested_levels, max_number_of_levels)));
   }
   catch(const Invalid_argument_error& error)
   {
     throw Unsupported_surface_error(error.what());
   }
-  if(found.subdivision->levels.size() < 2)
+  if(hierarchy.subdivision->levels.size() < 2)
     throw Unsupported_surface_error("The mesh has no coarser level: its triangles are not those of "
                                     "larger ones, each cut into four.");
-  for(const Index v : found.vertex)
-    m_vertices.push_back(read[v]);
+  for(const Index v : hierarchy.input_vertex)
+    m_vertices.push_back(input_vertices[v]);
   const bool is_linear =
       internal::parameter(np, internal_np::wavelet_prediction, Wavelet_prediction::butterfly) ==
       Wavelet_prediction::linear;
   m_prediction = is_linear ? internal::Prediction::linear : internal::Prediction::butterfly;
-  m_is_updating = internal::parameter(np, internal_np::do_update, true);
+  m_use_update = internal::parameter(np, internal_np::do_update, true);
   m_lifting =
-      std::make_shared<const internal::Lifting>(found.subdivision, m_prediction, m_is_updating);
+      std::make_shared<const internal::Lifting>(hierarchy.subdivision, m_prediction, m_use_update);
 }
 
 template <typename TriangleMesh>
@@ -265,7 +267,7 @@ std::vector<std::uint8_t> Subdivision_wavelet<TriangleMesh>::encode(const Wavele
   check(details, details.number_of_channels);
   return internal::encode(
       subdivision(),
-      {details.number_of_channels, m_prediction, m_is_updating, details.is_in_frames,
+      {details.number_of_channels, m_prediction, m_use_update, details.is_in_frames,
        details.values},
       internal::parameter(np, internal_np::number_of_bit_planes, 24u), 2,
       internal::parameter(np, internal_np::maximum_number_of_bytes, static_cast<std::size_t>(-1)));

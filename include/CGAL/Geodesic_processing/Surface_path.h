@@ -32,14 +32,14 @@ struct Surface_path
 namespace internal {
 
 template <typename Domain>
-Surface_path<typename Domain::Surface> surface_path(const Domain& domain,
-                                                    const std::vector<internal::Location>& path,
-                                                    double front_distance)
+Surface_path<typename Domain::Surface>
+surface_path(const Domain& domain, const std::vector<internal::Surface_location>& path,
+             double front_distance)
 {
   Surface_path<typename Domain::Surface> result;
   result.front_distance = front_distance;
-  const Glued_triangles& t = *domain.triangles();
-  for(const internal::Location& location : path)
+  const Surface_arrays& t = *domain.triangles();
+  for(const internal::Surface_location& location : path)
   {
     result.locations.push_back(domain.outer(location));
     result.points.push_back(domain.point(location));

@@ -8,7 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/read_surfels.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -34,7 +34,7 @@ class Surfel_domain
 public:
   using Surface = SurfelRange;
   using Traits = internal::Surface_traits<Surface>;
-  using Site = typename Traits::Site;         ///< the index of a `Point_set_3`, else `std::size_t`
+  using Vertex = typename Traits::Vertex;     ///< the index of a `Point_set_3`, else `std::size_t`
   using Location = typename Traits::Location; ///< a `Surfel_location`
   using Point_3 = typename Traits::Point_3;
   using Vector_3 = typename Traits::Vector_3;
@@ -58,34 +58,35 @@ public:
   explicit Surfel_domain(const SurfelRange& surfels, const NamedParameters& np = NamedParameters());
 
   /// the number of surfels.
-  std::size_t number_of_sites() const { return m_data->sites.size(); }
+  std::size_t number_of_vertices() const { return m_data->descriptors.size(); }
 
   /// writes a value for each surfel: `values` maps the domain's own numbers, below
-  /// `number_of_sites()`, to them.
+  /// `number_of_vertices()`, to them.
   template <typename Values, typename PropertyMap>
   void write(const Values& values, PropertyMap map) const
   {
     using Value = typename boost::property_traits<PropertyMap>::value_type;
-    for(std::size_t i = 0; i < number_of_sites(); ++i)
-      put(map, m_data->sites[i], static_cast<Value>(values(m_data->surfels.site_of_surfel[i])));
+    for(std::size_t i = 0; i < number_of_vertices(); ++i)
+      put(map, m_data->descriptors[i],
+          static_cast<Value>(values(m_data->surfels.internal_vertex[i])));
   }
 
   /// \name Between the cloud and the kernels
   /// @{
-  std::shared_ptr<const internal::Glued_triangles> triangles() const
+  std::shared_ptr<const internal::Surface_arrays> triangles() const
   {
-    return {m_data, &m_data->surfels.triangles};
+    return {m_data, &m_data->surfels.arrays};
   }
-  const internal::Glued_surfels& surfels() const { return m_data->surfels; }
-  internal::Index index(Site surfel) const;
-  Site site(internal::Index index) const
+  const internal::Surfel_arrays& surfels() const { return m_data->surfels; }
+  internal::Index index(Vertex surfel) const;
+  Vertex vertex(internal::Index index) const
   {
-    return m_data->sites[m_data->surfels.surfel_of_site[index]];
+    return m_data->descriptors[m_data->surfels.caller_vertex[index]];
   }
-  internal::Location inner(const Location& location) const;
-  internal::Location inner_site(Site surfel) const;
-  Location outer(const internal::Location& location) const;
-  Point_3 point(const internal::Location& location) const;
+  internal::Surface_location inner(const Location& location) const;
+  internal::Surface_location inner_vertex(Vertex surfel) const;
+  Location outer(const internal::Surface_location& location) const;
+  Point_3 point(const internal::Surface_location& location) const;
   template <typename SpeedMap>
   std::vector<double> slowness(SpeedMap speed) const;
   /// @}
@@ -93,8 +94,8 @@ public:
 private:
   struct Data
   {
-    internal::Glued_surfels surfels;
-    internal::Surfel_sites<Surface> sites;
+    internal::Surfel_arrays surfels;
+    internal::Surfel_descriptors<Surface> descriptors;
   };
   std::shared_ptr<const Data> m_data;
 };
@@ -104,52 +105,54 @@ template <typename NamedParameters>
 Surfel_domain<SurfelRange>::Surfel_domain(const SurfelRange& range, const NamedParameters& np)
 {
   auto data = std::make_shared<Data>();
-  data->sites = internal::Surfel_sites<Surface>(range);
-  internal::Surfel_arrays arrays = internal::read_surfels(range, np);
+  data->descriptors = internal::Surfel_descriptors<Surface>(range);
+  internal::Surfel_input input = internal::read_surfels(range, np);
   internal::Surfel_options options;
   options.threads = internal::parameter(np, internal_np::threads, 1u);
-  data->surfels = internal::glue_surfels(std::move(arrays.points), std::move(arrays.normals),
-                                         arrays.radii, options);
+  data->surfels = internal::build_surfel_arrays(std::move(input.points), std::move(input.normals),
+                                                input.radii, options);
   m_data = std::move(data);
 }
 
 template <typename SurfelRange>
-internal::Index Surfel_domain<SurfelRange>::index(Site surfel) const
+internal::Index Surfel_domain<SurfelRange>::index(Vertex surfel) const
 {
-  return m_data->surfels.site_of_surfel[m_data->sites.place(surfel)];
+  return m_data->surfels.internal_vertex[m_data->descriptors.position(surfel)];
 }
 
 template <typename SurfelRange>
-internal::Location Surfel_domain<SurfelRange>::inner_site(Site surfel) const
+internal::Surface_location Surfel_domain<SurfelRange>::inner_vertex(Vertex surfel) const
 {
-  m_data->sites.check(surfel);
+  m_data->descriptors.check_descriptor(surfel);
   return {internal::none, index(surfel), {}};
 }
 
 template <typename SurfelRange>
-internal::Location Surfel_domain<SurfelRange>::inner(const Location& location) const
+internal::Surface_location Surfel_domain<SurfelRange>::inner(const Location& location) const
 {
-  const internal::Glued_triangles& t = m_data->surfels.triangles;
+  const internal::Surface_arrays& t = m_data->surfels.arrays;
   const auto [u, v] = location.offset;
   if(!(std::abs(u) < internal::infinity) || !(std::abs(v) < internal::infinity))
     throw Invalid_argument_error("The offset of a location is not finite.");
-  return internal::to_triangle(t, {inner_site(location.surfel).site, {u / t.scale, v / t.scale}});
+  return internal::to_surface_location(
+      t, {inner_vertex(location.surfel).vertex, {u / t.scale, v / t.scale}});
 }
 
 template <typename SurfelRange>
 typename Surfel_domain<SurfelRange>::Location
-Surfel_domain<SurfelRange>::outer(const internal::Location& location) const
+Surfel_domain<SurfelRange>::outer(const internal::Surface_location& location) const
 {
-  const internal::Glued_triangles& t = m_data->surfels.triangles;
-  const internal::Tangent_location place = internal::to_surfel(t, location);
-  return {site(place.site), {place.offset[0] * t.scale, place.offset[1] * t.scale}};
+  const internal::Surface_arrays& t = m_data->surfels.arrays;
+  const internal::Tangent_location tangent_location = internal::to_tangent_location(t, location);
+  return {vertex(tangent_location.vertex),
+          {tangent_location.offset[0] * t.scale, tangent_location.offset[1] * t.scale}};
 }
 
 template <typename SurfelRange>
 typename Surfel_domain<SurfelRange>::Point_3
-Surfel_domain<SurfelRange>::point(const internal::Location& location) const
+Surfel_domain<SurfelRange>::point(const internal::Surface_location& location) const
 {
-  const auto p = internal::coordinates(m_data->surfels.triangles, location);
+  const auto p = internal::coordinates(m_data->surfels.arrays, location);
   return Point_3(p[0], p[1], p[2]);
 }
 
@@ -157,11 +160,11 @@ template <typename SurfelRange>
 template <typename SpeedMap>
 std::vector<double> Surfel_domain<SurfelRange>::slowness(SpeedMap speed) const
 {
-  std::vector<double> values(number_of_sites());
+  std::vector<double> values(number_of_vertices());
   for(std::size_t i = 0; i < values.size(); ++i)
-    values[m_data->surfels.site_of_surfel[i]] = get(speed, m_data->sites[i]);
-  return internal::mean_of_corners(m_data->surfels.triangles,
-                                   internal::slowness_of(std::move(values)));
+    values[m_data->surfels.internal_vertex[i]] = get(speed, m_data->descriptors[i]);
+  return internal::mean_over_corners(m_data->surfels.arrays,
+                                     internal::slowness_of(std::move(values)));
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -28,7 +28,7 @@ namespace CGAL::Geodesic_processing {
 template <typename SurfelRange>
 struct Surfel_path : Surface_path<SurfelRange>
 {
-  std::vector<typename internal::Surface_traits<SurfelRange>::Site>
+  std::vector<typename internal::Surface_traits<SurfelRange>::Vertex>
       start; ///< the surfels of the chain of arcs that it started from
   double start_length =
       0.; ///< of that chain, or where arcs cut the surface short of the curve over it
@@ -56,7 +56,7 @@ class Surfel_path_finder
 public:
   using Surface = SurfelRange;
   using Traits = internal::Surface_traits<Surface>;
-  using Site = typename Traits::Site;
+  using Vertex = typename Traits::Vertex;
   using Location = typename Traits::Location;
   using Point_3 = typename Traits::Point_3;
 
@@ -91,33 +91,39 @@ public:
   explicit Surfel_path_finder(const SurfelRange& surfels,
                               const NamedParameters& np = NamedParameters());
 
-  std::size_t number_of_surfels() const { return m_sites->size(); }
+  std::size_t number_of_surfels() const { return m_descriptors->size(); }
 
   /// between which there are no paths.
   std::size_t number_of_components() const { return cloud().number_of_components; }
   /// below `number_of_components()`.
-  std::size_t component(Site surfel) const { return cloud().component[place(surfel).site]; }
+  std::size_t component(Vertex surfel) const
+  {
+    return cloud().component[tangent_location(surfel).vertex];
+  }
 
   /// of arcs, each counted once.
-  std::size_t number_of_arcs() const { return cloud().graph.target.size() / 2; }
+  std::size_t number_of_edges() const { return cloud().graph.target.size() / 2; }
   /// calls `f(surfel, surfel)` for the two ends of each arc.
   template <typename Function>
-  void for_each_arc(Function f) const;
+  void for_each_edge(Function f) const;
 
   /// the median of how far a surfel rises over its neighbours, in spacings; 0 when noise is `kept`.
-  double noise() const { return m_finder.prepared()->noise(); }
+  double noise() const { return m_finder.fitted_cloud()->noise(); }
 
   /// \name A surfel as paths see it: where noise has been removed
   /// @{
-  Point_3 point(Site surfel) const { return outer_point(cloud().point[place(surfel).site]); }
-  typename Traits::Vector_3 normal(Site surfel) const
+  Point_3 point(Vertex surfel) const
   {
-    const auto& n = cloud().normal[place(surfel).site];
+    return outer_point(cloud().point[tangent_location(surfel).vertex]);
+  }
+  typename Traits::Vector_3 normal(Vertex surfel) const
+  {
+    const auto& n = cloud().normal[tangent_location(surfel).vertex];
     return {n[0], n[1], n[2]};
   }
-  double radius(Site surfel) const
+  double radius(Vertex surfel) const
   {
-    return cloud().frame.scale * cloud().radius[place(surfel).site];
+    return cloud().frame.scale * cloud().radius[tangent_location(surfel).vertex];
   }
   /// @}
 
@@ -133,39 +139,43 @@ public:
 
   /// returns a path from one surfel or location to another; empty when they are not connected.
   /// \throws Invalid_argument_error when a surfel is none of the cloud's, or an offset not finite
-  template <typename Place1, typename Place2>
-  Surfel_path<SurfelRange> operator()(const Place1& from, const Place2& to)
+  template <typename FromLocation, typename ToLocation>
+  Surfel_path<SurfelRange> operator()(const FromLocation& from, const ToLocation& to)
   {
-    return outer(m_finder(place(from), place(to)));
+    return outer(m_finder(tangent_location(from), tangent_location(to)));
   }
 
   /// \name Between the cloud and the kernels
   /// @{
-  internal::Tangent_location place(Site surfel) const
+  internal::Tangent_location tangent_location(Vertex surfel) const
   {
-    m_sites->check(surfel);
-    return {cloud().site_of_surfel[m_sites->place(surfel)], {0., 0.}};
+    m_descriptors->check_descriptor(surfel);
+    return {cloud().internal_vertex[m_descriptors->position(surfel)], {0., 0.}};
   }
-  internal::Tangent_location place(const Location& location) const;
+  internal::Tangent_location tangent_location(const Location& location) const;
   Location outer(const internal::Tangent_location& location) const
   {
     const double scale = cloud().frame.scale;
-    return {outer_site(location.site), {scale * location.offset[0], scale * location.offset[1]}};
+    return {outer_vertex(location.vertex),
+            {scale * location.offset[0], scale * location.offset[1]}};
   }
   Surfel_path<SurfelRange> outer(const internal::Cloud_path& found) const;
   const internal::Cloud_path_finder& kernel() const { return m_finder; }
   /// @}
 
 private:
-  const internal::Surfel_cloud& cloud() const { return m_finder.prepared()->cloud(); }
-  Site outer_site(internal::Index site) const { return (*m_sites)[cloud().surfel_of_site[site]]; }
-  Point_3 outer_point(const internal::Spatial& p) const
+  const internal::Surfel_cloud& cloud() const { return m_finder.fitted_cloud()->cloud(); }
+  Vertex outer_vertex(internal::Index vertex) const
+  {
+    return (*m_descriptors)[cloud().caller_vertex[vertex]];
+  }
+  Point_3 outer_point(const internal::Vec3& p) const
   {
     const auto& [origin, scale] = cloud().frame;
     return {origin[0] + scale * p[0], origin[1] + scale * p[1], origin[2] + scale * p[2]};
   }
 
-  std::shared_ptr<const internal::Surfel_sites<SurfelRange>> m_sites;
+  std::shared_ptr<const internal::Surfel_descriptors<SurfelRange>> m_descriptors;
   internal::Cloud_path_finder m_finder;
 };
 
@@ -187,8 +197,8 @@ Cloud_path_options cloud_path_options(const NamedParameters& np)
 template <typename SurfelRange, typename NamedParameters>
 Cloud_path_finder make_path_finder(const SurfelRange& range, const NamedParameters& np)
 {
-  Surfel_arrays arrays = read_surfels(range, np);
-  return Cloud_path_finder(std::make_shared<const Prepared_cloud>(
+  Surfel_input arrays = read_surfels(range, np);
+  return Cloud_path_finder(std::make_shared<const Fitted_cloud>(
       std::move(arrays.points), std::move(arrays.normals), arrays.radii, cloud_path_options(np)));
 }
 
@@ -198,25 +208,26 @@ template <typename SurfelRange>
 template <typename NamedParameters>
 Surfel_path_finder<SurfelRange>::Surfel_path_finder(const SurfelRange& range,
                                                     const NamedParameters& np)
-    : m_sites(std::make_shared<const internal::Surfel_sites<SurfelRange>>(range)),
+    : m_descriptors(std::make_shared<const internal::Surfel_descriptors<SurfelRange>>(range)),
       m_finder(internal::make_path_finder(range, np))
 {}
 
 template <typename SurfelRange>
 template <typename Function>
-void Surfel_path_finder<SurfelRange>::for_each_arc(Function f) const
+void Surfel_path_finder<SurfelRange>::for_each_edge(Function f) const
 {
-  const internal::Site_graph& graph = cloud().graph;
-  for(internal::Index site = 0; site + 1 < graph.first.size(); ++site)
-    for(internal::Index arc = graph.first[site]; arc < graph.first[site + 1]; ++arc)
-      if(graph.target[arc] > site)
-        f(outer_site(site), outer_site(graph.target[arc]));
+  const internal::Proximity_graph& graph = cloud().graph;
+  for(internal::Index vertex = 0; vertex + 1 < graph.begin.size(); ++vertex)
+    for(internal::Index e = graph.begin[vertex]; e < graph.begin[vertex + 1]; ++e)
+      if(graph.target[e] > vertex)
+        f(outer_vertex(vertex), outer_vertex(graph.target[e]));
 }
 
 template <typename SurfelRange>
-internal::Tangent_location Surfel_path_finder<SurfelRange>::place(const Location& location) const
+internal::Tangent_location
+Surfel_path_finder<SurfelRange>::tangent_location(const Location& location) const
 {
-  internal::Tangent_location result = place(location.surfel);
+  internal::Tangent_location result = tangent_location(location.surfel);
   for(int k = 0; k < 2; ++k)
   {
     if(!std::isfinite(location.offset[k]))
@@ -233,17 +244,17 @@ Surfel_path_finder<SurfelRange>::outer(const internal::Cloud_path& found) const
   const double scale = cloud().frame.scale;
   const internal::Shortened_path& path = found.path;
   Surfel_path<SurfelRange> result;
-  for(const internal::Foot& foot : path.points)
+  for(const internal::Projection& foot : path.points)
   {
-    result.locations.push_back(outer(m_finder.prepared()->location(foot)));
+    result.locations.push_back(outer(m_finder.fitted_cloud()->location(foot)));
     result.points.push_back(outer_point(foot.point));
   }
-  for(const internal::Index site : found.start)
-    result.start.push_back(outer_site(site));
+  for(const internal::Index vertex : found.start)
+    result.start.push_back(outer_vertex(vertex));
   result.length = scale * path.polyline_length;
   result.front_distance = path.points.empty() ? internal::infinity : scale * path.length;
   result.start_length = scale * found.start_length;
-  result.number_of_control_points = path.control_points;
+  result.number_of_control_points = path.number_of_control_points;
   for(Path_energy_level level : path.levels)
   {
     level.first_energy *= scale * scale;

@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TRANSPORT_BARYCENTER_SOLVER_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/transport/Barycenters.h>
+#include <CGAL/Geodesic_processing/internal/transport/Multilevel_barycenter_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/weights.h>
@@ -61,7 +61,7 @@ class Transport_barycenter_solver
 {
 public:
   using Domain = internal::Domain_of<Surface>;
-  using Site = typename Domain::Site;
+  using Vertex = typename Domain::Vertex;
 
   /// prepares the surface: two factorizations.
   ///
@@ -75,11 +75,12 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_barycenter_solver(const Domain& domain,
                                        const NamedParameters& np = NamedParameters())
-      : m_domain(domain), m_kernel(std::make_shared<const internal::Barycenters>(
-                              domain.triangles(),
-                              internal::parameter(np, internal_np::number_of_refinements,
-                                                  internal::usual_refinements(*domain.triangles())),
-                              internal::measure(domain, np)))
+      : m_domain(domain),
+        m_kernel(std::make_shared<const internal::Multilevel_barycenter_solver>(
+            domain.triangles(),
+            internal::parameter(np, internal_np::number_of_refinements,
+                                internal::default_number_of_refinements(*domain.triangles())),
+            internal::read_metric(domain, np)))
   {}
 
   const Domain& domain() const { return m_domain; }
@@ -116,9 +117,9 @@ public:
   Transport_barycenter_cost compute(const Masses& masses,
                                     const NamedParameters& np = NamedParameters())
   {
-    std::vector<internal::Mass_distribution> given;
-    for(const auto& one : masses)
-      given.push_back(internal::masses(m_domain, one));
+    std::vector<internal::Mass_distribution> distributions;
+    for(const auto& distribution : masses)
+      distributions.push_back(internal::masses(m_domain, distribution));
     internal::Barycenter_options options;
     options.tolerance = internal::parameter(np, internal_np::tolerance, options.tolerance);
     options.maximum_iterations =
@@ -126,15 +127,15 @@ public:
     options.callback =
         internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
     if(internal::parameter(np, internal_np::do_start_from_last, false))
-      options.start = std::move(m_result.state);
-    m_result = m_kernel->solve(given, internal::weights(np, given.size()),
+      options.warm_start = std::move(m_result.state);
+    m_result = m_kernel->solve(distributions, internal::weights(np, distributions.size()),
                                internal::parameter(np, internal_np::do_normalize, false), options);
     return {m_result.value,      m_result.lower,    m_result.upper,    m_result.distances,
             m_result.iterations, m_result.residual, m_result.converged};
   }
 
   /// returns the barycenter's mass at a site.
-  double mass(Site site) const { return m_result.masses[m_domain.index(site)]; }
+  double mass(Vertex vertex) const { return m_result.masses[m_domain.index(vertex)]; }
 
   /// writes the barycenter's mass at each site; with that on refined triangles shared by the sites near it.
   template <typename MassMap>
@@ -149,7 +150,7 @@ public:
   void write_density(DensityMap map) const
   {
     const auto density = [&](internal::Index i)
-    { return m_result.masses[i] > 0. ? m_result.masses[i] / m_kernel->site_areas()[i] : 0.; };
+    { return m_result.masses[i] > 0. ? m_result.masses[i] / m_kernel->vertex_areas()[i] : 0.; };
     m_domain.write(density, map);
   }
 
@@ -167,8 +168,8 @@ public:
 
 private:
   Domain m_domain;
-  std::shared_ptr<const internal::Barycenters> m_kernel;
-  internal::Barycenter m_result;
+  std::shared_ptr<const internal::Multilevel_barycenter_solver> m_kernel;
+  internal::Barycenter_result m_result;
 };
 
 } // namespace CGAL::Geodesic_processing

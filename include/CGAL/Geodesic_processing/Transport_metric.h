@@ -7,7 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
-#include <CGAL/Geodesic_processing/internal/transport/transport_family.h>
+#include <CGAL/Geodesic_processing/internal/transport/spectral_transport.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/tags.h>
@@ -58,7 +58,7 @@ class Transport_metric
 {
 public:
   using Domain = internal::Domain_of<Surface>;
-  using Site = typename Domain::Site;
+  using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
   /// prepares the surface with the flow of the least distances, `gradient` for `k` = 0 and `balanced`
@@ -75,7 +75,7 @@ public:
   {}
   Transport_metric(const Domain& domain, std::size_t k, Transport_flow flow)
       : m_domain(domain),
-        m_family(std::make_shared<const internal::Transport_family>(
+        m_transport(std::make_shared<const internal::Spectral_transport>(
             domain.triangles(), k,
             flow == Transport_flow::gradient ? internal::Particular_field::gradient
                                              : internal::Particular_field::raviart_thomas))
@@ -83,12 +83,12 @@ public:
 
   const Domain& domain() const { return m_domain; }
   /// returns the number of eigenfunctions: `k`, rounded up to the next gap between eigenvalues.
-  std::size_t basis_size() const { return m_family->basis_size(); }
+  std::size_t basis_size() const { return m_transport->basis_size(); }
   /// returns what it begins with, which may be another one than was asked for.
   Transport_flow flow() const
   {
-    return m_family->kind() == internal::Particular_field::gradient ? Transport_flow::gradient
-                                                                    : Transport_flow::balanced;
+    return m_transport->kind() == internal::Particular_field::gradient ? Transport_flow::gradient
+                                                                       : Transport_flow::balanced;
   }
 
   /// finds out what it costs to move masses, and bounds of it.
@@ -118,17 +118,17 @@ public:
   Earth_movers_cost cost(const From& from, const To& to,
                          const NamedParameters& np = NamedParameters()) const
   {
-    const internal::Glued_triangles& t = *m_domain.triangles();
-    const std::vector<double>& area = m_family->operators().area;
-    internal::Family_options chosen = options<Sequential_tag>(np);
-    chosen.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
-    chosen.maximum_iterations =
+    const internal::Surface_arrays& t = *m_domain.triangles();
+    const std::vector<double>& area = m_transport->operators().area;
+    internal::Spectral_transport_options chosen_options = options<Sequential_tag>(np);
+    chosen_options.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
+    chosen_options.maximum_iterations =
         internal::parameter(np, internal_np::maximum_number_of_iterations, 5000u);
     const internal::Mass_distribution moved = internal::difference(
         t, area, internal::masses(m_domain, from), internal::masses(m_domain, to),
         internal::parameter(np, internal_np::do_normalize, false));
-    internal::Transport found =
-        m_family->transport(internal::masses_at_sites(t, area, moved), chosen);
+    internal::Transport_result found =
+        m_transport->transport(internal::masses_at_vertices(t, area, moved), chosen_options);
     internal::rescale(found, t.scale);
     if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
       if(!found.flow.empty())
@@ -156,17 +156,17 @@ public:
   /// \param np `threads` and `callback` as for `geodesic_distance_matrix()`
   /// \returns false if the callback cancelled it; then nothing is written
   /// \throws Invalid_argument_error when the place is not on the surface
-  template <typename Concurrency_tag = Sequential_tag, typename Place, typename DistanceMap,
-            typename NamedParameters = internal::Default_parameters>
-  bool write_distances(const Place& from, DistanceMap distance_map,
+  template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
+            typename DistanceMap, typename NamedParameters = internal::Default_parameters>
+  bool write_distances(const Vertex_or_location& from, DistanceMap distance_map,
                        const NamedParameters& np = NamedParameters()) const
   {
-    const internal::Glued_triangles& t = *m_domain.triangles();
-    const internal::Vector found = m_family->one_to_all(
+    const internal::Surface_arrays& t = *m_domain.triangles();
+    const internal::Vector found = m_transport->one_to_all(
         internal::masses_at(t, {internal::location(m_domain, from)}), options<Concurrency_tag>(np));
     if(found.size() == 0)
       return false;
-    m_domain.write([&](internal::Index site) { return t.scale * found[site]; }, distance_map);
+    m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
     return true;
   }
 
@@ -175,28 +175,29 @@ public:
   /// It takes 16 bytes per vertex and place for `k` = 0.
   ///
   /// \tparam Concurrency_tag as for `write_distances()`
-  /// \param places a range of sites or of locations
+  /// \param locations a range of sites or of locations
   /// \param tolerance as for `cost()`
   /// \param np as for `write_distances()`
   /// \returns a symmetric matrix; an empty one when the callback cancelled it
   /// \throws Invalid_argument_error as `cost()`
-  template <typename Concurrency_tag = Sequential_tag, typename Places,
+  template <typename Concurrency_tag = Sequential_tag, typename Locations,
             typename NamedParameters = internal::Default_parameters>
-  Eigen::MatrixXd distance_matrix(const Places& places, double tolerance = 1e-3,
+  Eigen::MatrixXd distance_matrix(const Locations& locations, double tolerance = 1e-3,
                                   const NamedParameters& np = NamedParameters()) const
   {
-    const internal::Glued_triangles& t = *m_domain.triangles();
-    internal::Family_options chosen = options<Concurrency_tag>(np);
-    chosen.tolerance = tolerance;
-    return t.scale * m_family->all_pairs(
-                         internal::masses_at(t, internal::locations(m_domain, places)), chosen);
+    const internal::Surface_arrays& t = *m_domain.triangles();
+    internal::Spectral_transport_options chosen_options = options<Concurrency_tag>(np);
+    chosen_options.tolerance = tolerance;
+    return t.scale *
+           m_transport->all_pairs(internal::masses_at(t, internal::locations(m_domain, locations)),
+                                  chosen_options);
   }
 
 private:
   template <typename Concurrency_tag, typename NamedParameters>
-  static internal::Family_options options(const NamedParameters& np)
+  static internal::Spectral_transport_options options(const NamedParameters& np)
   {
-    internal::Family_options result;
+    internal::Spectral_transport_options result;
     result.threads = internal::threads<Concurrency_tag>(np);
     result.callback =
         internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
@@ -204,7 +205,7 @@ private:
   }
 
   Domain m_domain;
-  std::shared_ptr<const internal::Transport_family> m_family;
+  std::shared_ptr<const internal::Spectral_transport> m_transport;
 };
 
 } // namespace CGAL::Geodesic_processing

@@ -57,7 +57,7 @@ public:
         m_distances(std::make_shared<const internal::Volumetric_distances>(
             domain.triangles(),
             internal::parameter(np, internal_np::number_of_refinements,
-                                internal::usual_refinements(*domain.triangles()))))
+                                internal::default_number_of_refinements(*domain.triangles()))))
   {}
 
   const Domain& domain() const { return m_domain; }
@@ -93,14 +93,14 @@ public:
   Earth_movers_cost cost(const From& from, const To& to,
                          const NamedParameters& np = NamedParameters()) const
   {
-    internal::Earth_movers_options options;
+    internal::Multilevel_transport_options options;
     options.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
     options.transport.maximum_iterations =
         internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
     options.transport.callback =
         internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
     options.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
-    const internal::Earth_movers_result found =
+    const internal::Multilevel_transport_result found =
         m_distances->cost(internal::spatial(from), internal::spatial(to), options);
     if constexpr(internal::has_parameter<NamedParameters, internal_np::potential_map_t>)
       m_domain.write([&](internal::Index i) { return found.potential[i]; },
@@ -156,7 +156,7 @@ public:
     options.threads = internal::threads<Concurrency_tag>(np);
     options.callback =
         internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
-    std::vector<internal::Spatial> points;
+    std::vector<internal::Vec3> points;
     for(const auto& point : to)
       points.push_back(internal::spatial(point));
     std::vector<Earth_movers_cost> result;
@@ -198,9 +198,9 @@ public:
     const internal::Volumetric_path found = m_distances->path(
         internal::spatial(from), internal::spatial(to),
         internal::parameter(np, internal_np::maximum_number_of_iterations, 1000u));
-    for(const internal::Spatial& p : found.points)
+    for(const internal::Vec3& p : found.points)
       *path++ = Point_3(p[0], p[1], p[2]);
-    return found.arrives;
+    return found.has_arrived;
   }
 
 private:

@@ -52,7 +52,7 @@ std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_ma
   if(!is_triangle_mesh(mesh))
     throw Unsupported_surface_error("A face is no triangle.");
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> all_faces;
-  std::vector<internal::Planar> coordinates;
+  std::vector<internal::Vec2> coordinates;
   for(const auto face : faces(mesh))
   {
     all_faces.push_back(face);
@@ -63,18 +63,19 @@ std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_ma
   }
   // Bilinear lookup goes as far as a diagonal neighbour, whatever the gutter.
   const double gutter = double(internal::parameter(np, internal_np::gutter_width, std::size_t(4)));
-  const internal::Texels texels =
-      internal::find_texels(coordinates, size, (std::max)(gutter / 2., 1.5));
+  const internal::Texel_map texels =
+      internal::rasterize_texels(coordinates, size, (std::max)(gutter / 2., 1.5));
   std::vector<Decal_color> result(
       size * size, internal::parameter(np, internal_np::background, Decal_color{1., 1., 1., 0.}));
   for(std::size_t i = 0; i < result.size(); ++i)
     if(const internal::Index f = texels.triangle[i]; f != internal::none)
     {
-      const internal::Planar* const image = &coordinates[3 * std::size_t(f)];
-      const internal::Planar middle = {(double(i % size) + 0.5) / double(size),
-                                       (double(i / size) + 0.5) / double(size)};
+      const internal::Vec2* const image = &coordinates[3 * std::size_t(f)];
+      const internal::Vec2 texel_center = {(double(i % size) + 0.5) / double(size),
+                                           (double(i / size) + 0.5) / double(size)};
       result[i] = color(typename internal::Surface_traits<TriangleMesh>::Location(
-          all_faces[f], internal::nearest_barycentric({image[0], image[1], image[2]}, middle)));
+          all_faces[f],
+          internal::nearest_barycentric({image[0], image[1], image[2]}, texel_center)));
     }
   return result;
 }

@@ -34,9 +34,9 @@ using Decal_image = std::function<Decal_color(const Decal_coordinates&)>;
 /// \ingroup PkgGeodesicProcessingDecals
 /// a vertex or surfel on which a decal lies, and its place in the image.
 template <typename Surface>
-struct Decal_site
+struct Decal_vertex
 {
-  typename internal::Surface_traits<Surface>::Site site;
+  typename internal::Surface_traits<Surface>::Vertex vertex;
   Decal_coordinates coordinates;
 };
 
@@ -56,8 +56,8 @@ struct Decal_face
 template <typename Surface, bool is_cloud = internal::Is_cloud<Surface>::value>
 struct Decal
 {
-  Tangent_frame<Surface> frame;           ///< the middle, the way right, and the way up
-  std::vector<Decal_site<Surface>> sites; ///< those on which the image lies
+  Tangent_frame<Surface> frame;                ///< the middle, the way right, and the way up
+  std::vector<Decal_vertex<Surface>> vertices; ///< those on which the image lies
   /// those of which it covers a part; places of corners may be beyond the image.  A face that is cut,
   /// see `Logarithmic_map`, has the places that one of its sides gives it.
   std::vector<Decal_face<Surface>> faces;
@@ -69,7 +69,7 @@ template <typename SurfelRange>
 struct Decal<SurfelRange, true>
 {
   Tangent_frame<SurfelRange> frame;
-  std::vector<Decal_site<SurfelRange>> sites;
+  std::vector<Decal_vertex<SurfelRange>> vertices;
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
@@ -106,20 +106,21 @@ public:
   /// \throws Invalid_argument_error as `Logarithmic_map::compute()`, and when the width or the height is
   ///         not positive and finite
   template <typename Place, typename NamedParameters = internal::Default_parameters>
-  Decal<Surface> place(const Place& middle, double width, double height,
+  Decal<Surface> place(const Place& center, double width, double height,
                        const NamedParameters& np = NamedParameters());
 
 private:
   template <typename Place, typename NamedParameters>
-  void compute(const Place& middle, double maximum_distance, const NamedParameters& np)
+  void compute(const Place& center, double maximum_distance, const NamedParameters& np)
   {
-    m_map.compute(middle,
+    m_map.compute(center,
                   internal::chain(np).maximum_distance(maximum_distance * triangles().scale));
   }
   template <typename Place, typename NamedParameters>
-  std::vector<internal::Triangle_image>
-  covered_triangles(const Place& middle, const internal::Planar& half, const NamedParameters& np);
-  const internal::Glued_triangles& triangles() const { return *m_map.domain().triangles(); }
+  std::vector<internal::Triangle_image> covered_triangles(const Place& center,
+                                                          const internal::Vec2& half_size,
+                                                          const NamedParameters& np);
+  const internal::Surface_arrays& triangles() const { return *m_map.domain().triangles(); }
 
   Map m_map;
 };
@@ -128,49 +129,49 @@ private:
 // middle, else one looks again.
 template <typename Surface, typename Method>
 template <typename Place, typename NamedParameters>
-std::vector<internal::Triangle_image>
-Decal_placer<Surface, Method>::covered_triangles(const Place& middle, const internal::Planar& half,
-                                                 const NamedParameters& np)
+std::vector<internal::Triangle_image> Decal_placer<Surface, Method>::covered_triangles(
+    const Place& center, const internal::Vec2& half_size, const NamedParameters& np)
 {
-  double margin = internal::longest_side_around(triangles(), internal::location(domain(), middle));
+  double margin = internal::longest_edge_at(triangles(), internal::location(domain(), center));
   for(std::size_t reached_before = 0;;)
   {
-    compute(middle, internal::norm(half) + margin, np);
-    internal::Decal_triangles found = internal::triangles_of_decal(
-        triangles(), m_map.inner_reached(), m_map.inner_coordinates(), half);
-    const std::size_t reached = m_map.inner_reached().size();
-    if(!(found.longest_side > 0.) || reached == reached_before)
-      return std::move(found.inside);
-    margin = (std::max)(2. * margin, 1.1 * found.longest_side);
+    compute(center, internal::norm(half_size) + margin, np);
+    internal::Decal_triangles found = internal::find_decal_triangles(
+        triangles(), m_map.reached_indices(), m_map.internal_coordinates(), half_size);
+    const std::size_t reached = m_map.reached_indices().size();
+    if(!(found.longest_edge > 0.) || reached == reached_before)
+      return std::move(found.covered);
+    margin = (std::max)(2. * margin, 1.1 * found.longest_edge);
     reached_before = reached;
   }
 }
 
 template <typename Surface, typename Method>
 template <typename Place, typename NamedParameters>
-Decal<Surface> Decal_placer<Surface, Method>::place(const Place& middle, double width,
+Decal<Surface> Decal_placer<Surface, Method>::place(const Place& center, double width,
                                                     double height, const NamedParameters& np)
 {
   const double scale = triangles().scale;
-  const internal::Planar half = {width / scale / 2., height / scale / 2.};
-  if(!(half[0] > 0. && half[1] > 0. && std::isfinite(half[0]) && std::isfinite(half[1])))
+  const internal::Vec2 half_size = {width / scale / 2., height / scale / 2.};
+  if(!(half_size[0] > 0. && half_size[1] > 0. && std::isfinite(half_size[0]) &&
+       std::isfinite(half_size[1])))
     throw Invalid_argument_error("The width or the height of a decal is not positive and finite.");
-  const auto coordinates = [&half](const internal::Planar& uv) -> Decal_coordinates {
-    return {0.5 + 0.5 * uv[0] / half[0], 0.5 + 0.5 * uv[1] / half[1]};
+  const auto coordinates = [&half_size](const internal::Vec2& uv) -> Decal_coordinates {
+    return {0.5 + 0.5 * uv[0] / half_size[0], 0.5 + 0.5 * uv[1] / half_size[1]};
   };
   Decal<Surface> decal;
   if constexpr(internal::Is_cloud<Surface>::value)
-    compute(middle, internal::norm(half), np);
+    compute(center, internal::norm(half_size), np);
   else
-    for(const auto& [triangle, corners] : covered_triangles(middle, half, np))
+    for(const auto& [triangle, corners] : covered_triangles(center, half_size, np))
       decal.faces.push_back(
           {domain().face(triangle),
            {coordinates(corners[0]), coordinates(corners[1]), coordinates(corners[2])}});
-  for(const internal::Index site : m_map.inner_reached())
+  for(const internal::Index vertex : m_map.reached_indices())
   {
-    const internal::Planar& uv = m_map.inner_coordinates()[site];
-    if(std::abs(uv[0]) <= half[0] && std::abs(uv[1]) <= half[1])
-      decal.sites.push_back({domain().site(site), coordinates(uv)});
+    const internal::Vec2& uv = m_map.internal_coordinates()[vertex];
+    if(std::abs(uv[0]) <= half_size[0] && std::abs(uv[1]) <= half_size[1])
+      decal.vertices.push_back({domain().vertex(vertex), coordinates(uv)});
   }
   decal.frame = m_map.frame();
   return decal;
@@ -178,9 +179,10 @@ Decal<Surface> Decal_placer<Surface, Method>::place(const Place& middle, double 
 
 namespace internal {
 
-inline Planar between(const std::array<Planar, 3>& corners, const std::array<double, 3>& shares)
+inline Vec2 interpolate(const std::array<Vec2, 3>& corners,
+                        const std::array<double, 3>& barycentric)
 {
-  return shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
+  return barycentric[0] * corners[0] + barycentric[1] * corners[1] + barycentric[2] * corners[2];
 }
 
 // Between colours of users and ours.
@@ -217,11 +219,11 @@ inline void assign(Rgba& color, const Rgba& rgba) { color = rgba; }
 template <typename Surface, typename Image, typename ColorMap>
 void composite_decal(const Decal<Surface>& decal, const Image& image, ColorMap color_map)
 {
-  for(const auto& [site, coordinates] : decal.sites)
+  for(const auto& [vertex, coordinates] : decal.vertices)
   {
-    typename boost::property_traits<ColorMap>::value_type color = get(color_map, site);
-    internal::assign(color, internal::over(image(coordinates), internal::to_rgba(color)));
-    put(color_map, site, color);
+    typename boost::property_traits<ColorMap>::value_type color = get(color_map, vertex);
+    internal::assign(color, internal::blend_over(image(coordinates), internal::to_rgba(color)));
+    put(color_map, vertex, color);
   }
 }
 
@@ -281,11 +283,11 @@ Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMe
     for(const auto& [face, corners] : layer.decal.faces)
       cells.for_each_texel(
           triangle_of.at(face),
-          [&, &corners = corners](std::size_t texel, const std::array<double, 3>& shares)
+          [&, &corners = corners](std::size_t texel, const std::array<double, 3>& barycentric)
           {
-            const Decal_coordinates place = internal::between(corners, shares);
-            if(place[0] >= 0. && place[0] <= 1. && place[1] >= 0. && place[1] <= 1.)
-              texture.texels[texel] = internal::over(layer.image(place), texture.texels[texel]);
+            const Decal_coordinates uv = internal::interpolate(corners, barycentric);
+            if(uv[0] >= 0. && uv[0] <= 1. && uv[1] >= 0. && uv[1] <= 1.)
+              texture.texels[texel] = internal::blend_over(layer.image(uv), texture.texels[texel]);
           });
   return texture;
 }

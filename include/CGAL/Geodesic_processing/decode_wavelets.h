@@ -54,15 +54,15 @@ Wavelet_stream decode_wavelets(const ByteRange& bytes, OutputMesh& output,
                                const NamedParameters& np = NamedParameters())
 {
   using Vertex = typename boost::graph_traits<OutputMesh>::vertex_descriptor;
-  const internal::Decoding found = internal::decode(
+  const internal::Decoded_wavelets decoded = internal::decode(
       std::data(bytes), std::size(bytes),
       internal::parameter(np, internal_np::maximum_number_of_vertices, std::size_t(1) << 24));
-  const internal::Wavelet_signal& signal = found.signal;
+  const internal::Wavelet_signal& signal = decoded.signal;
   if(signal.channels != 3)
     throw Invalid_argument_error("The stream of wavelets has no places of vertices.");
-  if(!internal::is_mesh(found.subdivision->levels.front()))
+  if(!internal::is_halfedge_mesh(decoded.subdivision->levels.front()))
     throw Invalid_argument_error("The surface of the stream touches itself where no mesh can.");
-  const std::vector<double> values = internal::synthesis(found);
+  const std::vector<double> values = internal::decoded_values(decoded);
 
   const auto points = get(CGAL::vertex_point, output);
   using Point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
@@ -73,15 +73,15 @@ Wavelet_stream decode_wavelets(const ByteRange& bytes, OutputMesh& output,
     put(points, vertices.back(), Point(values[i], values[i + 1], values[i + 2]));
   }
   // One by one: at once they could not meet in a vertex alone.
-  for(const auto& t : found.subdivision->finest().triangles)
+  for(const auto& t : decoded.subdivision->finest().triangles)
     CGAL::Euler::add_face(std::array<Vertex, 3>{vertices[t[0]], vertices[t[1]], vertices[t[2]]},
                           output);
 
   Wavelet_stream result;
-  result.number_of_levels = found.subdivision->levels.size() - 1;
-  result.number_of_bit_planes = found.planes;
-  result.is_complete = found.planes == found.planes_in_all;
-  result.is_damaged = found.is_damaged;
+  result.number_of_levels = decoded.subdivision->levels.size() - 1;
+  result.number_of_bit_planes = decoded.planes;
+  result.is_complete = decoded.planes == decoded.total_planes;
+  result.is_damaged = decoded.is_damaged;
   return result;
 }
 

@@ -24,8 +24,8 @@ namespace CGAL::Geodesic_processing {
 /// face: the singular values of its Jacobian.
 struct Face_distortion
 {
-  double most = 1.,
-         least = 1.;      ///< \f$ \sigma_1 \geq \sigma_2 \f$; infinite where the image has no area
+  double sigma_1 = 1.,
+         sigma_2 = 1.;    ///< \f$ \sigma_1 \geq \sigma_2 \f$; infinite where the image has no area
   bool is_folded = false; ///< the image is turned round
   double area = 0.;       ///< of the face
 
@@ -35,40 +35,41 @@ struct Face_distortion
   /// @{
 
   /// \f$ \sigma_1 / \sigma_2 \f$ (Hormann and Greiner 2000, without the other way round).
-  double mips() const { return most / least; }
+  double mips() const { return sigma_1 / sigma_2; }
   /// \f$ \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$.
-  double symmetric_mips() const { return most / least + least / most; }
+  double symmetric_mips() const { return sigma_1 / sigma_2 + sigma_2 / sigma_1; }
   /// \f$ (\sigma_1 - \sigma_2)^2 / 2 \f$, the energy of conformal maps.
-  double conformal() const { return 0.5 * (most - least) * (most - least); }
+  double conformal() const { return 0.5 * (sigma_1 - sigma_2) * (sigma_1 - sigma_2); }
   /// \f$ (\sigma_1^2 - 1)^2 + (\sigma_2^2 - 1)^2 \f$.
   double green_lagrange() const
   {
-    const double a = most * most - 1., b = least * least - 1.;
+    const double a = sigma_1 * sigma_1 - 1., b = sigma_2 * sigma_2 - 1.;
     return a * a + b * b;
   }
   /// angles and areas: \f$ (\sigma_1/\sigma_2 + \sigma_2/\sigma_1)
   /// (\sigma_1 \sigma_2 + 1/(\sigma_1 \sigma_2))^\theta \f$ (Degener, Meseth and Klein 2003).
   double combined(double theta) const
   {
-    const double area = most * least;
+    const double area = sigma_1 * sigma_2;
     return symmetric_mips() * std::pow(area + 1. / area, theta);
   }
   /// \f$ (\sigma_1^2 + \sigma_2^2) / 2 \f$.
-  double dirichlet() const { return 0.5 * (most * most + least * least); }
+  double dirichlet() const { return 0.5 * (sigma_1 * sigma_1 + sigma_2 * sigma_2); }
   /// the root of `dirichlet()` (Sander, Snyder, Gortler and Hoppe 2001).
   double l2_stretch() const { return std::sqrt(dirichlet()); }
   /// \f$ \sigma_1 \f$.
-  double linf_stretch() const { return most; }
+  double linf_stretch() const { return sigma_1; }
   /// \f$ \max(\sigma_1, 1/\sigma_2) \f$ (Sorkine and others 2002).
-  double symmetric_stretch() const { return (std::max)(most, 1. / least); }
+  double symmetric_stretch() const { return (std::max)(sigma_1, 1. / sigma_2); }
   /// \f$ \sigma_1^2 + \sigma_2^2 + 1/\sigma_1^2 + 1/\sigma_2^2 \f$ (Smith and Schaefer 2015).
   double symmetric_dirichlet() const
   {
-    return most * most + least * least + 1. / (most * most) + 1. / (least * least);
+    return sigma_1 * sigma_1 + sigma_2 * sigma_2 + 1. / (sigma_1 * sigma_1) +
+           1. / (sigma_2 * sigma_2);
   }
   /// the distance of the metric from that of the plane:
   /// \f$ 2 \sqrt{\log^2 \sigma_1 + \log^2 \sigma_2} \f$.
-  double riemannian() const { return 2. * std::hypot(std::log(most), std::log(least)); }
+  double riemannian() const { return 2. * std::hypot(std::log(sigma_1), std::log(sigma_2)); }
   /// @}
 };
 
@@ -76,10 +77,10 @@ namespace internal {
 
 // The image of the corner of a face that a halfedge points to: of a map of vertices, or of halfedges.
 template <typename Mesh, typename UVMap>
-Planar image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const Mesh& mesh,
-                const UVMap& uv_map)
+Vec2 image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const Mesh& mesh,
+              const UVMap& uv_map)
 {
-  const auto planar = [](const auto& value) -> Planar {
+  const auto planar = [](const auto& value) -> Vec2 {
     return {CGAL::to_double(value[0]), CGAL::to_double(value[1])};
   };
   using Key = typename boost::property_traits<UVMap>::key_type;
@@ -106,7 +107,7 @@ Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descrip
 {
   const auto points = internal::parameter(np, CGAL::internal_np::vertex_point,
                                           get_const_property_map(vertex_point, mesh));
-  std::array<internal::Planar, 3> image;
+  std::array<internal::Vec2, 3> image;
   std::array<double, 3> lengths;
   auto h = halfedge(face, mesh);
   for(std::size_t k = 0; k < 3; ++k, h = next(h, mesh))
@@ -120,7 +121,7 @@ Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descrip
                             CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
   }
   const internal::Singular_values found = internal::singular_values(lengths, image);
-  return {found.most, found.least, found.is_folded, found.area};
+  return {found.sigma_1, found.sigma_2, found.is_inverted, found.area};
 }
 
 /// \ingroup PkgGeodesicProcessingLogMap
@@ -159,7 +160,7 @@ Mesh_distortion<Mesh> mesh_distortion(const Mesh& mesh, UVMap uv_map, Measure me
   for(const auto face : faces(mesh))
   {
     const Face_distortion distortion = face_distortion(face, mesh, uv_map, np);
-    if(std::isnan(distortion.most))
+    if(std::isnan(distortion.sigma_1))
       continue;
     const double value = std::invoke(measure, distortion);
     result.integral += distortion.area * value;
@@ -212,7 +213,7 @@ Flattening_distortion flattening_distortion(const Mesh& mesh, UVMap uv_map,
     for(const auto face : faces(mesh))
     {
       const Face_distortion distortion = face_distortion(face, mesh, uv_map, np);
-      if(distortion.area > 0. && !std::isnan(distortion.most))
+      if(distortion.area > 0. && !std::isnan(distortion.sigma_1))
         f(distortion);
     }
   };
@@ -221,7 +222,7 @@ Flattening_distortion flattening_distortion(const Mesh& mesh, UVMap uv_map,
       [&](const Face_distortion& face)
       {
         area += face.area;
-        image += face.area / (face.most * face.least);
+        image += face.area / (face.sigma_1 * face.sigma_2);
       });
   const double scale = std::sqrt(image / area);
 
@@ -230,19 +231,19 @@ Flattening_distortion flattening_distortion(const Mesh& mesh, UVMap uv_map,
       [&](Face_distortion face)
       {
         ++result.number_of_faces;
-        result.number_of_flips += face.is_folded || std::isinf(face.most);
-        face.most *= scale;
-        face.least *= scale;
-        const double share = face.area / area;
+        result.number_of_flips += face.is_folded || std::isinf(face.sigma_1);
+        face.sigma_1 *= scale;
+        face.sigma_2 *= scale;
+        const double area_fraction = face.area / area;
         // As squares: what is left of 1 + 1 - 2 would be rounding.
-        const double product = std::sqrt(face.most * face.least);
-        const bool is_flat = std::isinf(face.most);
-        const double angle = is_flat ? face.most : (face.most - face.least) / product,
-                     size = is_flat ? face.most : product - 1. / product;
-        result.conformal += share * angle * angle;
-        result.authalic += share * size * size;
-        result.symmetric_dirichlet += share * face.symmetric_dirichlet();
-        result.l2_stretch += share * face.dirichlet();
+        const double product = std::sqrt(face.sigma_1 * face.sigma_2);
+        const bool is_flat = std::isinf(face.sigma_1);
+        const double angle = is_flat ? face.sigma_1 : (face.sigma_1 - face.sigma_2) / product,
+                     size = is_flat ? face.sigma_1 : product - 1. / product;
+        result.conformal += area_fraction * angle * angle;
+        result.authalic += area_fraction * size * size;
+        result.symmetric_dirichlet += area_fraction * face.symmetric_dirichlet();
+        result.l2_stretch += area_fraction * face.dirichlet();
         result.linf_stretch = (std::max)(result.linf_stretch, face.linf_stretch());
       });
   result.conformal = std::sqrt(result.conformal);

@@ -52,26 +52,27 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
   constexpr bool has_radii = internal::has_parameter<NamedParameters, internal_np::radius_map_t>;
   const auto estimate = [&](const auto& point_map, auto normal_map, auto radius_map)
   {
-    std::vector<internal::Spatial> places;
+    std::vector<internal::Vec3> coordinates;
     for(const auto& element : points)
     {
       const auto& p = get(point_map, element);
-      places.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+      coordinates.push_back(
+          {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     }
-    auto found = internal::estimate_surfels(
-        places, parameter(np, internal_np::number_of_neighbors, 18u),
+    auto surfels = internal::estimate_surfels(
+        coordinates, parameter(np, internal_np::number_of_neighbors, 18u),
         parameter(np, internal_np::outlier_percentage, 0.), internal::threads<Concurrency_tag>(np));
     using Vector = typename boost::property_traits<decltype(normal_map)>::value_type;
-    std::size_t place = 0;
+    std::size_t position = 0;
     for(auto&& element : points)
     {
-      const auto& n = found.normals[place];
+      const auto& n = surfels.normals[position];
       put(normal_map, element, Vector(n[0], n[1], n[2]));
       if constexpr(!std::is_same_v<decltype(radius_map), int>)
-        put(radius_map, element, found.radii[place]);
-      ++place;
+        put(radius_map, element, surfels.radii[position]);
+      ++position;
     }
-    return found.removed;
+    return surfels.removed;
   };
   if constexpr(internal::is_point_set<Points>)
   {
@@ -87,8 +88,8 @@ std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedPa
         estimate(parameter(np, CGAL::internal_np::point_map, points.point_map()),
                  parameter(np, CGAL::internal_np::normal_map, points.normal_map()), radii);
     std::vector<typename Points::Index> outliers;
-    for(const std::size_t place : removed)
-      outliers.push_back(*(points.begin() + std::ptrdiff_t(place)));
+    for(const std::size_t position : removed)
+      outliers.push_back(*(points.begin() + std::ptrdiff_t(position)));
     for(const auto& outlier : outliers)
       points.remove(outlier);
     return outliers.size();

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_EXPONENTIAL_MAP_H
 #define CGAL_GEODESIC_PROCESSING_EXPONENTIAL_MAP_H
 
-#include <CGAL/Geodesic_processing/internal/adaptors/turned_plane.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/oriented_tangent_plane.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <array>
@@ -31,7 +31,7 @@ auto exponential_map(const Mesh& mesh, const Place& base, const std::array<doubl
                      const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
-  return internal::exponential(domain, internal::turned_plane(domain, base, np), vector);
+  return internal::exponential(domain, internal::oriented_tangent_plane(domain, base, np), vector);
 }
 
 } // namespace CGAL::Geodesic_processing

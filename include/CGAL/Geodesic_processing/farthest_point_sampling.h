@@ -18,40 +18,42 @@ namespace internal {
 
 // The samples of a domain that named parameters ask for, one after another handed to `out`.
 template <typename Method, typename Domain, typename NamedParameters, typename Out>
-void farthest_samples(const Domain& domain, std::size_t number, Sample_place place,
-                      const NamedParameters& np, const Out& out)
+void run_farthest_sampling(const Domain& domain, std::size_t number,
+                           Sample_location sample_location, const NamedParameters& np,
+                           const Out& report_sample)
 {
   static_assert(std::is_base_of_v<Front, Engine<Method>>,
                 "Samples are spread by fronts: Euclidean_front, Fast_marching or Dijkstra.");
-  const Front_limits asked = limits(domain, np);
+  const Front_limits front_limits = limits(domain, np);
   const double scale = domain.triangles()->scale;
   const double radius = parameter(np, internal_np::covering_radius, 0.);
   if(!(radius >= 0.))
     throw Invalid_argument_error("The covering radius is negative or not a number.");
 
-  Sampling sampling(domain.triangles(), Engine<Method>(domain.triangles()), place, asked.slowness);
+  Sampling sampling(domain.triangles(), Engine<Method>(domain.triangles()), sample_location,
+                    front_limits.slowness);
   if constexpr(has_parameter<NamedParameters, internal_np::first_samples_t>)
     for(const Location& sample : locations(domain, parameter(np, internal_np::first_samples, none)))
       sampling.add(sample);
-  Sampling_goal goal;
-  goal.number = number;
-  goal.covering_radius = radius / scale;
-  goal.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
-  goal.callback = asked.callback;
+  Sampling_options options;
+  options.number_of_samples = number;
+  options.covering_radius = radius / scale;
+  options.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
+  options.callback = front_limits.callback;
   [[maybe_unused]] auto radii = parameter(np, internal_np::covering_radius_output, 0);
-  sample_farthest(
-      sampling, goal,
-      [&](double left)
+  sample_farthest_points(
+      sampling, options,
+      [&](double current_radius)
       {
-        out(sampling.samples().back());
+        report_sample(sampling.samples().back());
         if constexpr(has_parameter<NamedParameters, internal_np::covering_radius_output_t>)
-          *radii++ = scale * left;
+          *radii++ = scale * current_radius;
       });
   if constexpr(has_parameter<NamedParameters, internal_np::source_label_map_t>)
     domain.write(
-        [&](Index site)
+        [&](Index vertex)
         {
-          const Index label = sampling.labels()[site];
+          const Index label = sampling.labels()[vertex];
           return label == none ? (std::numeric_limits<std::size_t>::max)() : std::size_t(label);
         },
         parameter(np, internal_np::source_label_map, 0));
@@ -118,9 +120,9 @@ OutputIterator farthest_point_sampling(const Surface& surface, std::size_t numbe
                                        const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
-  internal::farthest_samples<Method>(domain, number, internal::Sample_place::triangle, np,
-                                     [&](const internal::Location& sample)
-                                     { *samples++ = domain.outer(sample); });
+  internal::run_farthest_sampling<Method>(domain, number, internal::Sample_location::triangle, np,
+                                          [&](const internal::Surface_location& sample)
+                                          { *samples++ = domain.outer(sample); });
   return samples;
 }
 
@@ -131,15 +133,15 @@ OutputIterator farthest_point_sampling(const Surface& surface, std::size_t numbe
 /// \param sites an output iterator that takes vertex descriptors, or indices of surfels
 template <typename Method = Euclidean_front, typename Surface, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>
-OutputIterator farthest_site_sampling(const Surface& surface, std::size_t number,
-                                      OutputIterator sites,
-                                      const NamedParameters& np = NamedParameters())
+OutputIterator farthest_vertex_sampling(const Surface& surface, std::size_t number,
+                                        OutputIterator vertices,
+                                        const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
-  internal::farthest_samples<Method>(domain, number, internal::Sample_place::site, np,
-                                     [&](const internal::Location& sample)
-                                     { *sites++ = domain.site(sample.site); });
-  return sites;
+  internal::run_farthest_sampling<Method>(domain, number, internal::Sample_location::vertex, np,
+                                          [&](const internal::Surface_location& sample)
+                                          { *vertices++ = domain.vertex(sample.vertex); });
+  return vertices;
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -40,15 +40,16 @@ Earth_movers_cost feature_distance(const Surface& surface, const Feature& featur
   const auto domain = make_domain(surface, np);
   using Solver = Region_transport_solver<typename decltype(domain)::Surface>;
   Solver solver(domain, feature, np);
-  const auto one = [&](const typename Solver::Site& site)
-  { return solver.is_reachable(site) ? 1. : 0.; };
+  const auto unit_density = [&](const typename Solver::Vertex& vertex)
+  { return solver.is_reachable(vertex) ? 1. : 0.; };
   const Earth_movers_cost cost = solver.template compute<Method>(
-      mass_density(boost::make_function_property_map<typename Solver::Site>(one)), np);
+      mass_density(boost::make_function_property_map<typename Solver::Vertex>(unit_density)), np);
   const auto distance = [&](internal::Index i)
   {
-    const auto site = domain.site(i);
+    const auto vertex = domain.vertex(i);
     // Beside a place in a face the potential may be above zero by a little.
-    return solver.is_reachable(site) ? std::max(0., -solver.potential(site)) : internal::infinity;
+    return solver.is_reachable(vertex) ? std::max(0., -solver.potential(vertex))
+                                       : internal::infinity;
   };
   domain.write(distance, distance_map);
   return cost;

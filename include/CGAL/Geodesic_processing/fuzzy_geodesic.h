@@ -68,18 +68,18 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
   const double width = internal::fuzzy_width(from_p.distance(q), np);
   from_p.compute(p, parameters::maximum_distance(4. * width));
   from_q.compute(q, parameters::maximum_distance(4. * width));
-  const auto blob = [&](const Front& distances)
+  const auto gaussian_density = [&](const Front& distances)
   {
-    return mass_density(boost::make_function_property_map<typename Solver::Site>(
-        [&distances, width](const typename Solver::Site& site)
+    return mass_density(boost::make_function_property_map<typename Solver::Vertex>(
+        [&distances, width](const typename Solver::Vertex& vertex)
         {
-          const double x = distances.distance(site) / width;
+          const double x = distances.distance(vertex) / width;
           return std::exp(-0.5 * x * x);
         }));
   };
   Solver solver(domain, np);
   const Earth_movers_cost cost = solver.template compute<Method>(
-      blob(from_p), blob(from_q), internal::chain(np).do_normalize(true));
+      gaussian_density(from_p), gaussian_density(from_q), internal::chain(np).do_normalize(true));
   solver.write_likelihood(likelihood_map, 0.25 * width);
   solver.write_maps(np);
   return cost;
@@ -118,8 +118,9 @@ void fuzzy_geodesic_by_distances(const Surface& surface, const P& p, const Q& q,
   domain.write(
       [&](internal::Index i)
       {
-        const double way = from_p.distance(domain.site(i)) + from_q.distance(domain.site(i));
-        return std::exp(-std::abs(way - distance) / width);
+        const double detour_length =
+            from_p.distance(domain.vertex(i)) + from_q.distance(domain.vertex(i));
+        return std::exp(-std::abs(detour_length - distance) / width);
       },
       likelihood_map);
 }

@@ -18,10 +18,10 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
 /// is where the weighted sum of squared distances is the least, and that sum.
-template <typename Site>
+template <typename Vertex>
 struct Geodesic_barycenter
 {
-  Site site;
+  Vertex vertex;
   double value;
 };
 
@@ -51,29 +51,29 @@ struct Geodesic_barycenter
 ///         weight is negative or not finite, all are zero, or no site is reached by all places
 ///
 /// As many computations of distances as there are places.
-template <typename Method = Euclidean_front, typename Surface, typename Places,
+template <typename Method = Euclidean_front, typename Surface, typename Locations,
           typename NamedParameters = internal::Default_parameters>
-auto geodesic_barycenter(const Surface& surface, const Places& places,
+auto geodesic_barycenter(const Surface& surface, const Locations& locations,
                          const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);
   using Domain = std::decay_t<decltype(domain)>;
   Geodesic_distance_solver<typename Domain::Surface, Method> solver(domain);
-  const std::size_t number_of_places =
-      std::size_t(std::distance(std::begin(places), std::end(places)));
-  if(number_of_places == 0)
+  const std::size_t number_of_locations =
+      std::size_t(std::distance(std::begin(locations), std::end(locations)));
+  if(number_of_locations == 0)
     throw Invalid_argument_error("There is no place to find the barycenter of.");
-  const std::vector<double> weights = internal::weights(np, number_of_places);
+  const std::vector<double> weights = internal::weights(np, number_of_locations);
 
-  std::vector<double> sum(domain.number_of_sites(), 0.);
+  std::vector<double> sum(domain.number_of_vertices(), 0.);
   auto weight = weights.begin();
-  for(const auto& place : places)
+  for(const auto& location : locations)
   {
-    solver.compute(place, np);
+    solver.compute(location, np);
     if(*weight > 0.)
       for(internal::Index i = 0; i < sum.size(); ++i)
       {
-        const double distance = solver.distance(domain.site(i));
+        const double distance = solver.distance(domain.vertex(i));
         sum[i] += *weight * distance * distance;
       }
     ++weight;
@@ -84,8 +84,8 @@ auto geodesic_barycenter(const Surface& surface, const Places& places,
   if constexpr(internal::has_parameter<NamedParameters, internal_np::objective_map_t>)
     domain.write([&](internal::Index i) { return sum[i]; },
                  internal::parameter(np, internal_np::objective_map, 0));
-  return Geodesic_barycenter<typename Domain::Site>{
-      domain.site(internal::Index(best - sum.begin())), *best};
+  return Geodesic_barycenter<typename Domain::Vertex>{
+      domain.vertex(internal::Index(best - sum.begin())), *best};
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -36,8 +36,8 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
                                     const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
-  const internal::Base_mesh found =
-      internal::base_mesh(domain.triangles(), internal::base_goal(mesh, domain, number, np));
+  const internal::Base_mesh found = internal::build_base_mesh(
+      domain.triangles(), internal::base_mesh_options(mesh, domain, number, np));
   Remeshing_result result;
   result.is_finished = found.is_finished;
   if(!result.is_finished)
@@ -46,26 +46,26 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
     throw Invalid_argument_error("The mesh has no triangle.");
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
 
-  const internal::Glued_triangles& fine = found.fine;
-  const auto place = [&](internal::Index site) {
-    return internal::coordinates(fine, {internal::none, site, {}});
+  const internal::Surface_arrays& fine = found.fine;
+  const auto position = [&](internal::Index vertex) {
+    return internal::coordinates(fine, {internal::none, vertex, {}});
   };
   std::vector<std::array<double, 3>> base_points;
-  for(const internal::Index site : found.site)
-    base_points.push_back(place(site));
+  for(const internal::Index vertex : found.vertex)
+    base_points.push_back(position(vertex));
   const auto base_faces = internal::add_faces(base_points, found.triangles, base);
 
   // Without sites that have no triangle.
-  std::vector<internal::Index> number_of_site(fine.number_of_sites(), internal::none);
+  std::vector<internal::Index> vertex_index(fine.number_of_vertices(), internal::none);
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<internal::Index, 3>> triangles(fine.number_of_triangles());
   for(internal::Index corner = 0; corner < fine.corner.size(); ++corner)
   {
-    internal::Index& known = number_of_site[fine.corner[corner]];
+    internal::Index& known = vertex_index[fine.corner[corner]];
     if(known == internal::none)
     {
       known = internal::Index(points.size());
-      points.push_back(place(fine.corner[corner]));
+      points.push_back(position(fine.corner[corner]));
     }
     triangles[corner / 3][corner % 3] = known;
   }

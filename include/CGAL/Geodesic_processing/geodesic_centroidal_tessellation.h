@@ -83,32 +83,33 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
   const auto domain = make_domain(surface, np);
   constexpr bool is_cloud =
       internal::Is_cloud<typename std::decay_t<decltype(domain)>::Surface>::value;
-  constexpr std::size_t nowhere = (std::numeric_limits<std::size_t>::max)();
+  constexpr std::size_t no_label = (std::numeric_limits<std::size_t>::max)();
   if(number == 0)
     throw Invalid_argument_error("A tessellation has one cell at least.");
-  const internal::Front_limits asked = internal::limits(domain, np);
+  const internal::Front_limits front_limits = internal::limits(domain, np);
   internal::Tessellation_options options;
-  options.number = number;
-  options.most_steps =
-      internal::parameter(np, internal_np::maximum_number_of_iterations, options.most_steps);
-  options.makes_discs = internal::parameter(np, internal_np::do_make_discs, false);
+  options.number_of_cells = number;
+  options.max_steps =
+      internal::parameter(np, internal_np::maximum_number_of_iterations, options.max_steps);
+  options.does_make_disks = internal::parameter(np, internal_np::do_make_discs, false);
   options.seed = unsigned(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
   options.threads = internal::threads<Concurrency_tag>(np);
-  options.callback = asked.callback;
-  const internal::Tessellation found = internal::tessellate(
-      domain.triangles(), internal::Engine<Method>(domain.triangles()), asked.slowness, options);
+  options.callback = front_limits.callback;
+  const internal::Tessellation found =
+      internal::tessellate(domain.triangles(), internal::Engine<Method>(domain.triangles()),
+                           front_limits.slowness, options);
 
   const auto label = [](Index cell)
-  { return cell == internal::none ? nowhere : std::size_t(cell); };
+  { return cell == internal::none ? no_label : std::size_t(cell); };
   if constexpr(is_cloud)
-    domain.write([&](Index site) { return label(found.labels[site]); }, label_map);
+    domain.write([&](Index vertex) { return label(found.labels[vertex]); }, label_map);
   else
     for(Index f = 0; f < found.labels.size(); ++f)
       put(label_map, domain.face(f), label(found.labels[f]));
   if constexpr(internal::has_parameter<NamedParameters, internal_np::center_output_t>)
   {
     auto out = internal::parameter(np, internal_np::center_output, 0);
-    for(const internal::Location& center : found.centers)
+    for(const internal::Surface_location& center : found.centers)
       *out++ = domain.outer(center);
   }
   if constexpr(internal::has_parameter<NamedParameters, internal_np::energy_output_t>)

@@ -6,7 +6,7 @@
 #include <CGAL/Geodesic_processing/Geodesic_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/Reconstructed_domain.h>
 #include <CGAL/Geodesic_processing/internal/remeshing/remeshing.h>
-#include <CGAL/Geodesic_processing/internal/adaptors/remeshing_goal.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/remeshing_options.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -147,16 +147,17 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
                                              OutputMesh& output,
                                              const NamedParameters& np = NamedParameters())
 {
-  const auto given = make_domain(surface, np);
-  const auto& domain = internal::manifold(given);
-  internal::Remeshing_goal goal = internal::remeshing_goal(surface, domain, number, np);
-  goal.avoids_crossings = internal::parameter(np, internal_np::do_avoid_self_intersections, true);
-  const internal::Remeshing found = internal::remeshing(domain.triangles(), goal);
+  const auto input_domain = make_domain(surface, np);
+  const auto& domain = internal::manifold_domain(input_domain);
+  internal::Remeshing_options options = internal::remeshing_options(surface, domain, number, np);
+  options.does_avoid_self_intersections =
+      internal::parameter(np, internal_np::do_avoid_self_intersections, true);
+  const internal::Remeshing found = internal::remesh(domain.triangles(), options);
   Remeshing_result result;
   result.is_finished = found.is_finished;
   if(!found.is_finished)
     return result;
-  result.self_intersections = found.crossings;
+  result.self_intersections = found.number_of_self_intersections;
   result.added = found.samples.size() - (std::min)(number, found.samples.size());
   if(number > 0 && result.added > 0 &&
      internal::parameter(np, internal_np::too_few_samples, Too_few_samples::refine) !=
@@ -188,7 +189,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
   if constexpr(internal::has_parameter<NamedParameters, internal_np::edge_path_output_t>)
   {
     auto out = internal::parameter(np, internal_np::edge_path_output, 0);
-    Geodesic_path_finder<typename std::decay_t<decltype(given)>::Surface> path(given);
+    Geodesic_path_finder<typename std::decay_t<decltype(input_domain)>::Surface> path(input_domain);
     for(std::size_t i = 0; i < found.triangles.size(); ++i)
       for(int k = 0; k < 3; ++k)
       {

@@ -4,7 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_DISTANCE_MATRIX_H
 
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
-#include <CGAL/Geodesic_processing/internal/distances/matrix.h>
+#include <CGAL/Geodesic_processing/internal/distances/distance_matrix.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
@@ -61,9 +61,9 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
   internal::Front_limits limits = internal::limits(domain, np);
   if constexpr(!internal::has_parameter<NamedParameters, internal_np::targets_t>)
     limits.targets = internal::locations(domain, sources);
-  const std::vector<internal::Location> to = limits.targets;
+  const std::vector<internal::Surface_location> to = limits.targets;
   // As many as there are sites limit nothing.
-  if(to.size() >= domain.number_of_sites())
+  if(to.size() >= domain.number_of_vertices())
     limits.targets.clear();
   const internal::Engine<Method> engine(domain.triangles());
   return internal::distance_matrix(&engine, domain.triangles()->scale, from, to, limits,
@@ -87,9 +87,11 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 ///
 /// Time and memory are in proportion to what the fronts visit.
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
-          typename Surface, typename Sites, typename NamedParameters = internal::Default_parameters>
+          typename Surface, typename Vertices,
+          typename NamedParameters = internal::Default_parameters>
 Eigen::SparseMatrix<double, Eigen::RowMajor>
-sparse_geodesic_distance_matrix(const Surface& surface, const Sites& sites, double maximum_distance,
+sparse_geodesic_distance_matrix(const Surface& surface, const Vertices& vertices,
+                                double maximum_distance,
                                 const NamedParameters& np = NamedParameters())
 {
   using internal::Index;
@@ -97,15 +99,15 @@ sparse_geodesic_distance_matrix(const Surface& surface, const Sites& sites, doub
   const auto domain = make_domain(surface, np);
   const auto limits =
       internal::limits(domain, internal::chain(np).maximum_distance(maximum_distance));
-  std::vector<internal::Source> from;
-  std::vector<Index> column_of(domain.number_of_sites(), internal::none);
-  for(const auto& one : sites)
+  std::vector<internal::Front_source> from;
+  std::vector<Index> column_of(domain.number_of_vertices(), internal::none);
+  for(const auto& vertex : vertices)
   {
-    const internal::Location site = domain.inner_site(one);
-    if(column_of[site.site] != internal::none)
+    const internal::Surface_location location = domain.inner_vertex(vertex);
+    if(column_of[location.vertex] != internal::none)
       throw Invalid_argument_error("A site comes twice.");
-    column_of[site.site] = Index(from.size());
-    from.push_back({{site}, 0., Index(from.size())});
+    column_of[location.vertex] = Index(from.size());
+    from.push_back({{location}, 0., Index(from.size())});
   }
   const internal::Engine<Method> engine(domain.triangles());
   return internal::sparse_distance_matrix(&engine, domain.triangles()->scale, from, column_of,

@@ -40,14 +40,14 @@ namespace CGAL::Geodesic_processing {
 ///       in the mean, which is twice its area over the length of its border} \cgalParamNEnd
 ///   \cgalParamNBegin{base_points}
 ///     \cgalParamDescription{a range of sites, each once: instead of farthest ones; such as those of
-///       `farthest_site_sampling()` with `curvature_speeds()`, which are denser where the surface bends}
+///       `farthest_vertex_sampling()` with `curvature_speeds()`, which are denser where the surface bends}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_neighbors}
 ///     \cgalParamDescription{how many base points are around each; 3 or more. It is raised, by a quarter at most, where
 ///       groups of base points would know only themselves}
 ///     \cgalParamDefault{10} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{as for `farthest_site_sampling()`} \cgalParamDefault{0} \cgalParamNEnd
+///     \cgalParamDescription{as for `farthest_vertex_sampling()`} \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
 ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels by
 ///       returning false: then nothing is written} \cgalParamNEnd
@@ -71,19 +71,19 @@ auto geodesic_lle(const Surface& surface, UVMap uv_map,
   if(neighbors < 3)
     throw Invalid_argument_error("Each base point needs three neighbors or more.");
   return internal::flatten<Method>(
-      domain, uv_map, np, internal::base_points_across(*domain.triangles()),
+      domain, uv_map, np, internal::suitable_number_of_base_points(*domain.triangles()),
       [&](const auto& triangles, const auto& sampling, const auto& front, const auto& callback)
       {
         const internal::Base_points base = internal::nearest_base_points(
-            triangles, sampling, front, internal::nearest_for(neighbors), callback);
+            triangles, sampling, front, internal::number_of_nearest_for(neighbors), callback);
         if(base.size() == 0)
-          return std::vector<internal::Planar>();
-        const std::vector<internal::Planar> places = embedded(base, neighbors);
-        if(places.empty())
+          return std::vector<internal::Vec2>();
+        const std::vector<internal::Vec2> positions = embed_base_points(base, neighbors);
+        if(positions.empty())
           throw Invalid_argument_error(
               "Base points are in groups apart: give more of their neighbors.");
-        std::vector<internal::Planar> image = extended(base, places, neighbors);
-        face_up(triangles, image);
+        std::vector<internal::Vec2> image = extend_embedding(base, positions, neighbors);
+        orient_positively(triangles, image);
         untangle(triangles, image);
         return image;
       });

@@ -30,15 +30,15 @@ auto geodesic_mds(const Surface& surface, UVMap uv_map,
 {
   const auto domain = make_domain(surface, np);
   return internal::flatten<Method>(
-      domain, uv_map, np, internal::usual_base_points,
+      domain, uv_map, np, internal::default_number_of_base_points,
       [](const auto& triangles, const auto& sampling, const auto& front, const auto& callback)
       {
-        std::vector<internal::Index> sites;
-        for(const internal::Location& sample : sampling.samples())
-          sites.push_back(sample.site);
-        std::vector<internal::Planar> image = scaled(triangles, front, sites, callback);
+        std::vector<internal::Index> base_points;
+        for(const internal::Surface_location& sample : sampling.samples())
+          base_points.push_back(sample.vertex);
+        std::vector<internal::Vec2> image = landmark_mds(triangles, front, base_points, callback);
         if(!image.empty())
-          face_up(triangles, image);
+          orient_positively(triangles, image);
         return image;
       });
 }

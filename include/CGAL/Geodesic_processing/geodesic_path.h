@@ -23,9 +23,9 @@ namespace CGAL::Geodesic_processing {
 /// \param np what `geodesic_distances()` takes
 /// \returns the path, empty when no source can be reached
 /// \throws as `Geodesic_distance_solver::compute()`
-template <typename Method = Euclidean_front, typename Surface, typename Place, typename Sources,
-          typename NamedParameters = internal::Default_parameters>
-auto geodesic_path(const Surface& surface, const Place& from, const Sources& to,
+template <typename Method = Euclidean_front, typename Surface, typename QueryLocation,
+          typename Sources, typename NamedParameters = internal::Default_parameters>
+auto geodesic_path(const Surface& surface, const QueryLocation& from, const Sources& to,
                    const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(surface, np);

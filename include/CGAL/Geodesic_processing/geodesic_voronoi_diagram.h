@@ -38,10 +38,10 @@ struct Voronoi_bisector
 namespace internal {
 
 // The cells of seeds, which have numbers in the order of their labels.
-struct Labelled_voronoi
+struct Labeled_voronoi
 {
   std::vector<std::size_t> labels; // #cells
-  Voronoi cells;
+  Voronoi_diagram cells;
 
   std::size_t label(Index cell) const
   {
@@ -50,22 +50,22 @@ struct Labelled_voronoi
 };
 
 template <typename Method, typename Domain, typename Seeds, typename NamedParameters>
-Labelled_voronoi labelled_voronoi(const Domain& domain, const Seeds& seeds,
-                                  const NamedParameters& np)
+Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds,
+                                        const NamedParameters& np)
 {
   static_assert(std::is_base_of_v<Front, Engine<Method>>,
                 "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
-  const Front_limits asked = limits(domain, np);
+  const Front_limits front_limits = limits(domain, np);
   std::vector<std::size_t> label_of_source;
-  std::vector<Source> from = sources(domain, seeds, label_of_source);
+  std::vector<Source> front_sources = sources(domain, seeds, label_of_source);
   std::vector<std::size_t> labels = label_of_source;
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-  for(std::size_t i = 0; i < from.size(); ++i)
-    from[i].label =
+  for(std::size_t i = 0; i < front_sources.size(); ++i)
+    front_sources[i].label =
         Index(std::lower_bound(labels.begin(), labels.end(), label_of_source[i]) - labels.begin());
-  Voronoi cells(domain.triangles(), Engine<Method>(domain.triangles()), from, Index(labels.size()),
-                asked);
+  Voronoi_diagram cells(domain.triangles(), Engine<Method>(domain.triangles()), front_sources,
+                        Index(labels.size()), front_limits);
   return {std::move(labels), std::move(cells)};
 }
 
@@ -110,10 +110,10 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
   using internal::Index;
   const auto domain = make_domain(surface, np);
   using Domain_surface = typename std::decay_t<decltype(domain)>::Surface;
-  const auto found = internal::labelled_voronoi<Method>(domain, seeds, np);
-  const internal::Voronoi& voronoi = found.cells;
+  const auto found = internal::compute_labeled_voronoi<Method>(domain, seeds, np);
+  const internal::Voronoi_diagram& voronoi = found.cells;
   const auto label = [&](Index cell) { return found.label(cell); };
-  domain.write([&](Index site) { return label(voronoi.labels()[site]); }, label_map);
+  domain.write([&](Index v) { return label(voronoi.labels()[v]); }, label_map);
 
   constexpr bool has_face_labels =
       internal::has_parameter<NamedParameters, internal_np::face_label_map_t>;
@@ -125,18 +125,19 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
   {
     auto face_label_map = internal::parameter(np, internal_np::face_label_map, 0);
     for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
-      put(face_label_map, domain.face(f), label(voronoi.label_of_triangle(f)));
+      put(face_label_map, domain.face(f), label(voronoi.triangle_label(f)));
   }
   if constexpr(has_bisectors)
   {
     auto out = internal::parameter(np, internal_np::bisector_output, 0);
-    for(const internal::Voronoi::Bisector& line : voronoi.bisectors())
+    for(const internal::Voronoi_diagram::Bisector& internal_bisector : voronoi.bisectors())
     {
-      Voronoi_bisector<Domain_surface> bisector{label(line.left), label(line.right), {}, {}};
-      for(const internal::Location& place : line.line)
+      Voronoi_bisector<Domain_surface> bisector{
+          label(internal_bisector.left), label(internal_bisector.right), {}, {}};
+      for(const internal::Surface_location& location : internal_bisector.polyline)
       {
-        bisector.locations.push_back(domain.outer(place));
-        bisector.points.push_back(domain.point(place));
+        bisector.locations.push_back(domain.outer(location));
+        bisector.points.push_back(domain.point(location));
       }
       *out++ = std::move(bisector);
     }
@@ -175,15 +176,15 @@ bool geodesic_voronoi_cells(const Surface& mesh, const Seeds& seeds, TriangleMes
   const auto domain = make_domain(mesh, np);
   static_assert(!internal::Is_cloud<typename std::decay_t<decltype(domain)>::Surface>::value,
                 "A surfel cloud has no faces to cut: its triangles overlap.");
-  const auto found = internal::labelled_voronoi<Method>(domain, seeds, np);
-  const internal::Voronoi::Cut cut = found.cells.cut();
+  const auto found = internal::compute_labeled_voronoi<Method>(domain, seeds, np);
+  const internal::Voronoi_diagram::Cut_mesh cut = found.cells.cut();
 
   auto points = get(vertex_point, cells);
   using Point_3 = typename boost::property_traits<decltype(points)>::value_type;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
-  for(const internal::Location& place : cut.vertices)
+  for(const internal::Surface_location& location : cut.vertices)
   {
-    const auto p = domain.point(place);
+    const auto p = domain.point(location);
     vertices.push_back(add_vertex(cells));
     put(points, vertices.back(), Point_3(p.x(), p.y(), p.z()));
   }

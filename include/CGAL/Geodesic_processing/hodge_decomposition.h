@@ -36,7 +36,7 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
                          const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
-  const internal::Glued_triangles& t = *domain.triangles();
+  const internal::Surface_arrays& t = *domain.triangles();
   internal::Field planar(t.number_of_triangles());
   for(internal::Index f = 0; f < planar.size(); ++f)
   {
@@ -46,11 +46,11 @@ void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map
     if(!std::isfinite(planar[f][0]) || !std::isfinite(planar[f][1]))
       throw Invalid_argument_error("A vector of the field is not finite.");
   }
-  const internal::Hodge_parts parts =
+  const internal::Hodge_components components =
       internal::Hodge_solver(t, internal::operators(t)).decompose(planar);
-  internal::write_vectors(domain, parts.gradient, gradient_map);
-  internal::write_vectors(domain, parts.rotation, rotation_map);
-  internal::write_vectors(domain, parts.harmonic, harmonic_map);
+  internal::write_vectors(domain, components.gradient, gradient_map);
+  internal::write_vectors(domain, components.rotation, rotation_map);
+  internal::write_vectors(domain, components.harmonic, harmonic_map);
 }
 
 } // namespace CGAL::Geodesic_processing

@@ -37,9 +37,10 @@ public:
                                      CGAL::to_double(point.z())};
     if constexpr(internal::Is_cloud<Surface>::value)
     {
-      const internal::Tangent_location place = internal::locate(m_domain.surfels(), p);
+      const internal::Tangent_location tangent_location = internal::locate(m_domain.surfels(), p);
       const double scale = m_domain.triangles()->scale;
-      return {m_domain.site(place.site), {scale * place.offset[0], scale * place.offset[1]}};
+      return {m_domain.vertex(tangent_location.vertex),
+              {scale * tangent_location.offset[0], scale * tangent_location.offset[1]}};
     }
     else
       return m_domain.outer(m_tree.nearest(p));

@@ -6,7 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/log_map/Log_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
-#include <CGAL/Geodesic_processing/internal/adaptors/turned_plane.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/oriented_tangent_plane.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/tags.h>
 
@@ -93,7 +93,7 @@ class Logarithmic_map
 
 public:
   using Domain = internal::Domain_of<Surface>;
-  using Site = typename Domain::Site;
+  using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
   using Vector_3 = typename Domain::Vector_3;
   using Vector = std::array<double, 2>;
@@ -105,7 +105,7 @@ public:
   {}
   explicit Logarithmic_map(const Domain& domain)
       : m_domain(domain), m_engine(domain.triangles()),
-        m_coordinates(domain.triangles()->number_of_sites(), outside)
+        m_coordinates(domain.triangles()->number_of_vertices(), outside)
   {}
 
   const Domain& domain() const { return m_domain; }
@@ -139,30 +139,30 @@ public:
   Tangent_frame<Surface> frame() const;
 
   /// returns the sites inside, nearly in the order of their distances.
-  std::vector<Site> reached() const
+  std::vector<Vertex> reached() const
   {
-    std::vector<Site> result;
-    for(const internal::Index site : m_reached)
-      result.push_back(m_domain.site(site));
+    std::vector<Vertex> result;
+    for(const internal::Index vertex : m_reached)
+      result.push_back(m_domain.vertex(vertex));
     return result;
   }
-  bool is_inside(Site site) const { return std::isfinite(inner(site)[0]); }
+  bool is_inside(Vertex vertex) const { return std::isfinite(inner(vertex)[0]); }
   /// returns the tangent vector of a site; not a number outside.
-  Vector operator()(Site site) const
+  Vector operator()(Vertex vertex) const
   {
-    return {scale() * inner(site)[0], scale() * inner(site)[1]};
+    return {scale() * inner(vertex)[0], scale() * inner(vertex)[1]};
   }
 
   /// returns how many faces are cut: the images of two corners are four times as far apart as the
   /// corners.  Behind these the map is no longer one to one.
-  std::size_t number_of_cut_faces() const { return m_triangles.cut.size(); }
+  std::size_t number_of_cut_faces() const { return m_defects.cut_triangles.size(); }
   /// returns how many of the others are turned round.
-  std::size_t number_of_folded_faces() const { return m_triangles.folded; }
+  std::size_t number_of_folded_faces() const { return m_defects.number_of_folded; }
   /// calls `f(face)` for each face that is cut; on a mesh.
   template <typename Function>
   void for_each_cut_face(Function f) const
   {
-    for(const internal::Index triangle : m_triangles.cut)
+    for(const internal::Index triangle : m_defects.cut_triangles)
       f(m_domain.face(triangle));
   }
 
@@ -172,10 +172,10 @@ public:
   {
     using Value = typename boost::property_traits<UVMap>::value_type;
     m_domain.write(
-        [&](internal::Index site)
+        [&](internal::Index vertex)
         {
-          return internal::planar_value<Value>(scale() * m_coordinates[site][0],
-                                               scale() * m_coordinates[site][1]);
+          return internal::planar_value<Value>(scale() * m_coordinates[vertex][0],
+                                               scale() * m_coordinates[vertex][1]);
         },
         uv_map);
   }
@@ -191,23 +191,23 @@ public:
 
   /// \name Between the map and the kernels
   /// @{
-  const std::vector<internal::Index>& inner_reached() const { return m_reached; }
-  const std::vector<internal::Planar>& inner_coordinates() const { return m_coordinates; }
+  const std::vector<internal::Index>& reached_indices() const { return m_reached; }
+  const std::vector<internal::Vec2>& internal_coordinates() const { return m_coordinates; }
   /// @}
 
 private:
-  static constexpr internal::Planar outside = {std::numeric_limits<double>::quiet_NaN(),
-                                               std::numeric_limits<double>::quiet_NaN()};
+  static constexpr internal::Vec2 outside = {std::numeric_limits<double>::quiet_NaN(),
+                                             std::numeric_limits<double>::quiet_NaN()};
 
   double scale() const { return m_domain.triangles()->scale; }
-  const internal::Planar& inner(Site site) const { return m_coordinates[m_domain.index(site)]; }
+  const internal::Vec2& inner(Vertex vertex) const { return m_coordinates[m_domain.index(vertex)]; }
 
   Domain m_domain;
   internal::Log_engine<Method> m_engine;
-  std::vector<internal::Planar> m_coordinates; // #sites
+  std::vector<internal::Vec2> m_coordinates; // #sites
   std::vector<internal::Index> m_reached;
-  internal::Log_triangles m_triangles;
-  std::optional<internal::Turned_plane> m_plane;
+  internal::Log_map_defects m_defects;
+  std::optional<internal::Oriented_tangent_plane> m_plane;
 };
 
 template <typename Surface, typename Method>
@@ -215,7 +215,7 @@ template <typename Place, typename NamedParameters>
 void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedParameters& np)
 {
   using internal::parameter;
-  internal::Log_options options;
+  internal::Log_map_options options;
   options.maximum_distance = internal::limits(m_domain, np).maximum_distance;
   options.stencil_length = parameter(np, internal_np::stencil_length, 0.) / scale();
   options.stencil_size = parameter(np, internal_np::stencil_size, options.stencil_size);
@@ -223,18 +223,18 @@ void Logarithmic_map<Surface, Method>::compute(const Place& base, const NamedPar
     throw Invalid_argument_error("The length of the stencil is negative or not a number.");
   if(options.stencil_size < 3)
     throw Invalid_argument_error("A stencil has three places or more.");
-  m_plane.emplace(internal::turned_plane(m_domain, base, np));
-  for(const internal::Index site : m_reached)
-    m_coordinates[site] = outside;
+  m_plane.emplace(internal::oriented_tangent_plane(m_domain, base, np));
+  for(const internal::Index vertex : m_reached)
+    m_coordinates[vertex] = outside;
   m_reached.clear();
-  const internal::Planar turn = {std::cos(m_plane->turn), std::sin(m_plane->turn)};
+  const internal::Vec2 turn = {std::cos(m_plane->rotation), std::sin(m_plane->rotation)};
   m_engine.run(m_plane->plane, options,
-               [&](internal::Index site, const internal::Planar& vector)
+               [&](internal::Index vertex, const internal::Vec2& vector)
                {
-                 m_reached.push_back(site);
-                 m_coordinates[site] = internal::turned(vector, turn);
+                 m_reached.push_back(vertex);
+                 m_coordinates[vertex] = internal::rotated(vector, turn);
                });
-  m_triangles = internal::look_at_triangles(*m_domain.triangles(), m_reached, m_coordinates);
+  m_defects = internal::find_map_defects(*m_domain.triangles(), m_reached, m_coordinates);
 }
 
 template <typename Surface, typename Method>
@@ -242,7 +242,7 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 {
   const auto vector = [&](double angle)
   {
-    const internal::Spatial p = m_plane->plane.direction(angle - m_plane->turn);
+    const internal::Vec3 p = m_plane->plane.direction(angle - m_plane->rotation);
     return Vector_3(p[0], p[1], p[2]);
   };
   return {m_domain.point(m_plane->plane.location()), vector(0.), vector(internal::pi / 2.)};

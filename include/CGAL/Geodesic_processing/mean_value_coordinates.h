@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing {
 namespace internal {
 
 template <typename Point>
-Spatial spatial(const Point& point)
+Vec3 spatial(const Point& point)
 {
   return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
 }

@@ -4,8 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_MINIMIZE_DISTORTION_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/parameterization/injective.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
@@ -68,17 +68,17 @@ Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
   const auto domain = make_domain(mesh, np);
   static_assert(!internal::Is_cloud<typename decltype(domain)::Surface>::value,
                 "Flips are of faces; a surfel cloud has none.");
-  const internal::Glued_triangles& triangles = *domain.triangles();
-  std::vector<internal::Planar> image(domain.number_of_sites());
+  const internal::Surface_arrays& triangles = *domain.triangles();
+  std::vector<internal::Vec2> image(domain.number_of_vertices());
   for(internal::Index i = 0; i < image.size(); ++i)
   {
-    const auto& value = get(uv_map, domain.site(i));
+    const auto& value = get(uv_map, domain.vertex(i));
     image[i] = {CGAL::to_double(value[0]) / triangles.scale,
                 CGAL::to_double(value[1]) / triangles.scale};
   }
   check_is_disk(triangles);
   for(internal::Index i = 0; i < image.size(); ++i)
-    if(triangles.first[i] < triangles.first[i + 1] &&
+    if(triangles.ring_begin[i] < triangles.ring_begin[i + 1] &&
        !(std::isfinite(image[i][0]) && std::isfinite(image[i][1])))
       throw Invalid_argument_error("A value of the map is not finite.");
 
@@ -88,12 +88,12 @@ Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
     untangle(triangles, image);
   if(number_of_flips(triangles, image) > 0)
     image = tutte_map(triangles);
-  const internal::Flattest found = minimize_symmetric_dirichlet(
+  const internal::Minimization_result found = minimize_symmetric_dirichlet(
       triangles, image,
       internal::parameter(np, internal_np::maximum_number_of_iterations, std::size_t(200)),
       internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>()));
   result.number_of_flips = number_of_flips(triangles, image);
-  result.number_of_steps = found.steps;
+  result.number_of_steps = found.number_of_steps;
   result.symmetric_dirichlet = found.energy;
   result.is_complete = found.is_complete;
   domain.write(

@@ -75,14 +75,14 @@ void principal_curvatures(const Surface& surface, CurvatureMap curvatures,
   const double scale = domain.triangles()->scale;
   const auto found = internal::curvatures(domain.triangles(), radius / scale,
                                           internal::threads<Concurrency_tag>(np));
-  const auto vector = [](const internal::Spatial& v)
+  const auto vector = [](const internal::Vec3& v)
   { return typename Result::Vector_3(v[0], v[1], v[2]); };
   domain.write(
-      [&](internal::Index site)
+      [&](internal::Index vertex)
       {
-        const internal::Curvature& here = found[site];
-        return Result{here.least / scale, here.most / scale, vector(here.least_direction),
-                      vector(here.most_direction)};
+        const internal::Curvature& curvature = found[vertex];
+        return Result{curvature.min_curvature / scale, curvature.max_curvature / scale,
+                      vector(curvature.min_direction), vector(curvature.max_direction)};
       },
       curvatures);
 }

@@ -75,10 +75,11 @@ Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t
   if(has_quads && deviation > 0.)
     throw Invalid_argument_error("The maximum deviation is of triangles, not of quads.");
   const Base_parameterization<TriangleMesh> base(mesh, number, np);
-  const internal::Glued_triangles& coarse = *base.domain().triangles();
-  const internal::Semi_regular found =
-      has_quads ? internal::semi_regular_quads(base.map(), coarse, levels)
-                : internal::semi_regular(base.map(), coarse, levels, deviation / coarse.scale);
+  const internal::Surface_arrays& coarse = *base.domain().triangles();
+  const internal::Semi_regular_mesh found =
+      has_quads
+          ? internal::build_semi_regular_quads(base.map(), coarse, levels)
+          : internal::build_semi_regular_mesh(base.map(), coarse, levels, deviation / coarse.scale);
 
   std::vector<typename boost::graph_traits<OutputMesh>::vertex_descriptor> vertices;
   if(has_quads)

@@ -48,19 +48,19 @@ auto shorten_polyline(const PointRange& polyline, const SquaredDistance& squared
                       const NamedParameters& np = NamedParameters())
 {
   using Point = std::decay_t<decltype(*std::begin(polyline))>;
-  std::vector<internal::Spatial> chain;
+  std::vector<internal::Vec3> chain;
   for(const Point& p : polyline)
     chain.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
   const internal::Shortened_path path =
-      internal::shortened([&](const internal::Spatial& p)
-                          { return CGAL::to_double(squared_distance(Point(p[0], p[1], p[2]))); },
-                          internal::path_options(np), chain);
+      internal::shorten_path([&](const internal::Vec3& p)
+                             { return CGAL::to_double(squared_distance(Point(p[0], p[1], p[2]))); },
+                             internal::path_options(np), chain);
   Shortened_polyline<Point> result;
-  for(const internal::Foot& foot : path.points)
+  for(const internal::Projection& foot : path.points)
     result.points.emplace_back(foot.point[0], foot.point[1], foot.point[2]);
   result.length = path.polyline_length;
   result.distance = path.length;
-  result.number_of_control_points = path.control_points;
+  result.number_of_control_points = path.number_of_control_points;
   result.levels = path.levels;
   return result;
 }

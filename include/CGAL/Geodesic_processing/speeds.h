@@ -30,13 +30,13 @@ struct Edge_repulsive
 
 namespace internal {
 
-inline double speed(Edge_attractive, double bend) { return 1. / (1. + bend); }
-inline double speed(Edge_repulsive, double bend) { return 1. + bend; }
+inline double speed(Edge_attractive, double curvature) { return 1. / (1. + curvature); }
+inline double speed(Edge_repulsive, double curvature) { return 1. + curvature; }
 
 template <typename NamedParameters>
-double strength(const NamedParameters& np, double otherwise)
+double strength(const NamedParameters& np, double default_strength)
 {
-  const double result = parameter(np, internal_np::strength, otherwise);
+  const double result = parameter(np, internal_np::strength, default_strength);
   if(!(result >= 0. && result < infinity))
     throw Invalid_argument_error("The strength is negative or not finite.");
   return result;
@@ -76,14 +76,14 @@ template <typename Speed = Edge_attractive, typename Concurrency_tag = Sequentia
 void curvature_speeds(const Surface& surface, SpeedMap speeds,
                       const NamedParameters& np = NamedParameters())
 {
-  const double strength = internal::strength(np, 1. / internal::sphere_bend);
+  const double strength = internal::strength(np, 1. / internal::sphere_total_curvature);
   const double radius = internal::ball_radius(np);
   const auto domain = make_domain(surface, np);
-  const auto bends =
+  const auto curvatures =
       internal::total_curvatures(domain.triangles(), radius / domain.triangles()->scale,
                                  internal::threads<Concurrency_tag>(np));
-  domain.write([&](internal::Index site)
-               { return internal::speed(Speed(), strength * bends[site]); },
+  domain.write([&](internal::Index vertex)
+               { return internal::speed(Speed(), strength * curvatures[vertex]); },
                speeds);
 }
 
@@ -99,27 +99,29 @@ void curvature_speeds(const Surface& surface, SpeedMap speeds,
 ///
 /// \tparam Concurrency_tag as for `curvature_speeds()`
 /// \param surface as for `geodesic_distances()`
-/// \param place a vertex or surfel
+/// \param vertex a vertex or surfel
 /// \param speeds receives a number in (0, 1] for each site
 /// \param np as for `curvature_speeds()`
 /// \throws Invalid_argument_error as `curvature_speeds()`, and when the place is none of the surface's
 ///
 /// O(n b) for balls of b sites.
-template <typename Concurrency_tag = Sequential_tag, typename Surface, typename Site,
+template <typename Concurrency_tag = Sequential_tag, typename Surface, typename Vertex,
           typename SpeedMap, typename NamedParameters = internal::Default_parameters>
-void similar_curvature_speeds(const Surface& surface, Site place, SpeedMap speeds,
+void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap speeds,
                               const NamedParameters& np = NamedParameters())
 {
-  const double strength = internal::strength(np, 1. / internal::sphere_bend);
+  const double strength = internal::strength(np, 1. / internal::sphere_total_curvature);
   const double radius = internal::ball_radius(np);
   const auto domain = make_domain(surface, np);
-  const internal::Index here = domain.inner_site(place).site;
-  const auto sums =
-      internal::summed_curvatures(domain.triangles(), radius / domain.triangles()->scale,
-                                  internal::threads<Concurrency_tag>(np));
-  domain.write([&](internal::Index site)
-               { return 1. / (1. + strength * std::abs(sums[site] - sums[here])); },
-               speeds);
+  const internal::Index base_index = domain.inner_vertex(vertex).vertex;
+  const auto curvature_sums =
+      internal::doubled_mean_curvatures(domain.triangles(), radius / domain.triangles()->scale,
+                                        internal::threads<Concurrency_tag>(np));
+  domain.write(
+      [&](internal::Index vertex) {
+        return 1. / (1. + strength * std::abs(curvature_sums[vertex] - curvature_sums[base_index]));
+      },
+      speeds);
 }
 
 /// \ingroup PkgGeodesicProcessingSpeeds
@@ -154,20 +156,21 @@ void image_speeds(const Surface& surface, ImageMap image, SpeedMap speeds,
   const double strength = internal::strength(np, 20.);
   const auto domain = make_domain(surface, np);
   using Value = typename boost::property_traits<ImageMap>::value_type;
-  constexpr bool is_grey = std::is_arithmetic_v<Value>;
-  std::vector<std::vector<double>> channels(is_grey ? 1 : 3);
-  for(Index site = 0; site < domain.number_of_sites(); ++site)
-    if constexpr(is_grey)
-      channels[0].push_back(get(image, domain.site(site)));
+  constexpr bool is_gray = std::is_arithmetic_v<Value>;
+  std::vector<std::vector<double>> channels(is_gray ? 1 : 3);
+  for(Index vertex = 0; vertex < domain.number_of_vertices(); ++vertex)
+    if constexpr(is_gray)
+      channels[0].push_back(get(image, domain.vertex(vertex)));
     else
     {
-      const Value& colour = get(image, domain.site(site));
+      const Value& color = get(image, domain.vertex(vertex));
       for(int k = 0; k < 3; ++k)
-        channels[k].push_back(colour[k]);
+        channels[k].push_back(color[k]);
     }
-  const auto gradients = internal::relative_gradients(*domain.triangles(), std::move(channels));
-  domain.write([&](Index site)
-               { return internal::speed(Edge_attractive(), strength * gradients[site]); },
+  const auto gradients =
+      internal::relative_gradient_norms(*domain.triangles(), std::move(channels));
+  domain.write([&](Index vertex)
+               { return internal::speed(Edge_attractive(), strength * gradients[vertex]); },
                speeds);
 }
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Surface_path.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
-#include <CGAL/Geodesic_processing/internal/paths/straightest.h>
+#include <CGAL/Geodesic_processing/internal/paths/trace_straightest.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 
 namespace CGAL::Geodesic_processing {
@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing {
 template <typename Surface>
 struct Straightest_geodesic : Surface_path<Surface>
 {
-  bool is_cut_by_border = false;
+  bool is_cut_by_boundary = false;
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
@@ -34,17 +34,17 @@ struct Straightest_geodesic : Surface_path<Surface>
 /// \throws Invalid_argument_error when the direction has no part in the plane, or the length is not usable
 ///
 /// O(number of faces crossed) after `make_domain()`.
-template <typename Mesh, typename Place, typename Vector,
+template <typename Mesh, typename QueryLocation, typename Vector,
           typename NamedParameters = internal::Default_parameters>
-auto straightest_geodesic(const Mesh& mesh, const Place& from, const Vector& direction,
+auto straightest_geodesic(const Mesh& mesh, const QueryLocation& from, const Vector& direction,
                           double length, const NamedParameters& np = NamedParameters())
 {
   const auto domain = make_domain(mesh, np);
   using Surface = typename decltype(domain)::Surface;
   static_assert(!internal::Is_cloud<Surface>::value,
                 "straightest_geodesic: a surfel cloud is not a manifold; go on a mesh.");
-  const internal::Glued_triangles& t = *domain.triangles();
-  const internal::Straightest_path path = internal::straightest_in_space(
+  const internal::Surface_arrays& t = *domain.triangles();
+  const internal::Straightest_path path = internal::trace_straightest_in_space(
       t, internal::location(domain, from),
       {CGAL::to_double(direction.x()), CGAL::to_double(direction.y()),
        CGAL::to_double(direction.z())},
@@ -52,7 +52,7 @@ auto straightest_geodesic(const Mesh& mesh, const Place& from, const Vector& dir
   Straightest_geodesic<Surface> result{
       internal::surface_path(domain, path.locations, t.scale * path.length)};
   result.length = t.scale * path.length;
-  result.is_cut_by_border = path.end == internal::Straightest_end::border;
+  result.is_cut_by_boundary = path.end == internal::Straightest_path_end::boundary;
   return result;
 }
 

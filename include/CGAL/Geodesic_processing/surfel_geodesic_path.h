@@ -22,10 +22,10 @@ namespace CGAL::Geodesic_processing {
 /// \param to a surfel or a location
 /// \param np what `Surfel_path_finder` takes, which is the one to use for more than one pair
 /// \returns the path, empty when the two are not connected
-template <typename SurfelRange, typename Place1, typename Place2,
+template <typename SurfelRange, typename FromLocation, typename ToLocation,
           typename NamedParameters = internal::Default_parameters>
-Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const Place1& from,
-                                              const Place2& to,
+Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const FromLocation& from,
+                                              const ToLocation& to,
                                               const NamedParameters& np = NamedParameters())
 {
   return Surfel_path_finder<SurfelRange>(surfels, np)(from, to);
@@ -48,12 +48,12 @@ std::vector<Surfel_path<SurfelRange>>
 surfel_geodesic_paths(const Surfel_path_finder<SurfelRange>& finder, const Pairs& pairs,
                       const NamedParameters& np = NamedParameters())
 {
-  std::vector<std::pair<internal::Tangent_location, internal::Tangent_location>> places;
+  std::vector<std::pair<internal::Tangent_location, internal::Tangent_location>> query_pairs;
   for(const auto& [from, to] : pairs)
-    places.emplace_back(finder.place(from), finder.place(to));
+    query_pairs.emplace_back(finder.tangent_location(from), finder.tangent_location(to));
   std::vector<Surfel_path<SurfelRange>> result;
   for(const internal::Cloud_path& path :
-      internal::find_paths(finder.kernel(), places, internal::threads<Concurrency_tag>(np)))
+      internal::find_paths(finder.kernel(), query_pairs, internal::threads<Concurrency_tag>(np)))
     result.push_back(finder.outer(path));
   return result;
 }

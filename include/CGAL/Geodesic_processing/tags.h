@@ -68,22 +68,22 @@ struct Engine;
 template <>
 struct Engine<Dijkstra> : Front
 {
-  explicit Engine(std::shared_ptr<const Glued_triangles> t) : Front(std::move(t), Front_kind::arcs)
+  explicit Engine(std::shared_ptr<const Surface_arrays> t)
+      : Front(std::move(t), Front_kind::dijkstra)
   {}
 };
 
 template <>
 struct Engine<Fast_marching> : Front
 {
-  explicit Engine(std::shared_ptr<const Glued_triangles> t)
-      : Front(std::move(t), Front_kind::planar)
+  explicit Engine(std::shared_ptr<const Surface_arrays> t) : Front(std::move(t), Front_kind::planar)
   {}
 };
 
 template <>
 struct Engine<Euclidean_front> : Front
 {
-  explicit Engine(std::shared_ptr<const Glued_triangles> t)
+  explicit Engine(std::shared_ptr<const Surface_arrays> t)
       : Front(std::move(t), Front_kind::euclidean)
   {}
 };

@@ -91,18 +91,19 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
   if(number == 0)
     throw Invalid_argument_error("An atlas has one chart at least.");
   const auto domain = make_domain(mesh, np);
-  const internal::Front_limits asked = internal::limits(domain, np);
+  const internal::Front_limits front_limits = internal::limits(domain, np);
   internal::Atlas_options options;
-  options.tessellation.number = number;
-  options.tessellation.most_steps =
+  options.tessellation.number_of_cells = number;
+  options.tessellation.max_steps =
       internal::parameter(np, internal_np::maximum_number_of_iterations, 5u);
   options.tessellation.seed = unsigned(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
   options.tessellation.threads = internal::threads<Concurrency_tag>(np);
-  options.tessellation.callback = asked.callback;
+  options.tessellation.callback = front_limits.callback;
   options.texels = internal::parameter(np, internal_np::texture_size, options.texels);
   options.gutter = internal::parameter(np, internal_np::gutter_width, options.gutter);
-  const internal::Atlas found = internal::make_atlas(
-      domain.triangles(), internal::Engine<Method>(domain.triangles()), asked.slowness, options);
+  const internal::Atlas found =
+      internal::make_atlas(domain.triangles(), internal::Engine<Method>(domain.triangles()),
+                           front_limits.slowness, options);
 
   Texture_atlas result;
   result.is_complete = found.is_complete;
@@ -114,7 +115,7 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
     auto h = halfedge(domain.face(f), mesh);
     for(internal::Index k = 0; k < 3; ++k, h = next(h, mesh))
     {
-      const internal::Planar& p = found.coordinates[3 * f + (k + 1) % 3];
+      const internal::Vec2& p = found.coordinates[3 * f + (k + 1) % 3];
       put(corner_uv_map, h, internal::planar_value<Value>(p[0], p[1]));
     }
   }

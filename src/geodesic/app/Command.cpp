@@ -13,17 +13,17 @@ namespace program {
 namespace {
 
 template <typename Value>
-struct Element
+struct Element_type
 {
   using type = Value;
 };
 template <typename Value>
-struct Element<std::optional<Value>>
+struct Element_type<std::optional<Value>>
 {
   using type = Value;
 };
 template <typename Value>
-struct Element<std::vector<Value>>
+struct Element_type<std::vector<Value>>
 {
   using type = Value;
 };
@@ -31,7 +31,7 @@ struct Element<std::vector<Value>>
 using Function = const std::function<void(const std::string&)>;
 
 // Refuses a negative number, of which a count would become a large one.
-CLI::Validator not_negative()
+CLI::Validator non_negative()
 {
   return CLI::Validator([](const std::string& text)
                         { return text.rfind('-', 0) == 0 ? text + " is negative" : std::string(); },
@@ -52,9 +52,9 @@ Option& Option::shows_default()
   return *this;
 }
 
-Option& Option::between(double least, double most)
+Option& Option::in_range(double min_value, double max_value)
 {
-  m_option->check(CLI::Range(least, most));
+  m_option->check(CLI::Range(min_value, max_value));
   return *this;
 }
 
@@ -64,23 +64,23 @@ Option& Option::value_is_optional()
   return *this;
 }
 
-Command::Command(CLI::App& program, const std::string& name, const std::string& sentence)
-    : m_command(program.add_subcommand(name, sentence))
+Command::Command(CLI::App& program, const std::string& name, const std::string& description)
+    : m_command(program.add_subcommand(name, description))
 {}
 
 template <typename Value>
 Option Command::add(const std::string& names, Value& value, const std::string& placeholder,
-                    const std::string& sentence)
+                    const std::string& description)
 {
   CLI::Option* option;
   if constexpr(std::is_same_v<Value, Function>)
-    option = m_command->add_option_function<std::string>(names, value, sentence);
+    option = m_command->add_option_function<std::string>(names, value, description);
   else
-    option = m_command->add_option(names, value, sentence);
+    option = m_command->add_option(names, value, description);
   option->type_name(placeholder);
-  if constexpr(std::is_unsigned_v<typename Element<Value>::type>)
-    option->check(not_negative());
-  if constexpr(std::is_same_v<Value, std::vector<typename Element<Value>::type>>)
+  if constexpr(std::is_unsigned_v<typename Element_type<Value>::type>)
+    option->check(non_negative());
+  if constexpr(std::is_same_v<Value, std::vector<typename Element_type<Value>::type>>)
     option->type_size(1)->allow_extra_args(false);
   return Option(*option);
 }
@@ -101,16 +101,16 @@ template Option Command::add(const std::string&, std::vector<double>&, const std
                              const std::string&);
 template Option Command::add(const std::string&, Function&, const std::string&, const std::string&);
 
-void Command::add_flag(const std::string& name, bool& value, const std::string& sentence)
+void Command::add_flag(const std::string& name, bool& value, const std::string& description)
 {
-  m_command->add_flag(name, value, sentence);
+  m_command->add_flag(name, value, description);
 }
 
-void Command::describe(const std::string& name, const std::string& sentence)
+void Command::describe(const std::string& name, const std::string& description)
 {
-  m_command->get_option(name)->description(sentence);
+  m_command->get_option(name)->description(description);
 }
 
-void Command::set_run(const std::function<void()>& run) { m_command->callback(run); }
+void Command::set_callback(const std::function<void()>& run) { m_command->callback(run); }
 
 } // namespace program

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_COMMAND_H
-#define GEODESIC_PROGRAM_COMMAND_H
+#ifndef GEODESIC_PROGRAM_APP_COMMAND_H
+#define GEODESIC_PROGRAM_APP_COMMAND_H
 
 #include <functional>
 #include <string>
@@ -20,7 +20,7 @@ public:
 
   Option& required();
   Option& shows_default(); // in the help
-  Option& between(double least, double most);
+  Option& in_range(double min_value, double max_value);
   Option& value_is_optional();
 
 private:
@@ -32,7 +32,7 @@ private:
 class Command
 {
 public:
-  Command(CLI::App& program, const std::string& name, const std::string& sentence);
+  Command(CLI::App& program, const std::string& name, const std::string& description);
 
   // An option, where its value goes, what stands for that in the help, and what it is.  Lists receive one
   // value each time that the option is given, counts are not negative, functions throw Usage_error.
@@ -41,13 +41,13 @@ public:
   // const std::function<void(const std::string&)>.
   template <typename Value>
   Option add(const std::string& names, Value& value, const std::string& placeholder,
-             const std::string& sentence);
-  void add_flag(const std::string& name, bool& value, const std::string& sentence);
+             const std::string& description);
+  void add_flag(const std::string& name, bool& value, const std::string& description);
 
   // Another sentence for an option that is there.
-  void describe(const std::string& name, const std::string& sentence);
+  void describe(const std::string& name, const std::string& description);
 
-  void set_run(const std::function<void()>& run);
+  void set_callback(const std::function<void()>& run);
 
 private:
   CLI::App* m_command;
@@ -55,4 +55,4 @@ private:
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_COMMAND_H
+#endif // GEODESIC_PROGRAM_APP_COMMAND_H

@@ -32,38 +32,40 @@ Job::Job(Command& command)
 
 Job::~Job() = default;
 
-const Surface& Job::read(const std::vector<std::string>& kinds)
+const Surface& Job::read(const std::vector<std::string>& extensions)
 {
   if(!m_output.empty())
   {
-    if(std::find(kinds.begin(), kinds.end(), ending(m_output)) == kinds.end())
+    if(std::find(extensions.begin(), extensions.end(), file_extension(m_output)) ==
+       extensions.end())
     {
       std::string list;
-      for(std::size_t i = 0; i < kinds.size(); ++i)
-        list += (i == 0 ? "." : i + 1 < kinds.size() ? ", ." : " or .") + kinds[i];
+      for(std::size_t i = 0; i < extensions.size(); ++i)
+        list += (i == 0 ? "." : i + 1 < extensions.size() ? ", ." : " or .") + extensions[i];
       throw Usage_error("-o " + m_output + ": the name of this result ends with " + list + ".");
     }
-    check_folder(m_output);
+    check_directory(m_output);
   }
   if(!m_values.empty())
-    check_folder(m_values);
+    check_directory(m_values);
   if(!m_picture.empty())
   {
-    if(ending(m_picture) != "png")
+    if(file_extension(m_picture) != "png")
       throw Usage_error("--picture " + m_picture + ": the name of a picture ends with .png.");
-    check_folder(m_picture);
+    check_directory(m_picture);
     m_display = std::make_unique<Display>();
   }
-  stage("read");
+  begin_stage("read");
   m_surface = read_surface(m_input, threads());
   m_result["input"] = m_input;
-  m_result["repaired"] = m_surface.repaired;
+  m_result["repaired"] = m_surface.is_repaired;
   m_result["kind"] = m_surface.is_mesh() ? "mesh" : "cloud";
   m_result["vertices"] = m_surface.file.points.size();
   m_result["faces"] = m_surface.file.number_of_polygons();
-  if(m_surface.repaired)
-    note(m_surface.is_mesh() ? "the faces were repaired (cut into triangles, turned, or separated)"
-                             : "missing normals were estimated");
+  if(m_surface.is_repaired)
+    print_warning(m_surface.is_mesh()
+                      ? "the faces were repaired (cut into triangles, turned, or separated)"
+                      : "missing normals were estimated");
   return m_surface;
 }
 
@@ -72,29 +74,30 @@ unsigned Job::threads() const
   return m_threads != 0 ? m_threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
-void Job::stage(const std::string& name)
+void Job::begin_stage(const std::string& name)
 {
   const auto now = std::chrono::steady_clock::now();
   if(!m_stage.empty())
-    m_seconds[m_stage] += std::chrono::duration<double>(now - m_stage_began).count();
+    m_seconds[m_stage] += std::chrono::duration<double>(now - m_stage_start).count();
   m_stage = name;
-  m_stage_began = now;
+  m_stage_start = now;
 }
 
-std::function<bool(double)> Job::progress(const std::string& what)
+std::function<bool(double)> Job::progress_callback(const std::string& title)
 {
   if(m_quiet || ::isatty(STDERR_FILENO) == 0)
     return {};
-  const auto began = std::chrono::steady_clock::now();
-  return [what, began, shown = -1](double done) mutable
+  const auto start = std::chrono::steady_clock::now();
+  return [title, start, last_percent = -1](double fraction) mutable
   {
-    const int percent = static_cast<int>(100. * std::clamp(done, 0., 1.));
+    const int percent = static_cast<int>(100. * std::clamp(fraction, 0., 1.));
     // Work that ends within a second needs no bar.
-    if(percent != shown && std::chrono::steady_clock::now() - began > std::chrono::seconds(1))
+    if(percent != last_percent &&
+       std::chrono::steady_clock::now() - start > std::chrono::seconds(1))
     {
-      shown = percent;
+      last_percent = percent;
       const std::string bar(static_cast<std::size_t>(percent / 4), '=');
-      std::fprintf(stderr, "\r%s [%-25s] %3d %%%s", what.c_str(), bar.c_str(), percent,
+      std::fprintf(stderr, "\r%s [%-25s] %3d %%%s", title.c_str(), bar.c_str(), percent,
                    percent == 100 ? "\n" : "");
       std::fflush(stderr);
     }
@@ -102,33 +105,33 @@ std::function<bool(double)> Job::progress(const std::string& what)
   };
 }
 
-void Job::say(const std::string& line) const
+void Job::print_line(const std::string& line) const
 {
   if(!m_json && !m_quiet)
     std::printf("%s\n", line.c_str());
 }
 
-void Job::say_value(const std::string& name, const std::string& value) const
+void Job::print_value(const std::string& name, const std::string& value) const
 {
   constexpr std::size_t column = 16;
   std::string line = name;
   line.resize(std::max(line.size() + 1, column), ' ');
-  say(line + value);
+  print_line(line + value);
 }
 
 void Job::report(const std::string& name, double value)
 {
   m_result[name] = json_number(value);
-  say_value(name, readable(value));
+  print_value(name, rounded_text(value));
 }
 
 void Job::report(const std::string& name, std::size_t value)
 {
   m_result[name] = value;
-  say_value(name, std::to_string(value));
+  print_value(name, std::to_string(value));
 }
 
-void Job::note(const std::string& line) const
+void Job::print_warning(const std::string& line) const
 {
   if(!m_quiet)
     std::fprintf(stderr, "geodesic: %s: %s.\n", m_input.c_str(), line.c_str());
@@ -142,7 +145,7 @@ void Job::write_values(const std::function<std::string()>& text) const
 
 void Job::finish()
 {
-  stage("");
+  begin_stage("");
   if(m_json)
   {
     for(const char* name : {"read", "prepare", "query", "write"})
@@ -161,14 +164,14 @@ nlohmann::ordered_json json_number(double value)
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
-std::string readable(double value)
+std::string rounded_text(double value)
 {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", value);
   return buffer;
 }
 
-std::vector<std::size_t> parse_integers(const std::string& text, const std::string& option)
+std::vector<std::size_t> parse_indices(const std::string& text, const std::string& option)
 {
   std::vector<std::size_t> result;
   for(std::size_t begin = 0; begin <= text.size();)
@@ -177,7 +180,7 @@ std::vector<std::size_t> parse_integers(const std::string& text, const std::stri
     const std::string word = text.substr(begin, end - begin);
     const std::optional<long long> number = to_integer(word);
     if(!number || *number < 0)
-      throw Usage_error(option + " " + shown(text) + ": '" + shown(word) +
+      throw Usage_error(option + " " + printable(text) + ": '" + printable(word) +
                         "' is not the number of a vertex.");
     result.push_back(static_cast<std::size_t>(*number));
     begin = end + 1;
@@ -185,7 +188,7 @@ std::vector<std::size_t> parse_integers(const std::string& text, const std::stri
   return result;
 }
 
-std::optional<std::vector<double>> to_numbers(const std::string& text)
+std::optional<std::vector<double>> parse_numbers(const std::string& text)
 {
   std::vector<double> result;
   for(std::size_t begin = 0; begin <= text.size();)
@@ -203,10 +206,10 @@ std::optional<std::vector<double>> to_numbers(const std::string& text)
 
 Point parse_point(const std::string& text, const std::string& option)
 {
-  const auto numbers = to_numbers(text);
+  const auto numbers = parse_numbers(text);
   if(!numbers || numbers->size() != 3 ||
      !std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); }))
-    throw Usage_error(option + " " + shown(text) + ": it is not a point x,y,z.");
+    throw Usage_error(option + " " + printable(text) + ": it is not a point x,y,z.");
   return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_JOB_H
-#define GEODESIC_PROGRAM_JOB_H
+#ifndef GEODESIC_PROGRAM_APP_JOB_H
+#define GEODESIC_PROGRAM_APP_JOB_H
 
 #include "repair/Surface.h"
 
@@ -29,11 +29,11 @@ public:
 
   // Says what cannot be done before anything is computed, and reads the input.
   // The kinds of -o that hold the command's result are checked against its file name.
-  const Surface& read(const std::vector<std::string>& kinds = {"ply", "off", "obj", "vtp"});
+  const Surface& read(const std::vector<std::string>& extensions = {"ply", "off", "obj", "vtp"});
   const Surface& surface() const { return m_surface; }
 
   // The seconds from now on count for this stage: read, prepare, query or write.
-  void stage(const std::string& name);
+  void begin_stage(const std::string& name);
 
   // What the command has found, for --json in this order.
   nlohmann::ordered_json& result() { return m_result; }
@@ -43,11 +43,11 @@ public:
   void report(const std::string& name, std::size_t value);
 
   // Shows how far the work is, when it is long and somebody watches.  Never cancels.
-  std::function<bool(double)> progress(const std::string& what);
+  std::function<bool(double)> progress_callback(const std::string& title);
 
   // A line for people on standard output, one about the input on standard error.
-  void say(const std::string& line) const;
-  void note(const std::string& line) const;
+  void print_line(const std::string& line) const;
+  void print_warning(const std::string& line) const;
 
   // Composes the lines of --values where they are asked for, and writes them.
   void write_values(const std::function<std::string()>& text) const;
@@ -64,7 +64,7 @@ public:
   unsigned seed() const { return m_seed; }
 
 private:
-  void say_value(const std::string& name, const std::string& value) const;
+  void print_value(const std::string& name, const std::string& value) const;
 
   std::string m_input, m_output, m_values, m_picture;
   bool m_json = false, m_quiet = false;
@@ -74,7 +74,7 @@ private:
   nlohmann::ordered_json m_result;
   std::map<std::string, double> m_seconds;
   std::string m_stage;
-  std::chrono::steady_clock::time_point m_stage_began;
+  std::chrono::steady_clock::time_point m_stage_start;
   std::unique_ptr<Display> m_display;
 };
 
@@ -82,12 +82,12 @@ private:
 nlohmann::ordered_json json_number(double value);
 
 // A number for people: six digits.
-std::string readable(double value);
+std::string rounded_text(double value);
 
 // Reads "3,17,4"; throws Usage_error naming the option.
-std::vector<std::size_t> parse_integers(const std::string& text, const std::string& option);
+std::vector<std::size_t> parse_indices(const std::string& text, const std::string& option);
 // Numbers with commas between; nothing for other texts.
-std::optional<std::vector<double>> to_numbers(const std::string& text);
+std::optional<std::vector<double>> parse_numbers(const std::string& text);
 Point parse_point(const std::string& text, const std::string& option);
 
 // Throws Input_error when the surface has no such vertex.
@@ -95,4 +95,4 @@ void check_vertex(const Surface& surface, std::size_t vertex);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_JOB_H
+#endif // GEODESIC_PROGRAM_APP_JOB_H

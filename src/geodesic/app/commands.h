@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_COMMANDS_H
-#define GEODESIC_PROGRAM_COMMANDS_H
+#ifndef GEODESIC_PROGRAM_APP_COMMANDS_H
+#define GEODESIC_PROGRAM_APP_COMMANDS_H
 
 namespace CLI {
 class App;
@@ -37,4 +37,4 @@ void add_volume(CLI::App& program);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_COMMANDS_H
+#endif // GEODESIC_PROGRAM_APP_COMMANDS_H

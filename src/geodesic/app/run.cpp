@@ -18,17 +18,17 @@ namespace program {
 
 namespace {
 
-int fail(Exit_code code, std::string sentence)
+int fail(Exit_code code, std::string message)
 {
   // One line, whatever a library put into its message.
-  for(char& c : sentence)
+  for(char& c : message)
     c = c == '\n' || c == '\r' ? ' ' : c;
-  std::fprintf(stderr, "geodesic: %s\n", sentence.c_str());
+  std::fprintf(stderr, "geodesic: %s\n", message.c_str());
   return code;
 }
 
 // The input named on the command line, for errors that do not name it themselves.
-std::string input_of(const CLI::App& program)
+std::string input_prefix(const CLI::App& program)
 {
   for(const CLI::App* command : program.get_subcommands())
     if(const CLI::Option* input = command->get_option_no_throw("INPUT"))
@@ -97,19 +97,19 @@ int run(int argc, char** argv)
   }
   catch(const CGAL::Geodesic_processing::Invalid_argument_error& error)
   {
-    return fail(bad_input, input_of(program) + error.what());
+    return fail(bad_input, input_prefix(program) + error.what());
   }
   catch(const CGAL::Geodesic_processing::Unsupported_surface_error& error)
   {
-    return fail(bad_input, input_of(program) + error.what());
+    return fail(bad_input, input_prefix(program) + error.what());
   }
   catch(const std::bad_alloc&)
   {
-    return fail(bad_input, input_of(program) + "it needs more memory than there is.");
+    return fail(bad_input, input_prefix(program) + "it needs more memory than there is.");
   }
   catch(const std::exception& error)
   {
-    return fail(bad_input, input_of(program) + error.what());
+    return fail(bad_input, input_prefix(program) + error.what());
   }
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_RUN_H
-#define GEODESIC_PROGRAM_RUN_H
+#ifndef GEODESIC_PROGRAM_APP_RUN_H
+#define GEODESIC_PROGRAM_APP_RUN_H
 
 namespace program {
 
@@ -10,4 +10,4 @@ int run(int argc, char** argv);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_RUN_H
+#endif // GEODESIC_PROGRAM_APP_RUN_H

@@ -4,9 +4,9 @@
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
-#include "picture/drawings.h"
-#include "commands/queries.h"
-#include "io/textured.h"
+#include "picture/procedural_images.h"
+#include "commands/command_utilities.h"
+#include "io/write_textured.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,9 @@ using UV = std::array<double, 2>;
 
 struct Atlas_options
 {
-  std::size_t number = 0, texels = 1024, gutter = 4, iterations = 5;
+  std::size_t number_of_charts = 0, texels = 1024, gutter = 4, iterations = 5;
   std::string image;
-  bool flat = false;
+  bool draws_plane = false;
 };
 
 struct Result
@@ -32,17 +32,17 @@ struct Result
 };
 
 // The colour of a place on the surface, by the weights of a face's corners.
-class Painter
+class Surface_painter
 {
 public:
   // image  or none of no width
-  Painter(const Surface_file& file, const Result& result, const Image& image)
+  Surface_painter(const Surface_file& file, const Result& result, const Image& image)
       : m_file(file), m_result(result), m_image(image)
   {
-    if(std::all_of(colour_names.begin(), colour_names.end(),
+    if(std::all_of(color_names.begin(), color_names.end(),
                    [&](auto name) { return file.properties.count(name) > 0; }))
-      for(const char* const name : colour_names)
-        m_colours.push_back(&file.properties.at(name));
+      for(const char* const name : color_names)
+        m_colors.push_back(&file.properties.at(name));
     m_low.fill(std::numeric_limits<double>::infinity());
     m_high.fill(-std::numeric_limits<double>::infinity());
     for(const Point& p : file.points)
@@ -53,85 +53,86 @@ public:
       }
   }
 
-  GP::Decal_color operator()(std::size_t face, const std::array<double, 3>& shares) const
+  GP::Decal_color operator()(std::size_t face, const std::array<double, 3>& barycentric) const
   {
-    Colour colour;
+    Color color;
     if(m_image.width > 0)
-      colour = seen_along_z(face, shares);
-    else if(m_colours.empty())
-      colour = squares(face, shares);
+      color = projected_image_color(face, barycentric);
+    else if(m_colors.empty())
+      color = checkerboard_color(face, barycentric);
     else
       for(std::size_t c = 0; c < 3; ++c)
-        colour[c] = between(face, shares,
-                            [&](std::size_t corner)
-                            { return (*m_colours[c])[m_file.corners[corner]] / 255.; });
-    return {colour[0], colour[1], colour[2], 1.};
+        color[c] = interpolate(face, barycentric,
+                               [&](std::size_t corner)
+                               { return (*m_colors[c])[m_file.corners[corner]] / 255.; });
+    return {color[0], color[1], color[2], 1.};
   }
 
 private:
   template <typename Value>
-  static double between(std::size_t face, const std::array<double, 3>& shares, const Value& value)
+  static double interpolate(std::size_t face, const std::array<double, 3>& barycentric,
+                            const Value& value)
   {
     double result = 0.;
     for(std::size_t k = 0; k < 3; ++k)
-      result += shares[k] * value(3 * face + k);
+      result += barycentric[k] * value(3 * face + k);
     return result;
   }
 
   // The image covers the bounding box, as it is seen against the third axis.
-  Colour seen_along_z(std::size_t face, const std::array<double, 3>& shares) const
+  Color projected_image_color(std::size_t face, const std::array<double, 3>& barycentric) const
   {
-    UV place;
+    UV uv;
     for(std::size_t k = 0; k < 2; ++k)
     {
-      const double p = between(face, shares,
-                               [&](std::size_t corner)
-                               { return m_file.points[m_file.corners[corner]][k] - m_low[k]; });
+      const double p = interpolate(face, barycentric,
+                                   [&](std::size_t corner)
+                                   { return m_file.points[m_file.corners[corner]][k] - m_low[k]; });
       const double size = m_high[k] - m_low[k];
-      place[k] = size > 0. ? std::clamp(p / size, 0., 1.) : 0.5;
+      uv[k] = size > 0. ? std::clamp(p / size, 0., 1.) : 0.5;
     }
-    return m_image.at(place[0], place[1]);
+    return m_image.at(uv[0], uv[1]);
   }
 
   // Of the texture, in a colour of the chart.
-  Colour squares(std::size_t face, const std::array<double, 3>& shares) const
+  Color checkerboard_color(std::size_t face, const std::array<double, 3>& barycentric) const
   {
-    UV place;
+    UV uv;
     for(std::size_t k = 0; k < 2; ++k)
-      place[k] = 3. * between(face, shares,
-                              [&](std::size_t corner) { return m_result.corner_uv[corner][k]; });
-    Colour colour = colour_of_label(m_result.charts[face]);
-    if(square_of(place) == 0)
-      for(double& part : colour)
-        part = 0.25 * part + 0.75;
-    return colour;
+      uv[k] = 3. * interpolate(face, barycentric,
+                               [&](std::size_t corner) { return m_result.corner_uv[corner][k]; });
+    Color color = color_of_label(m_result.charts[face]);
+    if(checkerboard_cell(uv) == 0)
+      for(double& channel : color)
+        channel = 0.25 * channel + 0.75;
+    return color;
   }
 
   const Surface_file& m_file;
   const Result& m_result;
   const Image& m_image;
-  std::vector<const std::vector<double>*> m_colours;
+  std::vector<const std::vector<double>*> m_colors;
   Point m_low, m_high;
 };
 
 // The library's part.
 Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& image, Job& job)
 {
-  job.stage("query");
+  job.begin_stage("query");
   const Surface_file& file = job.surface().file;
   Result result;
   std::vector<UV> uv(mesh.number_of_halfedges());
   result.charts.assign(file.number_of_polygons(), -1);
   const Value_map<Mesh::Halfedge_index, UV> corner_uv = {&uv};
   const GP::Texture_atlas atlas = GP::texture_atlas<GP::Euclidean_front, CGAL::Parallel_tag>(
-      mesh, options.number, corner_uv,
+      mesh, options.number_of_charts, corner_uv,
       GP::parameters::texture_size(options.texels)
           .gutter_width(options.gutter)
           .maximum_number_of_iterations(unsigned(options.iterations))
           .chart_map(Label_map<Mesh::Face_index>{&result.charts})
           .random_seed(job.seed())
           .threads(job.threads())
-          .callback(job.progress("charts")));
+          .callback(job.progress_callback("charts")));
   const GP::Flattening_distortion distortion = GP::flattening_distortion(mesh, corner_uv);
   job.report("charts", atlas.number_of_charts);
   job.report("flips", atlas.number_of_flips);
@@ -152,27 +153,27 @@ Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& i
           result.corner_uv[corner] = uv[h];
     }
 
-  const Painter paint(file, result, image);
+  const Surface_painter paint(file, result, image);
   const auto texels = GP::bake_atlas(
       mesh, corner_uv, options.texels,
-      [&](const auto& place)
+      [&](const auto& location)
       {
         // Its shares begin where the face's half-edge does.
-        const auto h = mesh.halfedge(place.first);
-        const std::size_t face(place.first);
-        std::array<double, 3> shares = {0., 0., 0.};
+        const auto h = mesh.halfedge(location.first);
+        const std::size_t face(location.first);
+        std::array<double, 3> barycentric = {0., 0., 0.};
         std::size_t k = 0;
         for(const auto vertex : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))})
         {
           for(std::size_t corner = 0; corner < 3; ++corner)
             if(file.corners[3 * face + corner] == std::size_t(vertex))
-              shares[corner] = place.second[k];
+              barycentric[corner] = location.second[k];
           ++k;
         }
-        return paint(face, shares);
+        return paint(face, barycentric);
       },
       GP::parameters::gutter_width(options.gutter)
-          .background(GP::Decal_color{plain[0], plain[1], plain[2], 1.}));
+          .background(GP::Decal_color{default_color[0], default_color[1], default_color[2], 1.}));
   result.texture.width = result.texture.height = options.texels;
   for(const GP::Decal_color& texel : texels)
     result.texture.pixels.push_back({texel[0], texel[1], texel[2]});
@@ -180,10 +181,10 @@ Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& i
 }
 
 // Each triangle where it lies in the texture.
-Surface_file in_the_plane(const Surface_file& file, const std::vector<UV>& corner_uv)
+Surface_file to_texture_plane(const Surface_file& file, const std::vector<UV>& corner_uv)
 {
   Surface_file result;
-  result.first = file.first;
+  result.polygon_begin = file.polygon_begin;
   for(const auto& [u, v] : corner_uv)
   {
     result.corners.push_back(static_cast<std::uint32_t>(result.points.size()));
@@ -194,7 +195,7 @@ Surface_file in_the_plane(const Surface_file& file, const std::vector<UV>& corne
 
 void check(const Job& job, const Atlas_options& options)
 {
-  if(options.number == 0)
+  if(options.number_of_charts == 0)
     throw Usage_error("atlas: give --number, at least 1.");
   if(options.texels < 16 || options.texels > 16384)
     throw Usage_error("--texels " + std::to_string(options.texels) + ": from 16 to 16384.");
@@ -202,7 +203,7 @@ void check(const Job& job, const Atlas_options& options)
     throw Usage_error("--gutter " + std::to_string(options.gutter) +
                       ": at most a quarter of --texels.");
   if(!job.output().empty())
-    check_images(job.output());
+    check_png_support(job.output());
 }
 
 void run_atlas(Job& job, const Atlas_options& options)
@@ -212,10 +213,10 @@ void run_atlas(Job& job, const Atlas_options& options)
   if(!surface.is_mesh())
     throw Input_error(surface.name + ": a cloud has no faces to carry a texture.");
   const Image image = options.image.empty() ? Image() : read_image(options.image);
-  job.stage("prepare");
+  job.begin_stage("prepare");
   const Result result = make_atlas(make_mesh(surface), options, image, job);
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values(
       [&]
       {
@@ -225,7 +226,8 @@ void run_atlas(Job& job, const Atlas_options& options)
                   number_text(result.corner_uv[corner][1]) + (corner % 3 == 2 ? '\n' : ' ');
         return text;
       });
-  Surface_file file = options.flat ? in_the_plane(surface.file, result.corner_uv) : surface.file;
+  Surface_file file =
+      options.draws_plane ? to_texture_plane(surface.file, result.corner_uv) : surface.file;
   file.corner_uv = result.corner_uv;
   if(!job.picture().empty())
   {
@@ -245,7 +247,7 @@ void add_atlas(CLI::App& program)
   Command command(program, "atlas", "a texture: the surface cut into charts, side by side");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Atlas_options>();
-  command.add("--number", options->number, "N", "of charts to begin with");
+  command.add("--number", options->number_of_charts, "N", "of charts to begin with");
   command.add("--image", options->image, "FILE",
               "a picture, .png, that is seen on the surface against the third axis; else the "
               "colours of its vertices, or squares");
@@ -253,8 +255,9 @@ void add_atlas(CLI::App& program)
   command.add("--gutter", options->gutter, "N", "texels between charts").shows_default();
   command.add("--iterations", options->iterations, "N", "steps of the charts' centres at most")
       .shows_default();
-  command.add_flag("--flat", options->flat, "write and draw the texture's plane, not the input");
-  command.set_run([job, options] { run_atlas(*job, *options); });
+  command.add_flag("--flat", options->draws_plane,
+                   "write and draw the texture's plane, not the input");
+  command.set_callback([job, options] { run_atlas(*job, *options); });
 }
 
 } // namespace program

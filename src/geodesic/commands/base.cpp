@@ -25,19 +25,19 @@ struct Base_options : Remeshing_options
 
   // Of semi-regular meshes
   unsigned levels = 3;
-  bool has_quads = false;
-  double deviation = 0.; // of none is asked for
+  bool use_quads = false;
+  double max_deviation = 0.; // of none is asked for
 };
 
-const Surface& read_mesh(Job& job, const char* needs)
+const Surface& read_mesh(Job& job, const char* command_name)
 {
   const Surface& surface = job.read();
   if(!surface.is_mesh())
-    fail(surface.name, std::string("a cloud has no faces, which ") + needs + " needs");
+    fail(surface.name, std::string("a cloud has no faces, which ") + command_name + " needs");
   return surface;
 }
 
-GP::Base_coordinates coordinates_of(const std::string& word)
+GP::Base_coordinates parse_coordinates(const std::string& word)
 {
   if(word == "heron")
     return GP::Base_coordinates::heron;
@@ -45,12 +45,13 @@ GP::Base_coordinates coordinates_of(const std::string& word)
     return GP::Base_coordinates::mean_value;
   if(word == "uniform")
     return GP::Base_coordinates::uniform;
-  throw Usage_error("--coordinates " + shown(word) + ": give heron, mean-value or uniform.");
+  throw Usage_error("--coordinates " + printable(word) + ": give heron, mean-value or uniform.");
 }
 
-auto asked(const Base_options& options, Job& job)
+auto base_parameters(const Base_options& options, Job& job)
 {
-  return remeshing_parameters(options, job).base_coordinates(coordinates_of(options.coordinates));
+  return remeshing_parameters(options, job)
+      .base_coordinates(parse_coordinates(options.coordinates));
 }
 
 // What both commands report.
@@ -59,28 +60,28 @@ void report(Job& job, std::size_t vertices, std::size_t faces, std::size_t folds
   job.result()["vertices_out"] = vertices;
   job.result()["faces_out"] = faces;
   job.result()["folds"] = folds;
-  job.say("vertices        " + std::to_string(vertices));
-  job.say("faces           " + std::to_string(faces));
-  job.say("folds           " + std::to_string(folds));
+  job.print_line("vertices        " + std::to_string(vertices));
+  job.print_line("faces           " + std::to_string(faces));
+  job.print_line("folds           " + std::to_string(folds));
 }
 
-Point point_of(const GP::internal::Glued_triangles& triangles, std::uint32_t site)
+Point to_point(const GP::internal::Surface_arrays& triangles, std::uint32_t vertex)
 {
   Point result;
   for(std::size_t k = 0; k < 3; ++k)
-    result[k] = triangles.origin[k] + triangles.scale * triangles.point[site][k];
+    result[k] = triangles.origin[k] + triangles.scale * triangles.point[vertex][k];
   return result;
 }
 
 Surface_file base_file(const GP::internal::Base_mesh& base)
 {
   Surface_file result;
-  for(const auto site : base.site)
-    result.points.push_back(point_of(base.fine, site));
+  for(const auto vertex : base.vertex)
+    result.points.push_back(to_point(base.fine, vertex));
   for(const auto& triangle : base.triangles)
   {
     result.corners.insert(result.corners.end(), triangle.begin(), triangle.end());
-    result.first.push_back(result.corners.size());
+    result.polygon_begin.push_back(result.corners.size());
   }
   return result;
 }
@@ -89,57 +90,57 @@ Surface_file base_file(const GP::internal::Base_mesh& base)
 Surface_file divided_file(const GP::internal::Base_mesh& base)
 {
   Surface_file result;
-  for(std::uint32_t site = 0; site < base.fine.point.size(); ++site)
-    result.points.push_back(point_of(base.fine, site));
+  for(std::uint32_t vertex = 0; vertex < base.fine.point.size(); ++vertex)
+    result.points.push_back(to_point(base.fine, vertex));
   result.corners = base.fine.corner;
   for(std::size_t f = 0; f < base.region.size(); ++f)
-    result.first.push_back(3 * (f + 1));
+    result.polygon_begin.push_back(3 * (f + 1));
   result.face_numbers["base_face"] = base.region;
   return result;
 }
 
 // Base faces in their colours: each has points of its own, as colours are of points.
-void draw(const std::string& filename, const GP::internal::Base_mesh& base, bool with_sides)
+void draw(const std::string& filename, const GP::internal::Base_mesh& base, bool show_edges)
 {
-  Surface_file parts;
-  Picture picture{&parts};
-  picture.with_sides = with_sides;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number; // of face and site
+  Surface_file regions;
+  Picture picture{&regions};
+  picture.show_edges = show_edges;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> vertex_index; // of face and site
   for(std::size_t corner = 0; corner < base.fine.corner.size(); ++corner)
   {
-    const auto face = base.region[corner / 3], site = base.fine.corner[corner];
-    const auto [known, is_new] =
-        number.try_emplace({face, site}, static_cast<std::uint32_t>(parts.points.size()));
+    const auto face = base.region[corner / 3], vertex = base.fine.corner[corner];
+    const auto [entry, is_new] =
+        vertex_index.try_emplace({face, vertex}, static_cast<std::uint32_t>(regions.points.size()));
     if(is_new)
     {
-      parts.points.push_back(point_of(base.fine, site));
+      regions.points.push_back(to_point(base.fine, vertex));
       picture.labels.push_back(static_cast<long long>(face));
     }
-    parts.corners.push_back(known->second);
+    regions.corners.push_back(entry->second);
     if(corner % 3 == 2)
-      parts.first.push_back(parts.corners.size());
+      regions.polygon_begin.push_back(regions.corners.size());
   }
   for(const auto& path : base.path)
   {
-    picture.chains.emplace_back();
-    for(const auto site : path)
-      picture.chains.back().push_back(point_of(base.fine, site));
+    picture.thin_polylines.emplace_back();
+    for(const auto vertex : path)
+      picture.thin_polylines.back().push_back(to_point(base.fine, vertex));
   }
-  for(const auto site : base.site)
-    picture.markers.push_back(point_of(base.fine, site));
+  for(const auto vertex : base.vertex)
+    picture.markers.push_back(to_point(base.fine, vertex));
   draw(filename, picture);
 }
 
 void run_base(Job& job, const Base_options& options)
 {
   const Surface& surface = read_mesh(job, "base");
-  job.stage("prepare");
+  job.begin_stage("prepare");
   const Mesh mesh = make_mesh(surface);
-  job.stage("query");
-  const GP::Base_parameterization<Mesh> base(mesh, options.number, asked(options, job));
+  job.begin_stage("query");
+  const GP::Base_parameterization<Mesh> base(mesh, options.number, base_parameters(options, job));
   report(job, base.number_of_base_vertices(), base.number_of_base_faces(), base.folds());
   job.result()["repaired_faces"] = base.repaired_faces();
-  job.say("repaired        " + std::to_string(base.repaired_faces()));
+  job.print_line("repaired        " + std::to_string(base.repaired_faces()));
 
   std::string text;
   for(const auto v : mesh.vertices())
@@ -149,42 +150,43 @@ void run_base(Job& job, const Base_options& options)
       text += "-1 nan nan nan\n";
       continue;
     }
-    const GP::Base_location place = base(v);
-    text += std::to_string(place.face);
-    for(const double share : place.barycentric)
-      text += ' ' + number_text(share);
+    const GP::Base_location location = base(v);
+    text += std::to_string(location.face);
+    for(const double coordinate : location.barycentric)
+      text += ' ' + number_text(coordinate);
     text += '\n';
   }
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values([&] { return text; });
-  const GP::internal::Base_mesh& found = base.map().base();
+  const GP::internal::Base_mesh& base_mesh = base.map().base();
   if(!job.picture().empty())
-    draw(job.picture(), found, options.is_divided);
+    draw(job.picture(), base_mesh, options.is_divided);
   if(!job.output().empty())
-    write_surface_file(job.output(), options.is_divided ? divided_file(found) : base_file(found));
+    write_surface_file(job.output(),
+                       options.is_divided ? divided_file(base_mesh) : base_file(base_mesh));
   job.finish();
 }
 
 void run_semiregular(Job& job, const Base_options& options)
 {
-  if(!(options.deviation >= 0.))
+  if(!(options.max_deviation >= 0.))
     throw Usage_error("--maximum-deviation: it is positive.");
-  if(options.has_quads && options.deviation > 0.)
+  if(options.use_quads && options.max_deviation > 0.)
     throw Usage_error("--maximum-deviation is of triangles, not of --quads.");
   const Surface& surface = read_mesh(job, "semiregular");
-  job.stage("prepare");
+  job.begin_stage("prepare");
   const Mesh mesh = make_mesh(surface);
-  job.stage("query");
+  job.begin_stage("query");
   Mesh output;
   const auto level = output.add_property_map<Mesh::Vertex_index, std::size_t>("v:level").first;
-  const auto np = asked(options, job)
+  const auto np = base_parameters(options, job)
                       .level_map(level)
-                      .subdivision_scheme(options.has_quads ? GP::Subdivision_scheme::quads
+                      .subdivision_scheme(options.use_quads ? GP::Subdivision_scheme::quads
                                                             : GP::Subdivision_scheme::triangles);
   const GP::Semi_regular_result result =
-      options.deviation > 0.
+      options.max_deviation > 0.
           ? GP::semi_regular_remeshing(mesh, options.number, options.levels, output,
-                                       np.maximum_deviation(options.deviation))
+                                       np.maximum_deviation(options.max_deviation))
           : GP::semi_regular_remeshing(mesh, options.number, options.levels, output, np);
   Surface_file file;
   std::string text;
@@ -197,16 +199,16 @@ void run_semiregular(Job& job, const Base_options& options)
   {
     for(const auto v : vertices_around_face(output.halfedge(f), output))
       file.corners.push_back(v);
-    file.first.push_back(file.corners.size());
+    file.polygon_begin.push_back(file.corners.size());
   }
   report(job, file.points.size(), file.number_of_polygons(), result.folds);
   job.result()["levels"] = result.levels;
   job.result()["base_faces"] = result.base_faces;
-  job.say("levels          " + std::to_string(result.levels));
-  if(options.deviation > 0.)
+  job.print_line("levels          " + std::to_string(result.levels));
+  if(options.max_deviation > 0.)
     job.report("deviation", result.deviation);
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values([&] { return text; });
   if(!job.picture().empty())
   {
@@ -214,19 +216,20 @@ void run_semiregular(Job& job, const Base_options& options)
     Surface_file triangles;
     triangles.points = file.points;
     Picture picture{&triangles};
-    picture.with_sides = !options.has_quads;
+    picture.show_edges = !options.use_quads;
     for(std::size_t f = 0; f < file.number_of_polygons(); ++f)
     {
-      const std::uint32_t* const corner = &file.corners[file.first[f]];
-      const std::size_t size = file.first[f + 1] - file.first[f];
+      const std::uint32_t* const corner = &file.corners[file.polygon_begin[f]];
+      const std::size_t size = file.polygon_begin[f + 1] - file.polygon_begin[f];
       for(std::size_t k = 2; k < size; ++k)
       {
         triangles.corners.insert(triangles.corners.end(), {corner[0], corner[k - 1], corner[k]});
-        triangles.first.push_back(triangles.corners.size());
+        triangles.polygon_begin.push_back(triangles.corners.size());
       }
-      for(std::size_t k = 0; options.has_quads && k < size; ++k)
+      for(std::size_t k = 0; options.use_quads && k < size; ++k)
         if(corner[k] < corner[(k + 1) % size])
-          picture.chains.push_back({file.points[corner[k]], file.points[corner[(k + 1) % size]]});
+          picture.thin_polylines.push_back(
+              {file.points[corner[k]], file.points[corner[(k + 1) % size]]});
     }
     draw(job.picture(), picture);
   }
@@ -252,7 +255,7 @@ void add_base(CLI::App& program)
   add_base_options(command, *options);
   command.add_flag("--divided", options->is_divided,
                    "-o is the input, divided by base edges; faces know theirs, base_face");
-  command.set_run([job, options] { run_base(*job, *options); });
+  command.set_callback([job, options] { run_base(*job, *options); });
 }
 
 void add_semiregular(CLI::App& program)
@@ -263,11 +266,11 @@ void add_semiregular(CLI::App& program)
   const auto options = std::make_shared<Base_options>();
   add_base_options(command, *options);
   command.add("--levels", options->levels, "J", "how often faces are cut in four (3)")
-      .between(0, 8);
-  command.add_flag("--quads", options->has_quads, "each base face is three quadrilaterals first");
-  command.add("--maximum-deviation", options->deviation, "D",
+      .in_range(0, 8);
+  command.add_flag("--quads", options->use_quads, "each base face is three quadrilaterals first");
+  command.add("--maximum-deviation", options->max_deviation, "D",
               "fewer levels, if no vertex of the input is farther from its place");
-  command.set_run([job, options] { run_semiregular(*job, *options); });
+  command.set_callback([job, options] { run_semiregular(*job, *options); });
 }
 
 } // namespace program

@@ -12,21 +12,21 @@ namespace program {
 namespace {
 
 template <typename Enum>
-void add_words(Command& command, const std::string& name, Enum& value, const std::string& text,
-               const std::map<std::string, Enum>& words)
+void add_enum_option(Command& command, const std::string& name, Enum& value,
+                     const std::string& text, const std::map<std::string, Enum>& values_by_name)
 {
   std::string list;
-  for(const auto& word : words)
+  for(const auto& word : values_by_name)
     list += (list.empty() ? "" : ", ") + word.first;
-  const std::function<void(const std::string&)> read =
-      [&value, name, words, list](const std::string& word)
+  const std::function<void(const std::string&)> parse =
+      [&value, name, values_by_name, list](const std::string& word)
   {
-    const auto found = words.find(word);
-    if(found == words.end())
+    const auto found = values_by_name.find(word);
+    if(found == values_by_name.end())
       throw Usage_error(name + ' ' + word + ": it is one of " + list + '.');
     value = found->second;
   };
-  command.add(name, read, "NAME", "on a cloud, " + text + ": " + list);
+  command.add(name, parse, "NAME", "on a cloud, " + text + ": " + list);
 }
 
 } // namespace
@@ -35,29 +35,31 @@ void add_surfel_options(Command& command, Surfel_options& options)
 {
   using GP::Surfel_graph;
   using GP::Surfel_noise;
-  add_words<Surfel_graph>(command, "--surfel-graph", options.graph, "which surfels are joined",
-                          {{"extended-spheres", Surfel_graph::extended_spheres},
-                           {"spheres", Surfel_graph::spheres},
-                           {"nearest", Surfel_graph::nearest}});
-  add_words<Surfel_noise>(command, "--surfel-noise", options.noise, "what is done about noise",
-                          {{"removed-when-found", Surfel_noise::removed_when_found},
-                           {"removed", Surfel_noise::removed},
-                           {"kept", Surfel_noise::kept}});
+  add_enum_option<Surfel_graph>(command, "--surfel-graph", options.graph,
+                                "which surfels are joined",
+                                {{"extended-spheres", Surfel_graph::extended_spheres},
+                                 {"spheres", Surfel_graph::spheres},
+                                 {"nearest", Surfel_graph::nearest}});
+  add_enum_option<Surfel_noise>(command, "--surfel-noise", options.noise,
+                                "what is done about noise",
+                                {{"removed-when-found", Surfel_noise::removed_when_found},
+                                 {"removed", Surfel_noise::removed},
+                                 {"kept", Surfel_noise::kept}});
 }
 
 void add_cloud_path_options(Command& command, Cloud_path_options& options)
 {
   using GP::Surfel_path_method;
   add_surfel_options(command, options.surfels);
-  add_words<Surfel_path_method>(command, "--surfel-path-method", options.method,
-                                "what holds the path",
-                                {{"projected-quadrics", Surfel_path_method::projected_quadrics},
-                                 {"projected-spheres", Surfel_path_method::projected_spheres},
-                                 {"projected-planes", Surfel_path_method::projected_planes},
-                                 {"spheres", Surfel_path_method::spheres},
-                                 {"robust-spheres", Surfel_path_method::robust_spheres},
-                                 {"planes", Surfel_path_method::planes},
-                                 {"disks", Surfel_path_method::disks}});
+  add_enum_option<Surfel_path_method>(
+      command, "--surfel-path-method", options.method, "what holds the path",
+      {{"projected-quadrics", Surfel_path_method::projected_quadrics},
+       {"projected-spheres", Surfel_path_method::projected_spheres},
+       {"projected-planes", Surfel_path_method::projected_planes},
+       {"spheres", Surfel_path_method::spheres},
+       {"robust-spheres", Surfel_path_method::robust_spheres},
+       {"planes", Surfel_path_method::planes},
+       {"disks", Surfel_path_method::disks}});
   command.add("--control-points", options.control_points, "N", "on a cloud, of the path, at most")
       .shows_default();
 }
@@ -73,7 +75,7 @@ Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& optio
   return radius.second ? Path_finder(cloud, np.radius_map(radius.first)) : Path_finder(cloud, np);
 }
 
-Surface_file seen_surfels(const Cloud& cloud, const Path_finder& finder)
+Surface_file denoised_surfels(const Cloud& cloud, const Path_finder& finder)
 {
   Surface_file result;
   for(const Cloud::Index& surfel : cloud)

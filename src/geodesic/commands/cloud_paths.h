@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_CLOUD_PATHS_H
-#define GEODESIC_PROGRAM_CLOUD_PATHS_H
+#ifndef GEODESIC_PROGRAM_COMMANDS_CLOUD_PATHS_H
+#define GEODESIC_PROGRAM_COMMANDS_CLOUD_PATHS_H
 
-#include "commands/queries.h"
+#include "commands/command_utilities.h"
 
 namespace program {
 
@@ -32,8 +32,8 @@ void add_cloud_path_options(Command& command, Cloud_path_options& options);
 Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& options, const Job& job);
 
 // The surfels of a cloud as paths see them.
-Surface_file seen_surfels(const Cloud& cloud, const Path_finder& finder);
+Surface_file denoised_surfels(const Cloud& cloud, const Path_finder& finder);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_CLOUD_PATHS_H
+#endif // GEODESIC_PROGRAM_COMMANDS_CLOUD_PATHS_H

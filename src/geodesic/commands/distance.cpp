@@ -4,7 +4,7 @@
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
-#include "commands/densities.h"
+#include "commands/speed_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,11 @@ struct Distance_options
 {
   std::string source;    // "V,V,..."
   std::string source_at; // "x,y,z"
-  bool source_border = false;
+  bool use_boundary = false;
   std::string method = "euclidean";
-  std::optional<std::size_t> basis;
-  double limit = std::numeric_limits<double>::infinity();
-  Density_options densities;
+  std::optional<std::size_t> basis_size;
+  double max_distance = std::numeric_limits<double>::infinity();
+  Speed_options speed_options;
 };
 
 struct Result
@@ -40,17 +40,17 @@ std::vector<double> metric_distances(const Domain& domain, const Distance_option
                                      Job& job)
 {
   std::vector<double> result(job.surface().file.points.size());
-  const Value_map<typename Domain::Site> map{&result};
-  const auto np =
-      GP::parameters::threads(job.threads()).callback(job.progress("distance to each vertex"));
+  const Value_map<typename Domain::Vertex> map{&result};
+  const auto np = GP::parameters::threads(job.threads())
+                      .callback(job.progress_callback("distance to each vertex"));
   with_metric<Surface_type>(
-      domain, options.method, options.basis, job,
+      domain, options.method, options.basis_size, job,
       [&](const auto& metric)
       {
-        job.stage("query");
+        job.begin_stage("query");
         if(options.source_at.empty())
           metric.template write_distances<CGAL::Parallel_tag>(
-              site<Surface_type>(parse_integers(options.source, "--source").front()), map, np);
+              vertex_at<Surface_type>(parse_indices(options.source, "--source").front()), map, np);
         else
           metric.template write_distances<CGAL::Parallel_tag>(
               locate(domain, options.source_at, "--source-at"), map, np);
@@ -60,16 +60,16 @@ std::vector<double> metric_distances(const Domain& domain, const Distance_option
 
 // The library's part: distances of all vertices.
 template <typename Surface_type>
-Result distances(const Surface_type& surface, const Distance_options& options, Job& job)
+Result compute_distances(const Surface_type& surface, const Distance_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Domain = std::decay_t<decltype(domain)>;
   Result result;
   std::vector<GP::Source<Surface_type>> sources;
   if(!options.source.empty())
-    for(const std::size_t vertex : parse_integers(options.source, "--source"))
+    for(const std::size_t vertex : parse_indices(options.source, "--source"))
     {
-      sources.emplace_back(site<Surface_type>(vertex));
+      sources.emplace_back(vertex_at<Surface_type>(vertex));
       result.sources.push_back(job.surface().file.points[vertex]);
     }
   if(!options.source_at.empty())
@@ -79,7 +79,7 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
     result.sources.push_back(coordinates(domain.point(domain.inner(location))));
   }
   if constexpr(is_mesh<Surface_type>)
-    if(options.source_border)
+    if(options.use_boundary)
       GP::border_sources(surface, std::back_inserter(sources));
   if(sources.empty())
     fail(job.input(), "it has no border");
@@ -90,20 +90,20 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
     result.triangles = picture_triangles(domain, job);
     return result;
   }
-  const std::vector<double> speed = speeds(domain, options.densities, job);
-  const auto limits =
-      GP::parameters::maximum_distance(options.limit).callback(job.progress("distance"));
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  const auto limits = GP::parameters::maximum_distance(options.max_distance)
+                          .callback(job.progress_callback("distance"));
   result.values.resize(job.surface().file.points.size());
   with_method<Surface_type>(
       options.method,
       [&](auto method)
       {
         GP::Geodesic_distance_solver<Surface_type, decltype(method)> solver(domain);
-        job.stage("query");
-        with_speeds<typename Domain::Site>(speed, limits,
-                                           [&](const auto& np) { solver.compute(sources, np); });
+        job.begin_stage("query");
+        with_speeds<typename Domain::Vertex>(speed, limits,
+                                             [&](const auto& np) { solver.compute(sources, np); });
         for(std::size_t i = 0; i < result.values.size(); ++i)
-          result.values[i] = solver.distance(site<Surface_type>(i));
+          result.values[i] = solver.distance(vertex_at<Surface_type>(i));
       });
   result.triangles = picture_triangles(domain, job);
   return result;
@@ -111,23 +111,23 @@ Result distances(const Surface_type& surface, const Distance_options& options, J
 
 void check(const Distance_options& options)
 {
-  if(options.source.empty() && options.source_at.empty() && !options.source_border)
+  if(options.source.empty() && options.source_at.empty() && !options.use_boundary)
     throw Usage_error("distance: give --source, --source-at or --source-border.");
   if(!options.source.empty())
-    parse_integers(options.source, "--source");
+    parse_indices(options.source, "--source");
   if(!options.source_at.empty())
     parse_point(options.source_at, "--source-at");
   if(!is_metric(options.method))
     check_method(options.method);
-  else if(options.source_border || std::isfinite(options.limit) ||
+  else if(options.use_boundary || std::isfinite(options.max_distance) ||
           options.source.empty() == options.source_at.empty() ||
           options.source.find(',') != std::string::npos)
     throw Usage_error("--method " + options.method + ": it takes one source and no limit.");
-  check_basis(options.method, options.basis);
-  if(!(options.limit >= 0.))
+  check_basis(options.method, options.basis_size);
+  if(!(options.max_distance >= 0.))
     throw Usage_error("--limit: a distance is not negative.");
-  check(options.densities);
-  if(options.densities.are_given() && options.method != "fast-marching" &&
+  check(options.speed_options);
+  if(options.speed_options.is_given() && options.method != "fast-marching" &&
      options.method != "euclidean")
     throw Usage_error("--speed: only the methods fast-marching and euclidean take speeds.");
 }
@@ -139,24 +139,24 @@ void run_distance(Job& job, const Distance_options& options)
   if(!is_metric(options.method))
     check_method(options.method, surface);
   if(!options.source.empty())
-    for(const std::size_t vertex : parse_integers(options.source, "--source"))
+    for(const std::size_t vertex : parse_indices(options.source, "--source"))
       check_vertex(surface, vertex);
-  if(options.source_border && !surface.is_mesh())
+  if(options.use_boundary && !surface.is_mesh())
     fail(surface.name, "a cloud has no border");
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Result result;
-  on_surface(surface,
-             [&](const auto& mesh_or_cloud) { result = distances(mesh_or_cloud, options, job); });
-  const double farthest = report_distances(job, result.values);
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = compute_distances(mesh_or_cloud, options, job); });
+  const double largest_distance = report_distances(job, result.values);
 
-  job.stage("write");
-  job.write_values([&] { return lines(result.values); });
+  job.begin_stage("write");
+  job.write_values([&] { return number_lines(result.values); });
   if(!job.picture().empty())
     draw(job.picture(),
          {&surface.file, result.values, "distance", {}, {}, result.sources, result.triangles});
   if(!job.output().empty())
-    write_result(job, "distance", result.values, farthest);
+    write_result(job, "distance", result.values, largest_distance);
   job.finish();
 }
 
@@ -169,19 +169,19 @@ void add_distance(CLI::App& program)
   const auto options = std::make_shared<Distance_options>();
   command.add("--source", options->source, "V[,V...]", "vertices by their place in the file");
   command.add("--source-at", options->source_at, "x,y,z", "the place nearest to a point");
-  command.add_flag("--source-border", options->source_border, "all borders of a mesh");
+  command.add_flag("--source-border", options->use_boundary, "all borders of a mesh");
   command
       .add(
           "--method", options->method, "NAME",
           "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic from one "
           "source, by transport of masses, which takes seconds")
       .shows_default();
-  command.add("--basis", options->basis, "K",
+  command.add("--basis", options->basis_size, "K",
               "of emd: from 0, spectral, on it comes nearer to distances along the surface "
               "(default 100)");
-  command.add("--limit", options->limit, "D", "go no farther");
-  add_density_options(command, options->densities);
-  command.set_run([job, options] { run_distance(*job, *options); });
+  command.add("--limit", options->max_distance, "D", "go no farther");
+  add_speed_options(command, options->speed_options);
+  command.set_callback([job, options] { run_distance(*job, *options); });
 }
 
 } // namespace program

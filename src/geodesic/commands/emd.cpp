@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/Scanner.h"
 #include "app/commands.h"
-#include "commands/transports.h"
+#include "commands/transport_utilities.h"
 
 namespace program {
 
 namespace {
 
-constexpr const char* complete = "complete";
+constexpr const char* complete_basis = "complete";
 
 struct Emd_options : Transport_options
 {
-  std::string basis = complete;
+  std::string basis = complete_basis;
 };
 
 std::size_t basis_size(const Emd_options& options)
 {
   const std::optional<long long> result = to_integer(options.basis);
   if(!result || *result < 0)
-    throw Usage_error("--basis " + shown(options.basis) + ": it is a number, or complete.");
+    throw Usage_error("--basis " + printable(options.basis) + ": it is a number, or complete.");
   return static_cast<std::size_t>(*result);
 }
 
@@ -28,11 +28,11 @@ void check(const Emd_options& options, const Job& job)
   if(options.from.empty() || options.to.empty())
     throw Usage_error("emd: give --from and --to.");
   check(options);
-  if(options.basis == complete)
+  if(options.basis == complete_basis)
     return;
   basis_size(options);
   if(options.refine || options.bound_above || options.method != "interior-point" ||
-     options.densities.are_given() || !job.values().empty())
+     options.speed_options.is_given() || !job.values().empty())
     throw Usage_error(
         "--basis: --method, --refine, --bound-above, speeds and --values, the potential, "
         "are for the complete one.");
@@ -40,45 +40,51 @@ void check(const Emd_options& options, const Job& job)
 
 // The library's part.
 template <typename Surface_type>
-Transport_result find_transport(const Surface_type& surface, const Masses& from, const Masses& to,
-                                const Emd_options& options, Job& job)
+Transport_result compute_transport(const Surface_type& surface, const Masses& from,
+                                   const Masses& to, const Emd_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Site = typename std::decay_t<decltype(domain)>::Site;
+  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   Transport_result result;
-  const auto with_both = [&](auto f)
+  const auto with_mass_distributions = [&](auto f)
   {
-    with_masses<Site>(from, [&](const auto& before)
-                      { with_masses<Site>(to, [&](const auto& after) { f(before, after); }); });
+    with_masses<Vertex>(
+        from, [&](const auto& from_masses)
+        { with_masses<Vertex>(to, [&](const auto& to_masses) { f(from_masses, to_masses); }); });
   };
-  if(options.basis == complete)
+  if(options.basis == complete_basis)
   {
     std::optional<GP::Earth_movers_solver<Surface_type>> solver;
-    with_preparation<Site>(domain, options, job,
-                           [&](const auto& np) { solver.emplace(domain, np); });
-    job.stage("query");
-    with_both(
-        [&](const auto& before, const auto& after)
+    with_solver_parameters<Vertex>(domain, options, job,
+                                   [&](const auto& np) { solver.emplace(domain, np); });
+    job.begin_stage("query");
+    with_mass_distributions(
+        [&](const auto& from_masses, const auto& to_masses)
         {
           with_transport_method(options.method,
-                                [&](auto method) {
+                                [&](auto method)
+                                {
                                   result.cost = solver->template compute<decltype(method)>(
-                                      before, after, query(options, job));
+                                      from_masses, to_masses, query_parameters(options, job));
                                 });
         });
     job.result()["estimate"] = json_number(result.cost.estimate);
-    read_solution(*solver, surface, job, result);
+    copy_solution(*solver, surface, job, result);
   }
   else
   {
     const GP::Transport_metric<Surface_type> metric(domain, basis_size(options));
     job.result()["basis"] = metric.basis_size();
-    job.stage("query");
+    job.begin_stage("query");
     const auto flow = vector_map(result.fields["flow"], surface);
-    with_both([&](const auto& before, const auto& after)
-              { result.cost = metric.cost(before, after, query(options, job).flow_map(flow)); });
+    with_mass_distributions(
+        [&](const auto& from_masses, const auto& to_masses)
+        {
+          result.cost =
+              metric.cost(from_masses, to_masses, query_parameters(options, job).flow_map(flow));
+        });
   }
-  decompose(domain, surface, options, result);
+  add_hodge_decomposition(domain, surface, options, result);
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -91,16 +97,16 @@ void run_emd(Job& job, const Emd_options& options)
   const Masses to = read_masses(options.to, "--to", options, surface);
   check(options, surface);
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Transport_result result;
-  on_surface(surface, [&](const auto& mesh_or_cloud)
-             { result = find_transport(mesh_or_cloud, from, to, options, job); });
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = compute_transport(mesh_or_cloud, from, to, options, job); });
   report(job, options, result.cost, "earth mover's distance");
 
-  job.stage("write");
-  std::vector<std::size_t> marked = from.vertices;
-  marked.insert(marked.end(), to.vertices.begin(), to.vertices.end());
-  write_transport(job, result, marked);
+  job.begin_stage("write");
+  std::vector<std::size_t> marked_vertices = from.vertices;
+  marked_vertices.insert(marked_vertices.end(), to.vertices.begin(), to.vertices.end());
+  write_transport(job, result, marked_vertices);
   job.finish();
 }
 
@@ -123,7 +129,7 @@ void add_emd(CLI::App& program)
           "between eigenvalues, which has no potential; or complete")
       .shows_default();
   add_options(command, *options);
-  command.set_run([job, options] { run_emd(*job, *options); });
+  command.set_callback([job, options] { run_emd(*job, *options); });
 }
 
 } // namespace program

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "io/errors.h"
-#include "commands/transports.h"
+#include "commands/transport_utilities.h"
 
 namespace program {
 
@@ -10,42 +10,47 @@ namespace {
 
 struct Feature_options : Transport_options
 {
-  bool border = false;
+  bool use_boundary = false;
   Region_options region;
 };
 
 // The library's part: distances of all vertices.
 template <typename Surface_type>
-Transport_result distances(const Surface_type& surface, const std::vector<std::size_t>& vertices,
-                           const Feature_options& options, Job& job)
+Transport_result compute_distances(const Surface_type& surface,
+                                   const std::vector<std::size_t>& vertices,
+                                   const Feature_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Site = typename std::decay_t<decltype(domain)>::Site;
+  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   std::vector<GP::Source<Surface_type>> feature;
   for(const std::size_t vertex : vertices)
-    feature.emplace_back(site<Surface_type>(vertex));
+    feature.emplace_back(vertex_at<Surface_type>(vertex));
   Transport_result result;
   add_sources(domain, options.region, job.surface(), feature, result);
   if constexpr(is_mesh<Surface_type>)
-    if(options.border)
+    if(options.use_boundary)
       GP::border_sources(surface, std::back_inserter(feature));
   if(feature.empty())
     fail(job.input(), "it has no border");
-  job.stage("query");
+  job.begin_stage("query");
   result.potential.resize(job.surface().file.points.size());
-  const auto find = [&](const auto& np)
-  { result.cost = GP::feature_distance(domain, feature, Value_map<Site>{&result.potential}, np); };
-  with_preparation<Site>(
+  const auto compute = [&](const auto& np) {
+    result.cost = GP::feature_distance(domain, feature, Value_map<Vertex>{&result.potential}, np);
+  };
+  with_solver_parameters<Vertex>(
       domain, options, job,
       [&](const auto& np)
-      { find(np.tolerance(options.tolerance).callback(job.progress("distance to a feature"))); });
+      {
+        compute(np.tolerance(options.tolerance)
+                    .callback(job.progress_callback("distance to a feature")));
+      });
   result.triangles = picture_triangles(domain, job);
   return result;
 }
 
 void run_feature_distance(Job& job, const Feature_options& options)
 {
-  if(options.to.empty() && options.region.empty() && !options.border)
+  if(options.to.empty() && options.region.empty() && !options.use_boundary)
     throw Usage_error(
         "feature-distance: give --feature, --feature-at, --feature-path or --border.");
   check(options);
@@ -55,32 +60,32 @@ void run_feature_distance(Job& job, const Feature_options& options)
   const std::vector<std::size_t> vertices = options.to.empty()
                                                 ? std::vector<std::size_t>()
                                                 : region_vertices(options.to, "--feature", surface);
-  if(options.border && !surface.is_mesh())
+  if(options.use_boundary && !surface.is_mesh())
     fail(surface.name, "a cloud has no border");
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Transport_result result;
-  on_surface(surface, [&](const auto& mesh_or_cloud)
-             { result = distances(mesh_or_cloud, vertices, options, job); });
-  const double farthest = report_distances(job, result.potential);
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = compute_distances(mesh_or_cloud, vertices, options, job); });
+  const double largest_distance = report_distances(job, result.potential);
   report(job, options, result.cost, "integral");
 
-  job.stage("write");
-  job.write_values([&] { return lines(result.potential); });
+  job.begin_stage("write");
+  job.write_values([&] { return number_lines(result.potential); });
   if(!job.picture().empty())
   {
-    std::vector<Point> marked;
-    if(are_vertices(options.to))
+    std::vector<Point> marked_vertices;
+    if(is_vertex_list(options.to))
       for(const std::size_t vertex : vertices)
-        marked.push_back(surface.file.points[vertex]);
+        marked_vertices.push_back(surface.file.points[vertex]);
     Picture picture{&surface.file, result.potential, "distance"};
-    picture.markers = marked;
+    picture.markers = marked_vertices;
     picture.triangles = result.triangles;
-    add_curves(result, picture);
+    add_feature_polylines(result, picture);
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
-    write_result(job, "distance", result.potential, farthest);
+    write_result(job, "distance", result.potential, largest_distance);
   job.finish();
 }
 
@@ -95,12 +100,12 @@ void add_feature_distance(CLI::App& program)
   command.add("--feature", options->to, "X",
               "vertices V[,V...], or a property that is positive at those of the feature");
   add_region_options(command, options->region, "--feature");
-  command.add_flag("--border", options->border, "all borders of a mesh");
+  command.add_flag("--border", options->use_boundary, "all borders of a mesh");
   command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
       .shows_default();
   command.add("--refine", options->refine, "N", "as in emd");
-  add_density_options(command, options->densities);
-  command.set_run([job, options] { run_feature_distance(*job, *options); });
+  add_speed_options(command, options->speed_options);
+  command.set_callback([job, options] { run_feature_distance(*job, *options); });
 }
 
 } // namespace program

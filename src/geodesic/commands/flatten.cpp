@@ -3,10 +3,10 @@
 #include "io/Output_file.h"
 #include "picture/Picture.h"
 #include "app/commands.h"
-#include "picture/drawings.h"
+#include "picture/procedural_images.h"
 #include "io/errors.h"
 #include "commands/parameterizations.h"
-#include "commands/queries.h"
+#include "commands/command_utilities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ struct Flatten_options
   std::string method = "glle";
   std::optional<std::size_t> base_points;
   std::size_t neighbors = 10;
-  bool injective = false, flat = false;
+  bool is_injective = false, draws_plane = false;
 };
 
 // The library's part: the map, and on a mesh what it does to faces.
@@ -33,17 +33,18 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
                      std::vector<UV>& uv)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  const Value_map<typename decltype(domain)::Site, UV> map = {&uv};
-  job.stage("query");
+  const Value_map<typename decltype(domain)::Vertex, UV> map = {&uv};
+  job.begin_stage("query");
   if(options.method == "glle" || options.method == "mds")
   {
-    const auto np = GP::parameters::random_seed(job.seed()).callback(job.progress("flattening"));
-    const auto flatten = [&](const auto& with)
+    const auto np =
+        GP::parameters::random_seed(job.seed()).callback(job.progress_callback("flattening"));
+    const auto flatten = [&](const auto& parameters)
     {
       const auto base =
           options.method == "mds"
-              ? GP::geodesic_mds(domain, map, with)
-              : GP::geodesic_lle(domain, map, with.number_of_neighbors(options.neighbors));
+              ? GP::geodesic_mds(domain, map, parameters)
+              : GP::geodesic_lle(domain, map, parameters.number_of_neighbors(options.neighbors));
       job.result()["base_points"] = base.size();
     };
     if(options.base_points)
@@ -55,13 +56,13 @@ void flatten_surface(const Surface_type& surface, const Flatten_options& options
     uv = parameterization(job.surface(), options.method);
   if constexpr(is_mesh<Surface_type>)
   {
-    if(options.injective)
+    if(options.is_injective)
     {
       const GP::Distortion_minimum found = GP::minimize_distortion(
-          domain, map, GP::parameters::callback(job.progress("less distortion")));
+          domain, map, GP::parameters::callback(job.progress_callback("less distortion")));
       job.result()["flips_before"] = found.number_of_flips_before;
       job.result()["steps"] = found.number_of_steps;
-      job.say("flips before    " + std::to_string(found.number_of_flips_before));
+      job.print_line("flips before    " + std::to_string(found.number_of_flips_before));
     }
     const GP::Flattening_distortion found = GP::flattening_distortion(surface, map);
     job.report("flips", found.number_of_flips);
@@ -82,7 +83,7 @@ void check(const Flatten_options& options)
 }
 
 // Where the smallest square around the image is the unit square.
-std::vector<UV> in_unit_square(const std::vector<UV>& uv)
+std::vector<UV> scale_to_unit_square(const std::vector<UV>& uv)
 {
   UV low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   double size = 0.;
@@ -102,18 +103,18 @@ std::vector<UV> in_unit_square(const std::vector<UV>& uv)
 }
 
 // The input, or what lies in the plane, with squares on it.
-void draw_map(const Job& job, const Surface_file& surface, const std::vector<UV>& unit)
+void draw_map(const Job& job, const Surface_file& surface, const std::vector<UV>& unit_uv)
 {
   Surface_file file = surface;
-  const Image image = checkers();
+  const Image image = checkerboard();
   Picture picture{&file};
   if(file.corners.empty())
-    for(const UV& p : unit)
-      picture.labels.push_back(square_of(p));
+    for(const UV& p : unit_uv)
+      picture.labels.push_back(checkerboard_cell(p));
   else
   {
     for(const std::uint32_t corner : file.corners)
-      file.corner_uv.push_back(unit[corner]);
+      file.corner_uv.push_back(unit_uv[corner]);
     picture.texture = &image;
   }
   draw(job.picture(), picture);
@@ -123,18 +124,18 @@ void run_flatten(Job& job, const Flatten_options& options)
 {
   check(options);
   const Surface& surface = job.read();
-  const bool is_ours = options.method == "glle" || options.method == "mds";
-  if(!surface.is_mesh() && (options.injective || !is_ours))
+  const bool is_own_method = options.method == "glle" || options.method == "mds";
+  if(!surface.is_mesh() && (options.is_injective || !is_own_method))
     throw Input_error(
         surface.name + ": " +
-        (options.injective ? "--injective needs" : "--method " + options.method + " needs") +
+        (options.is_injective ? "--injective needs" : "--method " + options.method + " needs") +
         " a mesh.");
-  job.stage("prepare");
+  job.begin_stage("prepare");
   std::vector<UV> uv(surface.file.points.size());
-  on_surface(surface,
-             [&](const auto& mesh_or_cloud) { flatten_surface(mesh_or_cloud, options, job, uv); });
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { flatten_surface(mesh_or_cloud, options, job, uv); });
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values(
       [&]
       {
@@ -143,9 +144,9 @@ void run_flatten(Job& job, const Flatten_options& options)
           text += number_text(u) + ' ' + number_text(v) + '\n';
         return text;
       });
-  const std::vector<UV> unit = in_unit_square(uv);
+  const std::vector<UV> unit_uv = scale_to_unit_square(uv);
   Surface_file file = surface.file;
-  if(options.flat)
+  if(options.draws_plane)
     for(std::size_t i = 0; i < uv.size(); ++i)
     {
       file.points[i] = std::isfinite(uv[i][0]) ? Point{uv[i][0], uv[i][1], 0.} : Point{0., 0., 0.};
@@ -153,10 +154,10 @@ void run_flatten(Job& job, const Flatten_options& options)
         file.normals[i] = {0., 0., 1.};
     }
   if(!job.picture().empty())
-    draw_map(job, file, unit);
+    draw_map(job, file, unit_uv);
   if(!job.output().empty())
   {
-    file.uv = unit;
+    file.uv = unit_uv;
     for(const auto& [u, v] : uv)
     {
       file.properties["u"].push_back(u);
@@ -184,10 +185,10 @@ void add_flatten(CLI::App& program)
               "how many points carry glle and mds: 200, for glle more where the patch is narrow");
   command.add("--neighbors", options->neighbors, "K", "how many of them are around each, for glle")
       .shows_default();
-  command.add_flag("--injective", options->injective,
+  command.add_flag("--injective", options->is_injective,
                    "no face turned round: then as little distortion as can be");
-  command.add_flag("--flat", options->flat, "write and draw the plane, not the input");
-  command.set_run([job, options] { run_flatten(*job, *options); });
+  command.add_flag("--flat", options->draws_plane, "write and draw the plane, not the input");
+  command.set_callback([job, options] { run_flatten(*job, *options); });
 }
 
 } // namespace program

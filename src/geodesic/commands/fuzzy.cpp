@@ -4,7 +4,7 @@
 #include "io/Scanner.h"
 #include "app/commands.h"
 #include "io/errors.h"
-#include "commands/transports.h"
+#include "commands/transport_utilities.h"
 
 namespace program {
 
@@ -16,9 +16,9 @@ struct Fuzzy_options : Transport_options
   bool by_distances = false;
 };
 
-std::size_t vertex_of(const std::string& text, const std::string& option)
+std::size_t parse_vertex(const std::string& text, const std::string& option)
 {
-  const std::vector<std::size_t> vertices = parse_integers(text, option);
+  const std::vector<std::size_t> vertices = parse_indices(text, option);
   if(vertices.size() != 1)
     throw Usage_error(option + ": give one vertex.");
   return vertices[0];
@@ -26,37 +26,37 @@ std::size_t vertex_of(const std::string& text, const std::string& option)
 
 // The library's part: likelihoods of all vertices.
 template <typename Surface_type>
-Transport_result likelihoods(const Surface_type& surface, std::size_t from, std::size_t to,
-                             const Fuzzy_options& options, Job& job)
+Transport_result compute_likelihoods(const Surface_type& surface, std::size_t from, std::size_t to,
+                                     const Fuzzy_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Site = typename std::decay_t<decltype(domain)>::Site;
-  const Site p = site<Surface_type>(from), q = site<Surface_type>(to);
-  job.stage("query");
+  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
+  const Vertex p = vertex_at<Surface_type>(from), q = vertex_at<Surface_type>(to);
+  job.begin_stage("query");
   Transport_result result;
   result.potential.resize(job.surface().file.points.size());
-  const Value_map<Site> map{&result.potential};
-  const auto find = [&](const auto& np)
+  const Value_map<Vertex> map{&result.potential};
+  const auto compute = [&](const auto& np)
   {
     if(options.by_distances)
       GP::fuzzy_geodesic_by_distances(domain, p, q, map, np);
     else
-      with_preparation<Site>(
+      with_solver_parameters<Vertex>(
           domain, options, job,
-          [&](const auto& prepared)
+          [&](const auto& solver_parameters)
           {
-            const auto with_all =
-                prepared.tolerance(options.tolerance).callback(job.progress("transport"));
+            const auto parameters = solver_parameters.tolerance(options.tolerance)
+                                        .callback(job.progress_callback("transport"));
             if(options.width)
-              result.cost = GP::fuzzy_geodesic(domain, p, q, map, with_all.width(*options.width));
+              result.cost = GP::fuzzy_geodesic(domain, p, q, map, parameters.width(*options.width));
             else
-              result.cost = GP::fuzzy_geodesic(domain, p, q, map, with_all);
+              result.cost = GP::fuzzy_geodesic(domain, p, q, map, parameters);
           });
   };
   if(options.width)
-    find(GP::parameters::width(*options.width));
+    compute(GP::parameters::width(*options.width));
   else
-    find(GP::parameters::threads(job.threads()));
+    compute(GP::parameters::threads(job.threads()));
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -65,7 +65,8 @@ void run_fuzzy(Job& job, const Fuzzy_options& options)
 {
   if(options.from.empty() || options.to.empty())
     throw Usage_error("fuzzy: give --from and --to.");
-  const std::size_t from = vertex_of(options.from, "--from"), to = vertex_of(options.to, "--to");
+  const std::size_t from = parse_vertex(options.from, "--from"),
+                    to = parse_vertex(options.to, "--to");
   if(from == to)
     throw Usage_error("fuzzy: --from and --to are the same.");
   if(options.width && !(*options.width > 0.))
@@ -75,24 +76,24 @@ void run_fuzzy(Job& job, const Fuzzy_options& options)
   check_vertex(surface, from);
   check_vertex(surface, to);
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Transport_result result;
-  on_surface(surface, [&](const auto& mesh_or_cloud)
-             { result = likelihoods(mesh_or_cloud, from, to, options, job); });
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = compute_likelihoods(mesh_or_cloud, from, to, options, job); });
   if(!options.by_distances)
     report(job, options, result.cost, "cost");
 
-  job.stage("write");
-  job.write_values([&] { return lines(result.potential); });
+  job.begin_stage("write");
+  job.write_values([&] { return number_lines(result.potential); });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, result.potential, "likelihood"};
     picture.markers = {surface.file.points[from], surface.file.points[to]};
     picture.triangles = result.triangles;
-    picture.with_lines = options.by_distances;
+    picture.show_isolines = options.by_distances;
     for(std::size_t i = 0; i < result.potential.size(); ++i)
       if(result.potential[i] > 0.3)
-        picture.places.push_back(surface.file.points[i]);
+        picture.visible_points.push_back(surface.file.points[i]);
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
@@ -116,8 +117,8 @@ void add_fuzzy(CLI::App& program)
   command.add("--tolerance", options->tolerance, "T", "of the gap between the bounds, relative")
       .shows_default();
   command.add("--refine", options->refine, "N", "as in emd");
-  add_density_options(command, options->densities);
-  command.set_run([job, options] { run_fuzzy(*job, *options); });
+  add_speed_options(command, options->speed_options);
+  command.set_callback([job, options] { run_fuzzy(*job, *options); });
 }
 
 } // namespace program

@@ -5,10 +5,10 @@
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
-#include "commands/queries.h"
+#include "commands/command_utilities.h"
 
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 namespace internal = GP::internal;
 
-struct Shape
+struct Mesh_quality
 {
   double area = 0.;                        // in the file's unit squared
   double min_angle = 180., max_angle = 0.; // degrees, of triangles with an area
@@ -29,108 +29,111 @@ Point difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q
 
 double dot(const Point& u, const Point& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-double cross_length(const Point& u, const Point& v)
+double cross_product_length(const Point& u, const Point& v)
 {
   return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                     u[0] * v[1] - u[1] * v[0]);
 }
 
-Shape shape_of(const internal::Glued_triangles& triangles)
+Mesh_quality compute_quality(const internal::Surface_arrays& triangles)
 {
-  constexpr double degrees = 57.295779513082323;
-  Shape shape;
+  constexpr double degrees_per_radian = 57.295779513082323;
+  Mesh_quality quality;
   for(std::size_t f = 0; f < triangles.number_of_triangles(); ++f)
   {
-    Point side[3]; // from corner k to corner k + 1
+    Point edge[3]; // from corner k to corner k + 1
     for(std::size_t k = 0; k < 3; ++k)
-      side[k] = difference(triangles.point[triangles.corner[3 * f + (k + 1) % 3]],
+      edge[k] = difference(triangles.point[triangles.corner[3 * f + (k + 1) % 3]],
                            triangles.point[triangles.corner[3 * f + k]]);
-    const double twice_area = cross_length(side[0], side[1]);
+    const double twice_area = cross_product_length(edge[0], edge[1]);
     if(twice_area == 0.)
       continue;
-    shape.area += twice_area / 2.;
+    quality.area += twice_area / 2.;
     for(std::size_t k = 0; k < 3; ++k)
     {
-      const double angle = degrees * std::atan2(twice_area, -dot(side[k], side[(k + 2) % 3]));
-      shape.min_angle = std::min(shape.min_angle, angle);
-      shape.max_angle = std::max(shape.max_angle, angle);
+      const double angle =
+          degrees_per_radian * std::atan2(twice_area, -dot(edge[k], edge[(k + 2) % 3]));
+      quality.min_angle = std::min(quality.min_angle, angle);
+      quality.max_angle = std::max(quality.max_angle, angle);
     }
   }
-  shape.area *= triangles.scale * triangles.scale;
-  return shape;
+  quality.area *= triangles.scale * triangles.scale;
+  return quality;
 }
 
 // The component of each vertex, whose place among the domain's sites is given.
-std::vector<long long> components_of(const internal::Glued_triangles& triangles,
-                                     const std::vector<internal::Index>& site)
+std::vector<long long> component_labels(const internal::Surface_arrays& triangles,
+                                        const std::vector<internal::Index>& vertex)
 {
   const std::vector<internal::Index> label = internal::components(triangles).first;
-  std::vector<long long> result(site.size());
-  std::transform(site.begin(), site.end(), result.begin(),
+  std::vector<long long> result(vertex.size());
+  std::transform(vertex.begin(), vertex.end(), result.begin(),
                  [&](internal::Index s) { return static_cast<long long>(label[s]); });
   return result;
 }
 
 // The regions of the picture.
-struct Regions
+struct Picture_regions
 {
   std::vector<long long> labels;
   std::vector<std::uint32_t> triangles; // of a cloud
 };
 
-Regions describe_mesh(Job& job)
+Picture_regions report_mesh(Job& job)
 {
   const Surface& surface = job.surface();
-  const Gluing& gluing = surface.gluing;
-  const auto glued = internal::glue(surface.file.points, surface.file.corners, gluing.twins);
-  job.stage("query");
-  const Shape shape = shape_of(glued.triangles);
+  const Connectivity& connectivity = surface.connectivity;
+  const auto mesh =
+      internal::build_mesh_arrays(surface.file.points, surface.file.corners, connectivity.twins);
+  job.begin_stage("query");
+  const Mesh_quality quality = compute_quality(mesh.arrays);
   const std::size_t faces = surface.file.number_of_polygons();
   auto& result = job.result();
-  result["components"] = gluing.components;
-  result["boundary_loops"] = gluing.boundary_loops;
-  result["genus"] = gluing.genus(faces);
-  result["manifold"] = gluing.is_manifold();
-  result["area"] = json_number(shape.area);
-  const bool has_angles = shape.max_angle > 0.;
-  result["min_angle"] = has_angles ? json_number(shape.min_angle) : nullptr;
-  result["max_angle"] = has_angles ? json_number(shape.max_angle) : nullptr;
-  result["degenerate_faces"] = glued.degenerate;
+  result["components"] = connectivity.number_of_components;
+  result["boundary_loops"] = connectivity.number_of_boundary_loops;
+  result["genus"] = connectivity.genus(faces);
+  result["manifold"] = connectivity.is_manifold();
+  result["area"] = json_number(quality.area);
+  const bool has_angles = quality.max_angle > 0.;
+  result["min_angle"] = has_angles ? json_number(quality.min_angle) : nullptr;
+  result["max_angle"] = has_angles ? json_number(quality.max_angle) : nullptr;
+  result["degenerate_faces"] = mesh.number_of_degenerate_triangles;
 
-  job.say("components      " + std::to_string(gluing.components));
-  job.say("boundary loops  " + std::to_string(gluing.boundary_loops));
-  job.say("genus           " + std::to_string(gluing.genus(faces)));
-  job.say(std::string("manifold        ") + (gluing.is_manifold() ? "yes" : "no"));
+  job.print_line("components      " + std::to_string(connectivity.number_of_components));
+  job.print_line("boundary loops  " + std::to_string(connectivity.number_of_boundary_loops));
+  job.print_line("genus           " + std::to_string(connectivity.genus(faces)));
+  job.print_line(std::string("manifold        ") + (connectivity.is_manifold() ? "yes" : "no"));
   if(has_angles)
-    job.say("angles          " + readable(shape.min_angle) + " to " + readable(shape.max_angle) +
-            " degrees");
-  job.say("area            " + readable(shape.area));
-  job.say("degenerate      " + std::to_string(glued.degenerate) + " faces");
-  if(gluing.components < 2 || job.picture().empty())
+    job.print_line("angles          " + rounded_text(quality.min_angle) + " to " +
+                   rounded_text(quality.max_angle) + " degrees");
+  job.print_line("area            " + rounded_text(quality.area));
+  job.print_line("degenerate      " + std::to_string(mesh.number_of_degenerate_triangles) +
+                 " faces");
+  if(connectivity.number_of_components < 2 || job.picture().empty())
     return {};
-  return {components_of(glued.triangles, glued.site_of_vertex), {}};
+  return {component_labels(mesh.arrays, mesh.internal_vertex), {}};
 }
 
 // Surfels are joined by arcs: those that no arcs join do not reach each other.
-Regions describe_cloud(Job& job)
+Picture_regions report_cloud(Job& job)
 {
   const Surface_file& file = job.surface().file;
   internal::Surfel_options options;
   options.threads = job.threads();
-  const auto surfels = internal::glue_surfels(file.points, file.normals, {}, options);
-  job.stage("query");
-  const std::size_t components = internal::components(surfels.triangles).second;
+  const auto surfels = internal::build_surfel_arrays(file.points, file.normals, {}, options);
+  job.begin_stage("query");
+  const std::size_t components = internal::components(surfels.arrays).second;
   job.result()["components"] = components;
-  job.say("components      " + std::to_string(components));
+  job.print_line("components      " + std::to_string(components));
   if(job.picture().empty())
     return {};
-  Regions regions = {{}, picture_triangles(surfels)};
+  Picture_regions regions = {{}, picture_triangles(surfels)};
   if(components > 1)
-    regions.labels = components_of(surfels.triangles, surfels.site_of_surfel);
+    regions.labels = component_labels(surfels.arrays, surfels.internal_vertex);
   return regions;
 }
 
-void describe_box(Job& job)
+void report_bounding_box(Job& job)
 {
   Point low = job.surface().file.points[0], high = low;
   for(const Point& p : job.surface().file.points)
@@ -140,38 +143,39 @@ void describe_box(Job& job)
       high[c] = std::max(high[c], p[c]);
     }
   job.result()["bounding_box"] = {low, high};
-  job.say("bounding box    " + readable(low[0]) + " " + readable(low[1]) + " " + readable(low[2]) +
-          " to " + readable(high[0]) + " " + readable(high[1]) + " " + readable(high[2]));
+  job.print_line("bounding box    " + rounded_text(low[0]) + " " + rounded_text(low[1]) + " " +
+                 rounded_text(low[2]) + " to " + rounded_text(high[0]) + " " +
+                 rounded_text(high[1]) + " " + rounded_text(high[2]));
 }
 
-struct Shown
+struct Info_options
 {
   std::string property;
-  bool has_sides = false;
+  bool show_edges = false;
 };
 
-void run_info(Job& job, const Shown& shown)
+void run_info(Job& job, const Info_options& options)
 {
-  const std::string& wanted = shown.property;
-  if(!wanted.empty() && job.picture().empty())
+  const std::string& property_name = options.property;
+  if(!property_name.empty() && job.picture().empty())
     throw Usage_error("--property: it is shown in a --picture.");
-  if(shown.has_sides && job.picture().empty())
+  if(options.show_edges && job.picture().empty())
     throw Usage_error("--sides: they are shown in a --picture.");
   const Surface& surface = job.read();
-  if(shown.has_sides && !surface.is_mesh())
+  if(options.show_edges && !surface.is_mesh())
     throw Usage_error("--sides: points have none.");
-  if(!wanted.empty())
-    property(surface, wanted);
-  job.say(std::string("kind            ") + (surface.is_mesh() ? "mesh" : "cloud"));
-  job.say("vertices        " + std::to_string(surface.file.points.size()));
-  job.stage("prepare");
+  if(!property_name.empty())
+    property(surface, property_name);
+  job.print_line(std::string("kind            ") + (surface.is_mesh() ? "mesh" : "cloud"));
+  job.print_line("vertices        " + std::to_string(surface.file.points.size()));
+  job.begin_stage("prepare");
   if(surface.is_mesh())
-    job.say("faces           " + std::to_string(surface.file.number_of_polygons()));
-  Regions regions = surface.is_mesh() ? describe_mesh(job) : describe_cloud(job);
-  job.stage("query");
-  describe_box(job);
+    job.print_line("faces           " + std::to_string(surface.file.number_of_polygons()));
+  Picture_regions regions = surface.is_mesh() ? report_mesh(job) : report_cloud(job);
+  job.begin_stage("query");
+  report_bounding_box(job);
 
-  job.stage("write");
+  job.begin_stage("write");
   if(!job.output().empty())
     write_surface_file(job.output(), surface.file);
   job.write_values([&] { return points_text(surface.file.points); });
@@ -180,13 +184,13 @@ void run_info(Job& job, const Shown& shown)
     Picture picture{&surface.file, {}, "", regions.labels, {}, {}, regions.triangles};
     for(const auto& [a, b] : surface.file.edges)
       picture.polylines.push_back({surface.file.points[a], surface.file.points[b]});
-    if(!wanted.empty())
+    if(!property_name.empty())
     {
-      picture.values = property(surface, wanted);
-      picture.title = wanted;
+      picture.values = property(surface, property_name);
+      picture.title = property_name;
       picture.labels.clear();
     }
-    picture.with_sides = shown.has_sides;
+    picture.show_edges = options.show_edges;
     draw(job.picture(), picture);
   }
   job.finish();
@@ -198,11 +202,11 @@ void add_info(CLI::App& program)
 {
   Command command(program, "info", "sizes, shape and defects; -o converts");
   const auto job = std::make_shared<Job>(command);
-  const auto shown = std::make_shared<Shown>();
-  command.add("--property", shown->property, "NAME",
+  const auto options = std::make_shared<Info_options>();
+  command.add("--property", options->property, "NAME",
               "of the vertices, shown in the picture; else the components are");
-  command.add_flag("--sides", shown->has_sides, "show the sides of triangles in the picture");
-  command.set_run([job, shown] { run_info(*job, *shown); });
+  command.add_flag("--sides", options->show_edges, "show the sides of triangles in the picture");
+  command.set_callback([job, options] { run_info(*job, *options); });
 }
 
 } // namespace program

@@ -4,8 +4,8 @@
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
-#include "picture/drawings.h"
-#include "commands/queries.h"
+#include "picture/procedural_images.h"
+#include "commands/command_utilities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,11 +32,11 @@ struct Result
 };
 
 template <typename Surface_type, typename Method>
-Result map_around(const GP::internal::Domain_of<Surface_type>& domain,
-                  const Logmap_options& options, Job& job)
+Result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
+                   const Logmap_options& options, Job& job)
 {
   GP::Logarithmic_map<Surface_type, Method> map(domain);
-  job.stage("query");
+  job.begin_stage("query");
   const auto limits = GP::parameters::maximum_distance(options.radius);
   const auto compute = [&](const auto& base)
   {
@@ -46,12 +46,12 @@ Result map_around(const GP::internal::Domain_of<Surface_type>& domain,
     map.compute(base, limits.up_direction(Kernel::Vector_3(up[0], up[1], up[2])));
   };
   if(options.base_at.empty())
-    compute(site<Surface_type>(parse_integers(options.base, "--base").front()));
+    compute(vertex_at<Surface_type>(parse_indices(options.base, "--base").front()));
   else
     compute(locate(domain, options.base_at, "--base-at"));
   Result result;
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.uv.push_back(map(site<Surface_type>(i)));
+    result.uv.push_back(map(vertex_at<Surface_type>(i)));
   const auto frame = map.frame();
   result.base = coordinates(frame.origin);
   result.normal = coordinates(frame.normal());
@@ -70,13 +70,15 @@ Result find_map(const Surface_type& surface, const Logmap_options& options, Job&
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   if constexpr(is_mesh<Surface_type>)
     if(options.method == "exact")
-      return map_around<Surface_type, GP::Exact>(domain, options, job);
+      return compute_map<Surface_type, GP::Exact>(domain, options, job);
   if(options.method == "discrete-exponential")
-    return map_around<Surface_type, GP::Discrete_exponential>(domain, options, job);
+    return compute_map<Surface_type, GP::Discrete_exponential>(domain, options, job);
   Result result;
-  with_method<Surface_type>(
-      options.distances, [&](auto method)
-      { result = map_around<Surface_type, GP::Gradient<decltype(method)>>(domain, options, job); });
+  with_method<Surface_type>(options.distances,
+                            [&](auto method) {
+                              result = compute_map<Surface_type, GP::Gradient<decltype(method)>>(
+                                  domain, options, job);
+                            });
   return result;
 }
 
@@ -84,7 +86,7 @@ void check(const Logmap_options& options)
 {
   if(options.base.empty() == options.base_at.empty())
     throw Usage_error("logmap: give either --base or --base-at.");
-  if(!options.base.empty() && parse_integers(options.base, "--base").size() != 1)
+  if(!options.base.empty() && parse_indices(options.base, "--base").size() != 1)
     throw Usage_error("--base: give one vertex.");
   if(!options.base_at.empty())
     parse_point(options.base_at, "--base-at");
@@ -94,12 +96,12 @@ void check(const Logmap_options& options)
     throw Usage_error("--radius: a distance is not negative.");
   if(options.method != "gradient" && options.method != "exact" &&
      options.method != "discrete-exponential")
-    throw Usage_error("--method " + shown(options.method) +
+    throw Usage_error("--method " + printable(options.method) +
                       ": the methods are gradient, exact and discrete-exponential.");
   check_method(options.distances);
 }
 
-double largest(const std::vector<std::array<double, 2>>& uv)
+double largest_radius(const std::vector<std::array<double, 2>>& uv)
 {
   double result = 0.;
   for(const auto& [u, v] : uv)
@@ -109,7 +111,7 @@ double largest(const std::vector<std::array<double, 2>>& uv)
 }
 
 // The disk in the middle of a picture; its corner is outside.
-std::array<double, 2> in_picture(const std::array<double, 2>& uv, double size)
+std::array<double, 2> to_picture_uv(const std::array<double, 2>& uv, double size)
 {
   if(!std::isfinite(uv[0]) || !(size > 0.))
     return {0., 0.};
@@ -120,30 +122,31 @@ std::array<double, 2> in_picture(const std::array<double, 2>& uv, double size)
 void draw_map(const Job& job, const Result& result)
 {
   Surface_file file = job.surface().file;
-  const double size = largest(result.uv);
+  const double size = largest_radius(result.uv);
   Picture picture{&file};
   picture.markers = {result.base};
   picture.normals = {result.normal};
   Image grid = polar_grid();
   if(file.corners.empty())
     for(const auto& [u, v] : result.uv)
-      picture.labels.push_back(polar_cell(u / size, v / size, 10));
+      picture.labels.push_back(polar_grid_cell(u / size, v / size, 10));
   else
   {
     for(std::size_t i = 0; i < grid.pixels.size(); ++i)
       for(std::size_t c = 0; c < 3; ++c)
-        grid.pixels[i][c] = grid.opacity[i] * grid.pixels[i][c] + (1. - grid.opacity[i]) * plain[c];
+        grid.pixels[i][c] =
+            grid.opacity[i] * grid.pixels[i][c] + (1. - grid.opacity[i]) * default_color[c];
     for(const std::uint32_t corner : file.corners)
-      file.corner_uv.push_back(in_picture(result.uv[corner], size));
-    const auto leave_out = [&](std::size_t face)
+      file.corner_uv.push_back(to_picture_uv(result.uv[corner], size));
+    const auto hide_face = [&](std::size_t face)
     {
       std::fill_n(file.corner_uv.begin() + 3 * static_cast<std::ptrdiff_t>(face), 3,
                   std::array<double, 2>{0., 0.});
     };
     for(std::size_t i = 0; i < file.corners.size(); ++i)
       if(!std::isfinite(result.uv[file.corners[i]][0]))
-        leave_out(i / 3);
-    std::for_each(result.cut_faces.begin(), result.cut_faces.end(), leave_out);
+        hide_face(i / 3);
+    std::for_each(result.cut_faces.begin(), result.cut_faces.end(), hide_face);
     picture.texture = &grid;
   }
   draw(job.picture(), picture);
@@ -155,20 +158,20 @@ void run_logmap(Job& job, const Logmap_options& options)
   const Surface& surface = job.read();
   check_method(options.method == "exact" ? options.method : options.distances, surface);
   if(!options.base.empty())
-    check_vertex(surface, parse_integers(options.base, "--base").front());
+    check_vertex(surface, parse_indices(options.base, "--base").front());
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Result result;
-  on_surface(surface,
-             [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
+  visit_surface(surface,
+                [&](const auto& mesh_or_cloud) { result = find_map(mesh_or_cloud, options, job); });
   job.result()["values"] = result.reached;
   job.result()["cut"] = result.cut;
   job.result()["folded_faces"] = result.folded;
-  job.say("reached         " + std::to_string(result.reached) + " vertices");
-  job.say("cut             " + std::to_string(result.cut) + " faces");
-  job.say("folded          " + std::to_string(result.folded) + " faces");
+  job.print_line("reached         " + std::to_string(result.reached) + " vertices");
+  job.print_line("cut             " + std::to_string(result.cut) + " faces");
+  job.print_line("folded          " + std::to_string(result.folded) + " faces");
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values(
       [&]
       {
@@ -183,12 +186,12 @@ void run_logmap(Job& job, const Logmap_options& options)
   {
     Surface_file file = surface.file;
     file.uv.clear();
-    const double size = largest(result.uv);
+    const double size = largest_radius(result.uv);
     for(const auto& [u, v] : result.uv)
     {
       file.properties["u"].push_back(u);
       file.properties["v"].push_back(v);
-      file.uv.push_back(in_picture({u, v}, size));
+      file.uv.push_back(to_picture_uv({u, v}, size));
     }
     write_surface_file(job.output(), file);
   }
@@ -215,7 +218,7 @@ void add_logmap(CLI::App& program)
       .add("--distances", options->distances, "NAME",
            "for the gradient: dijkstra, fast-marching, euclidean, exact or heat")
       .shows_default();
-  command.set_run([job, options] { run_logmap(*job, *options); });
+  command.set_callback([job, options] { run_logmap(*job, *options); });
 }
 
 } // namespace program

@@ -4,7 +4,7 @@
 #include "picture/Picture.h"
 #include "app/commands.h"
 #include "io/errors.h"
-#include "commands/queries.h"
+#include "commands/command_utilities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +23,11 @@ struct Matrix_options
   std::string sources; // "V,V,..."
   std::optional<std::size_t> number;
   std::string method = "euclidean";
-  std::optional<std::size_t> basis;
-  double limit = infinity;
+  std::optional<std::size_t> basis_size;
+  double max_distance = infinity;
 
-  bool is_sparse() const { return limit < infinity; }
-  bool of_all_vertices() const { return sources.empty() && !number; }
+  bool is_sparse() const { return max_distance < infinity; }
+  bool has_all_vertices() const { return sources.empty() && !number; }
 };
 
 using Sparse_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -46,11 +46,11 @@ struct Result
 // What a picture shows: how far the vertices of the rows are, or, where all are, how many are near.
 template <typename Method, typename Domain>
 std::vector<double>
-picture_values(const Domain& domain, const std::vector<typename Domain::Site>& sites,
+picture_values(const Domain& domain, const std::vector<typename Domain::Vertex>& descriptors,
                const Result& result, const Matrix_options& options, const Job& job)
 {
   std::vector<double> values(job.surface().file.points.size());
-  if(options.of_all_vertices())
+  if(options.has_all_vertices())
   {
     for(std::size_t i = 0; i < values.size(); ++i)
       values[i] = static_cast<double>(result.sparse.outerIndexPtr()[i + 1] -
@@ -59,22 +59,22 @@ picture_values(const Domain& domain, const std::vector<typename Domain::Site>& s
   }
   using Surface_type = typename Domain::Surface;
   GP::Geodesic_distance_solver<Surface_type, Method> solver(domain);
-  solver.compute(sites, GP::parameters::maximum_distance(options.limit));
+  solver.compute(descriptors, GP::parameters::maximum_distance(options.max_distance));
   for(std::size_t i = 0; i < values.size(); ++i)
-    values[i] = solver.distance(site<Surface_type>(i));
+    values[i] = solver.distance(vertex_at<Surface_type>(i));
   return values;
 }
 
 // The library's part: the vertices of the rows, and the distances between them.
 template <typename Surface_type>
-Result find_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
+Result compute_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Domain = std::decay_t<decltype(domain)>;
-  job.stage("query");
+  job.begin_stage("query");
   Result result;
   if(!options.sources.empty())
-    result.vertices = parse_integers(options.sources, "--sources");
+    result.vertices = parse_indices(options.sources, "--sources");
   else if(options.number)
     result.vertices = farthest_vertices(domain, *options.number, job);
   else
@@ -82,19 +82,20 @@ Result find_matrix(const Surface_type& surface, const Matrix_options& options, J
     result.vertices.resize(job.surface().file.points.size());
     std::iota(result.vertices.begin(), result.vertices.end(), std::size_t{0});
   }
-  std::vector<typename Domain::Site> sites;
+  std::vector<typename Domain::Vertex> descriptors;
   for(const std::size_t vertex : result.vertices)
-    sites.push_back(site<Surface_type>(vertex));
+    descriptors.push_back(vertex_at<Surface_type>(vertex));
 
   const auto parameters =
-      GP::parameters::threads(job.threads()).callback(job.progress("distances"));
+      GP::parameters::threads(job.threads()).callback(job.progress_callback("distances"));
   if(is_metric(options.method))
   {
-    with_metric<Surface_type>(domain, options.method, options.basis, job,
+    with_metric<Surface_type>(domain, options.method, options.basis_size, job,
                               [&](const auto& metric)
-                              { result.dense = metric.distance_matrix(sites); });
+                              { result.dense = metric.distance_matrix(descriptors); });
     if(!job.picture().empty()) // of lengths
-      result.values = picture_values<GP::Euclidean_front>(domain, sites, result, options, job);
+      result.values =
+          picture_values<GP::Euclidean_front>(domain, descriptors, result, options, job);
   }
   else
     with_method<Surface_type>(
@@ -104,12 +105,12 @@ Result find_matrix(const Surface_type& surface, const Matrix_options& options, J
           using Method = decltype(method);
           if(options.is_sparse())
             result.sparse = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-                domain, sites, options.limit, parameters);
+                domain, descriptors, options.max_distance, parameters);
           else
-            result.dense =
-                GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(domain, sites, parameters);
+            result.dense = GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
+                domain, descriptors, parameters);
           if(!job.picture().empty())
-            result.values = picture_values<Method>(domain, sites, result, options, job);
+            result.values = picture_values<Method>(domain, descriptors, result, options, job);
         });
   result.entries = options.is_sparse()
                        ? static_cast<std::size_t>(result.sparse.nonZeros())
@@ -119,12 +120,13 @@ Result find_matrix(const Surface_type& surface, const Matrix_options& options, J
 }
 
 // A line for each entry: row, column, distance.
-void append_entries(std::string& text, const Sparse_matrix& matrix, Eigen::Index first)
+void append_entries(std::string& text, const Sparse_matrix& matrix, Eigen::Index index_base)
 {
   for(Eigen::Index row = 0; row < matrix.rows(); ++row)
     for(Sparse_matrix::InnerIterator entry(matrix, row); entry; ++entry)
     {
-      text += std::to_string(row + first) + ' ' + std::to_string(entry.col() + first) + ' ';
+      text +=
+          std::to_string(row + index_base) + ' ' + std::to_string(entry.col() + index_base) + ' ';
       append_number(text, entry.value());
       text += '\n';
     }
@@ -169,20 +171,20 @@ void check(const Matrix_options& options)
     throw Usage_error("matrix: give either --sources or --number.");
   if(options.number && *options.number == 0)
     throw Usage_error("--number: a matrix has at least one row.");
-  if(!(options.limit >= 0.))
+  if(!(options.max_distance >= 0.))
     throw Usage_error("--limit: a distance is not negative.");
-  if(options.of_all_vertices() && !options.is_sparse())
+  if(options.has_all_vertices() && !options.is_sparse())
     throw Usage_error("matrix: of all vertices, without --sources and --number, it needs a "
                       "--limit.");
   if(!options.sources.empty())
   {
-    std::vector<std::size_t> vertices = parse_integers(options.sources, "--sources");
+    std::vector<std::size_t> vertices = parse_indices(options.sources, "--sources");
     std::sort(vertices.begin(), vertices.end());
-    const auto twice = std::adjacent_find(vertices.begin(), vertices.end());
-    if(twice != vertices.end())
-      throw Usage_error("--sources: vertex " + std::to_string(*twice) + " comes twice.");
+    const auto duplicate = std::adjacent_find(vertices.begin(), vertices.end());
+    if(duplicate != vertices.end())
+      throw Usage_error("--sources: vertex " + std::to_string(*duplicate) + " comes twice.");
   }
-  check_basis(options.method, options.basis);
+  check_basis(options.method, options.basis_size);
   if(!is_metric(options.method))
     check_method(options.method);
   else if(options.is_sparse())
@@ -196,28 +198,28 @@ void run_matrix(Job& job, const Matrix_options& options)
   if(!is_metric(options.method))
     check_method(options.method, surface);
   if(!options.sources.empty())
-    for(const std::size_t vertex : parse_integers(options.sources, "--sources"))
+    for(const std::size_t vertex : parse_indices(options.sources, "--sources"))
       check_vertex(surface, vertex);
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Result result;
-  on_surface(surface,
-             [&](const auto& mesh_or_cloud) { result = find_matrix(mesh_or_cloud, options, job); });
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = compute_matrix(mesh_or_cloud, options, job); });
   const std::size_t rows = result.vertices.size();
   job.result()["rows"] = rows;
   job.result()["entries"] = result.entries;
-  if(!options.of_all_vertices())
+  if(!options.has_all_vertices())
     job.result()["sources"] = result.vertices;
-  job.say("rows            " + std::to_string(rows));
-  job.say("entries         " + std::to_string(result.entries));
+  job.print_line("rows            " + std::to_string(rows));
+  job.print_line("entries         " + std::to_string(result.entries));
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values([&] { return values_text(result); });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file, result.values, "", {}, {}, {}, result.triangles};
-    picture.title = options.of_all_vertices() ? "vertices near" : "distance";
-    if(!options.of_all_vertices())
+    picture.title = options.has_all_vertices() ? "vertices near" : "distance";
+    if(!options.has_all_vertices())
       for(const std::size_t vertex : result.vertices)
         picture.markers.push_back(surface.file.points[vertex]);
     draw(job.picture(), picture);
@@ -246,10 +248,10 @@ void add_matrix(CLI::App& program)
       .add("--method", options->method, "NAME",
            "dijkstra, fast-marching, euclidean, exact or heat; spectral, emd or biharmonic")
       .shows_default();
-  command.add("--basis", options->basis, "K", "of emd, as in distance (default 100)");
-  command.add("--limit", options->limit, "D",
+  command.add("--basis", options->basis_size, "K", "of emd, as in distance (default 100)");
+  command.add("--limit", options->max_distance, "D",
               "only pairs that are not farther apart, as a sparse matrix");
-  command.set_run([job, options] { run_matrix(*job, *options); });
+  command.set_callback([job, options] { run_matrix(*job, *options); });
 }
 
 } // namespace program

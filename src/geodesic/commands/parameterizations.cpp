@@ -19,18 +19,18 @@ std::vector<std::array<double, 2>> parameterization(const Surface& surface,
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   Mesh mesh = make_mesh(surface);
-  const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  if(border == Mesh::null_halfedge())
+  const auto boundary = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  if(boundary == Mesh::null_halfedge())
     throw Input_error(surface.name + ": it has no border.");
   // CGAL leaves out vertices that the border does not reach.
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto uv =
-      mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", {unknown, unknown}).first;
+      mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", {nan, nan}).first;
   const SMP::Error_code code =
-      method == "lscm" ? SMP::parameterize(mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv)
+      method == "lscm" ? SMP::parameterize(mesh, SMP::LSCM_parameterizer_3<Mesh>(), boundary, uv)
       : method == "authalic"
-          ? SMP::parameterize(mesh, SMP::Discrete_authalic_parameterizer_3<Mesh>(), border, uv)
-          : SMP::parameterize(mesh, SMP::ARAP_parameterizer_3<Mesh>(), border, uv);
+          ? SMP::parameterize(mesh, SMP::Discrete_authalic_parameterizer_3<Mesh>(), boundary, uv)
+          : SMP::parameterize(mesh, SMP::ARAP_parameterizer_3<Mesh>(), boundary, uv);
   if(code != SMP::OK)
     throw Input_error(surface.name + ": " + SMP::get_error_message(code) + ".");
   std::vector<std::array<double, 2>> result;

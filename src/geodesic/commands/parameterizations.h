@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_PARAMETERIZATIONS_H
-#define GEODESIC_PROGRAM_PARAMETERIZATIONS_H
+#ifndef GEODESIC_PROGRAM_COMMANDS_PARAMETERIZATIONS_H
+#define GEODESIC_PROGRAM_COMMANDS_PARAMETERIZATIONS_H
 
 #include "repair/Surface.h"
 
@@ -18,4 +18,4 @@ std::vector<std::array<double, 2>> parameterization(const Surface& surface,
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_PARAMETERIZATIONS_H
+#endif // GEODESIC_PROGRAM_COMMANDS_PARAMETERIZATIONS_H

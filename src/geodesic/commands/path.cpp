@@ -13,7 +13,7 @@ namespace program {
 namespace {
 
 // An end of the path: a vertex or a point, as given.
-struct End
+struct Path_end
 {
   std::string vertex, point;
   const char *vertex_option, *point_option;
@@ -21,7 +21,7 @@ struct End
 
 struct Path_options
 {
-  End from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
+  Path_end from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
   std::string method; // whose distances the path follows; none: a search for this one path
   Cloud_path_options cloud;
   bool start = false; // the chain of arcs as well
@@ -37,16 +37,16 @@ struct Result
   Surface_file surfels; // where a picture is wanted
 };
 
-std::size_t vertex_of(const End& end)
+std::size_t parse_vertex(const Path_end& end)
 {
-  const std::vector<std::size_t> vertices = parse_integers(end.vertex, end.vertex_option);
+  const std::vector<std::size_t> vertices = parse_indices(end.vertex, end.vertex_option);
   if(vertices.size() != 1)
     throw Usage_error(std::string(end.vertex_option) + ": give one vertex.");
   return vertices[0];
 }
 
 template <typename Path>
-void keep(const Path& path, Result& result)
+void copy_path(const Path& path, Result& result)
 {
   for(const auto& p : path.points)
     result.points.push_back(coordinates(p));
@@ -60,24 +60,24 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Domain = std::decay_t<decltype(domain)>;
-  using Place = std::variant<typename Domain::Site, typename Domain::Location>;
-  const auto place = [&](const End& end)
+  using Path_endpoint = std::variant<typename Domain::Vertex, typename Domain::Location>;
+  const auto endpoint = [&](const Path_end& end)
   {
-    return end.point.empty() ? Place(site<Surface_type>(vertex_of(end)))
-                             : Place(locate(domain, end.point, end.point_option));
+    return end.point.empty() ? Path_endpoint(vertex_at<Surface_type>(parse_vertex(end)))
+                             : Path_endpoint(locate(domain, end.point, end.point_option));
   };
-  const Place from = place(options.from), to = place(options.to);
-  job.stage("query");
+  const Path_endpoint from = endpoint(options.from), to = endpoint(options.to);
+  job.begin_stage("query");
   Result result;
   std::visit(
       [&](const auto& begin, const auto& end)
       {
         if(options.method.empty())
-          keep(GP::Geodesic_path_finder<Surface_type>(domain)(begin, end), result);
+          copy_path(GP::Geodesic_path_finder<Surface_type>(domain)(begin, end), result);
         else
           with_method<Surface_type>(
               options.method, [&](auto method)
-              { keep(GP::geodesic_path<decltype(method)>(domain, begin, end), result); });
+              { copy_path(GP::geodesic_path<decltype(method)>(domain, begin, end), result); });
       },
       from, to);
   return result;
@@ -86,38 +86,39 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
 // On a cloud the path of least energy.
 Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job)
 {
-  Path_finder find = make_path_finder(cloud, options.cloud, job);
-  using Place = std::variant<Path_finder::Site, Path_finder::Location>;
-  const auto place = [&](const End& end)
+  Path_finder finder = make_path_finder(cloud, options.cloud, job);
+  using Path_endpoint = std::variant<Path_finder::Vertex, Path_finder::Location>;
+  const auto endpoint = [&](const Path_end& end)
   {
-    return end.point.empty() ? Place(site<Cloud>(vertex_of(end)))
-                             : Place(find.locate(parse_point_3(end.point, end.point_option)));
+    return end.point.empty()
+               ? Path_endpoint(vertex_at<Cloud>(parse_vertex(end)))
+               : Path_endpoint(finder.locate(parse_point_3(end.point, end.point_option)));
   };
-  const Place from = place(options.from), to = place(options.to);
-  job.stage("query");
+  const Path_endpoint from = endpoint(options.from), to = endpoint(options.to);
+  job.begin_stage("query");
   Result result;
   std::visit(
       [&](const auto& begin, const auto& end)
       {
-        const auto path = find(begin, end);
-        keep(path, result);
+        const auto path = finder(begin, end);
+        copy_path(path, result);
         for(const Cloud::Index& surfel : path.start)
-          result.start.push_back(coordinates(find.point(surfel)));
+          result.start.push_back(coordinates(finder.point(surfel)));
         result.start_length = path.start_length;
       },
       from, to);
   if(!job.picture().empty())
-    result.surfels = seen_surfels(cloud, find);
+    result.surfels = denoised_surfels(cloud, finder);
   return result;
 }
 
-void check(const End& end)
+void check(const Path_end& end)
 {
   if(end.vertex.empty() == end.point.empty())
     throw Usage_error(std::string("path: give either ") + end.vertex_option + " or " +
                       end.point_option + ".");
   if(!end.vertex.empty())
-    vertex_of(end);
+    parse_vertex(end);
   else
     parse_point(end.point, end.point_option);
 }
@@ -130,17 +131,17 @@ void run_path(Job& job, const Path_options& options)
     check_method(options.method);
   const Surface& surface = job.read({"vtp", "ply", "obj"});
   check_method(options.method, surface);
-  for(const End* end : {&options.from, &options.to})
+  for(const Path_end* end : {&options.from, &options.to})
     if(!end->vertex.empty())
-      check_vertex(surface, vertex_of(*end));
+      check_vertex(surface, parse_vertex(*end));
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Result result;
   if(!surface.is_mesh() && options.method.empty())
     result = find_cloud_path(make_cloud(surface), options, job);
   else
-    on_surface(surface,
-               [&](const auto& mesh_or_cloud) { result = find_path(mesh_or_cloud, options, job); });
+    visit_surface(surface, [&](const auto& mesh_or_cloud)
+                  { result = find_path(mesh_or_cloud, options, job); });
   if(result.points.empty())
     fail(surface.name, "no path joins the two places, they lie on different components");
   job.result()["length"] = json_number(result.length);
@@ -148,28 +149,28 @@ void run_path(Job& job, const Path_options& options)
   job.result()["points"] = result.points.size();
   if(!result.start.empty())
     job.result()["start_length"] = json_number(result.start_length);
-  job.say("length          " + readable(result.length));
-  job.say("points          " + std::to_string(result.points.size()));
+  job.print_line("length          " + rounded_text(result.length));
+  job.print_line("points          " + std::to_string(result.points.size()));
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values([&] { return points_text(result.points); });
-  std::vector<std::vector<Point>> chains;
+  std::vector<std::vector<Point>> initial_paths;
   if(options.start && !result.start.empty())
-    chains.push_back(result.start);
+    initial_paths.push_back(result.start);
   if(!job.picture().empty())
   {
     Picture picture{result.surfels.points.empty() ? &surface.file : &result.surfels};
     picture.polylines = {result.points};
     picture.markers = {result.points.front(), result.points.back()};
-    picture.chains = chains;
+    picture.thin_polylines = initial_paths;
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
   {
-    Surface_file line;
-    line.polylines = chains;
-    line.polylines.insert(line.polylines.begin(), result.points);
-    write_surface_file(job.output(), line);
+    Surface_file output;
+    output.polylines = initial_paths;
+    output.polylines.insert(output.polylines.begin(), result.points);
+    write_surface_file(job.output(), output);
   }
   job.finish();
 }
@@ -181,7 +182,7 @@ void add_path(CLI::App& program)
   Command command(program, "path", "a shortest path on the surface");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Path_options>();
-  for(End* end : {&options->from, &options->to})
+  for(Path_end* end : {&options->from, &options->to})
   {
     command.add(end->vertex_option, end->vertex, "V", "a vertex by its place in the file");
     command.add(end->point_option, end->point, "x,y,z", "the place nearest to a point");
@@ -193,7 +194,7 @@ void add_path(CLI::App& program)
   command.add_flag(
       "--start", options->start,
       "on a cloud, draw and write the chain of arcs that the path starts from as well");
-  command.set_run([job, options] { run_path(*job, *options); });
+  command.set_callback([job, options] { run_path(*job, *options); });
 }
 
 } // namespace program

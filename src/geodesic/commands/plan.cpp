@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "io/errors.h"
-#include "commands/transports.h"
+#include "commands/transport_utilities.h"
 
 namespace program {
 
@@ -17,23 +17,24 @@ struct Plan_options : Transport_options
 
 // One for each vertex of the region, and for what is beside them; empty without a limit.
 std::vector<double> capacities(const std::string& text, const std::vector<std::size_t>& region,
-                               std::size_t number_beside, const Surface& surface)
+                               std::size_t number_of_other_sources, const Surface& surface)
 {
   std::vector<double> result;
   if(text.empty())
     return result;
-  if(const auto numbers = to_numbers(text))
+  if(const auto numbers = parse_numbers(text))
   {
-    if(numbers->size() != region.size() + number_beside)
-      throw Usage_error("--capacity " + shown(text) + ": there are " +
+    if(numbers->size() != region.size() + number_of_other_sources)
+      throw Usage_error("--capacity " + printable(text) + ": there are " +
                         std::to_string(region.size()) + " vertices" +
-                        (number_beside > 0 ? ", and " + std::to_string(number_beside) +
-                                                 " places and paths, in the region."
-                                           : " in the region."));
+                        (number_of_other_sources > 0
+                             ? ", and " + std::to_string(number_of_other_sources) +
+                                   " places and paths, in the region."
+                             : " in the region."));
     return *numbers;
   }
-  if(number_beside > 0)
-    throw Usage_error("--capacity " + shown(text) +
+  if(number_of_other_sources > 0)
+    throw Usage_error("--capacity " + printable(text) +
                       ": give numbers, as --to-at and --to-path have no property.");
   const std::vector<double> values = property(surface, text);
   for(const std::size_t vertex : region)
@@ -43,38 +44,39 @@ std::vector<double> capacities(const std::string& text, const std::vector<std::s
 
 // The library's part.
 template <typename Surface_type>
-Transport_result find_plan(const Surface_type& surface, const Masses& from,
-                           const std::vector<std::size_t>& to, const std::vector<double>& capacity,
-                           const Plan_options& options, Job& job)
+Transport_result
+compute_plan(const Surface_type& surface, const Masses& from, const std::vector<std::size_t>& to,
+             const std::vector<double>& capacity, const Plan_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Site = typename std::decay_t<decltype(domain)>::Site;
+  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   std::vector<GP::Source<Surface_type>> region;
   for(const std::size_t vertex : to)
-    region.emplace_back(site<Surface_type>(vertex));
+    region.emplace_back(vertex_at<Surface_type>(vertex));
   Transport_result result;
   add_sources(domain, options.region, job.surface(), region, result);
   std::optional<GP::Region_transport_solver<Surface_type>> solver;
-  with_preparation<Site>(domain, options, job,
-                         [&](const auto& np) {
-                           solver.emplace(domain, region,
-                                          np.capacities(capacity).spreading_weight(options.spread));
-                         });
-  job.stage("query");
-  with_masses<Site>(from,
-                    [&](const auto& before)
-                    {
-                      with_transport_method(options.method,
-                                            [&](auto method) {
-                                              result.cost =
-                                                  solver->template compute<decltype(method)>(
-                                                      before, query(options, job));
-                                            });
-                    });
-  read_solution(*solver, surface, job, result);
+  with_solver_parameters<Vertex>(
+      domain, options, job,
+      [&](const auto& np) {
+        solver.emplace(domain, region, np.capacities(capacity).spreading_weight(options.spread));
+      });
+  job.begin_stage("query");
+  with_masses<Vertex>(from,
+                      [&](const auto& from_masses)
+                      {
+                        with_transport_method(
+                            options.method,
+                            [&](auto method)
+                            {
+                              result.cost = solver->template compute<decltype(method)>(
+                                  from_masses, query_parameters(options, job));
+                            });
+                      });
+  copy_solution(*solver, surface, job, result);
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.arrivals.push_back(solver->arrival(site<Surface_type>(i)));
-  decompose(domain, surface, options, result);
+    result.arrivals.push_back(solver->arrival(vertex_at<Surface_type>(i)));
+  add_hodge_decomposition(domain, surface, options, result);
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -95,26 +97,26 @@ void run_plan(Job& job, const Plan_options& options)
       options.capacity, to, options.region.at.size() + options.region.paths.size(), surface);
   check(options, surface);
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Transport_result result;
-  on_surface(surface, [&](const auto& mesh_or_cloud)
-             { result = find_plan(mesh_or_cloud, from, to, capacity, options, job); });
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = compute_plan(mesh_or_cloud, from, to, capacity, options, job); });
   report(job, options, result.cost, "cost");
-  std::vector<std::size_t> marked = from.vertices;
-  if(!options.to.empty() && are_vertices(options.to))
+  std::vector<std::size_t> marked_vertices = from.vertices;
+  if(!options.to.empty() && is_vertex_list(options.to))
   {
-    marked.insert(marked.end(), to.begin(), to.end());
+    marked_vertices.insert(marked_vertices.end(), to.begin(), to.end());
     std::vector<double> arrivals;
     for(const std::size_t vertex : to)
     {
       arrivals.push_back(result.arrivals[vertex]);
-      job.say("arrive at " + std::to_string(vertex) + "  " + readable(arrivals.back()));
+      job.print_line("arrive at " + std::to_string(vertex) + "  " + rounded_text(arrivals.back()));
     }
     job.result()["arrivals"] = arrivals;
   }
 
-  job.stage("write");
-  write_transport(job, result, marked);
+  job.begin_stage("write");
+  write_transport(job, result, marked_vertices);
   job.finish();
 }
 
@@ -136,7 +138,7 @@ void add_plan(CLI::App& program)
   command.add("--spread", options->spread, "W",
               "pay W times the integral of the squared density of what arrives as well");
   add_options(command, *options);
-  command.set_run([job, options] { run_plan(*job, *options); });
+  command.set_callback([job, options] { run_plan(*job, *options); });
 }
 
 } // namespace program

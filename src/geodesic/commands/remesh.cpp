@@ -4,7 +4,7 @@
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
-#include "commands/densities.h"
+#include "commands/speed_options.h"
 #include "io/errors.h"
 #include "repair/fill_holes.h"
 #include "commands/remeshing_options.h"
@@ -22,11 +22,11 @@ namespace {
 struct Remesh_options : Remeshing_options
 {
   double curve_spacing = 0.;
-  double deviation = std::numeric_limits<double>::infinity();
-  bool fit = false;
-  bool may_intersect = false;
-  std::optional<std::size_t> hole_edges; // how many a hole may have to be filled
-  Density_options densities;
+  double max_deviation = std::numeric_limits<double>::infinity();
+  bool does_fit = false;
+  bool allow_self_intersections = false;
+  std::optional<std::size_t> max_hole_edges; // how many a hole may have to be filled
+  Speed_options speed_options;
 };
 
 struct Result
@@ -43,22 +43,23 @@ std::size_t parse_hole_edges(const std::string& text)
     return std::numeric_limits<std::size_t>::max();
   const std::optional<long long> number = to_integer(text);
   if(!number || *number < 3)
-    throw Usage_error("--fill-holes " + shown(text) +
+    throw Usage_error("--fill-holes " + printable(text) +
                       ": it is not a number of edges, of which a hole has three or more.");
   return static_cast<std::size_t>(*number);
 }
 
 // Says what became of the holes.
-void fill(Mesh& mesh, std::size_t most_edges, Job& job)
+void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
 {
-  const Filled_holes holes = fill_holes(mesh, most_edges);
-  job.result()["holes_filled"] = holes.filled;
-  job.result()["holes_left"] = holes.left;
-  job.say("holes filled    " + std::to_string(holes.filled));
-  if(holes.left > 0)
-    job.note(std::to_string(holes.left) +
-             (holes.left == 1 ? " hole is left open: it is" : " holes are left open: they are") +
-             " too long, or no triangles fit between their vertices");
+  const Hole_filling_result holes = fill_holes(mesh, max_edges);
+  job.result()["holes_filled"] = holes.number_of_filled;
+  job.result()["holes_left"] = holes.number_of_left;
+  job.print_line("holes filled    " + std::to_string(holes.number_of_filled));
+  if(holes.number_of_left > 0)
+    job.print_warning(std::to_string(holes.number_of_left) +
+                      (holes.number_of_left == 1 ? " hole is left open: it is"
+                                                 : " holes are left open: they are") +
+                      " too long, or no triangles fit between their vertices");
 }
 
 // The library's part: the mesh, and where its vertices lie.
@@ -67,55 +68,55 @@ Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Domain = std::decay_t<decltype(domain)>;
-  const std::vector<double> speed = speeds(domain, options.densities, job);
-  job.stage("query");
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  job.begin_stage("query");
   Mesh mesh;
   const auto locations =
       mesh.add_property_map<Mesh::Vertex_index, typename Domain::Location>("v:location").first;
-  const auto goal = remeshing_parameters(options, job)
-                        .curve_spacing(options.curve_spacing)
-                        .maximum_deviation(options.deviation)
-                        .do_fit(options.fit)
-                        .do_avoid_self_intersections(!options.may_intersect)
-                        .location_map(locations);
+  const auto parameters = remeshing_parameters(options, job)
+                              .curve_spacing(options.curve_spacing)
+                              .maximum_deviation(options.max_deviation)
+                              .do_fit(options.does_fit)
+                              .do_avoid_self_intersections(!options.allow_self_intersections)
+                              .location_map(locations);
   Result result;
-  with_speeds<typename Domain::Site>(
-      speed, goal,
+  with_speeds<typename Domain::Vertex>(
+      speed, parameters,
       [&](const auto& np)
       { result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np); });
   for(const auto v : mesh.vertices())
   {
     result.file.points.push_back(coordinates(mesh.point(v)));
     if(!job.values().empty())
-      result.text += place_text(surface, get(locations, v)) + '\n';
+      result.text += location_text(surface, get(locations, v)) + '\n';
   }
   for(const auto f : mesh.faces())
   {
     for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
       result.file.corners.push_back(v);
-    result.file.first.push_back(result.file.corners.size());
+    result.file.polygon_begin.push_back(result.file.corners.size());
   }
   return result;
 }
 
 void run_remesh(Job& job, const Remesh_options& options)
 {
-  check(options.densities);
-  if(!(options.deviation > 0.))
+  check(options.speed_options);
+  if(!(options.max_deviation > 0.))
     throw Usage_error("--maximum-deviation: it is positive.");
   if(!(options.curve_spacing >= 0.) || std::isinf(options.curve_spacing))
     throw Usage_error("--curve-spacing: a distance is finite and not negative.");
   const Surface& surface = job.read();
-  if(!surface.is_mesh() && options.hole_edges)
+  if(!surface.is_mesh() && options.max_hole_edges)
     fail(surface.name, "a cloud has no holes that could be filled, that needs a mesh");
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Result result;
   if(surface.is_mesh())
   {
     Mesh mesh = make_mesh(surface);
-    if(options.hole_edges)
-      fill(mesh, *options.hole_edges, job);
+    if(options.max_hole_edges)
+      fill_and_report(mesh, *options.max_hole_edges, job);
     result = find_mesh(mesh, options, job);
   }
   else
@@ -123,23 +124,23 @@ void run_remesh(Job& job, const Remesh_options& options)
   job.result()["vertices_out"] = result.file.points.size();
   job.result()["faces_out"] = result.file.number_of_polygons();
   job.result()["added"] = result.found.added;
-  if(!options.may_intersect)
+  if(!options.allow_self_intersections)
     job.result()["self_intersections"] = result.found.self_intersections;
-  job.say("vertices        " + std::to_string(result.file.points.size()));
-  job.say("faces           " + std::to_string(result.file.number_of_polygons()));
+  job.print_line("vertices        " + std::to_string(result.file.points.size()));
+  job.print_line("faces           " + std::to_string(result.file.number_of_polygons()));
   if(result.found.added > 0)
-    job.say("added           " + std::to_string(result.found.added));
+    job.print_line("added           " + std::to_string(result.found.added));
   if(const std::size_t pairs = result.found.self_intersections; pairs > 0)
-    job.note(std::to_string(pairs) +
-             (pairs == 1 ? " pair of faces intersects" : " pairs of faces intersect") +
-             ", as the input does there or almost does");
+    job.print_warning(std::to_string(pairs) +
+                      (pairs == 1 ? " pair of faces intersects" : " pairs of faces intersect") +
+                      ", as the input does there or almost does");
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values([&] { return result.text; });
   if(!job.picture().empty())
   {
     Picture picture{&result.file};
-    picture.with_sides = true;
+    picture.show_edges = true;
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
@@ -158,22 +159,22 @@ void add_remesh(CLI::App& program)
   add_remeshing_options(command, *options, "vertices", "keeps edges");
   command.add("--curve-spacing", options->curve_spacing, "D",
               "how far apart vertices on borders and kept edges are at most to be");
-  command.add_flag("--fit", options->fit,
+  command.add_flag("--fit", options->does_fit,
                    "vertices leave the surface, such that faces are nearer to it");
-  command.add("--maximum-deviation", options->deviation, "D",
+  command.add("--maximum-deviation", options->max_deviation, "D",
               "how far the input and the result may be from each other; more vertices come where "
               "they are farther");
-  command.add_flag("--allow-self-intersections", options->may_intersect,
+  command.add_flag("--allow-self-intersections", options->allow_self_intersections,
                    "no vertices are added where faces of the result intersect");
-  const std::function<void(const std::string&)> fill_holes = [options](const std::string& text)
-  { options->hole_edges = parse_hole_edges(text); };
+  const std::function<void(const std::string&)> set_hole_edges = [options](const std::string& text)
+  { options->max_hole_edges = parse_hole_edges(text); };
   command
-      .add("--fill-holes", fill_holes, "[N]",
+      .add("--fill-holes", set_hole_edges, "[N]",
            "first fill the holes that have at most N edges, without a number all of them; "
            "as the outer border of a sheet is a hole too, N is what keeps it open")
       .value_is_optional();
-  add_density_options(command, options->densities);
-  command.set_run([job, options] { run_remesh(*job, *options); });
+  add_speed_options(command, options->speed_options);
+  command.set_callback([job, options] { run_remesh(*job, *options); });
 }
 
 } // namespace program

@@ -3,7 +3,7 @@
 #include "io/Output_file.h"
 #include "picture/Picture.h"
 #include "app/commands.h"
-#include "commands/densities.h"
+#include "commands/speed_options.h"
 #include "io/errors.h"
 
 #include <cmath>
@@ -17,14 +17,14 @@ struct Sample_options
 {
   std::size_t number = 0;
   double spacing = 0.;
-  Density_options densities;
+  Speed_options speed_options;
 };
 
 struct Result
 {
   std::vector<Point> points;
   std::vector<Point> normals;           // of a cloud's
-  std::vector<double> radii;            // the covering radius after each
+  std::vector<double> covering_radii;   // the covering radius after each
   std::string text;                     // where each is: the lines of --values
   std::vector<std::uint32_t> triangles; // of a cloud, for the picture
 };
@@ -35,25 +35,25 @@ Result find_samples(const Surface_type& surface, const Sample_options& options, 
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
   using Domain = std::decay_t<decltype(domain)>;
-  const std::vector<double> speed = speeds(domain, options.densities, job);
-  job.stage("query");
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  job.begin_stage("query");
   Result result;
   std::vector<typename Domain::Location> samples;
-  const auto goal = GP::parameters::random_seed(job.seed())
-                        .covering_radius(options.spacing)
-                        .covering_radius_output(std::back_inserter(result.radii))
-                        .callback(job.progress("samples"));
+  const auto parameters = GP::parameters::random_seed(job.seed())
+                              .covering_radius(options.spacing)
+                              .covering_radius_output(std::back_inserter(result.covering_radii))
+                              .callback(job.progress_callback("samples"));
   const std::size_t number =
       options.number > 0 ? options.number : std::numeric_limits<std::size_t>::max();
-  with_speeds<typename Domain::Site>(
-      speed, goal,
+  with_speeds<typename Domain::Vertex>(
+      speed, parameters,
       [&](const auto& np)
       { GP::farthest_point_sampling(domain, number, std::back_inserter(samples), np); });
   result.triangles = picture_triangles(domain, job);
   for(const auto& sample : samples)
   {
     result.points.push_back(coordinates(domain.point(domain.inner(sample))));
-    result.text += place_text(surface, sample) + '\n';
+    result.text += location_text(surface, sample) + '\n';
     if constexpr(!is_mesh<Surface_type>)
       result.normals.push_back(job.surface().file.normals[std::size_t(sample.surfel)]);
   }
@@ -66,21 +66,21 @@ void run_sample(Job& job, const Sample_options& options)
     throw Usage_error("sample: give either --number, at least 1, or --spacing, above 0.");
   if(!(options.spacing >= 0.) || std::isinf(options.spacing))
     throw Usage_error("--spacing: a distance is finite and not negative.");
-  check(options.densities);
+  check(options.speed_options);
   const Surface& surface = job.read();
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Result result;
-  on_surface(surface, [&](const auto& mesh_or_cloud)
-             { result = find_samples(mesh_or_cloud, options, job); });
-  const double radius =
-      result.radii.empty() ? std::numeric_limits<double>::infinity() : result.radii.back();
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = find_samples(mesh_or_cloud, options, job); });
+  const double radius = result.covering_radii.empty() ? std::numeric_limits<double>::infinity()
+                                                      : result.covering_radii.back();
   job.result()["samples"] = result.points.size();
   job.result()["covering_radius"] = json_number(radius);
-  job.say("samples          " + std::to_string(result.points.size()));
-  job.say("covering radius  " + readable(radius));
+  job.print_line("samples          " + std::to_string(result.points.size()));
+  job.print_line("covering radius  " + rounded_text(radius));
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values([&] { return result.text; });
   if(!job.picture().empty())
   {
@@ -94,7 +94,7 @@ void run_sample(Job& job, const Sample_options& options)
     Surface_file file;
     file.points = result.points;
     file.normals = result.normals;
-    file.properties["covering_radius"] = result.radii;
+    file.properties["covering_radius"] = result.covering_radii;
     write_surface_file(job.output(), file, "covering_radius");
   }
   job.finish();
@@ -109,8 +109,8 @@ void add_sample(CLI::App& program)
   const auto options = std::make_shared<Sample_options>();
   command.add("--number", options->number, "N", "how many");
   command.add("--spacing", options->spacing, "D", "no vertex is farther from all of them");
-  add_density_options(command, options->densities);
-  command.set_run([job, options] { run_sample(*job, *options); });
+  add_speed_options(command, options->speed_options);
+  command.set_callback([job, options] { run_sample(*job, *options); });
 }
 
 } // namespace program

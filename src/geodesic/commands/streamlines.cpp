@@ -4,7 +4,7 @@
 #include "picture/Picture.h"
 #include "io/Scanner.h"
 #include "app/commands.h"
-#include "commands/transports.h"
+#include "commands/transport_utilities.h"
 
 namespace program {
 
@@ -14,10 +14,10 @@ struct Streamline_options : Transport_options
 {
   std::size_t number = 50;
   std::string seeds;
-  bool as_traced = false;
+  bool keep_traced = false;
 };
 
-struct Lines
+struct Streamline_result
 {
   GP::Earth_movers_cost cost;
   std::vector<std::vector<Point>> lines;
@@ -29,32 +29,38 @@ struct Lines
 
 // The library's part.
 template <typename Surface_type>
-Lines find_lines(const Surface_type& surface, const Masses& from, const Masses& to,
-                 const std::vector<std::size_t>& seeds, const Streamline_options& options, Job& job)
+Streamline_result compute_streamlines(const Surface_type& surface, const Masses& from,
+                                      const Masses& to, const std::vector<std::size_t>& seeds,
+                                      const Streamline_options& options, Job& job)
 {
   const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Site = typename std::decay_t<decltype(domain)>::Site;
+  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   std::optional<GP::Earth_movers_solver<Surface_type>> solver;
-  with_preparation<Site>(domain, options, job, [&](const auto& np) { solver.emplace(domain, np); });
-  job.stage("query");
-  Lines result;
-  const auto compute = [&](const auto& before, const auto& after)
+  with_solver_parameters<Vertex>(domain, options, job,
+                                 [&](const auto& np) { solver.emplace(domain, np); });
+  job.begin_stage("query");
+  Streamline_result result;
+  const auto compute = [&](const auto& from_masses, const auto& to_masses)
   {
     with_transport_method(options.method,
-                          [&](auto method) {
+                          [&](auto method)
+                          {
                             result.cost = solver->template compute<decltype(method)>(
-                                before, after, query(options, job));
+                                from_masses, to_masses, query_parameters(options, job));
                           });
   };
-  with_masses<Site>(from, [&](const auto& before)
-                    { with_masses<Site>(to, [&](const auto& after) { compute(before, after); }); });
-  const auto trace = solver->streamlines(GP::parameters::do_straighten(!options.as_traced));
+  with_masses<Vertex>(from,
+                      [&](const auto& from_masses) {
+                        with_masses<Vertex>(to, [&](const auto& to_masses)
+                                            { compute(from_masses, to_masses); });
+                      });
+  const auto tracer = solver->streamlines(GP::parameters::do_straighten(!options.keep_traced));
   std::vector<GP::Streamline<Surface_type>> lines;
   if(options.seeds.empty())
-    trace(options.number, std::back_inserter(lines));
+    tracer(options.number, std::back_inserter(lines));
   else
     for(const std::size_t seed : seeds)
-      lines.push_back(trace(site<Surface_type>(seed)));
+      lines.push_back(tracer(vertex_at<Surface_type>(seed)));
   for(const auto& line : lines)
   {
     result.lines.emplace_back();
@@ -64,7 +70,7 @@ Lines find_lines(const Surface_type& surface, const Masses& from, const Masses& 
     result.arrived += line.has_arrived;
   }
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.potential.push_back(solver->potential(site<Surface_type>(i)));
+    result.potential.push_back(solver->potential(vertex_at<Surface_type>(i)));
   result.triangles = picture_triangles(domain, job);
   return result;
 }
@@ -81,39 +87,39 @@ void run_streamlines(Job& job, const Streamline_options& options)
   if(!options.seeds.empty())
     seeds = region_vertices(options.seeds, "--seeds", surface);
 
-  job.stage("prepare");
-  Lines found;
-  on_surface(surface, [&](const auto& mesh_or_cloud)
-             { found = find_lines(mesh_or_cloud, from, to, seeds, options, job); });
-  report(job, options, found.cost, "earth mover's distance");
-  const double number = static_cast<double>(std::max<std::size_t>(1, found.lines.size()));
-  job.result()["lines"] = found.lines.size();
-  job.result()["arrived"] = found.arrived;
-  job.result()["mean_length"] = json_number(found.length / number);
-  job.say("lines                   " + std::to_string(found.lines.size()) + ", of which " +
-          std::to_string(found.arrived) + " arrive");
-  job.say("mean length             " + readable(found.length / number));
+  job.begin_stage("prepare");
+  Streamline_result result;
+  visit_surface(surface, [&](const auto& mesh_or_cloud)
+                { result = compute_streamlines(mesh_or_cloud, from, to, seeds, options, job); });
+  report(job, options, result.cost, "earth mover's distance");
+  const double number_of_lines = static_cast<double>(std::max<std::size_t>(1, result.lines.size()));
+  job.result()["lines"] = result.lines.size();
+  job.result()["arrived"] = result.arrived;
+  job.result()["mean_length"] = json_number(result.length / number_of_lines);
+  job.print_line("lines                   " + std::to_string(result.lines.size()) + ", of which " +
+                 std::to_string(result.arrived) + " arrive");
+  job.print_line("mean length             " + rounded_text(result.length / number_of_lines));
 
-  job.stage("write");
-  job.write_values([&] { return lines(found.potential); });
+  job.begin_stage("write");
+  job.write_values([&] { return number_lines(result.potential); });
   if(!job.picture().empty())
   {
     Picture picture{&surface.file};
-    picture.values = found.potential;
+    picture.values = result.potential;
     picture.title = "potential";
-    picture.triangles = found.triangles;
-    picture.chains = found.lines;
-    for(const std::vector<Point>& line : found.lines)
-      picture.places.insert(picture.places.end(), line.begin(), line.end());
-    for(const Masses* side : {&from, &to})
-      for(const std::size_t vertex : side->vertices)
+    picture.triangles = result.triangles;
+    picture.thin_polylines = result.lines;
+    for(const std::vector<Point>& line : result.lines)
+      picture.visible_points.insert(picture.visible_points.end(), line.begin(), line.end());
+    for(const Masses* masses : {&from, &to})
+      for(const std::size_t vertex : masses->vertices)
         picture.markers.push_back(surface.file.points[vertex]);
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
   {
     Surface_file file;
-    file.polylines = found.lines;
+    file.polylines = result.lines;
     write_surface_file(job.output(), file);
   }
   job.finish();
@@ -132,10 +138,10 @@ void add_streamlines(CLI::App& program)
       .shows_default();
   command.add("--seeds", options->seeds, "X",
               "instead from vertices V[,V...], or where a property is positive");
-  command.add_flag("--as-traced", options->as_traced, "do not pull lines taut");
+  command.add_flag("--as-traced", options->keep_traced, "do not pull lines taut");
   add_query_options(command, *options);
-  add_density_options(command, options->densities);
-  command.set_run([job, options] { run_streamlines(*job, *options); });
+  add_speed_options(command, options->speed_options);
+  command.set_callback([job, options] { run_streamlines(*job, *options); });
 }
 
 } // namespace program

@@ -15,57 +15,58 @@ namespace {
 
 struct Surfels_options
 {
-  bool estimate = false;
+  bool estimate_normals = false;
   unsigned neighbors = 18;
-  double outliers = 0.; // percent
-  bool arcs = false;
+  double outlier_percentage = 0.; // percent
+  bool graph_edges = false;
   Surfel_options surfels;
 };
 
 // Estimates normals where that is asked for, and removes outliers; the number of these.
-std::size_t prepare(Cloud& cloud, const Surfels_options& options, const Job& job)
+std::size_t prepare_cloud(Cloud& cloud, const Surfels_options& options, const Job& job)
 {
-  const Cloud given = cloud;
+  const Cloud original = cloud;
   const std::size_t removed = GP::estimate_surfels<CGAL::Parallel_tag>(
       cloud, GP::parameters::number_of_neighbors(options.neighbors)
-                 .outlier_percentage(options.outliers)
+                 .outlier_percentage(options.outlier_percentage)
                  .threads(job.threads()));
   auto radius = cloud.property_map<double>("radius").first;
   cloud.remove_property_map(radius);
-  if(!options.estimate)
+  if(!options.estimate_normals)
     for(const Cloud::Index& index : cloud)
-      cloud.normal(index) = given.normal(index);
+      cloud.normal(index) = original.normal(index);
   return removed;
 }
 
 void run_surfels(Job& job, const Surfels_options& options)
 {
-  if(!(options.outliers >= 0.) || !(options.outliers <= 100.))
+  if(!(options.outlier_percentage >= 0.) || !(options.outlier_percentage <= 100.))
     throw Usage_error("--outliers: a percentage lies between 0 and 100.");
   const Surface& surface = job.read({"ply", "vtp", "off", "obj"});
   if(surface.is_mesh())
     fail(surface.name, "it is a mesh, surfels are made of points alone");
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   Cloud cloud = make_cloud(surface);
-  const std::size_t removed =
-      options.estimate || options.outliers > 0. ? prepare(cloud, options, job) : 0;
+  const std::size_t removed = options.estimate_normals || options.outlier_percentage > 0.
+                                  ? prepare_cloud(cloud, options, job)
+                                  : 0;
   const Path_finder finder = make_path_finder(cloud, {options.surfels}, job);
-  job.stage("query");
-  Surface_file file = seen_surfels(cloud, finder);
-  std::vector<std::uint32_t> place; // of surfels, without outliers
+  job.begin_stage("query");
+  Surface_file file = denoised_surfels(cloud, finder);
+  std::vector<std::uint32_t> position; // of surfels, without outliers
   std::vector<double>&radius = file.properties["radius"], &component = file.properties["component"];
   for(const Cloud::Index& surfel : cloud)
   {
-    place.resize(surfel + 1);
-    place[surfel] = static_cast<std::uint32_t>(radius.size());
+    position.resize(surfel + 1);
+    position[surfel] = static_cast<std::uint32_t>(radius.size());
     radius.push_back(finder.radius(surfel));
     component.push_back(double(finder.component(surfel)));
   }
-  if(options.arcs)
-    finder.for_each_arc(
+  if(options.graph_edges)
+    finder.for_each_edge(
         [&](Cloud::Index a, Cloud::Index b) {
-          file.edges.push_back({place[a], place[b]});
+          file.edges.push_back({position[a], position[b]});
         });
   std::vector<double> sorted = radius;
   std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2),
@@ -73,18 +74,18 @@ void run_surfels(Job& job, const Surfels_options& options)
   const double median = sorted[sorted.size() / 2];
   job.result()["outliers"] = removed;
   job.result()["components"] = finder.number_of_components();
-  job.result()["arcs"] = finder.number_of_arcs();
+  job.result()["arcs"] = finder.number_of_edges();
   job.result()["radius"] = json_number(median);
   job.result()["noise"] = json_number(finder.noise());
-  job.say("outliers        " + std::to_string(removed));
-  job.say("components      " + std::to_string(finder.number_of_components()));
-  job.say("arcs            " + std::to_string(finder.number_of_arcs()));
-  job.say("median radius   " + readable(median));
+  job.print_line("outliers        " + std::to_string(removed));
+  job.print_line("components      " + std::to_string(finder.number_of_components()));
+  job.print_line("arcs            " + std::to_string(finder.number_of_edges()));
+  job.print_line("median radius   " + rounded_text(median));
   if(options.surfels.noise != GP::Surfel_noise::kept)
-    job.say("noise           " + readable(100. * finder.noise()) + " % of the spacing");
+    job.print_line("noise           " + rounded_text(100. * finder.noise()) + " % of the spacing");
 
-  job.stage("write");
-  job.write_values([&] { return lines(radius); });
+  job.begin_stage("write");
+  job.write_values([&] { return number_lines(radius); });
   if(!job.picture().empty())
   {
     Picture picture{&file};
@@ -92,7 +93,7 @@ void run_surfels(Job& job, const Surfels_options& options)
       for(const double c : component)
         picture.labels.push_back(static_cast<long long>(c));
     for(const auto& [a, b] : file.edges)
-      picture.chains.push_back({file.points[a], file.points[b]});
+      picture.thin_polylines.push_back({file.points[a], file.points[b]});
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
@@ -109,15 +110,15 @@ void add_surfels(CLI::App& program)
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Surfels_options>();
   command.add_flag(
-      "--estimate", options->estimate,
+      "--estimate", options->estimate_normals,
       "normals anew, although the file has some, by surfaces that are fitted to points");
   command.add("--neighbors", options->neighbors, "K", "that a normal is estimated from")
       .shows_default();
-  command.add("--outliers", options->outliers, "P",
+  command.add("--outliers", options->outlier_percentage, "P",
               "remove so many percent of the points, those farthest from their neighbours");
-  command.add_flag("--arcs", options->arcs, "draw and write the arcs of the graph");
+  command.add_flag("--arcs", options->graph_edges, "draw and write the arcs of the graph");
   add_surfel_options(command, options->surfels);
-  command.set_run([job, options] { run_surfels(*job, *options); });
+  command.set_callback([job, options] { run_surfels(*job, *options); });
 }
 
 } // namespace program

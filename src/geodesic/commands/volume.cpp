@@ -5,7 +5,7 @@
 #include "io/Scanner.h"
 #include "app/commands.h"
 #include "io/errors.h"
-#include "commands/transports.h"
+#include "commands/transport_utilities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ struct Volume_options : Transport_options
   bool path = false;
   std::vector<std::string> slices;
   std::size_t resolution = 60;
-  std::optional<double> asked_tolerance;
+  std::optional<double> user_tolerance;
 };
 
 // A plane across an axis.
@@ -38,8 +38,8 @@ Slice parse_slice(const std::string& text)
 }
 
 // Points in squares on planes, somewhat beyond the surface, two triangles in each square.
-Surface_file grid(const std::vector<Slice>& slices, const Surface_file& file,
-                  std::size_t resolution)
+Surface_file slice_grid(const std::vector<Slice>& slices, const Surface_file& file,
+                        std::size_t resolution)
 {
   Point low = file.points[0], high = low;
   for(const Point& p : file.points)
@@ -51,56 +51,59 @@ Surface_file grid(const std::vector<Slice>& slices, const Surface_file& file,
   double size = 0.;
   for(std::size_t c = 0; c < 3; ++c)
     size = std::max(size, high[c] - low[c]);
-  const double beyond = 0.1 * size, step = 1.2 * size / static_cast<double>(resolution - 1);
+  const double margin = 0.1 * size, step = 1.2 * size / static_cast<double>(resolution - 1);
   Surface_file result;
   for(const Slice& slice : slices)
   {
     const std::size_t u = (slice.axis + 1) % 3, v = (slice.axis + 2) % 3;
-    const auto number = [&](std::size_t c)
-    { return static_cast<std::uint32_t>(std::ceil((high[c] - low[c] + 2. * beyond) / step)) + 1; };
-    const std::uint32_t columns = number(u), rows = number(v);
-    const auto first = static_cast<std::uint32_t>(result.points.size());
+    const auto number_of_samples = [&](std::size_t c)
+    { return static_cast<std::uint32_t>(std::ceil((high[c] - low[c] + 2. * margin) / step)) + 1; };
+    const std::uint32_t columns = number_of_samples(u), rows = number_of_samples(v);
+    const auto first_index = static_cast<std::uint32_t>(result.points.size());
     for(std::uint32_t j = 0; j < rows; ++j)
       for(std::uint32_t i = 0; i < columns; ++i)
       {
         Point p;
         p[slice.axis] = slice.offset;
-        p[u] = low[u] - beyond + step * i;
-        p[v] = low[v] - beyond + step * j;
+        p[u] = low[u] - margin + step * i;
+        p[v] = low[v] - margin + step * j;
         result.points.push_back(p);
         if(i + 1 == columns || j + 1 == rows)
           continue;
-        const std::uint32_t a = first + j * columns + i, b = a + 1, c = a + columns, d = c + 1;
+        const std::uint32_t a = first_index + j * columns + i, b = a + 1, c = a + columns,
+                            d = c + 1;
         result.corners.insert(result.corners.end(), {a, b, d, a, d, c});
         for(int k = 0; k < 2; ++k)
-          result.first.push_back(result.first.back() + 3);
+          result.polygon_begin.push_back(result.polygon_begin.back() + 3);
       }
   }
   return result;
 }
 
 // Where planes cut the surface, piece by piece.
-std::vector<std::vector<Point>> outlines(const std::vector<Slice>& slices, const Surface_file& file)
+std::vector<std::vector<Point>> slice_outlines(const std::vector<Slice>& slices,
+                                               const Surface_file& file)
 {
   std::vector<std::vector<Point>> result;
   for(const Slice& slice : slices)
     for(std::size_t f = 0; f < file.corners.size(); f += 3)
     {
-      std::vector<Point> cut;
+      std::vector<Point> segment;
       for(std::size_t k = 0; k < 3; ++k)
       {
         const Point& p = file.points[file.corners[f + k]];
         const Point& q = file.points[file.corners[f + (k + 1) % 3]];
-        const double before = p[slice.axis] - slice.offset, after = q[slice.axis] - slice.offset;
-        if((before < 0.) == (after < 0.))
+        const double p_offset = p[slice.axis] - slice.offset,
+                     q_offset = q[slice.axis] - slice.offset;
+        if((p_offset < 0.) == (q_offset < 0.))
           continue;
-        const double share = before / (before - after);
-        cut.emplace_back();
+        const double t = p_offset / (p_offset - q_offset);
+        segment.emplace_back();
         for(std::size_t c = 0; c < 3; ++c)
-          cut.back()[c] = p[c] + share * (q[c] - p[c]);
+          segment.back()[c] = p[c] + t * (q[c] - p[c]);
       }
-      if(cut.size() == 2)
-        result.push_back(cut);
+      if(segment.size() == 2)
+        result.push_back(segment);
     }
   return result;
 }
@@ -114,7 +117,7 @@ void run_slices(Job& job, const Volume_options& options, const Metric& metric,
   std::vector<Slice> slices;
   for(const std::string& text : options.slices)
     slices.push_back(parse_slice(text));
-  Surface_file result = grid(slices, file, options.resolution);
+  Surface_file result = slice_grid(slices, file, options.resolution);
   std::vector<Kernel::Point_3> points;
   for(const Point& p : result.points)
     points.emplace_back(p[0], p[1], p[2]);
@@ -122,27 +125,27 @@ void run_slices(Job& job, const Volume_options& options, const Metric& metric,
   double gap = 0.;
   for(const GP::Earth_movers_cost& cost : metric.costs<CGAL::Parallel_tag>(
           from, points,
-          GP::parameters::tolerance(options.asked_tolerance.value_or(0.02))
+          GP::parameters::tolerance(options.user_tolerance.value_or(0.02))
               .threads(job.threads())
-              .callback(job.progress("distances on slices"))))
+              .callback(job.progress_callback("distances on slices"))))
   {
     distances.push_back(cost.value);
     if(cost.upper > 0.)
       gap = std::max(gap, 1. - cost.lower / cost.upper);
   }
-  const double farthest = *std::max_element(distances.begin(), distances.end());
+  const double largest_distance = *std::max_element(distances.begin(), distances.end());
   job.result()["points"] = points.size();
-  job.result()["max"] = json_number(farthest);
+  job.result()["max"] = json_number(largest_distance);
   job.result()["gap"] = json_number(gap);
-  job.say("points          " + std::to_string(points.size()));
-  job.say("farthest        " + readable(farthest));
+  job.print_line("points          " + std::to_string(points.size()));
+  job.print_line("farthest        " + rounded_text(largest_distance));
 
-  job.stage("write");
-  job.write_values([&] { return lines(distances); });
+  job.begin_stage("write");
+  job.write_values([&] { return number_lines(distances); });
   if(!job.picture().empty())
   {
     Picture picture{&result, distances, "distance"};
-    picture.polylines = outlines(slices, file);
+    picture.polylines = slice_outlines(slices, file);
     picture.markers = {coordinates(from)};
     draw(job.picture(), picture);
   }
@@ -169,25 +172,25 @@ void run_path(Job& job, const Metric& metric, const Kernel::Point_3& from,
   job.result()["length"] = json_number(length);
   job.result()["points"] = path.size();
   job.result()["arrives"] = arrives;
-  job.say("length          " + readable(length));
+  job.print_line("length          " + rounded_text(length));
   if(!arrives)
-    job.note("the path ends where the distance falls no more");
+    job.print_warning("the path ends where the distance falls no more");
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values([&] { return points_text(path); });
   if(!job.picture().empty())
   {
     Picture picture{&job.surface().file};
-    picture.is_glass = true;
+    picture.is_transparent = true;
     picture.polylines = {path};
     picture.markers = {path.front(), path.back()};
     draw(job.picture(), picture);
   }
   if(!job.output().empty())
   {
-    Surface_file line;
-    line.polylines = {path};
-    write_surface_file(job.output(), line);
+    Surface_file output;
+    output.polylines = {path};
+    write_surface_file(job.output(), output);
   }
 }
 
@@ -196,7 +199,7 @@ void run_volume(Job& job, const Volume_options& options)
   const bool is_pair = !options.to.empty();
   if(options.from.empty() || is_pair == !options.slices.empty() || (options.path && !is_pair))
     throw Usage_error("volume: give --from, and either --to or --slice.");
-  if(options.asked_tolerance && !(*options.asked_tolerance > 0.))
+  if(options.user_tolerance && !(*options.user_tolerance > 0.))
     throw Usage_error("--tolerance: it is positive.");
   const Kernel::Point_3 from = parse_point_3(options.from, "--from");
   const Kernel::Point_3 to = is_pair ? parse_point_3(options.to, "--to") : from;
@@ -209,7 +212,7 @@ void run_volume(Job& job, const Volume_options& options)
   if(!surface.is_mesh())
     fail(surface.name, "a cloud encloses nothing: distances in space need a closed mesh");
 
-  job.stage("prepare");
+  job.begin_stage("prepare");
   const Mesh mesh = make_mesh(surface);
   std::optional<Metric> metric;
   if(options.refine)
@@ -217,7 +220,7 @@ void run_volume(Job& job, const Volume_options& options)
                              static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))));
   else
     metric.emplace(mesh);
-  job.stage("query");
+  job.begin_stage("query");
   if(!is_pair)
     run_slices(job, options, *metric, from);
   else if(options.path)
@@ -227,13 +230,13 @@ void run_volume(Job& job, const Volume_options& options)
     Transport_result result;
     result.potential.resize(surface.file.points.size());
     result.cost = metric->cost(from, to,
-                               GP::parameters::tolerance(options.asked_tolerance.value_or(1e-3))
+                               GP::parameters::tolerance(options.user_tolerance.value_or(1e-3))
                                    .do_bound_from_above(options.bound_above)
-                                   .callback(job.progress("transport"))
+                                   .callback(job.progress_callback("transport"))
                                    .potential_map(Value_map<Mesh::Vertex_index>{&result.potential})
                                    .flow_map(vector_map(result.fields["flow"], mesh)));
     report(job, options, result.cost, "distance");
-    job.stage("write");
+    job.begin_stage("write");
     write_transport(job, result, {});
   }
   job.finish();
@@ -254,12 +257,12 @@ void add_volume(CLI::App& program)
               "in place of --to the points of a plane across x, y or z; more than once");
   command.add("--resolution", options->resolution, "N", "points along the longest side")
       .shows_default()
-      .between(2., 10000.);
-  command.add("--tolerance", options->asked_tolerance, "T",
+      .in_range(2., 10000.);
+  command.add("--tolerance", options->user_tolerance, "T",
               "of the gap between the bounds, relative (default 0.001, on slices 0.02)");
   command.add("--refine", options->refine, "N", "as in emd");
   command.add_flag("--bound-above", options->bound_above, "as in emd");
-  command.set_run([job, options] { run_volume(*job, *options); });
+  command.set_callback([job, options] { run_volume(*job, *options); });
 }
 
 } // namespace program

@@ -5,7 +5,7 @@
 #include "io/Scanner.h"
 #include "app/commands.h"
 #include "io/errors.h"
-#include "commands/queries.h"
+#include "commands/command_utilities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ namespace {
 
 struct Wavelet_options
 {
-  double keep = 100.; // percent
-  std::optional<double> bits;
+  double kept_percentage = 100.; // percent
+  std::optional<double> bits_per_vertex;
   std::size_t levels = std::numeric_limits<std::size_t>::max();
   std::string predictor = "butterfly";
 };
@@ -27,11 +27,11 @@ struct Wavelet_options
 void check(const Wavelet_options& options)
 {
   if(options.predictor != "butterfly" && options.predictor != "linear")
-    throw Usage_error("--predictor " + shown(options.predictor) +
+    throw Usage_error("--predictor " + printable(options.predictor) +
                       ": the predictors are butterfly and linear.");
-  if(!(options.keep >= 0. && options.keep <= 100.))
+  if(!(options.kept_percentage >= 0. && options.kept_percentage <= 100.))
     throw Usage_error("wavelet: --keep is a percentage, 0 to 100.");
-  if(options.bits && !(*options.bits > 0. && *options.bits <= 1e6))
+  if(options.bits_per_vertex && !(*options.bits_per_vertex > 0. && *options.bits_per_vertex <= 1e6))
     throw Usage_error("wavelet: --bits is a positive number for each vertex.");
 }
 
@@ -61,17 +61,19 @@ Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
                                                         : GP::Wavelet_prediction::butterfly;
   const Wavelet wavelet(
       mesh, GP::parameters::number_of_levels(options.levels).wavelet_prediction(prediction));
-  job.stage("query");
+  job.begin_stage("query");
   GP::Wavelet_details details = wavelet.analyze(mesh.points(), GP::parameters::do_use_frames(true));
   const std::size_t n = wavelet.number_of_vertices(), coarsest = wavelet.number_of_vertices(0),
-                    kept = std::size_t(std::llround(options.keep / 100. * double(n - coarsest)));
+                    kept = std::size_t(
+                        std::llround(options.kept_percentage / 100. * double(n - coarsest)));
   wavelet.keep_largest(details, kept);
 
   Result result;
-  const double bytes = options.bits ? std::floor(*options.bits * double(n) / 8.) : 1e18;
+  const double bytes =
+      options.bits_per_vertex ? std::floor(*options.bits_per_vertex * double(n) / 8.) : 1e18;
   result.stream =
       wavelet.encode(details, GP::parameters::maximum_number_of_bytes(std::size_t(bytes)));
-  if(options.bits)
+  if(options.bits_per_vertex)
   {
     Mesh decoded;
     GP::Wavelet_stream stream;
@@ -82,7 +84,7 @@ Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
     }
     catch(const GP::Invalid_argument_error&)
     {
-      throw Input_error(job.input() + ": --bits " + readable(*options.bits) +
+      throw Input_error(job.input() + ": --bits " + rounded_text(*options.bits_per_vertex) +
                         " are too few for its coarse mesh.");
     }
     job.result()["bit_planes"] = stream.number_of_bit_planes;
@@ -94,15 +96,15 @@ Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
   for(const auto vertex : mesh.vertices())
     result.points.push_back(coordinates(mesh.point(vertex)));
 
-  const double bits = 8. * double(result.stream.size()) / double(n);
+  const double bits_per_vertex = 8. * double(result.stream.size()) / double(n);
   job.result()["levels"] = wavelet.number_of_levels();
   job.result()["base_vertices"] = coarsest;
   job.result()["kept"] = kept;
-  job.result()["bits_per_vertex"] = bits;
-  job.say("levels          " + std::to_string(wavelet.number_of_levels()) + " above " +
-          std::to_string(coarsest) + " vertices");
-  job.say("details kept    " + std::to_string(kept) + " of " + std::to_string(n - coarsest));
-  job.say("bits per vertex " + readable(bits));
+  job.result()["bits_per_vertex"] = bits_per_vertex;
+  job.print_line("levels          " + std::to_string(wavelet.number_of_levels()) + " above " +
+                 std::to_string(coarsest) + " vertices");
+  job.print_line("details kept    " + std::to_string(kept) + " of " + std::to_string(n - coarsest));
+  job.print_line("bits per vertex " + rounded_text(bits_per_vertex));
   return result;
 }
 
@@ -112,27 +114,27 @@ void run_wavelet(Job& job, const Wavelet_options& options)
   const Surface& surface = job.read({"ply", "off", "obj", "vtp", "gpw"});
   if(!surface.is_mesh())
     throw Input_error(job.input() + ": a cloud has no faces, which wavelets need.");
-  job.stage("prepare");
+  job.begin_stage("prepare");
   const Result result = approximate(make_mesh(surface), options, job);
   const double error = root_mean_square(surface.file.points, result.points);
   job.result()["rms"] = json_number(error);
-  job.say("error           " + readable(error) + " (root mean square)");
+  job.print_line("error           " + rounded_text(error) + " (root mean square)");
 
-  job.stage("write");
+  job.begin_stage("write");
   job.write_values(
       [&]
       {
         std::vector<double> distances;
         for(std::size_t i = 0; i < result.points.size(); ++i)
           distances.push_back(root_mean_square({surface.file.points[i]}, {result.points[i]}));
-        return lines(distances);
+        return number_lines(distances);
       });
   Surface_file file = surface.file;
   file.points = result.points;
   file.normals.clear();
   if(!job.picture().empty())
     draw(job.picture(), Picture{&file});
-  if(ending(job.output()) == "gpw")
+  if(file_extension(job.output()) == "gpw")
     write_file(job.output(),
                {reinterpret_cast<const char*>(result.stream.data()), result.stream.size()});
   else if(!job.output().empty())
@@ -148,11 +150,13 @@ void add_wavelet(CLI::App& program)
                   "a mesh that was subdivided by fewer details, or as a stream of few bits (.gpw)");
   const auto job = std::make_shared<Job>(command);
   const auto options = std::make_shared<Wavelet_options>();
-  command.add("--keep", options->keep, "P", "percent of the details, the largest").shows_default();
-  command.add("--bits", options->bits, "B", "for each vertex at most, as a progressive stream");
+  command.add("--keep", options->kept_percentage, "P", "percent of the details, the largest")
+      .shows_default();
+  command.add("--bits", options->bits_per_vertex, "B",
+              "for each vertex at most, as a progressive stream");
   command.add("--levels", options->levels, "J", "that are taken off at most");
   command.add("--predictor", options->predictor, "NAME", "butterfly or linear").shows_default();
-  command.set_run([job, options] { run_wavelet(*job, *options); });
+  command.set_callback([job, options] { run_wavelet(*job, *options); });
 }
 
 } // namespace program

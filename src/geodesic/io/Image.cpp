@@ -20,59 +20,61 @@ namespace program {
 namespace {
 
 // The two pixels around a coordinate in [0, 1], and the share of the second one.
-struct Between
+struct Interpolation
 {
-  std::size_t first, second;
-  double share;
+  std::size_t lower, upper;
+  double weight;
 
-  Between(double x, std::size_t size)
+  Interpolation(double x, std::size_t size)
   {
     if(!(x >= 0. && x <= 1.))
       x -= std::floor(x);
-    const double place =
+    const double position =
         std::clamp(x * static_cast<double>(size) - 0.5, 0., static_cast<double>(size - 1));
-    first = std::min(static_cast<std::size_t>(place), size - 1);
-    second = std::min(first + 1, size - 1);
-    share = place - static_cast<double>(first);
+    lower = std::min(static_cast<std::size_t>(position), size - 1);
+    upper = std::min(lower + 1, size - 1);
+    weight = position - static_cast<double>(lower);
   }
 };
 
 // Calls f(pixel, share) for the four pixels around a place.
 template <typename Function>
-void for_each_pixel_around(const Image& image, double u, double v, Function f)
+void for_each_adjacent_pixel(const Image& image, double u, double v, Function f)
 {
-  const Between column(u, image.width), row(v, image.height);
-  for(const bool right : {false, true})
-    for(const bool up : {false, true})
-      f((up ? row.second : row.first) * image.width + (right ? column.second : column.first),
-        (right ? column.share : 1. - column.share) * (up ? row.share : 1. - row.share));
+  const Interpolation column(u, image.width), row(v, image.height);
+  for(const bool is_right : {false, true})
+    for(const bool is_upper : {false, true})
+      f((is_upper ? row.upper : row.lower) * image.width + (is_right ? column.upper : column.lower),
+        (is_right ? column.weight : 1. - column.weight) *
+            (is_upper ? row.weight : 1. - row.weight));
 }
 
 } // namespace
 
-Colour Image::at(double u, double v) const
+Color Image::at(double u, double v) const
 {
-  Colour result = {0., 0., 0.};
-  for_each_pixel_around(*this, u, v,
-                        [&](std::size_t pixel, double share)
-                        {
-                          for(std::size_t c = 0; c < 3; ++c)
-                            result[c] += share * pixels[pixel][c];
-                        });
+  Color result = {0., 0., 0.};
+  for_each_adjacent_pixel(*this, u, v,
+                          [&](std::size_t pixel, double weight)
+                          {
+                            for(std::size_t c = 0; c < 3; ++c)
+                              result[c] += weight * pixels[pixel][c];
+                          });
   return result;
 }
 
-std::array<double, 4> Image::with_opacity_at(double u, double v) const
+std::array<double, 4> Image::rgba_at(double u, double v) const
 {
   std::array<double, 4> result = {0., 0., 0., 0.};
-  for_each_pixel_around(*this, u, v,
-                        [&](std::size_t pixel, double share)
-                        {
-                          const double part = opacity.empty() ? share : share * opacity[pixel];
-                          for(std::size_t c = 0; c < 3; ++c)
-                            result[c] += part * pixels[pixel][c];
-                          result[3] += part;
-                        });
+  for_each_adjacent_pixel(*this, u, v,
+                          [&](std::size_t pixel, double weight)
+                          {
+                            const double opaque_weight =
+                                opacity.empty() ? weight : weight * opacity[pixel];
+                            for(std::size_t c = 0; c < 3; ++c)
+                              result[c] += opaque_weight * pixels[pixel][c];
+                            result[3] += opaque_weight;
+                          });
   if(result[3] > 0.)
     for(std::size_t c = 0; c < 3; ++c)
       result[c] /= result[3];
@@ -81,33 +83,33 @@ std::array<double, 4> Image::with_opacity_at(double u, double v) const
 
 #ifdef GEODESIC_PROCESSING_HAS_PNG
 
-void check_images(const std::string&) {}
+void check_png_support(const std::string&) {}
 
 Image read_image(const std::string& filename)
 {
-  constexpr std::size_t most_pixels = std::size_t{1} << 25; // less than a gigabyte
+  constexpr std::size_t max_number_of_pixels = std::size_t{1} << 25; // less than a gigabyte
   const std::string bytes = read_bytes(filename);
-  if(ending(filename) != "png")
+  if(file_extension(filename) != "png")
     fail(filename, "the name of an image ends with .png");
-  const std::string complaint = "it cannot be read as an image";
-  struct Reader : png_image
+  const std::string error_message = "it cannot be read as an image";
+  struct Png_reader : png_image
   {
-    Reader() : png_image() { version = PNG_IMAGE_VERSION; }
-    ~Reader() { png_image_free(this); }
+    Png_reader() : png_image() { version = PNG_IMAGE_VERSION; }
+    ~Png_reader() { png_image_free(this); }
   } png;
   if(png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
-    fail(filename, complaint);
+    fail(filename, error_message);
   Image image;
   image.width = png.width;
   image.height = png.height;
   if(image.width == 0 || image.height == 0)
-    fail(filename, complaint);
-  if(image.width > most_pixels / image.height)
+    fail(filename, error_message);
+  if(image.width > max_number_of_pixels / image.height)
     fail(filename, "it has more than 2^25 pixels");
   png.format = PNG_FORMAT_RGBA;
   std::vector<png_byte> values(PNG_IMAGE_SIZE(png));
   if(png_image_finish_read(&png, nullptr, values.data(), 0, nullptr) == 0)
-    fail(filename, complaint);
+    fail(filename, error_message);
   // The file begins with the highest row; what is transparent has a colour as well.
   image.pixels.resize(image.width * image.height);
   image.opacity.resize(image.pixels.size());
@@ -129,8 +131,8 @@ std::string to_png(const std::string& filename, const Image& image)
   values.reserve(3 * image.pixels.size());
   for(std::size_t row = image.height; row-- > 0;)
     for(std::size_t column = 0; column < image.width; ++column)
-      for(const double part : image.pixels[row * image.width + column])
-        values.push_back(static_cast<png_byte>(std::lround(255. * std::clamp(part, 0., 1.))));
+      for(const double channel : image.pixels[row * image.width + column])
+        values.push_back(static_cast<png_byte>(std::lround(255. * std::clamp(channel, 0., 1.))));
   png_image png = {};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
@@ -155,7 +157,7 @@ void write_image(const std::string& filename, const Image& image)
 
 #else
 
-void check_images(const std::string& filename)
+void check_png_support(const std::string& filename)
 {
   throw Usage_error(filename +
                     ": this program was built without libpng, which reads and writes images.");
@@ -163,17 +165,17 @@ void check_images(const std::string& filename)
 
 Image read_image(const std::string& filename)
 {
-  check_images(filename);
+  check_png_support(filename);
   return {};
 }
 
 std::string to_png(const std::string& filename, const Image&)
 {
-  check_images(filename);
+  check_png_support(filename);
   return {};
 }
 
-void write_image(const std::string& filename, const Image&) { check_images(filename); }
+void write_image(const std::string& filename, const Image&) { check_png_support(filename); }
 
 #endif
 

@@ -29,8 +29,8 @@ namespace {
 class Descriptor
 {
 public:
-  Descriptor(const std::string& filename, int flags, bool temporary)
-      : m_filename(filename), m_temporary(temporary),
+  Descriptor(const std::string& filename, int flags, bool is_temporary)
+      : m_filename(filename), m_is_temporary(is_temporary),
         m_descriptor(::open(filename.c_str(), flags, 0666))
   {}
 
@@ -41,7 +41,7 @@ public:
   {
     if(m_descriptor >= 0)
       ::close(m_descriptor);
-    if(m_temporary && m_opened())
+    if(m_is_temporary && was_opened())
       ::unlink(m_filename.c_str());
   }
 
@@ -66,23 +66,23 @@ public:
   {
     const int error = ::close(m_descriptor) == 0 ? 0 : errno;
     m_descriptor = -1;
-    m_closed = true;
+    m_is_closed = true;
     return error;
   }
 
-  void keep() { m_temporary = false; }
+  void commit() { m_is_temporary = false; }
 
 private:
-  bool m_opened() const { return m_descriptor >= 0 || m_closed; }
+  bool was_opened() const { return m_descriptor >= 0 || m_is_closed; }
 
   std::string m_filename;
-  bool m_temporary;
+  bool m_is_temporary;
   int m_descriptor;
-  bool m_closed = false;
+  bool m_is_closed = false;
 };
 
 // Where a chain of links ends; so a link stays a link.
-fs::path target_of(const std::string& filename)
+fs::path resolve_links(const std::string& filename)
 {
   std::error_code error;
   const fs::path target = fs::weakly_canonical(filename, error);
@@ -91,21 +91,21 @@ fs::path target_of(const std::string& filename)
 
 } // namespace
 
-std::string name_beside(const std::string& filename)
+std::string temporary_filename(const std::string& filename)
 {
   static unsigned count = 0;
-  const fs::path target = target_of(filename);
+  const fs::path target = resolve_links(filename);
   return (target.parent_path() / ("." + target.filename().string() + "." +
                                   std::to_string(::getpid()) + "." + std::to_string(count++)))
       .string();
 }
 
-void move_to(const std::string& from, const std::string& filename)
+void replace_file(const std::string& temporary, const std::string& filename)
 {
-  if(::rename(from.c_str(), target_of(filename).c_str()) != 0)
+  if(::rename(temporary.c_str(), resolve_links(filename).c_str()) != 0)
   {
     const int error = errno;
-    ::unlink(from.c_str());
+    ::unlink(temporary.c_str());
     fail(filename, error);
   }
 }
@@ -116,29 +116,29 @@ void write_file(const std::string& filename, std::string_view bytes)
   const auto status = fs::status(filename, ignored);
   if(fs::is_directory(status))
     fail(filename, EISDIR);
-  const bool direct = fs::exists(status) && !fs::is_regular_file(status);
-  const std::string name = direct ? filename : name_beside(filename);
-  Descriptor file(name, direct ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL, !direct);
+  const bool is_special_file = fs::exists(status) && !fs::is_regular_file(status);
+  const std::string name = is_special_file ? filename : temporary_filename(filename);
+  Descriptor file(name, is_special_file ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL, !is_special_file);
   if(!file.is_open())
     fail(filename, errno);
   if(const int error = file.write(bytes); error != 0)
     fail(filename, error);
   if(const int error = file.close(); error != 0)
     fail(filename, error);
-  if(!direct)
+  if(!is_special_file)
   {
-    move_to(name, filename);
-    file.keep();
+    replace_file(name, filename);
+    file.commit();
   }
 }
 
-void check_folder(const std::string& filename)
+void check_directory(const std::string& filename)
 {
-  const fs::path folder = fs::path(filename).parent_path();
+  const fs::path directory = fs::path(filename).parent_path();
   std::error_code ignored;
-  if(!folder.empty() && !fs::is_directory(folder, ignored))
-    throw Output_error(filename + ": it cannot be written, there is no folder " + folder.string() +
-                       ".");
+  if(!directory.empty() && !fs::is_directory(directory, ignored))
+    throw Output_error(filename + ": it cannot be written, there is no folder " +
+                       directory.string() + ".");
 }
 
 void append_number(std::string& text, double value)
@@ -161,7 +161,7 @@ std::string number_text(double value)
   return text;
 }
 
-std::string lines(const std::vector<double>& values)
+std::string number_lines(const std::vector<double>& values)
 {
   std::string text;
   for(const double value : values)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_OUTPUT_FILE_H
-#define GEODESIC_PROGRAM_OUTPUT_FILE_H
+#ifndef GEODESIC_PROGRAM_IO_OUTPUT_FILE_H
+#define GEODESIC_PROGRAM_IO_OUTPUT_FILE_H
 
 #include <string>
 #include <string_view>
@@ -15,20 +15,20 @@ namespace program {
 void write_file(const std::string& filename, std::string_view bytes);
 
 // A name beside `filename` that no other process uses, for writers that need a file of their own.
-std::string name_beside(const std::string& filename);
+std::string temporary_filename(const std::string& filename);
 
 // Renames `from`, which lies beside `filename`, to it; throws Output_error.
-void move_to(const std::string& from, const std::string& filename);
+void replace_file(const std::string& temporary, const std::string& filename);
 
 // Throws Output_error when the folder of the file is missing: said before any computing.
-void check_folder(const std::string& filename);
+void check_directory(const std::string& filename);
 
 // The shortest text that reads back as the same number; inf and nan in these letters.
 void append_number(std::string& text, double value);
 std::string number_text(double value);
 // One number a line.
-std::string lines(const std::vector<double>& values);
+std::string number_lines(const std::vector<double>& values);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_OUTPUT_FILE_H
+#endif // GEODESIC_PROGRAM_IO_OUTPUT_FILE_H

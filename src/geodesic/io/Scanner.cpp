@@ -21,7 +21,7 @@ bool Scanner::next_line()
     ++m_number;
     if(m_comment_mark != 0)
       m_line = m_line.substr(0, m_line.find(m_comment_mark));
-    if(!line_is_empty())
+    if(!is_line_empty())
       return true;
   }
   m_line = {};
@@ -30,12 +30,12 @@ bool Scanner::next_line()
 
 void Scanner::skip_separators()
 {
-  const char* const separators = commas ? " \t\v\f,;" : " \t\v\f";
+  const char* const separators = splits_at_commas ? " \t\v\f,;" : " \t\v\f";
   const std::size_t begin = m_line.find_first_not_of(separators);
   m_line.remove_prefix(begin == std::string_view::npos ? m_line.size() : begin);
 }
 
-bool Scanner::line_is_empty()
+bool Scanner::is_line_empty()
 {
   skip_separators();
   return m_line.empty();
@@ -44,15 +44,15 @@ bool Scanner::line_is_empty()
 std::string_view Scanner::word()
 {
   skip_separators();
-  const std::size_t end = m_line.find_first_of(commas ? " \t\v\f,;" : " \t\v\f");
+  const std::size_t end = m_line.find_first_of(splits_at_commas ? " \t\v\f,;" : " \t\v\f");
   const std::string_view result = m_line.substr(0, end);
   m_line.remove_prefix(result.size());
   return result;
 }
 
-std::string_view Scanner::word_across_lines()
+std::string_view Scanner::next_word()
 {
-  while(line_is_empty())
+  while(is_line_empty())
     if(!next_line())
       return {};
   return word();
@@ -63,31 +63,31 @@ void Scanner::fail(const std::string& reason) const
   program::fail(m_name, "line " + std::to_string(m_number) + ": " + reason);
 }
 
-double Scanner::number(std::string_view word) const
+double Scanner::parse_number(std::string_view word) const
 {
   if(word.empty())
     fail("a number is missing");
   const std::optional<double> value = to_number(word);
   if(!value)
-    fail("'" + shown(word) + "' is not a number");
+    fail("'" + printable(word) + "' is not a number");
   return *value;
 }
 
-double Scanner::coordinate(std::string_view word) const
+double Scanner::parse_coordinate(std::string_view word) const
 {
-  const double value = number(word);
+  const double value = parse_number(word);
   if(!std::isfinite(value))
-    fail("the coordinate '" + shown(word) + "' is not finite");
+    fail("the coordinate '" + printable(word) + "' is not finite");
   return value;
 }
 
-long long Scanner::integer(std::string_view word) const
+long long Scanner::parse_integer(std::string_view word) const
 {
   if(word.empty())
     fail("an integer is missing");
   const std::optional<long long> value = to_integer(word);
   if(!value)
-    fail("'" + shown(word) + "' is not an integer");
+    fail("'" + printable(word) + "' is not an integer");
   return *value;
 }
 
@@ -123,7 +123,7 @@ void fail(const std::string& name, const std::string& reason)
   throw Input_error(name + ": " + reason + ".");
 }
 
-std::string shown(std::string_view word)
+std::string printable(std::string_view word)
 {
   std::string result;
   for(const char c : word.substr(0, 30))

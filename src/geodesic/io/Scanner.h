@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_SCANNER_H
-#define GEODESIC_PROGRAM_SCANNER_H
+#ifndef GEODESIC_PROGRAM_IO_SCANNER_H
+#define GEODESIC_PROGRAM_IO_SCANNER_H
 
 #include "io/errors.h"
 
@@ -28,20 +28,20 @@ public:
   // The next word of the line, empty at its end.  Blanks and tabs separate words, and commas and
   // semicolons where `commas` is set.
   std::string_view word();
-  bool commas = false;
+  bool splits_at_commas = false;
 
   // The next word anywhere, empty at the end of the text.
-  std::string_view word_across_lines();
+  std::string_view next_word();
 
   std::string_view rest_of_line() const { return m_line; }
-  bool line_is_empty();
+  bool is_line_empty();
 
   // Throws Input_error: "NAME, line N: REASON."
   [[noreturn]] void fail(const std::string& reason) const;
 
-  double number(std::string_view word) const;     // fails when it is not a number
-  double coordinate(std::string_view word) const; // fails when it is not finite either
-  long long integer(std::string_view word) const; // fails when it is not an integer
+  double parse_number(std::string_view word) const;     // fails when it is not a number
+  double parse_coordinate(std::string_view word) const; // fails when it is not finite either
+  long long parse_integer(std::string_view word) const; // fails when it is not an integer
 
 private:
   void skip_separators();
@@ -61,8 +61,8 @@ std::optional<long long> to_integer(std::string_view word);
 [[noreturn]] void fail(const std::string& name, const std::string& reason);
 
 // At most 30 printable characters of a word, for sentences.
-std::string shown(std::string_view word);
+std::string printable(std::string_view word);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_SCANNER_H
+#endif // GEODESIC_PROGRAM_IO_SCANNER_H

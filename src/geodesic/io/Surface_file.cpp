@@ -35,7 +35,7 @@ std::string read_bytes(const std::string& filename)
   return bytes;
 }
 
-std::string ending(const std::string& filename)
+std::string file_extension(const std::string& filename)
 {
   std::string result = std::filesystem::path(filename).extension().string();
   if(!result.empty())
@@ -52,7 +52,7 @@ Surface_file read_surface_file(const std::string& filename)
       {"ply", read_ply}, {"off", read_off}, {"obj", read_obj}, {"stl", read_stl},
       {"xyz", read_xyz}, {"pwn", read_pwn}, {"vtp", read_vtp}, {"gpw", read_gpw}};
   const std::string bytes = read_bytes(filename);
-  const auto reader = readers.find(ending(filename));
+  const auto reader = readers.find(file_extension(filename));
   if(reader == readers.end())
     fail(filename, "its name does not end with .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw");
   if(bytes.empty())
@@ -81,23 +81,23 @@ void check(const Surface_file& surface, const std::string& name)
                        std::to_string(surface.points.size()));
 }
 
-void check_can_write(const std::string& filename)
+void check_output_extension(const std::string& filename)
 {
-  const std::string kind = ending(filename);
-  if(kind != "ply" && kind != "off" && kind != "obj" && kind != "vtp")
+  const std::string extension = file_extension(filename);
+  if(extension != "ply" && extension != "off" && extension != "obj" && extension != "vtp")
     throw Usage_error("-o " + filename +
                       ": the name of a result ends with .ply, .off, .obj or .vtp.");
 }
 
 void write_surface_file(const std::string& filename, const Surface_file& surface,
-                        const std::string& colour_of)
+                        const std::string& color_property)
 {
-  check_can_write(filename);
-  const std::string kind = ending(filename);
-  write_file(filename, kind == "ply"   ? to_ply(surface)
-                       : kind == "off" ? to_off(surface, colour_of)
-                       : kind == "obj" ? to_obj(surface)
-                                       : to_vtp(surface));
+  check_output_extension(filename);
+  const std::string extension = file_extension(filename);
+  write_file(filename, extension == "ply"   ? to_ply(surface)
+                       : extension == "off" ? to_off(surface, color_property)
+                       : extension == "obj" ? to_obj(surface)
+                                            : to_vtp(surface));
 }
 
 } // namespace program

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_SURFACE_FILE_H
-#define GEODESIC_PROGRAM_SURFACE_FILE_H
+#ifndef GEODESIC_PROGRAM_IO_SURFACE_FILE_H
+#define GEODESIC_PROGRAM_IO_SURFACE_FILE_H
 
 #include <array>
 #include <cstddef>
@@ -19,8 +19,9 @@ using Point = std::array<double, 3>;
 struct Surface_file
 {
   std::vector<Point> points;
-  std::vector<std::uint32_t> corners;    // of all polygons, one after another; < #points
-  std::vector<std::size_t> first = {0};  // #polygons + 1: where each polygon begins in `corners`
+  std::vector<std::uint32_t> corners; // of all polygons, one after another; < #points
+  std::vector<std::size_t> polygon_begin = {
+      0};                                // #polygons + 1: where each polygon begins in `corners`
   std::vector<Point> normals;            // empty or #points
   std::vector<std::array<double, 2>> uv; // empty or #points
   std::vector<std::array<double, 2>>
@@ -32,11 +33,11 @@ struct Surface_file
   std::map<std::string, std::vector<Point>> vectors;     // each #polygons; written, never read
   std::map<std::string, std::vector<std::uint32_t>> face_numbers; // likewise
 
-  std::size_t number_of_polygons() const { return first.size() - 1; }
+  std::size_t number_of_polygons() const { return polygon_begin.size() - 1; }
 };
 
 // The properties that are a colour, in bytes as most files have them.
-constexpr std::array<const char*, 3> colour_names = {"red", "green", "blue"};
+constexpr std::array<const char*, 3> color_names = {"red", "green", "blue"};
 
 // Reads a file of the kind that its ending names: .ply, .off, .obj, .stl, .xyz, .pwn, .vtp or .gpw.
 // Nothing is repaired, nor checked beyond what reading needs: see check().
@@ -60,23 +61,23 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name);
 Surface_file read_gpw(std::string_view bytes, const std::string& name);
 
 // Throws Usage_error when no writer belongs to the ending of a file name.
-void check_can_write(const std::string& filename);
+void check_output_extension(const std::string& filename);
 
 // Writes the file completely or not at all: first beside it, then renamed.
 // PLY (binary) and VTP carry normals, properties, vectors, numbers of faces and polylines, PLY edges too and colours as bytes; OBJ carries texture coordinates
-// or else colours, normals and polylines; OFF carries normals, and colours where `colour_of` names a property.
+// or else colours, normals and polylines; OFF carries normals, and colours where `color_property` names a property.
 // Throws Output_error when it cannot be written.
 void write_surface_file(const std::string& filename, const Surface_file& surface,
-                        const std::string& colour_of = "");
+                        const std::string& color_property = "");
 
 std::string to_ply(const Surface_file& surface);
-std::string to_off(const Surface_file& surface, const std::string& colour_of);
+std::string to_off(const Surface_file& surface, const std::string& color_property);
 std::string to_obj(const Surface_file& surface);
 std::string to_vtp(const Surface_file& surface);
 
 // The ending of a file name in lower case, without its dot.
-std::string ending(const std::string& filename);
+std::string file_extension(const std::string& filename);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_SURFACE_FILE_H
+#endif // GEODESIC_PROGRAM_IO_SURFACE_FILE_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_APPEND_POLYGON_H
-#define GEODESIC_PROGRAM_APPEND_POLYGON_H
+#ifndef GEODESIC_PROGRAM_IO_APPEND_POLYGON_H
+#define GEODESIC_PROGRAM_IO_APPEND_POLYGON_H
 
 #include "io/Surface_file.h"
 
@@ -21,7 +21,10 @@ inline void append_corner(Surface_file& surface, double index)
   surface.corners.push_back(to_index(index));
 }
 
-inline void end_polygon(Surface_file& surface) { surface.first.push_back(surface.corners.size()); }
+inline void end_polygon(Surface_file& surface)
+{
+  surface.polygon_begin.push_back(surface.corners.size());
+}
 
 // The triangles of a strip: every second one is turned round, so that all face the same side.
 // A negative index ends a strip and begins the next.
@@ -35,9 +38,9 @@ void append_strip(Surface_file& surface, const Indices& indices)
       begin = i + 1;
     else if(i >= begin + 2)
     {
-      const bool turned = (i - begin) % 2 == 1;
-      append_corner(surface, static_cast<double>(indices[turned ? i - 1 : i - 2]));
-      append_corner(surface, static_cast<double>(indices[turned ? i - 2 : i - 1]));
+      const bool is_reversed = (i - begin) % 2 == 1;
+      append_corner(surface, static_cast<double>(indices[is_reversed ? i - 1 : i - 2]));
+      append_corner(surface, static_cast<double>(indices[is_reversed ? i - 2 : i - 1]));
       append_corner(surface, static_cast<double>(indices[i]));
       end_polygon(surface);
     }
@@ -46,4 +49,4 @@ void append_strip(Surface_file& surface, const Indices& indices)
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_APPEND_POLYGON_H
+#endif // GEODESIC_PROGRAM_IO_APPEND_POLYGON_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_ERRORS_H
-#define GEODESIC_PROGRAM_ERRORS_H
+#ifndef GEODESIC_PROGRAM_IO_ERRORS_H
+#define GEODESIC_PROGRAM_IO_ERRORS_H
 
 #include <stdexcept>
 
@@ -33,4 +33,4 @@ struct Output_error : std::runtime_error
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_ERRORS_H
+#endif // GEODESIC_PROGRAM_IO_ERRORS_H

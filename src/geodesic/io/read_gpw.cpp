@@ -13,7 +13,7 @@ namespace program {
 namespace {
 
 // A few bytes can ask for any number of vertices; in earnest coarse meshes are cut five or six times.
-std::size_t most_vertices(std::size_t bytes)
+std::size_t max_number_of_vertices(std::size_t bytes)
 {
   return std::min<std::size_t>(65536 + 1024 * bytes, std::size_t(1) << 21);
 }
@@ -22,27 +22,27 @@ std::size_t most_vertices(std::size_t bytes)
 
 Surface_file read_gpw(std::string_view bytes, const std::string& name)
 {
-  namespace kernels = CGAL::Geodesic_processing::internal;
-  kernels::Decoding found;
+  namespace internal = CGAL::Geodesic_processing::internal;
+  internal::Decoded_wavelets decoding;
   try
   {
-    found = kernels::decode(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
-                            most_vertices(bytes.size()));
+    decoding = internal::decode(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
+                                max_number_of_vertices(bytes.size()));
   }
   catch(const CGAL::Geodesic_processing::Invalid_argument_error& error)
   {
     throw Input_error(name + ": " + error.what());
   }
-  if(found.signal.channels != 3)
+  if(decoding.signal.channels != 3)
     throw Input_error(name + ": The stream of wavelets has no places of vertices.");
-  const std::vector<double> values = kernels::synthesis(found);
+  const std::vector<double> values = internal::decoded_values(decoding);
   Surface_file result;
   for(std::size_t i = 0; i < values.size(); i += 3)
     result.points.push_back({values[i], values[i + 1], values[i + 2]});
-  for(const auto& t : found.subdivision->finest().triangles)
+  for(const auto& t : decoding.subdivision->finest().triangles)
   {
     result.corners.insert(result.corners.end(), t.begin(), t.end());
-    result.first.push_back(result.corners.size());
+    result.polygon_begin.push_back(result.corners.size());
   }
   return result;
 }

@@ -15,43 +15,43 @@ namespace {
 
 // The place in an image that a corner "v/vt" or "v/vt/vn" names, counted from 0 or, below it, from the
 // end of those so far; the largest number when there is none.
-std::size_t place_named(std::string_view word, std::size_t count)
+std::size_t texture_index(std::string_view word, std::size_t count)
 {
   const std::size_t slash = std::min(word.find('/'), word.size() - 1);
   const std::string_view rest = word.substr(slash + 1);
   const long long index = to_integer(rest.substr(0, rest.find('/'))).value_or(0);
-  const bool is_there = index > 0 || index >= -static_cast<long long>(count);
-  return index == 0 || !is_there
+  const bool is_valid = index > 0 || index >= -static_cast<long long>(count);
+  return index == 0 || !is_valid
              ? std::numeric_limits<std::size_t>::max()
              : static_cast<std::size_t>(index > 0 ? index - 1
                                                   : static_cast<long long>(count) + index);
 }
 
 // What stands after the coordinates of a vertex: three numbers are its colour.
-std::optional<std::array<double, 3>> colour_after(Scanner& scanner)
+std::optional<std::array<double, 3>> read_color(Scanner& scanner)
 {
-  std::array<double, 3> colour;
-  for(double& part : colour)
+  std::array<double, 3> color;
+  for(double& channel : color)
   {
     const std::optional<double> number = to_number(scanner.word());
     if(!number)
       return std::nullopt;
-    part = *number;
+    channel = *number;
   }
-  return colour;
+  return color;
 }
 
 // As bytes, like those of other files: most programs write parts of one.
-void put_colours(const std::vector<std::array<double, 3>>& colours, Surface_file& surface)
+void set_colors(const std::vector<std::array<double, 3>>& colors, Surface_file& surface)
 {
-  double most = 0.;
-  for(const auto& colour : colours)
-    most = std::max({most, colour[0], colour[1], colour[2]});
+  double largest = 0.;
+  for(const auto& color : colors)
+    largest = std::max({largest, color[0], color[1], color[2]});
   for(std::size_t c = 0; c < 3; ++c)
   {
-    std::vector<double>& values = surface.properties[colour_names[c]];
-    for(const auto& colour : colours)
-      values.push_back(most > 1. ? colour[c] : std::round(255. * colour[c]));
+    std::vector<double>& values = surface.properties[color_names[c]];
+    for(const auto& color : colors)
+      values.push_back(largest > 1. ? color[c] : std::round(255. * color[c]));
   }
 }
 
@@ -60,9 +60,9 @@ void put_colours(const std::vector<std::array<double, 3>>& colours, Surface_file
 Surface_file read_obj(std::string_view bytes, const std::string& name)
 {
   Surface_file surface;
-  std::vector<std::array<double, 2>> places; // in an image
-  std::vector<std::size_t> place_of;         // #corners: one of these, or a number beyond them
-  std::vector<std::array<double, 3>> colours;
+  std::vector<std::array<double, 2>> texture_coordinates; // in an image
+  std::vector<std::size_t> corner_texture_index; // #corners: one of these, or a number beyond them
+  std::vector<std::array<double, 3>> colors;
   Scanner scanner(bytes, name, '#');
   // A face may name vertices that follow it, so that ranges are checked when all are known.
   while(scanner.next_line())
@@ -72,14 +72,14 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
     {
       Point& point = surface.points.emplace_back();
       for(double& x : point)
-        x = scanner.coordinate(scanner.word());
-      if(const auto colour = colour_after(scanner))
-        colours.push_back(*colour);
+        x = scanner.parse_coordinate(scanner.word());
+      if(const auto color = read_color(scanner))
+        colors.push_back(*color);
     }
     else if(keyword == "vt")
     {
       const std::optional<double> u = to_number(scanner.word()), v = to_number(scanner.word());
-      places.push_back({u.value_or(0.), v.value_or(0.)});
+      texture_coordinates.push_back({u.value_or(0.), v.value_or(0.)});
     }
     else if(keyword == "f")
     {
@@ -92,26 +92,28 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
             break;
           continue;
         }
-        const long long index = scanner.integer(word.substr(0, word.find('/')));
+        const long long index = scanner.parse_integer(word.substr(0, word.find('/')));
         const auto count = static_cast<long long>(surface.points.size());
         if(index == 0 || index < -count)
           scanner.fail("a face names vertex " + std::to_string(index));
         append_corner(surface, static_cast<double>(index > 0 ? index - 1 : count + index));
-        place_of.push_back(place_named(word, places.size()));
+        corner_texture_index.push_back(texture_index(word, texture_coordinates.size()));
       }
       end_polygon(surface);
     }
   }
   // A vertex has the place that its first face gives it; where one has none, the file has no places.
-  if(!place_of.empty() && *std::max_element(place_of.begin(), place_of.end()) < places.size())
+  if(!corner_texture_index.empty() &&
+     *std::max_element(corner_texture_index.begin(), corner_texture_index.end()) <
+         texture_coordinates.size())
   {
     surface.uv.resize(surface.points.size());
-    for(std::size_t c = place_of.size(); c-- > 0;)
+    for(std::size_t c = corner_texture_index.size(); c-- > 0;)
       if(surface.corners[c] < surface.uv.size())
-        surface.uv[surface.corners[c]] = places[place_of[c]];
+        surface.uv[surface.corners[c]] = texture_coordinates[corner_texture_index[c]];
   }
-  if(!colours.empty() && colours.size() == surface.points.size())
-    put_colours(colours, surface);
+  if(!colors.empty() && colors.size() == surface.points.size())
+    set_colors(colors, surface);
   return surface;
 }
 

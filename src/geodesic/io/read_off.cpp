@@ -9,15 +9,15 @@ namespace program {
 namespace {
 
 // What the keyword before the counts says: [ST][C][N][4][n]OFF.
-struct Kind
+struct Variant
 {
   bool normals = false;
   bool homogeneous = false;
 };
 
-Kind kind_of(std::string_view keyword, const Scanner& scanner)
+Variant parse_variant(std::string_view keyword, const Scanner& scanner)
 {
-  Kind kind;
+  Variant variant;
   std::string_view rest = keyword;
   const auto take = [&rest](std::string_view prefix)
   {
@@ -28,13 +28,13 @@ Kind kind_of(std::string_view keyword, const Scanner& scanner)
   };
   take("ST");
   take("C");
-  kind.normals = take("N");
-  kind.homogeneous = take("4");
+  variant.normals = take("N");
+  variant.homogeneous = take("4");
   if(take("nOFF"))
-    scanner.fail("only three dimensions are read, not the " + shown(keyword) + " kind");
+    scanner.fail("only three dimensions are read, not the " + printable(keyword) + " kind");
   if(rest != "OFF")
-    scanner.fail("it is not an OFF file, it begins with '" + shown(keyword) + "'");
-  return kind;
+    scanner.fail("it is not an OFF file, it begins with '" + printable(keyword) + "'");
+  return variant;
 }
 
 } // namespace
@@ -44,14 +44,14 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
   Scanner scanner(bytes, name, '#');
   if(!scanner.next_line())
     fail(name, "it is empty");
-  const Kind kind = kind_of(scanner.word(), scanner);
-  std::string_view word = scanner.word_across_lines();
+  const Variant variant = parse_variant(scanner.word(), scanner);
+  std::string_view word = scanner.next_word();
   if(word == "BINARY")
     fail(name, "it is a binary OFF file, only text is read");
 
   // The number of edges is often missing or wrong, and nobody needs it.
-  const long long vertices = scanner.integer(word);
-  const long long faces = scanner.integer(scanner.word_across_lines());
+  const long long vertices = scanner.parse_integer(word);
+  const long long faces = scanner.parse_integer(scanner.next_word());
   if(vertices < 0 || faces < 0)
     scanner.fail("a count is negative");
   // A vertex takes at least six characters, a face two.
@@ -62,7 +62,7 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
 
   Surface_file surface;
   surface.points.resize(static_cast<std::size_t>(vertices));
-  if(kind.normals)
+  if(variant.normals)
     surface.normals.resize(surface.points.size());
   for(std::size_t i = 0; i < surface.points.size(); ++i)
   {
@@ -70,29 +70,29 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
       fail(name,
            "it ends after " + std::to_string(i) + " of " + std::to_string(vertices) + " vertices");
     for(double& x : surface.points[i])
-      x = scanner.coordinate(scanner.word());
-    if(kind.homogeneous)
+      x = scanner.parse_coordinate(scanner.word());
+    if(variant.homogeneous)
     {
-      const double w = scanner.coordinate(scanner.word());
+      const double w = scanner.parse_coordinate(scanner.word());
       if(w == 0.)
         scanner.fail("a vertex lies at infinity");
       for(double& x : surface.points[i])
         x /= w;
     }
-    if(kind.normals)
+    if(variant.normals)
       for(double& x : surface.normals[i])
-        x = scanner.number(scanner.word());
+        x = scanner.parse_number(scanner.word());
   }
   for(long long i = 0; i < faces; ++i)
   {
     if(!scanner.next_line())
       fail(name, "it ends after " + std::to_string(i) + " of " + std::to_string(faces) + " faces");
-    const long long degree = scanner.integer(scanner.word());
+    const long long degree = scanner.parse_integer(scanner.word());
     if(degree < 0)
       scanner.fail("a face has a negative number of vertices");
     for(long long k = 0; k < degree; ++k)
     {
-      const long long index = scanner.integer(scanner.word());
+      const long long index = scanner.parse_integer(scanner.word());
       if(index < 0 || index >= vertices)
         scanner.fail("a face names vertex " + std::to_string(index) + ", but there are " +
                      std::to_string(vertices));

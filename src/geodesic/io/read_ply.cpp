@@ -47,7 +47,7 @@ struct Header
   std::size_t size = 0; // bytes, up to and with the line feed of end_header
 };
 
-std::optional<Type> type_of(std::string_view word)
+std::optional<Type> parse_type(std::string_view word)
 {
   static const std::map<std::string_view, Type> types = {
       {"char", {'i', 1}},   {"int8", {'i', 1}},   {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
@@ -74,7 +74,7 @@ Header read_header(std::string_view bytes, const std::string& name)
     if(!line.next_line())
       continue;
     const std::string_view word = line.word();
-    const std::string at = "line " + std::to_string(number) + ": ";
+    const std::string line_prefix = "line " + std::to_string(number) + ": ";
     if(number == 1)
     {
       if(word != "ply")
@@ -90,7 +90,7 @@ Header read_header(std::string_view bytes, const std::string& name)
       else if(format == "binary_big_endian")
         header.encoding = Encoding::big_endian;
       else
-        fail(name, at + "the format '" + shown(format) + "' is unknown");
+        fail(name, line_prefix + "the format '" + printable(format) + "' is unknown");
       has_format = true;
     }
     else if(word == "element")
@@ -98,35 +98,35 @@ Header read_header(std::string_view bytes, const std::string& name)
       const std::string_view element = line.word();
       const std::optional<long long> count = to_integer(line.word());
       if(element.empty() || !count || *count < 0)
-        fail(name, at + "an element needs a name and a count");
+        fail(name, line_prefix + "an element needs a name and a count");
       header.elements.push_back({std::string(element), static_cast<std::size_t>(*count), {}});
     }
     else if(word == "property")
     {
       if(header.elements.empty())
-        fail(name, at + "a property stands before any element");
+        fail(name, line_prefix + "a property stands before any element");
       Property property;
       std::string_view type = line.word();
       if(type == "list")
       {
-        property.count = type_of(line.word());
+        property.count = parse_type(line.word());
         if(!property.count || property.count->kind == 'f')
-          fail(name, at + "the counts of a list are integers");
+          fail(name, line_prefix + "the counts of a list are integers");
         type = line.word();
       }
-      const std::optional<Type> value = type_of(type);
+      const std::optional<Type> value = parse_type(type);
       if(!value)
-        fail(name, at + "the type '" + shown(type) + "' is unknown");
+        fail(name, line_prefix + "the type '" + printable(type) + "' is unknown");
       property.type = *value;
       property.name = line.word();
       if(property.name.empty())
-        fail(name, at + "a property has no name");
+        fail(name, line_prefix + "a property has no name");
       header.elements.back().properties.push_back(property);
     }
     else if(word == "end_header")
       header.size = position;
     else if(word != "comment" && word != "obj_info")
-      fail(name, at + "'" + shown(word) + "' does not belong in a header");
+      fail(name, line_prefix + "'" + printable(word) + "' does not belong in a header");
   }
   if(!has_format)
     fail(name, "its header names no format");
@@ -145,27 +145,27 @@ public:
   // for a number in a header.  A value in text takes a byte and a separator.
   void expect(const Element& element)
   {
-    double least = 0.;
+    double min_size = 0.;
     for(const Property& property : element.properties)
-      least += m_encoding == Encoding::ascii ? 2.
-               : property.count              ? static_cast<double>(property.count->size)
-                                             : static_cast<double>(property.type.size);
+      min_size += m_encoding == Encoding::ascii ? 2.
+                  : property.count              ? static_cast<double>(property.count->size)
+                                                : static_cast<double>(property.type.size);
     const double available = static_cast<double>(m_bytes.size()) + 1.;
-    if(least * static_cast<double>(element.count) > available)
+    if(min_size * static_cast<double>(element.count) > available)
       fail(m_name, "its header promises " + std::to_string(element.count) + " of '" +
-                       shown(element.name) + "', more than the file holds");
+                       printable(element.name) + "', more than the file holds");
   }
 
   double value(Type type)
   {
     if(m_encoding == Encoding::ascii)
     {
-      const std::string_view word = m_text.word_across_lines();
+      const std::string_view word = m_text.next_word();
       if(word.empty())
         fail(m_name, "it ends too early");
       const std::optional<double> number = to_number(word);
       if(!number)
-        fail(m_name, "'" + shown(word) + "' is not a number");
+        fail(m_name, "'" + printable(word) + "' is not a number");
       return *number;
     }
     if(m_bytes.size() < type.size)
@@ -200,11 +200,11 @@ public:
   void list(const Property& property, std::vector<double>& values)
   {
     const double count = value(*property.count);
-    const double least =
+    const double min_size =
         m_encoding == Encoding::ascii ? 1. : static_cast<double>(property.type.size);
     if(!(count >= 0. && std::floor(count) == count))
       fail(m_name, "the length of a list is not a natural number");
-    if(count * least > static_cast<double>(m_bytes.size()))
+    if(count * min_size > static_cast<double>(m_bytes.size()))
       fail(m_name, "a list is longer than the file");
     values.resize(static_cast<std::size_t>(count));
     for(double& x : values)
@@ -224,65 +224,66 @@ void read_vertices(Body& body, const Element& element, const std::string& name,
   surface.points.resize(element.count);
 
   // Where each property goes: three coordinates, three parts of the normal, or a column of its own.
-  std::vector<double*> column(element.properties.size(), nullptr);
-  std::vector<int> coordinate(element.properties.size(), -1), part(element.properties.size(), -1);
-  bool seen[6] = {};
-  static const char* const special[] = {"x", "y", "z", "nx", "ny", "nz"};
+  std::vector<double*> property_values(element.properties.size(), nullptr);
+  std::vector<int> coordinate(element.properties.size(), -1),
+      normal_component(element.properties.size(), -1);
+  bool is_present[6] = {};
+  static const char* const standard_names[] = {"x", "y", "z", "nx", "ny", "nz"};
   for(std::size_t p = 0; p < element.properties.size(); ++p)
   {
     const Property& property = element.properties[p];
     if(property.count)
       continue;
-    int which = -1;
+    int standard_index = -1;
     for(int k = 0; k < 6; ++k)
-      if(property.name == special[k])
-        which = k;
-    if(which >= 0 && !seen[which])
+      if(property.name == standard_names[k])
+        standard_index = k;
+    if(standard_index >= 0 && !is_present[standard_index])
     {
-      seen[which] = true;
-      (which < 3 ? coordinate : part)[p] = which % 3;
+      is_present[standard_index] = true;
+      (standard_index < 3 ? coordinate : normal_component)[p] = standard_index % 3;
     }
-    else if(which < 0 && surface.properties.count(property.name) == 0)
+    else if(standard_index < 0 && surface.properties.count(property.name) == 0)
     {
       std::vector<double>& values = surface.properties[property.name];
       values.resize(element.count);
-      column[p] = values.data();
+      property_values[p] = values.data();
     }
   }
-  if(!seen[0] || !seen[1] || !seen[2])
+  if(!is_present[0] || !is_present[1] || !is_present[2])
     fail(name, "its vertices have no x, y and z");
-  if(seen[3] && seen[4] && seen[5])
+  if(is_present[3] && is_present[4] && is_present[5])
     surface.normals.resize(element.count);
 
-  std::vector<double> skipped;
+  std::vector<double> ignored;
   for(std::size_t i = 0; i < element.count; ++i)
     for(std::size_t p = 0; p < element.properties.size(); ++p)
     {
       if(element.properties[p].count)
       {
-        body.list(element.properties[p], skipped);
+        body.list(element.properties[p], ignored);
         continue;
       }
       const double value = body.value(element.properties[p].type);
       if(coordinate[p] >= 0)
         surface.points[i][coordinate[p]] = value;
-      else if(part[p] >= 0 && !surface.normals.empty())
-        surface.normals[i][part[p]] = value;
-      else if(column[p] != nullptr)
-        column[p][i] = value;
+      else if(normal_component[p] >= 0 && !surface.normals.empty())
+        surface.normals[i][normal_component[p]] = value;
+      else if(property_values[p] != nullptr)
+        property_values[p][i] = value;
     }
 }
 
 // Edges without one of their ends are none.
 void read_edges(Body& body, const Element& element, Surface_file& surface)
 {
-  std::vector<double> skipped;
+  std::vector<double> ignored;
   for(std::size_t i = 0; i < element.count; ++i)
   {
     std::optional<std::uint32_t> ends[2];
     for(const Property& property : element.properties)
       if(property.count)
-        body.list(property, skipped);
+        body.list(property, ignored);
       else
       {
         const double value = body.value(property.type);
@@ -296,7 +297,7 @@ void read_edges(Body& body, const Element& element, Surface_file& surface)
 
 void read_others(Body& body, const Element& element, Surface_file& surface)
 {
-  const bool faces = element.name == "face", strips = element.name == "tristrips";
+  const bool is_face = element.name == "face", is_strip = element.name == "tristrips";
   std::vector<double> values;
   for(std::size_t i = 0; i < element.count; ++i)
     for(const Property& property : element.properties)
@@ -309,13 +310,13 @@ void read_others(Body& body, const Element& element, Surface_file& surface)
       body.list(property, values);
       if(property.name != "vertex_indices" && property.name != "vertex_index")
         continue;
-      if(faces)
+      if(is_face)
       {
         for(const double index : values)
           append_corner(surface, index);
         end_polygon(surface);
       }
-      else if(strips)
+      else if(is_strip)
         append_strip(surface, values);
     }
 }

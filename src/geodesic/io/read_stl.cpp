@@ -12,7 +12,7 @@ namespace program {
 
 namespace {
 
-struct Hash
+struct Point_hash
 {
   std::size_t operator()(const Point& point) const
   {
@@ -41,15 +41,15 @@ public:
   {
     for(double& x : point)
       x += 0.; // -0 and 0 are the same place
-    const auto [place, is_new] = m_index.try_emplace(point, m_surface.points.size());
+    const auto [entry, is_new] = m_index.try_emplace(point, m_surface.points.size());
     if(is_new)
       m_surface.points.push_back(point);
-    append_corner(m_surface, static_cast<double>(place->second));
+    append_corner(m_surface, static_cast<double>(entry->second));
   }
 
 private:
   Surface_file& m_surface;
-  std::unordered_map<Point, std::size_t, Hash> m_index;
+  std::unordered_map<Point, std::size_t, Point_hash> m_index;
 };
 
 std::uint32_t little_endian(std::string_view bytes)
@@ -92,7 +92,7 @@ Surface_file read_text(std::string_view bytes, const std::string& name)
   Surface_file surface;
   Welder welder(surface);
   Scanner scanner(bytes, name, 0);
-  std::size_t in_loop = 0;
+  std::size_t corners_in_loop = 0;
   while(scanner.next_line())
     // Line by line, because a solid's name may be any text; several words of a facet may share one.
     for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
@@ -103,19 +103,19 @@ Surface_file read_text(std::string_view bytes, const std::string& name)
       {
         Point point;
         for(double& x : point)
-          x = scanner.coordinate(scanner.word());
+          x = scanner.parse_coordinate(scanner.word());
         welder.add(point);
-        ++in_loop;
+        ++corners_in_loop;
       }
       else if(word == "endloop")
       {
-        if(in_loop < 3)
-          scanner.fail("a facet has " + std::to_string(in_loop) + " vertices");
+        if(corners_in_loop < 3)
+          scanner.fail("a facet has " + std::to_string(corners_in_loop) + " vertices");
         end_polygon(surface);
-        in_loop = 0;
+        corners_in_loop = 0;
       }
     }
-  if(in_loop != 0)
+  if(corners_in_loop != 0)
     fail(name, "it ends within a facet");
   return surface;
 }
@@ -128,7 +128,7 @@ Surface_file read_stl(std::string_view bytes, const std::string& name)
   if(bytes.size() >= 84 && bytes.size() == 84 + 50 * std::size_t{little_endian(bytes.substr(80))})
     return read_binary(bytes, name);
   Scanner scanner(bytes, name, 0);
-  if(scanner.word_across_lines() == "solid")
+  if(scanner.next_word() == "solid")
     return read_text(bytes, name);
   if(bytes.size() < 84)
     fail(name, "it is not an STL file");

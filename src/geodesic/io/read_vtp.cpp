@@ -16,7 +16,7 @@ struct Tag
 {
   std::string_view name; // with its slash where it closes
   std::map<std::string_view, std::string_view> attributes;
-  bool closed = false; // <Tag/>
+  bool is_self_closing = false; // <Tag/>
 
   std::string_view operator[](std::string_view attribute) const
   {
@@ -25,7 +25,7 @@ struct Tag
   }
 };
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view whitespace = " \t\r\n";
 
 // As much of XML as VTK writes: tags with quoted attributes, and text between them.
 class Xml
@@ -43,14 +43,14 @@ public:
       if(begin == std::string_view::npos)
         return std::nullopt;
       m_rest.remove_prefix(begin);
-      const bool comment = m_rest.substr(0, 4) == "<!--";
-      const std::size_t end = m_rest.find(comment ? "-->" : ">");
+      const bool is_comment = m_rest.substr(0, 4) == "<!--";
+      const std::size_t end = m_rest.find(is_comment ? "-->" : ">");
       if(end == std::string_view::npos)
         fail(m_name, "a tag has no end");
-      const std::string_view inside = m_rest.substr(1, end - 1);
-      m_rest.remove_prefix(end + (comment ? 3 : 1));
-      if(!comment && !inside.empty() && inside[0] != '?' && inside[0] != '!')
-        return tag(inside);
+      const std::string_view content = m_rest.substr(1, end - 1);
+      m_rest.remove_prefix(end + (is_comment ? 3 : 1));
+      if(!is_comment && !content.empty() && content[0] != '?' && content[0] != '!')
+        return tag(content);
     }
   }
 
@@ -58,31 +58,31 @@ public:
   std::string_view rest() const { return m_rest; }
 
 private:
-  Tag tag(std::string_view inside)
+  Tag tag(std::string_view content)
   {
     Tag result;
-    if(inside.back() == '/' && inside.size() > 1)
+    if(content.back() == '/' && content.size() > 1)
     {
-      result.closed = true;
-      inside.remove_suffix(1);
+      result.is_self_closing = true;
+      content.remove_suffix(1);
     }
-    const std::size_t end = inside.find_first_of(blanks);
-    result.name = inside.substr(0, end);
+    const std::size_t end = content.find_first_of(whitespace);
+    result.name = content.substr(0, end);
     while(end != std::string_view::npos)
     {
-      const std::size_t equals = inside.find('=');
+      const std::size_t equals = content.find('=');
       if(equals == std::string_view::npos)
         break;
-      std::string_view key = inside.substr(0, equals);
-      key.remove_prefix(std::min(key.size(), key.find_last_of(blanks, equals) + 1));
-      inside.remove_prefix(equals + 1);
-      const char quote = inside.empty() ? ' ' : inside[0];
+      std::string_view key = content.substr(0, equals);
+      key.remove_prefix(std::min(key.size(), key.find_last_of(whitespace, equals) + 1));
+      content.remove_prefix(equals + 1);
+      const char quote = content.empty() ? ' ' : content[0];
       const std::size_t close =
-          quote == '"' || quote == '\'' ? inside.find(quote, 1) : std::string_view::npos;
+          quote == '"' || quote == '\'' ? content.find(quote, 1) : std::string_view::npos;
       if(close == std::string_view::npos)
         fail(m_name, "an attribute has no quotes");
-      result.attributes[key] = inside.substr(1, close - 1);
-      inside.remove_prefix(close + 1);
+      result.attributes[key] = content.substr(1, close - 1);
+      content.remove_prefix(close + 1);
     }
     return result;
   }
@@ -98,7 +98,7 @@ struct Storage
   bool big_endian = false;
   std::size_t header_size = 4;
   std::string_view appended; // what follows its underscore
-  bool appended_raw = true;
+  bool is_appended_raw = true;
 };
 
 std::uint64_t bits_at(std::string_view bytes, std::size_t size, bool big_endian)
@@ -110,12 +110,12 @@ std::uint64_t bits_at(std::string_view bytes, std::size_t size, bool big_endian)
   return bits;
 }
 
-std::vector<double> numbers_of(std::string_view bytes, std::string_view type,
-                               const Storage& storage, const std::string& name)
+std::vector<double> decode_numbers(std::string_view bytes, std::string_view type,
+                                   const Storage& storage, const std::string& name)
 {
-  const bool real = type.substr(0, 5) == "Float", natural = type.substr(0, 4) == "UInt";
-  const std::string_view width = type.substr(real                         ? 5
-                                             : natural                    ? 4
+  const bool is_float = type.substr(0, 5) == "Float", is_unsigned = type.substr(0, 4) == "UInt";
+  const std::string_view width = type.substr(is_float                     ? 5
+                                             : is_unsigned                ? 4
                                              : type.substr(0, 3) == "Int" ? 3
                                                                           : 0);
   const std::size_t size = width == "8"    ? 1
@@ -123,22 +123,22 @@ std::vector<double> numbers_of(std::string_view bytes, std::string_view type,
                            : width == "32" ? 4
                            : width == "64" ? 8
                                            : 0;
-  if(size == 0 || (real && size < 4))
-    fail(name, "the type '" + shown(type) + "' is unknown");
+  if(size == 0 || (is_float && size < 4))
+    fail(name, "the type '" + printable(type) + "' is unknown");
   std::vector<double> numbers(bytes.size() / size);
   for(std::size_t i = 0; i < numbers.size(); ++i)
   {
     const std::uint64_t bits = bits_at(bytes.substr(i * size), size, storage.big_endian);
-    if(real && size == 4)
+    if(is_float && size == 4)
     {
       const auto single_bits = static_cast<std::uint32_t>(bits);
       float single;
       std::memcpy(&single, &single_bits, sizeof single);
       numbers[i] = single;
     }
-    else if(real)
+    else if(is_float)
       std::memcpy(&numbers[i], &bits, sizeof bits);
-    else if(natural)
+    else if(is_unsigned)
       numbers[i] = static_cast<double>(bits);
     else
     {
@@ -150,7 +150,7 @@ std::vector<double> numbers_of(std::string_view bytes, std::string_view type,
 }
 
 // A block: its length in bytes, then as many bytes.
-std::string_view block_of(std::string_view bytes, const Storage& storage, const std::string& name)
+std::string_view read_block(std::string_view bytes, const Storage& storage, const std::string& name)
 {
   if(bytes.empty())
     return {};
@@ -170,7 +170,7 @@ std::vector<double> numbers_in_base64(std::string_view text, std::string_view ty
   const std::optional<std::string> bytes = from_base64(text);
   if(!bytes)
     fail(name, "a data array is not base64");
-  return numbers_of(block_of(*bytes, storage, name), type, storage, name);
+  return decode_numbers(read_block(*bytes, storage, name), type, storage, name);
 }
 
 std::vector<double> read_array(const Tag& tag, std::string_view text, const Storage& storage,
@@ -181,12 +181,11 @@ std::vector<double> read_array(const Tag& tag, std::string_view text, const Stor
   {
     std::vector<double> numbers;
     Scanner scanner(text, name, 0);
-    for(std::string_view word = scanner.word_across_lines(); !word.empty();
-        word = scanner.word_across_lines())
+    for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
     {
       const std::optional<double> number = to_number(word);
       if(!number)
-        fail(name, "'" + shown(word) + "' is not a number");
+        fail(name, "'" + printable(word) + "' is not a number");
       numbers.push_back(*number);
     }
     return numbers;
@@ -194,13 +193,13 @@ std::vector<double> read_array(const Tag& tag, std::string_view text, const Stor
   if(format == "binary")
     return numbers_in_base64(text, type, storage, name);
   if(format != "appended")
-    fail(name, "the format '" + shown(format) + "' of a data array is unknown");
+    fail(name, "the format '" + printable(format) + "' of a data array is unknown");
   const std::optional<long long> offset = to_integer(tag["offset"]);
   if(!offset || *offset < 0 || static_cast<std::size_t>(*offset) > storage.appended.size())
     fail(name, "a data array has no offset within the file");
   const std::string_view bytes = storage.appended.substr(static_cast<std::size_t>(*offset));
-  if(storage.appended_raw)
-    return numbers_of(block_of(bytes, storage, name), type, storage, name);
+  if(storage.is_appended_raw)
+    return decode_numbers(read_block(bytes, storage, name), type, storage, name);
   // Encoded blocks follow one another; the first digits hold the length of this one.
   const std::size_t digits = (storage.header_size + 2) / 3 * 4;
   const std::optional<std::string> header = from_base64(bytes.substr(0, digits));
@@ -209,14 +208,15 @@ std::vector<double> read_array(const Tag& tag, std::string_view text, const Stor
   const std::uint64_t length = bits_at(*header, storage.header_size, storage.big_endian);
   if(length > bytes.size())
     fail(name, "a data array ends too early");
-  const std::size_t all = (static_cast<std::size_t>(length) + storage.header_size + 2) / 3 * 4;
-  return numbers_in_base64(bytes.substr(0, all), type, storage, name);
+  const std::size_t encoded_length =
+      (static_cast<std::size_t>(length) + storage.header_size + 2) / 3 * 4;
+  return numbers_in_base64(bytes.substr(0, encoded_length), type, storage, name);
 }
 
 using Arrays = std::map<std::string, std::vector<double>>;
 
-const std::vector<double>& need(const Arrays& arrays, const std::string& key,
-                                const std::string& name)
+const std::vector<double>& require_array(const Arrays& arrays, const std::string& key,
+                                         const std::string& name)
 {
   const auto found = arrays.find(key);
   if(found == arrays.end())
@@ -224,13 +224,14 @@ const std::vector<double>& need(const Arrays& arrays, const std::string& key,
   return found->second;
 }
 
-void append_cells(Surface_file& surface, const Arrays& arrays, bool strips, const std::string& name)
+void append_cells(Surface_file& surface, const Arrays& arrays, bool are_strips,
+                  const std::string& name)
 {
   if(arrays.empty())
     return;
-  const std::vector<double>& corners = need(arrays, "connectivity", name);
+  const std::vector<double>& corners = require_array(arrays, "connectivity", name);
   std::size_t begin = 0;
-  for(const double offset : need(arrays, "offsets", name))
+  for(const double offset : require_array(arrays, "offsets", name))
   {
     if(!(offset >= static_cast<double>(begin) && offset <= static_cast<double>(corners.size())))
       fail(name, "the offsets of its cells do not fit");
@@ -238,7 +239,7 @@ void append_cells(Surface_file& surface, const Arrays& arrays, bool strips, cons
     const std::vector<double> cell(corners.begin() + static_cast<std::ptrdiff_t>(begin),
                                    corners.begin() + static_cast<std::ptrdiff_t>(end));
     begin = end;
-    if(strips)
+    if(are_strips)
     {
       append_strip(surface, cell);
       continue;
@@ -267,7 +268,7 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name)
   {
     Xml appended(bytes.substr(begin), name);
     const std::optional<Tag> tag = appended.next();
-    storage.appended_raw = (*tag)["encoding"] != "base64";
+    storage.is_appended_raw = (*tag)["encoding"] != "base64";
     const std::size_t underscore = appended.rest().find('_');
     if(underscore != std::string_view::npos)
       storage.appended = appended.rest().substr(underscore + 1);
@@ -295,7 +296,7 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name)
     else if(tag->name == "Points" || tag->name == "Polys" || tag->name == "Strips" ||
             tag->name == "PointData" || tag->name == "Verts" || tag->name == "Lines" ||
             tag->name == "CellData" || tag->name == "FieldData")
-      section = tag->closed ? "" : std::string(tag->name);
+      section = tag->is_self_closing ? "" : std::string(tag->name);
     else if(tag->name == "/" + section)
       section.clear();
     else if(tag->name == "DataArray" && (section == "Points" || section == "Polys" ||
@@ -303,7 +304,7 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name)
     {
       const Tag array = *tag;
       std::string_view text;
-      if(!array.closed)
+      if(!array.is_self_closing)
       {
         xml.next();
         text = xml.text();
@@ -333,7 +334,7 @@ Surface_file read_vtp(std::string_view bytes, const std::string& name)
     fail(name, "it has not as many normals as points");
   for(const auto& [key, values] : surface.properties)
     if(values.size() != surface.points.size())
-      fail(name, "it has not as many values of '" + shown(key) + "' as points");
+      fail(name, "it has not as many values of '" + printable(key) + "' as points");
   return surface;
 }
 

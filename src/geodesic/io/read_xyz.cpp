@@ -20,17 +20,17 @@ Table read_table(std::string_view bytes, const std::string& name)
 {
   Table table;
   Scanner scanner(bytes, name, '#');
-  scanner.commas = true;
+  scanner.splits_at_commas = true;
   std::vector<double> row;
-  for(bool first = true; scanner.next_line(); first = false)
+  for(bool is_first_line = true; scanner.next_line(); is_first_line = false)
   {
     if(scanner.rest_of_line().substr(0, 2) == "//")
       continue;
     row.clear();
     for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
-      row.push_back(row.size() < 3 ? scanner.coordinate(word) : scanner.number(word));
+      row.push_back(row.size() < 3 ? scanner.parse_coordinate(word) : scanner.parse_number(word));
     // Some writers begin with the number of points.
-    if(first && row.size() == 1)
+    if(is_first_line && row.size() == 1)
     {
       table.count = row[0];
       continue;
@@ -47,20 +47,20 @@ Table read_table(std::string_view bytes, const std::string& name)
   return table;
 }
 
-Surface_file from_table(const Table& table, std::size_t points, bool normals_follow)
+Surface_file from_table(const Table& table, std::size_t number_of_points, bool normals_after_points)
 {
   Surface_file surface;
-  surface.points.resize(points);
-  const bool normals = normals_follow || table.columns >= 6;
-  if(normals)
-    surface.normals.resize(points);
-  for(std::size_t i = 0; i < points; ++i)
+  surface.points.resize(number_of_points);
+  const bool has_normals = normals_after_points || table.columns >= 6;
+  if(has_normals)
+    surface.normals.resize(number_of_points);
+  for(std::size_t i = 0; i < number_of_points; ++i)
     for(std::size_t c = 0; c < 3; ++c)
     {
       surface.points[i][c] = table.values[i * table.columns + c];
-      if(normals)
-        surface.normals[i][c] = normals_follow ? table.values[(i + points) * 3 + c]
-                                               : table.values[i * table.columns + 3 + c];
+      if(has_normals)
+        surface.normals[i][c] = normals_after_points ? table.values[(i + number_of_points) * 3 + c]
+                                                     : table.values[i * table.columns + 3 + c];
     }
   return surface;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/base64.h"
 #include "io/errors.h"
-#include "io/textured.h"
-#include "io/write.h"
+#include "io/write_textured.h"
+#include "io/write_utilities.h"
 
 #include <boost/functional/hash.hpp>
 
@@ -21,10 +21,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Numbers of the format.
-constexpr int floats = 5126, unsigned_integers = 5125, vertex_data = 34962, index_data = 34963,
-              linear = 9729, linear_of_linear = 9987, clamped = 33071;
+constexpr int component_float = 5126, component_unsigned_int = 5125, target_array_buffer = 34962,
+              target_element_array_buffer = 34963, filter_linear = 9729,
+              filter_linear_mipmap_linear = 9987, wrap_clamp_to_edge = 33071;
 
-void append_single(std::string& bytes, double value)
+void append_float(std::string& bytes, double value)
 {
   const float single = static_cast<float>(value);
   std::uint32_t bits;
@@ -34,7 +35,7 @@ void append_single(std::string& bytes, double value)
 }
 
 // Unit vectors; those of points without area around them are up.
-std::vector<Point> normals_of(const Surface_file& surface)
+std::vector<Point> vertex_normals(const Surface_file& surface)
 {
   std::vector<Point> result(surface.points.size(), Point{0., 0., 0.});
   for(std::size_t c = 0; c + 2 < surface.corners.size(); c += 3)
@@ -45,17 +46,17 @@ std::vector<Point> normals_of(const Surface_file& surface)
     for(std::size_t k = 0; k < 3; ++k)
     {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      const double part = (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
+      const double coordinate = (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
       for(std::size_t corner = c; corner < c + 3; ++corner)
-        result[surface.corners[corner]][k] += part;
+        result[surface.corners[corner]][k] += coordinate;
     }
   }
   for(Point& normal : result)
   {
     const double size = std::hypot(normal[0], normal[1], normal[2]);
     if(size > 0. && std::isfinite(size))
-      for(double& part : normal)
-        part /= size;
+      for(double& coordinate : normal)
+        coordinate /= size;
     else
       normal = {0., 0., 1.};
   }
@@ -78,38 +79,40 @@ struct Gltf
         return boost::hash_value(key);
       }
     };
-    std::unordered_map<std::pair<std::uint32_t, std::array<double, 2>>, std::uint32_t, Hash> number;
-    std::vector<std::size_t> first; // corner of each vertex
+    std::unordered_map<std::pair<std::uint32_t, std::array<double, 2>>, std::uint32_t, Hash>
+        vertex_index;
+    std::vector<std::size_t> first_corner; // corner of each vertex
     std::string indices;
     for(std::size_t c = 0; c < surface.corners.size(); ++c)
     {
-      const auto [at, is_new] = number.try_emplace({surface.corners[c], surface.corner_uv[c]},
-                                                   static_cast<std::uint32_t>(first.size()));
+      const auto [entry, is_new] =
+          vertex_index.try_emplace({surface.corners[c], surface.corner_uv[c]},
+                                   static_cast<std::uint32_t>(first_corner.size()));
       if(is_new)
-        first.push_back(c);
-      append_little_endian(indices, at->second);
+        first_corner.push_back(c);
+      append_little_endian(indices, entry->second);
     }
-    const std::vector<Point> normal = normals_of(surface);
-    std::string positions, normals, coordinates;
-    std::array<std::vector<float>, 2> range = {
+    const std::vector<Point> normal = vertex_normals(surface);
+    std::string positions, normals, texture_coordinates;
+    std::array<std::vector<float>, 2> bounds = {
         std::vector<float>(3, std::numeric_limits<float>::infinity()),
         std::vector<float>(3, -std::numeric_limits<float>::infinity())};
-    for(const std::size_t c : first)
+    for(const std::size_t c : first_corner)
     {
       const std::uint32_t point = surface.corners[c];
       for(std::size_t k = 0; k < 3; ++k)
       {
-        const double part = surface.points[point][k];
-        if(!(std::abs(part) <= double((std::numeric_limits<float>::max)())))
+        const double coordinate = surface.points[point][k];
+        if(!(std::abs(coordinate) <= double((std::numeric_limits<float>::max)())))
           throw Output_error(filename + ": a coordinate is too large for the format.");
-        range[0][k] = std::min(range[0][k], float(part));
-        range[1][k] = std::max(range[1][k], float(part));
-        append_single(positions, part);
-        append_single(normals, normal[point][k]);
+        bounds[0][k] = std::min(bounds[0][k], float(coordinate));
+        bounds[1][k] = std::max(bounds[1][k], float(coordinate));
+        append_float(positions, coordinate);
+        append_float(normals, normal[point][k]);
       }
       // From the upper left corner.
-      append_single(coordinates, surface.corner_uv[c][0]);
-      append_single(coordinates, 1. - surface.corner_uv[c][1]);
+      append_float(texture_coordinates, surface.corner_uv[c][0]);
+      append_float(texture_coordinates, 1. - surface.corner_uv[c][1]);
     }
 
     json["asset"] = {{"version", "2.0"}, {"generator", "geodesic"}};
@@ -126,26 +129,28 @@ struct Gltf
           {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.}, {"roughnessFactor", 1.}}},
          {"doubleSided", true}}};
     json["textures"] = {{{"sampler", 0}, {"source", 0}}};
-    json["samplers"] = {{{"magFilter", linear},
-                         {"minFilter", linear_of_linear},
-                         {"wrapS", clamped},
-                         {"wrapT", clamped}}};
+    json["samplers"] = {{{"magFilter", filter_linear},
+                         {"minFilter", filter_linear_mipmap_linear},
+                         {"wrapS", wrap_clamp_to_edge},
+                         {"wrapT", wrap_clamp_to_edge}}};
     json["accessors"] = Json::array();
     json["bufferViews"] = Json::array();
-    add(positions, vertex_data, floats, first.size(), "VEC3");
-    json["accessors"][0]["min"] = range[0];
-    json["accessors"][0]["max"] = range[1];
-    add(normals, vertex_data, floats, first.size(), "VEC3");
-    add(coordinates, vertex_data, floats, first.size(), "VEC2");
-    add(indices, index_data, unsigned_integers, surface.corners.size(), "SCALAR");
-    view(png);
+    add_accessor(positions, target_array_buffer, component_float, first_corner.size(), "VEC3");
+    json["accessors"][0]["min"] = bounds[0];
+    json["accessors"][0]["max"] = bounds[1];
+    add_accessor(normals, target_array_buffer, component_float, first_corner.size(), "VEC3");
+    add_accessor(texture_coordinates, target_array_buffer, component_float, first_corner.size(),
+                 "VEC2");
+    add_accessor(indices, target_element_array_buffer, component_unsigned_int,
+                 surface.corners.size(), "SCALAR");
+    add_buffer_view(png);
     json["images"] = {{{"name", "texture"},
                        {"mimeType", "image/png"},
                        {"bufferView", json["bufferViews"].size() - 1}}};
   }
 
 private:
-  Json& view(const std::string& bytes)
+  Json& add_buffer_view(const std::string& bytes)
   {
     json["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", bytes.size()}});
@@ -154,9 +159,10 @@ private:
     return json["bufferViews"].back();
   }
 
-  void add(const std::string& bytes, int target, int component, std::size_t count, const char* type)
+  void add_accessor(const std::string& bytes, int target, int component, std::size_t count,
+                    const char* type)
   {
-    view(bytes)["target"] = target;
+    add_buffer_view(bytes)["target"] = target;
     json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
                                  {"componentType", component},
                                  {"count", count},

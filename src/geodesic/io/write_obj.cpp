@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/write.h"
+#include "io/write_utilities.h"
 
 #include <boost/functional/hash.hpp>
 
@@ -23,40 +23,40 @@ std::string to_obj(const Surface_file& surface)
     text += '\n';
   };
   // Many programs multiply a texture by them.
-  const bool colours =
-      !uv && std::all_of(colour_names.begin(), colour_names.end(),
+  const bool colors =
+      !uv && std::all_of(color_names.begin(), color_names.end(),
                          [&](auto name) { return surface.properties.count(name) > 0; });
-  const auto place = [&](const Point& point, auto part_of)
+  const auto write_vertex = [&](const Point& point, auto channel_of)
   {
     text += 'v';
     append_numbers(text, point);
-    for(std::size_t c = 0; colours && c < 3; ++c)
-      append_numbers(text, std::array<double, 1>{part_of(colour_names[c])});
+    for(std::size_t c = 0; colors && c < 3; ++c)
+      append_numbers(text, std::array<double, 1>{channel_of(color_names[c])});
     text += '\n';
   };
   for(std::size_t i = 0; i < surface.points.size(); ++i)
-    place(surface.points[i],
-          [&](const char* name) { return surface.properties.at(name)[i] / 255.; });
+    write_vertex(surface.points[i],
+                 [&](const char* name) { return surface.properties.at(name)[i] / 255.; });
   for(const std::vector<Point>& polyline : surface.polylines)
     for(const Point& point : polyline)
-      place(point, [](const char*) { return 0.; });
+      write_vertex(point, [](const char*) { return 0.; });
   // Of corners' places, each written once.
   std::unordered_map<std::array<double, 2>, std::size_t, boost::hash<std::array<double, 2>>>
-      number_of;
-  for(const std::array<double, 2>& place : corner_uv ? surface.corner_uv : surface.uv)
-    if(!corner_uv || number_of.try_emplace(place, number_of.size() + 1).second)
-      line("vt", place);
+      texture_index;
+  for(const std::array<double, 2>& coordinates : corner_uv ? surface.corner_uv : surface.uv)
+    if(!corner_uv || texture_index.try_emplace(coordinates, texture_index.size() + 1).second)
+      line("vt", coordinates);
   for(const Point& normal : surface.normals)
     line("vn", normal);
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
   {
     text += 'f';
-    for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
+    for(std::size_t c = surface.polygon_begin[f]; c < surface.polygon_begin[f + 1]; ++c)
     {
       const std::string index = std::to_string(surface.corners[c] + 1);
       text += ' ' + index;
       if(uv || normals)
-        text += '/' + (corner_uv ? std::to_string(number_of.at(surface.corner_uv[c]))
+        text += '/' + (corner_uv ? std::to_string(texture_index.at(surface.corner_uv[c]))
                        : uv      ? index
                                  : std::string());
       if(normals)

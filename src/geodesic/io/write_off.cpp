@@ -1,38 +1,39 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/colours.h"
-#include "io/write.h"
+#include "io/colors.h"
+#include "io/write_utilities.h"
 
 namespace program {
 
-std::string to_off(const Surface_file& surface, const std::string& colour_of)
+std::string to_off(const Surface_file& surface, const std::string& color_property)
 {
-  const auto property = surface.properties.find(colour_of);
-  const bool colours = property != surface.properties.end(), normals = !surface.normals.empty();
-  std::string text = std::string(colours ? "C" : "") + (normals ? "N" : "") + "OFF\n" +
+  const auto property = surface.properties.find(color_property);
+  const bool has_colors = property != surface.properties.end(),
+             has_normals = !surface.normals.empty();
+  std::string text = std::string(has_colors ? "C" : "") + (has_normals ? "N" : "") + "OFF\n" +
                      std::to_string(surface.points.size()) + ' ' +
                      std::to_string(surface.number_of_polygons()) + " 0\n";
-  std::vector<std::array<double, 3>> colour;
-  if(colours)
-    colour = colours_of(property->second);
+  std::vector<std::array<double, 3>> colors;
+  if(has_colors)
+    colors = colors_of(property->second);
   for(std::size_t i = 0; i < surface.points.size(); ++i)
   {
     std::string line;
     append_numbers(line, surface.points[i]);
-    if(normals)
+    if(has_normals)
       append_numbers(line, surface.normals[i]);
-    if(colours)
+    if(has_colors)
     {
-      for(const double part : colour[i])
-        line += ' ' + std::to_string(static_cast<int>(part * 255. + 0.5));
+      for(const double channel : colors[i])
+        line += ' ' + std::to_string(static_cast<int>(channel * 255. + 0.5));
       line += " 255";
     }
     text.append(line, 1, std::string::npos) += "\n";
   }
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
   {
-    text += std::to_string(surface.first[f + 1] - surface.first[f]);
-    for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
+    text += std::to_string(surface.polygon_begin[f + 1] - surface.polygon_begin[f]);
+    for(std::size_t c = surface.polygon_begin[f]; c < surface.polygon_begin[f + 1]; ++c)
       text += ' ' + std::to_string(surface.corners[c]);
     text += '\n';
   }

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/write.h"
+#include "io/write_utilities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@ namespace program {
 namespace {
 
 // Whether a property is a part of a colour as most programs write it, a byte.
-bool is_byte(const std::pair<const std::string, std::vector<double>>& property)
+bool is_byte_color(const std::pair<const std::string, std::vector<double>>& property)
 {
   const auto& [name, values] = property;
-  return std::find(colour_names.begin(), colour_names.end(), name) != colour_names.end() &&
+  return std::find(color_names.begin(), color_names.end(), name) != color_names.end() &&
          std::all_of(values.begin(), values.end(),
                      [](double x) { return x >= 0. && x <= 255. && x == std::floor(x); });
 }
@@ -35,18 +35,18 @@ std::string to_ply(const Surface_file& surface)
                       "\nproperty double x\nproperty double y\nproperty double z\n";
   if(!surface.normals.empty())
     bytes += "property double nx\nproperty double ny\nproperty double nz\n";
-  std::vector<bool> are_bytes;
+  std::vector<bool> is_byte_property;
   for(const auto& property : surface.properties)
   {
-    are_bytes.push_back(is_byte(property));
-    bytes += (are_bytes.back() ? "property uchar " : "property double ") +
-             one_word(property.first) + "\n";
+    is_byte_property.push_back(is_byte_color(property));
+    bytes += (is_byte_property.back() ? "property uchar " : "property double ") +
+             to_identifier(property.first) + "\n";
   }
   const auto append_properties = [&](auto value_of)
   {
     std::size_t k = 0;
     for(const auto& property : surface.properties)
-      if(const double value = value_of(property.second); are_bytes[k++])
+      if(const double value = value_of(property.second); is_byte_property[k++])
         append_little_endian(bytes, static_cast<std::uint8_t>(value));
       else
         append_little_endian(bytes, value);
@@ -57,9 +57,9 @@ std::string to_ply(const Surface_file& surface)
              "\nproperty list uchar int vertex_indices\n";
     for(const auto& [name, vectors] : surface.vectors)
       for(const char* axis : {"_x", "_y", "_z"})
-        bytes += "property double " + one_word(name) + axis + "\n";
+        bytes += "property double " + to_identifier(name) + axis + "\n";
     for(const auto& [name, numbers] : surface.face_numbers)
-      bytes += "property uint " + one_word(name) + "\n";
+      bytes += "property uint " + to_identifier(name) + "\n";
   }
   if(edges > 0)
     bytes +=
@@ -86,8 +86,9 @@ std::string to_ply(const Surface_file& surface)
     }
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
   {
-    append_little_endian(bytes, static_cast<std::uint8_t>(surface.first[f + 1] - surface.first[f]));
-    for(std::size_t c = surface.first[f]; c < surface.first[f + 1]; ++c)
+    append_little_endian(
+        bytes, static_cast<std::uint8_t>(surface.polygon_begin[f + 1] - surface.polygon_begin[f]));
+    for(std::size_t c = surface.polygon_begin[f]; c < surface.polygon_begin[f + 1]; ++c)
       append_little_endian(bytes, surface.corners[c]);
     for(const auto& [name, vectors] : surface.vectors)
       for(const double x : vectors[f])

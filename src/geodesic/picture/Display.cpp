@@ -64,8 +64,8 @@ bool can_open_display()
 
 Display::Display()
 {
-  int ends[2];
-  if(::pipe(ends) != 0)
+  int pipe_ends[2];
+  if(::pipe(pipe_ends) != 0)
     throw Usage_error("--picture: no pipe to a display server can be opened.");
   const ::pid_t parent = ::getpid();
   m_server = ::fork();
@@ -81,19 +81,19 @@ Display::Display()
 #  endif
     // An interrupt from the keyboard is for the program, not for its server.
     ::setpgid(0, 0);
-    ::close(ends[0]);
-    const int nowhere = ::open("/dev/null", O_RDWR);
-    ::dup2(nowhere, STDIN_FILENO);
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
-    const std::string number = std::to_string(ends[1]);
+    ::close(pipe_ends[0]);
+    const int null_device = ::open("/dev/null", O_RDWR);
+    ::dup2(null_device, STDIN_FILENO);
+    ::dup2(null_device, STDOUT_FILENO);
+    ::dup2(null_device, STDERR_FILENO);
+    const std::string number = std::to_string(pipe_ends[1]);
     ::execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1200x24",
              "-nolisten", "tcp", static_cast<char*>(nullptr));
     ::_exit(127);
   }
-  ::close(ends[1]);
-  const std::string number = m_server > 0 ? read_number(ends[0]) : std::string();
-  ::close(ends[0]);
+  ::close(pipe_ends[1]);
+  const std::string number = m_server > 0 ? read_number(pipe_ends[0]) : std::string();
+  ::close(pipe_ends[0]);
   if(!number.empty())
   {
     ::setenv("DISPLAY", (":" + number).c_str(), 1);

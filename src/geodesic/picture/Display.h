@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_DISPLAY_H
-#define GEODESIC_PROGRAM_DISPLAY_H
+#ifndef GEODESIC_PROGRAM_PICTURE_DISPLAY_H
+#define GEODESIC_PROGRAM_PICTURE_DISPLAY_H
 
 #include <sys/types.h>
 
@@ -24,4 +24,4 @@ private:
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_DISPLAY_H
+#endif // GEODESIC_PROGRAM_PICTURE_DISPLAY_H

@@ -66,9 +66,9 @@ namespace program {
 namespace {
 
 constexpr int width = 1600, height = 1200;
-constexpr Colour dark = {0.08, 0.08, 0.12}, red = {0.86, 0.11, 0.12};
+constexpr Color line_color = {0.08, 0.08, 0.12}, marker_color = {0.86, 0.11, 0.12};
 // Radii, in units of half the longest side of the bounding box.
-constexpr double thin = 0.0022, thick = 0.011, ball = 0.024;
+constexpr double thin_radius = 0.0022, thick_radius = 0.011, marker_radius = 0.024;
 
 Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -82,10 +82,10 @@ Point cross(const Point& a, const Point& b)
 }
 
 // Graphics cards count in single precision: everything is drawn in a box from -1 to 1.
-class Frame
+class Unit_box_transform
 {
 public:
-  explicit Frame(const std::vector<Point>& points)
+  explicit Unit_box_transform(const std::vector<Point>& points)
   {
     Point low = points[0], high = points[0];
     for(const Point& p : points)
@@ -123,12 +123,12 @@ private:
 };
 
 // Points and triangles that VTK is given, with one value or one colour for each point.
-struct Skin
+struct Render_mesh
 {
   std::vector<Point> points;
   std::vector<Point> normals; // empty: VTK finds them, with creases
   std::vector<std::uint32_t> corners;
-  std::vector<Colour> colours; // #points or #triangles
+  std::vector<Color> colors; // #points or #triangles
 };
 
 vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Point>& points)
@@ -140,7 +140,7 @@ vtkSmartPointer<vtkPoints> to_vtk(const std::vector<Point>& points)
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> triangles_of(const std::vector<Point>& points,
+vtkSmartPointer<vtkPolyData> to_poly_data(const std::vector<Point>& points,
                                           const std::vector<std::uint32_t>& corners)
 {
   const auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -155,7 +155,7 @@ vtkSmartPointer<vtkPolyData> triangles_of(const std::vector<Point>& points,
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> lines_of(const std::vector<std::vector<Point>>& polylines)
+vtkSmartPointer<vtkPolyData> to_polyline_data(const std::vector<std::vector<Point>>& polylines)
 {
   std::vector<Point> points;
   vtkNew<vtkCellArray> cells;
@@ -179,26 +179,26 @@ vtkSmartPointer<vtkPolyData> lines_of(const std::vector<std::vector<Point>>& pol
 }
 
 // The sides of triangles, those that two share once.
-std::vector<std::vector<Point>> sides_of(const std::vector<Point>& points,
-                                         const std::vector<std::uint32_t>& corners)
+std::vector<std::vector<Point>> unique_edges(const std::vector<Point>& points,
+                                             const std::vector<std::uint32_t>& corners)
 {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> ends;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> vertex_pairs;
   for(std::size_t c = 0; c < corners.size(); ++c)
-    ends.insert(std::minmax(corners[c], corners[c % 3 == 2 ? c - 2 : c + 1]));
+    vertex_pairs.insert(std::minmax(corners[c], corners[c % 3 == 2 ? c - 2 : c + 1]));
   std::vector<std::vector<Point>> result;
-  for(const auto& [a, b] : ends)
+  for(const auto& [a, b] : vertex_pairs)
     result.push_back({points[a], points[b]});
   return result;
 }
 
-void paint(vtkActor* actor, const Colour& colour)
+void set_color(vtkActor* actor, const Color& color)
 {
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
 }
 
 // Nothing where there are no lines.
 vtkSmartPointer<vtkActor> add_tubes(vtkRenderer* renderer, vtkPolyData* lines, double radius,
-                                    const Colour& colour)
+                                    const Color& color)
 {
   const auto actor = vtkSmartPointer<vtkActor>::New();
   if(lines->GetNumberOfLines() == 0)
@@ -212,13 +212,13 @@ vtkSmartPointer<vtkActor> add_tubes(vtkRenderer* renderer, vtkPolyData* lines, d
   mapper->SetInputConnection(tubes->GetOutputPort());
   mapper->ScalarVisibilityOff();
   actor->SetMapper(mapper);
-  paint(actor, colour);
+  set_color(actor, color);
   actor->GetProperty()->SetAmbient(0.25);
   renderer->AddActor(actor);
   return actor;
 }
 
-void add_ball(vtkRenderer* renderer, const Point& center, double radius, const Colour& colour)
+void add_sphere(vtkRenderer* renderer, const Point& center, double radius, const Color& color)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(center[0], center[1], center[2]);
@@ -229,7 +229,7 @@ void add_ball(vtkRenderer* renderer, const Point& center, double radius, const C
   mapper->SetInputConnection(sphere->GetOutputPort());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  paint(actor, colour);
+  set_color(actor, color);
   actor->GetProperty()->SetAmbient(0.2);
   actor->GetProperty()->SetSpecular(0.3);
   actor->GetProperty()->SetSpecularPower(30.);
@@ -237,7 +237,7 @@ void add_ball(vtkRenderer* renderer, const Point& center, double radius, const C
 }
 
 // With normals, and points where creases end once on each side of them.
-vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* triangles)
+vtkSmartPointer<vtkPolyData> compute_normals(vtkPolyData* triangles)
 {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(triangles);
@@ -248,7 +248,7 @@ vtkSmartPointer<vtkPolyData> with_normals(vtkPolyData* triangles)
 }
 
 // How skins shine.
-void finish(vtkActor* actor)
+void set_material(vtkActor* actor)
 {
   actor->GetProperty()->SetAmbient(0.12);
   actor->GetProperty()->SetDiffuse(0.9);
@@ -256,76 +256,77 @@ void finish(vtkActor* actor)
   actor->GetProperty()->SetSpecularPower(25.);
 }
 
-void add_skin(vtkRenderer* renderer, const Skin& skin, double opacity = 1.)
+void add_mesh(vtkRenderer* renderer, const Render_mesh& mesh, double opacity = 1.)
 {
-  const vtkSmartPointer<vtkPolyData> data = triangles_of(skin.points, skin.corners);
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
-  colours->SetNumberOfTuples(static_cast<vtkIdType>(skin.colours.size()));
-  for(std::size_t i = 0; i < skin.colours.size(); ++i)
+  const vtkSmartPointer<vtkPolyData> data = to_poly_data(mesh.points, mesh.corners);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(mesh.colors.size()));
+  for(std::size_t i = 0; i < mesh.colors.size(); ++i)
     for(int c = 0; c < 3; ++c)
-      colours->SetComponent(static_cast<vtkIdType>(i), c,
-                            std::round(255. * skin.colours[i][static_cast<std::size_t>(c)]));
-  if(skin.colours.size() == skin.points.size())
-    data->GetPointData()->SetScalars(colours);
+      colors->SetComponent(static_cast<vtkIdType>(i), c,
+                           std::round(255. * mesh.colors[i][static_cast<std::size_t>(c)]));
+  if(mesh.colors.size() == mesh.points.size())
+    data->GetPointData()->SetScalars(colors);
   else
-    data->GetCellData()->SetScalars(colours);
+    data->GetCellData()->SetScalars(colors);
 
   vtkNew<vtkPolyDataMapper> mapper;
-  if(skin.normals.empty())
-    mapper->SetInputData(with_normals(data));
+  if(mesh.normals.empty())
+    mapper->SetInputData(compute_normals(data));
   else
   {
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(static_cast<vtkIdType>(skin.normals.size()));
-    for(std::size_t i = 0; i < skin.normals.size(); ++i)
-      normals->SetTuple(static_cast<vtkIdType>(i), skin.normals[i].data());
+    normals->SetNumberOfTuples(static_cast<vtkIdType>(mesh.normals.size()));
+    for(std::size_t i = 0; i < mesh.normals.size(); ++i)
+      normals->SetTuple(static_cast<vtkIdType>(i), mesh.normals[i].data());
     data->GetPointData()->SetNormals(normals);
     mapper->SetInputData(data);
   }
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  finish(actor);
+  set_material(actor);
   actor->GetProperty()->SetOpacity(opacity);
   renderer->AddActor(actor);
 }
 
 // A skin with a picture on it.
-void add_textured_skin(vtkRenderer* renderer, const std::vector<Point>& points,
+void add_textured_mesh(vtkRenderer* renderer, const std::vector<Point>& points,
                        const Surface_file& surface, const Image& image)
 {
   // Normals first, with creases: then each corner is a point, as places in the picture are its own.
-  const vtkSmartPointer<vtkPolyData> smooth = with_normals(triangles_of(points, surface.corners));
+  const vtkSmartPointer<vtkPolyData> smooth =
+      compute_normals(to_poly_data(points, surface.corners));
   std::vector<Point> corners;
-  vtkNew<vtkFloatArray> corner_normals, places;
+  vtkNew<vtkFloatArray> corner_normals, texture_coordinates;
   corner_normals->SetNumberOfComponents(3);
-  places->SetNumberOfComponents(2);
-  std::vector<std::uint32_t> numbers;
+  texture_coordinates->SetNumberOfComponents(2);
+  std::vector<std::uint32_t> indices;
   vtkNew<vtkIdList> cell;
   for(vtkIdType f = 0; f < smooth->GetNumberOfCells(); ++f)
   {
     smooth->GetCellPoints(f, cell);
     for(vtkIdType k = 0; k < 3; ++k)
     {
-      numbers.push_back(static_cast<std::uint32_t>(corners.size()));
-      places->InsertNextTuple(surface.corner_uv[corners.size()].data());
+      indices.push_back(static_cast<std::uint32_t>(corners.size()));
+      texture_coordinates->InsertNextTuple(surface.corner_uv[corners.size()].data());
       corner_normals->InsertNextTuple(
           smooth->GetPointData()->GetNormals()->GetTuple(cell->GetId(k)));
       smooth->GetPoint(cell->GetId(k), corners.emplace_back().data());
     }
   }
-  const vtkSmartPointer<vtkPolyData> data = triangles_of(corners, numbers);
+  const vtkSmartPointer<vtkPolyData> data = to_poly_data(corners, indices);
   data->GetPointData()->SetNormals(corner_normals);
-  data->GetPointData()->SetTCoords(places);
+  data->GetPointData()->SetTCoords(texture_coordinates);
 
   vtkNew<vtkImageData> pixels;
   pixels->SetDimensions(static_cast<int>(image.width), static_cast<int>(image.height), 1);
   pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* byte = static_cast<unsigned char*>(pixels->GetScalarPointer());
-  for(const Colour& pixel : image.pixels)
-    for(const double part : pixel)
-      *byte++ = static_cast<unsigned char>(std::lround(255. * part));
+  for(const Color& pixel : image.pixels)
+    for(const double channel : pixel)
+      *byte++ = static_cast<unsigned char>(std::lround(255. * channel));
   vtkNew<vtkTexture> texture;
   texture->SetInputData(pixels);
   texture->InterpolateOn();
@@ -336,7 +337,7 @@ void add_textured_skin(vtkRenderer* renderer, const std::vector<Point>& points,
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->SetTexture(texture);
-  finish(actor);
+  set_material(actor);
   renderer->AddActor(actor);
 }
 
@@ -346,7 +347,7 @@ struct Range
   bool empty() const { return !(low < high); }
 };
 
-Range range_of(const std::vector<double>& values)
+Range finite_range(const std::vector<double>& values)
 {
   Range range;
   for(const double x : values)
@@ -359,14 +360,14 @@ Range range_of(const std::vector<double>& values)
 }
 
 // Between 12 and 25 lines, at multiples of 1, 2, 2.5 or 5 times a power of ten.
-double line_step(const Range& range)
+double isoline_step(const Range& range)
 {
-  const double wanted = (range.high - range.low) / 25.;
-  const double power = std::pow(10., std::floor(std::log10(wanted)));
+  const double min_step = (range.high - range.low) / 25.;
+  const double power = std::pow(10., std::floor(std::log10(min_step)));
   for(const double factor : {1., 2., 2.5, 5., 10.})
-    if(factor * power >= wanted)
+    if(factor * power >= min_step)
       return factor * power;
-  return wanted;
+  return min_step;
 }
 
 // Lines of equal value on the triangles whose corners all have one.
@@ -379,7 +380,7 @@ vtkSmartPointer<vtkActor> add_isolines(vtkRenderer* renderer, const std::vector<
     if(std::isfinite(values[corners[i]]) && std::isfinite(values[corners[i + 1]]) &&
        std::isfinite(values[corners[i + 2]]))
       finite.insert(finite.end(), {corners[i], corners[i + 1], corners[i + 2]});
-  const vtkSmartPointer<vtkPolyData> data = triangles_of(points, finite);
+  const vtkSmartPointer<vtkPolyData> data = to_poly_data(points, finite);
   // In single precision and from 0 to 1: values may be as large or small as a double can be.
   vtkNew<vtkFloatArray> scalars;
   scalars->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
@@ -391,7 +392,7 @@ vtkSmartPointer<vtkActor> add_isolines(vtkRenderer* renderer, const std::vector<
   data->GetPointData()->SetScalars(scalars);
   vtkNew<vtkContourFilter> contours;
   contours->SetInputData(data);
-  const double step = line_step(range);
+  const double step = isoline_step(range);
   int count = 0;
   for(double value = step * (std::floor(range.low / step) + 1.); value < range.high && count < 100;
       value += step)
@@ -399,17 +400,17 @@ vtkSmartPointer<vtkActor> add_isolines(vtkRenderer* renderer, const std::vector<
   vtkNew<vtkStripper> stripper;
   stripper->SetInputConnection(contours->GetOutputPort());
   stripper->Update();
-  return add_tubes(renderer, stripper->GetOutput(), thin, dark);
+  return add_tubes(renderer, stripper->GetOutput(), thin_radius, line_color);
 }
 
-void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title)
+void add_color_bar(vtkRenderer* renderer, const Range& range, const std::string& title)
 {
   vtkNew<vtkLookupTable> table;
   table->SetNumberOfTableValues(256);
   for(int i = 0; i < 256; ++i)
   {
-    const Colour colour = viridis(i / 255.);
-    table->SetTableValue(i, colour[0], colour[1], colour[2]);
+    const Color color = viridis(i / 255.);
+    table->SetTableValue(i, color[0], color[1], color[2]);
   }
   table->SetRange(range.low, range.high);
   vtkNew<vtkScalarBarActor> bar;
@@ -431,7 +432,7 @@ void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title
   bar->SetVerticalTitleSeparation(12);
   for(vtkTextProperty* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
   {
-    text->SetColor(dark[0], dark[1], dark[2]);
+    text->SetColor(line_color[0], line_color[1], line_color[2]);
     text->SetFontFamilyToArial();
     text->BoldOff();
     text->ItalicOff();
@@ -442,155 +443,157 @@ void add_bar(vtkRenderer* renderer, const Range& range, const std::string& title
 }
 
 // Cuts the triangles where several labels meet, so that each piece has one.
-class Regions
+class Label_regions
 {
 public:
-  Regions(const std::vector<Point>& points, const std::vector<std::uint32_t>& corners,
-          const std::vector<long long>& labels)
-      : m_count(points.size())
+  Label_regions(const std::vector<Point>& points, const std::vector<std::uint32_t>& corners,
+                const std::vector<long long>& labels)
+      : m_number_of_points(points.size())
   {
-    m_skin.points = points;
+    m_mesh.points = points;
     for(std::size_t i = 0; i + 2 < corners.size(); i += 3)
-      cut({corners[i], corners[i + 1], corners[i + 2]}, labels);
-    smooth();
+      split_triangle({corners[i], corners[i + 1], corners[i + 2]}, labels);
+    smooth_boundaries();
   }
 
-  const Skin& skin() const { return m_skin; }
+  const Render_mesh& mesh() const { return m_mesh; }
 
-  std::vector<std::vector<Point>> borders() const
+  std::vector<std::vector<Point>> boundaries() const
   {
     std::vector<std::vector<Point>> result;
-    for(const auto& [p, q] : m_borders)
-      result.push_back({m_skin.points[p], m_skin.points[q]});
+    for(const auto& [p, q] : m_boundaries)
+      result.push_back({m_mesh.points[p], m_mesh.points[q]});
     return result;
   }
 
 private:
   using Triangle = std::array<std::uint32_t, 3>;
 
-  void cut(Triangle c, const std::vector<long long>& labels)
+  void split_triangle(Triangle c, const std::vector<long long>& labels)
   {
     const auto label = [&](std::size_t k) { return labels[c[k]]; };
     if(label(0) == label(1) && label(1) == label(2))
       return add({c[0], c[1], c[2]}, label(0));
     if(label(0) != label(1) && label(1) != label(2) && label(2) != label(0))
     {
-      const Triangle p = {cut_of(c[0], c[1]), cut_of(c[1], c[2]), cut_of(c[2], c[0])};
-      const auto middle = static_cast<std::uint32_t>(m_skin.points.size());
-      m_skin.points.push_back({0., 0., 0.});
-      m_sides.push_back({c[0], c[0]});
+      const Triangle p = {edge_point(c[0], c[1]), edge_point(c[1], c[2]), edge_point(c[2], c[0])};
+      const auto center = static_cast<std::uint32_t>(m_mesh.points.size());
+      m_mesh.points.push_back({0., 0., 0.});
+      m_point_edges.push_back({c[0], c[0]});
       for(std::size_t k = 0; k < 3; ++k)
       {
-        add({c[k], p[k], middle}, label(k));
-        add({c[k], middle, p[(k + 2) % 3]}, label(k));
-        m_borders.emplace_back(p[k], middle);
+        add({c[k], p[k], center}, label(k));
+        add({c[k], center, p[(k + 2) % 3]}, label(k));
+        m_boundaries.emplace_back(p[k], center);
       }
-      m_middles.push_back(middle);
-      move_middle(middle, p);
-      m_around.push_back(p);
+      m_centers.push_back(center);
+      update_center(center, p);
+      m_center_corners.push_back(p);
       return;
     }
     // One corner differs from the two others: turn it to the front.
     while(label(1) != label(2))
       std::rotate(c.begin(), c.begin() + 1, c.end());
-    const std::uint32_t p = cut_of(c[0], c[1]), q = cut_of(c[2], c[0]);
+    const std::uint32_t p = edge_point(c[0], c[1]), q = edge_point(c[2], c[0]);
     add({c[0], p, q}, label(0));
     add({p, c[1], c[2]}, label(1));
     add({p, c[2], q}, label(1));
-    m_borders.emplace_back(p, q);
+    m_boundaries.emplace_back(p, q);
   }
 
   void add(const Triangle& corners, long long label)
   {
-    m_skin.corners.insert(m_skin.corners.end(), corners.begin(), corners.end());
-    m_skin.colours.push_back(colour_of_label(label));
+    m_mesh.corners.insert(m_mesh.corners.end(), corners.begin(), corners.end());
+    m_mesh.colors.push_back(color_of_label(label));
   }
 
   // The point that cuts a side, first in its middle.
-  std::uint32_t cut_of(std::uint32_t a, std::uint32_t b)
+  std::uint32_t edge_point(std::uint32_t a, std::uint32_t b)
   {
     const auto [low, high] = std::minmax(a, b);
-    const auto [place, is_new] =
-        m_cuts.try_emplace({low, high}, static_cast<std::uint32_t>(m_skin.points.size()));
+    const auto [entry, is_new] =
+        m_edge_points.try_emplace({low, high}, static_cast<std::uint32_t>(m_mesh.points.size()));
     if(is_new)
     {
-      const Point middle = 0.5 * (m_skin.points[low] + m_skin.points[high]);
-      m_skin.points.push_back(middle);
-      m_sides.push_back({low, high});
+      const Point midpoint = 0.5 * (m_mesh.points[low] + m_mesh.points[high]);
+      m_mesh.points.push_back(midpoint);
+      m_point_edges.push_back({low, high});
     }
-    return place->second;
+    return entry->second;
   }
 
-  void move_middle(std::uint32_t middle, const Triangle& p)
+  void update_center(std::uint32_t middle, const Triangle& p)
   {
-    m_skin.points[middle] =
-        (1. / 3.) * (m_skin.points[p[0]] + m_skin.points[p[1]] + m_skin.points[p[2]]);
+    m_mesh.points[middle] =
+        (1. / 3.) * (m_mesh.points[p[0]] + m_mesh.points[p[1]] + m_mesh.points[p[2]]);
   }
 
   // Borders that go from middle to middle of sides are ragged.  Each cut slides along its side
   // towards the middle of its neighbours on the border.
-  void smooth()
+  void smooth_boundaries()
   {
-    const std::size_t cuts = m_sides.size();
-    std::vector<Point> sum(cuts);
-    std::vector<double> number(cuts);
-    for(int round = 0; round < 30; ++round)
+    const std::size_t number_of_cuts = m_point_edges.size();
+    std::vector<Point> sum(number_of_cuts);
+    std::vector<double> count(number_of_cuts);
+    for(int iteration = 0; iteration < 30; ++iteration)
     {
       std::fill(sum.begin(), sum.end(), Point{0., 0., 0.});
-      std::fill(number.begin(), number.end(), 0.);
-      for(const auto& [p, q] : m_borders)
+      std::fill(count.begin(), count.end(), 0.);
+      for(const auto& [p, q] : m_boundaries)
       {
-        sum[p - m_count] = sum[p - m_count] + m_skin.points[q];
-        sum[q - m_count] = sum[q - m_count] + m_skin.points[p];
-        number[p - m_count] += 1.;
-        number[q - m_count] += 1.;
+        sum[p - m_number_of_points] = sum[p - m_number_of_points] + m_mesh.points[q];
+        sum[q - m_number_of_points] = sum[q - m_number_of_points] + m_mesh.points[p];
+        count[p - m_number_of_points] += 1.;
+        count[q - m_number_of_points] += 1.;
       }
-      for(std::size_t i = 0; i < cuts; ++i)
+      for(std::size_t i = 0; i < number_of_cuts; ++i)
       {
-        const Point &a = m_skin.points[m_sides[i][0]], &b = m_skin.points[m_sides[i][1]];
-        const Point side = b - a, wish = (1. / std::max(number[i], 1.)) * sum[i] - a;
-        const double squared = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
+        const Point &a = m_mesh.points[m_point_edges[i][0]],
+                    &b = m_mesh.points[m_point_edges[i][1]];
+        const Point edge = b - a, offset = (1. / std::max(count[i], 1.)) * sum[i] - a;
+        const double squared_length = edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2];
         // Ends of borders stay, and middles move with their cuts.
-        if(number[i] < 2. || squared == 0.)
+        if(count[i] < 2. || squared_length == 0.)
           continue;
-        const double t = (wish[0] * side[0] + wish[1] * side[1] + wish[2] * side[2]) / squared;
-        m_skin.points[m_count + i] = a + std::clamp(t, 0.03, 0.97) * side;
+        const double t =
+            (offset[0] * edge[0] + offset[1] * edge[1] + offset[2] * edge[2]) / squared_length;
+        m_mesh.points[m_number_of_points + i] = a + std::clamp(t, 0.03, 0.97) * edge;
       }
-      for(std::size_t i = 0; i < m_middles.size(); ++i)
-        move_middle(m_middles[i], m_around[i]);
+      for(std::size_t i = 0; i < m_centers.size(); ++i)
+        update_center(m_centers[i], m_center_corners[i]);
     }
   }
 
-  std::size_t m_count; // of the points given; cuts and middles follow
-  Skin m_skin;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_cuts;
-  std::vector<std::array<std::uint32_t, 2>> m_sides; // #cuts and middles: what a cut lies on
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_borders;
-  std::vector<std::uint32_t> m_middles;
-  std::vector<Triangle> m_around; // #middles: the cuts around each
+  std::size_t m_number_of_points; // of the points given; cuts and middles follow
+  Render_mesh m_mesh;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_edge_points;
+  std::vector<std::array<std::uint32_t, 2>> m_point_edges; // #cuts and middles: what a cut lies on
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_boundaries;
+  std::vector<std::uint32_t> m_centers;
+  std::vector<Triangle> m_center_corners; // #middles: the cuts around each
 };
 
 // A disk for each point, across its normal, wide enough to meet its neighbours'.
-Skin splats(const std::vector<Point>& points, const std::vector<Point>& normals,
-            const std::vector<Colour>& colours)
+Render_mesh make_splats(const std::vector<Point>& points, const std::vector<Point>& normals,
+                        const std::vector<Color>& colors)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
-  std::vector<Kernel::Point_3> distinct;
+  std::vector<Kernel::Point_3> unique_points;
   for(const Point& p : points)
-    distinct.emplace_back(p[0], p[1], p[2]);
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  Search::Tree tree(distinct.begin(), distinct.end());
+    unique_points.emplace_back(p[0], p[1], p[2]);
+  std::sort(unique_points.begin(), unique_points.end());
+  unique_points.erase(std::unique(unique_points.begin(), unique_points.end()), unique_points.end());
+  Search::Tree tree(unique_points.begin(), unique_points.end());
 
   std::vector<double> radius(points.size());
   for(std::size_t i = 0; i < points.size(); ++i)
   {
     const Search search(tree, {points[i][0], points[i][1], points[i][2]}, 7);
-    double farthest = 0.;
-    for(const auto& neighbour : search)
-      farthest = std::max(farthest, neighbour.second);
-    radius[i] = 0.75 * std::sqrt(farthest);
+    double max_squared_distance = 0.;
+    for(const auto& neighbor : search)
+      max_squared_distance = std::max(max_squared_distance, neighbor.second);
+    radius[i] = 0.75 * std::sqrt(max_squared_distance);
   }
   // Lone points must neither vanish nor cover the others.
   std::vector<double> sorted = radius;
@@ -598,8 +601,8 @@ Skin splats(const std::vector<Point>& points, const std::vector<Point>& normals,
                    sorted.end());
   const double median = std::max(sorted[sorted.size() / 2], 1e-3);
 
-  constexpr std::uint32_t sides = 10;
-  Skin skin;
+  constexpr std::uint32_t number_of_sides = 10;
+  Render_mesh mesh;
   for(std::size_t i = 0; i < points.size(); ++i)
   {
     const Point& n = normals[i];
@@ -608,43 +611,45 @@ Skin splats(const std::vector<Point>& points, const std::vector<Point>& normals,
     u = (1. / length(u)) * u;
     const Point v = cross(n, u);
     const double r = std::clamp(radius[i], 0.4 * median, 1.8 * median);
-    const auto first = static_cast<std::uint32_t>(skin.points.size());
-    for(std::uint32_t k = 0; k < sides; ++k)
+    const auto first_index = static_cast<std::uint32_t>(mesh.points.size());
+    for(std::uint32_t k = 0; k < number_of_sides; ++k)
     {
-      const double angle = 2. * 3.14159265358979 * k / sides;
-      skin.points.push_back(points[i] + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v);
-      skin.normals.push_back(n);
-      skin.colours.push_back(colours[i]);
+      const double angle = 2. * 3.14159265358979 * k / number_of_sides;
+      mesh.points.push_back(points[i] + (r * std::cos(angle)) * u + (r * std::sin(angle)) * v);
+      mesh.normals.push_back(n);
+      mesh.colors.push_back(colors[i]);
       if(k >= 2)
-        skin.corners.insert(skin.corners.end(), {first, first + k - 1, first + k});
+        mesh.corners.insert(mesh.corners.end(),
+                            {first_index, first_index + k - 1, first_index + k});
     }
   }
-  return skin;
+  return mesh;
 }
 
 // Points spread over the surface, always the same ones.
-std::vector<Point> sample(const std::vector<Point>& points,
-                          const std::vector<std::uint32_t>& corners)
+std::vector<Point> sample_points(const std::vector<Point>& points,
+                                 const std::vector<std::uint32_t>& corners)
 {
-  constexpr std::size_t count = 60000;
+  constexpr std::size_t number_of_samples = 60000;
   if(corners.empty())
     return points;
-  std::vector<double> area(corners.size() / 3);
+  std::vector<double> cumulative_area(corners.size() / 3);
   double sum = 0.;
-  for(std::size_t f = 0; f < area.size(); ++f)
+  for(std::size_t f = 0; f < cumulative_area.size(); ++f)
   {
     const Point& a = points[corners[3 * f]];
     sum += length(cross(points[corners[3 * f + 1]] - a, points[corners[3 * f + 2]] - a));
-    area[f] = sum;
+    cumulative_area[f] = sum;
   }
   std::vector<Point> samples;
   std::mt19937 generator(1);
   const auto random = [&generator] { return static_cast<double>(generator()) / 4294967296.; };
-  for(std::size_t i = 0; i < count && sum > 0.; ++i)
+  for(std::size_t i = 0; i < number_of_samples && sum > 0.; ++i)
   {
-    const auto place = std::upper_bound(area.begin(), area.end(), random() * sum);
-    const std::size_t f =
-        std::min<std::size_t>(static_cast<std::size_t>(place - area.begin()), area.size() - 1);
+    const auto entry =
+        std::upper_bound(cumulative_area.begin(), cumulative_area.end(), random() * sum);
+    const std::size_t f = std::min<std::size_t>(
+        static_cast<std::size_t>(entry - cumulative_area.begin()), cumulative_area.size() - 1);
     double s = random(), t = random();
     if(s + t > 1.)
     {
@@ -662,24 +667,25 @@ std::vector<Point> sample(const std::vector<Point>& points,
   return samples;
 }
 
-View place_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
-                  const std::vector<Point>& places, const std::vector<Point>& normals, bool has_bar)
+View set_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
+                const std::vector<Point>& visible_points, const std::vector<Point>& normals,
+                bool has_color_bar)
 {
   // The bar takes a strip at the right.
-  const double free_share = has_bar ? 0.86 : 1.;
-  const View view = choose_view(samples, places, free_share * width / height, normals);
+  const double free_fraction = has_color_bar ? 0.86 : 1.;
+  const View view = choose_view(samples, visible_points, free_fraction * width / height, normals);
   const Point position = view.center + view.distance * view.back;
   vtkCamera* const camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(view.center.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(view.up.data());
   camera->SetViewAngle(view_angle);
-  camera->SetWindowCenter(has_bar ? 1. - free_share : 0., 0.);
+  camera->SetWindowCenter(has_color_bar ? 1. - free_fraction : 0., 0.);
   renderer->ResetCameraClippingRange();
   return view;
 }
 
-void save(vtkRenderWindow* window, const std::string& filename)
+void write_png(vtkRenderWindow* window, const std::string& filename)
 {
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window);
@@ -701,67 +707,70 @@ void draw(const std::string& filename, const Picture& picture)
   vtkObject::GlobalWarningDisplayOff();
   const Surface_file& surface = *picture.surface;
   const bool is_mesh = surface.number_of_polygons() > 0;
-  const Frame frame(surface.points);
-  const std::vector<Point> points = frame(surface.points), markers = frame(picture.markers);
-  const auto framed = [&](std::vector<std::vector<Point>> result)
+  const Unit_box_transform to_unit_box(surface.points);
+  const std::vector<Point> points = to_unit_box(surface.points),
+                           markers = to_unit_box(picture.markers);
+  const auto to_unit_boxes = [&](std::vector<std::vector<Point>> result)
   {
     for(std::vector<Point>& polyline : result)
-      polyline = frame(polyline);
+      polyline = to_unit_box(polyline);
     return result;
   };
-  const std::vector<std::vector<Point>> polylines = framed(picture.polylines);
-  Range range = picture.labels.empty() ? range_of(picture.values) : Range();
+  const std::vector<std::vector<Point>> polylines = to_unit_boxes(picture.polylines);
+  Range range = picture.labels.empty() ? finite_range(picture.values) : Range();
   // Distances begin at zero, also where no vertex is a source.
   if(range.low > 0. && range.low < 0.2 * range.high)
     range.low = 0.;
 
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1., 1., 1.);
-  std::vector<Colour> colours =
-      picture.colours.empty() ? std::vector<Colour>(points.size(), plain) : picture.colours;
+  std::vector<Color> colors =
+      picture.colors.empty() ? std::vector<Color>(points.size(), default_color) : picture.colors;
   if(!picture.labels.empty())
-    std::transform(picture.labels.begin(), picture.labels.end(), colours.begin(), colour_of_label);
+    std::transform(picture.labels.begin(), picture.labels.end(), colors.begin(), color_of_label);
   else if(!picture.values.empty())
-    colours = colours_of(picture.values, range.low, range.high);
+    colors = colors_of(picture.values, range.low, range.high);
 
   const std::vector<std::uint32_t>& triangles = is_mesh ? surface.corners : picture.triangles;
   vtkSmartPointer<vtkActor> lines;
   if(!is_mesh)
-    add_skin(renderer, splats(points, surface.normals, colours));
+    add_mesh(renderer, make_splats(points, surface.normals, colors));
   if(!picture.labels.empty())
   {
-    const Regions regions(points, triangles, picture.labels);
+    const Label_regions regions(points, triangles, picture.labels);
     if(is_mesh)
-      add_skin(renderer, regions.skin());
-    lines = add_tubes(renderer, lines_of(regions.borders()), thin, dark);
+      add_mesh(renderer, regions.mesh());
+    lines = add_tubes(renderer, to_polyline_data(regions.boundaries()), thin_radius, line_color);
   }
   else
   {
     if(picture.texture != nullptr)
-      add_textured_skin(renderer, points, surface, *picture.texture);
+      add_textured_mesh(renderer, points, surface, *picture.texture);
     else if(is_mesh)
-      add_skin(renderer, {points, {}, triangles, colours}, picture.is_glass ? 0.25 : 1.);
-    if(!range.empty() && picture.with_lines)
+      add_mesh(renderer, {points, {}, triangles, colors}, picture.is_transparent ? 0.25 : 1.);
+    if(!range.empty() && picture.show_isolines)
       lines = add_isolines(renderer, points, triangles, picture.values, range);
   }
-  if(picture.with_sides)
-    add_tubes(renderer, lines_of(sides_of(points, triangles)), thin, dark);
-  add_tubes(renderer, lines_of(framed(picture.chains)), thin, dark);
-  add_tubes(renderer, lines_of(polylines), thick, red);
+  if(picture.show_edges)
+    add_tubes(renderer, to_polyline_data(unique_edges(points, triangles)), thin_radius, line_color);
+  add_tubes(renderer, to_polyline_data(to_unit_boxes(picture.thin_polylines)), thin_radius,
+            line_color);
+  add_tubes(renderer, to_polyline_data(polylines), thick_radius, marker_color);
   const bool has_regions = !picture.labels.empty();
   for(const Point& marker : markers)
-    add_ball(renderer, marker, has_regions ? 0.6 * ball : ball, has_regions ? dark : red);
+    add_sphere(renderer, marker, has_regions ? 0.6 * marker_radius : marker_radius,
+               has_regions ? line_color : marker_color);
   if(!range.empty())
-    add_bar(renderer, range, picture.title);
+    add_color_bar(renderer, range, picture.title);
 
-  std::vector<Point> places = frame(picture.places);
+  std::vector<Point> visible_points = to_unit_box(picture.visible_points);
   if(!has_regions)
-    places.insert(places.end(), markers.begin(), markers.end());
+    visible_points.insert(visible_points.end(), markers.begin(), markers.end());
   for(const std::vector<Point>& polyline : polylines)
     for(std::size_t i = 0; i < polyline.size(); i += polyline.size() / 200 + 1)
-      places.push_back(polyline[i]);
-  const View view = place_camera(renderer, sample(points, surface.corners), places, picture.normals,
-                                 !range.empty());
+      visible_points.push_back(polyline[i]);
+  const View view = set_camera(renderer, sample_points(points, surface.corners), visible_points,
+                               picture.normals, !range.empty());
   // Splats stick out of the triangles that carry a cloud's lines: bring the lines to the front.
   if(!is_mesh && lines != nullptr)
   {
@@ -777,8 +786,8 @@ void draw(const std::string& filename, const Picture& picture)
 
   vtkNew<vtkRenderWindow> window;
   window->OffScreenRenderingOn();
-  window->SetMultiSamples(picture.is_glass ? 0 : 8);
-  if(picture.is_glass)
+  window->SetMultiSamples(picture.is_transparent ? 0 : 8);
+  if(picture.is_transparent)
   {
     window->AlphaBitPlanesOn();
     renderer->UseDepthPeelingOn();
@@ -788,7 +797,7 @@ void draw(const std::string& filename, const Picture& picture)
   window->SetSize(width, height);
   window->AddRenderer(renderer);
   window->Render();
-  save(window, filename);
+  write_png(window, filename);
 }
 
 } // namespace program

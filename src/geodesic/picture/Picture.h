@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_PICTURE_H
-#define GEODESIC_PROGRAM_PICTURE_H
+#ifndef GEODESIC_PROGRAM_PICTURE_PICTURE_H
+#define GEODESIC_PROGRAM_PICTURE_PICTURE_H
 
 #include "io/Image.h"
 #include "io/Surface_file.h"
@@ -19,16 +19,16 @@ struct Picture
   std::string title = {};                // of the values
   std::vector<long long> labels = {};    // #points: coloured regions, grey where negative
   std::vector<std::vector<Point>> polylines = {};
-  std::vector<Point> markers = {};             // sources, seeds, ends of paths
-  std::vector<std::uint32_t> triangles = {};   // of a cloud: corners of those that carry its lines
-  bool with_sides = false;                     // of a mesh's triangles
-  bool with_lines = true;                      // of equal value; of a narrow ridge they hide it
-  bool is_glass = false;                       // a mesh through which lines are seen
-  std::vector<std::vector<Point>> chains = {}; // thinner than polylines
-  std::vector<Colour> colours = {};            // #points
-  const Image* texture = nullptr;              // of a mesh, seen through its corner_uv
-  std::vector<Point> places = {};              // to be seen, like markers and polylines
-  std::vector<Point> normals = {};             // unit vectors out of the sides to be seen
+  std::vector<Point> markers = {};           // sources, seeds, ends of paths
+  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners of those that carry its lines
+  bool show_edges = false;                   // of a mesh's triangles
+  bool show_isolines = true;                 // of equal value; of a narrow ridge they hide it
+  bool is_transparent = false;               // a mesh through which lines are seen
+  std::vector<std::vector<Point>> thin_polylines = {}; // thinner than polylines
+  std::vector<Color> colors = {};                      // #points
+  const Image* texture = nullptr;                      // of a mesh, seen through its corner_uv
+  std::vector<Point> visible_points = {};              // to be seen, like markers and polylines
+  std::vector<Point> normals = {};                     // unit vectors out of the sides to be seen
 };
 
 // Draws a PNG file off screen.  A Display must exist.  Throws Output_error.
@@ -36,4 +36,4 @@ void draw(const std::string& filename, const Picture& picture);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_PICTURE_H
+#endif // GEODESIC_PROGRAM_PICTURE_PICTURE_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_VIEW_H
-#define GEODESIC_PROGRAM_VIEW_H
+#ifndef GEODESIC_PROGRAM_PICTURE_VIEW_H
+#define GEODESIC_PROGRAM_PICTURE_VIEW_H
 
 #include "io/Surface_file.h"
 
@@ -23,9 +23,9 @@ inline constexpr double view_angle = 20.; // degrees, vertical
 // as that can be told, and which fills a picture of width : height = aspect.
 // samples: points spread evenly over the surface, in a box of size about one.
 // normals: unit vectors; the camera sees the sides to which they point.
-View choose_view(const std::vector<Point>& samples, const std::vector<Point>& places, double aspect,
-                 const std::vector<Point>& normals = {});
+View choose_view(const std::vector<Point>& samples, const std::vector<Point>& visible_points,
+                 double aspect, const std::vector<Point>& normals = {});
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_VIEW_H
+#endif // GEODESIC_PROGRAM_PICTURE_VIEW_H

@@ -19,74 +19,76 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
   surface.file = std::move(file);
   if(!surface.is_mesh())
   {
-    surface.repaired = complete_normals(surface.file, threads);
+    surface.is_repaired = complete_normals(surface.file, threads);
     return surface;
   }
-  surface.repaired = triangulate(surface.file, filename);
+  surface.is_repaired = triangulate(surface.file, filename);
   if(!surface.is_mesh())
     fail(filename, "none of its faces has three different corners");
   // Four bytes name a side.
   if(surface.file.corners.size() >= (std::size_t{1} << 31))
     fail(filename, "it has more than 2^31 half-edges");
-  surface.gluing = orient(surface.file);
-  surface.repaired = surface.repaired || surface.gluing.flipped > 0 || surface.gluing.cut > 0;
+  surface.connectivity = orient(surface.file);
+  surface.is_repaired = surface.is_repaired || surface.connectivity.number_of_flipped_faces > 0 ||
+                        surface.connectivity.number_of_cut_edges > 0;
   return surface;
 }
 
 Mesh make_mesh(const Surface& surface)
 {
   using Halfedge = Mesh::Halfedge_index;
-  const std::vector<std::uint32_t>&corner = surface.file.corners, &twin = surface.gluing.twins;
-  const auto next = [](std::uint32_t s) { return s % 3 == 2 ? s - 2 : s + 1; };
-  const auto previous = [](std::uint32_t s) { return s % 3 == 0 ? s + 2 : s - 1; };
+  const std::vector<std::uint32_t>&corner = surface.file.corners,
+        &twin = surface.connectivity.twins;
+  const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
+  const auto previous = [](std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; };
   const auto vertex = [](std::uint32_t v) { return Mesh::Vertex_index(v); };
 
   Mesh mesh;
-  const std::size_t triangles = corner.size() / 3;
+  const std::size_t number_of_triangles = corner.size() / 3;
   mesh.reserve(static_cast<Mesh::size_type>(surface.file.points.size()),
-               static_cast<Mesh::size_type>(triangles * 3 / 2 + 2),
-               static_cast<Mesh::size_type>(triangles));
+               static_cast<Mesh::size_type>(number_of_triangles * 3 / 2 + 2),
+               static_cast<Mesh::size_type>(number_of_triangles));
   for(const Point& p : surface.file.points)
     mesh.add_vertex({p[0], p[1], p[2]});
 
   std::vector<Halfedge> halfedge(corner.size());
-  for(std::uint32_t s = 0; s < corner.size(); ++s)
-    halfedge[s] = twin[s] != no_side && twin[s] < s
-                      ? mesh.opposite(halfedge[twin[s]])
-                      : mesh.add_edge(vertex(corner[s]), vertex(corner[next(s)]));
-  for(std::uint32_t s = 0; s < corner.size(); ++s)
+  for(std::uint32_t h = 0; h < corner.size(); ++h)
+    halfedge[h] = twin[h] != no_halfedge && twin[h] < h
+                      ? mesh.opposite(halfedge[twin[h]])
+                      : mesh.add_edge(vertex(corner[h]), vertex(corner[next(h)]));
+  for(std::uint32_t h = 0; h < corner.size(); ++h)
   {
-    if(s % 3 == 0)
-      mesh.set_halfedge(mesh.add_face(), halfedge[s]);
-    mesh.set_face(halfedge[s], Mesh::Face_index(s / 3));
-    mesh.set_next(halfedge[s], halfedge[next(s)]);
-    mesh.set_halfedge(vertex(corner[next(s)]), halfedge[s]);
+    if(h % 3 == 0)
+      mesh.set_halfedge(mesh.add_face(), halfedge[h]);
+    mesh.set_face(halfedge[h], Mesh::Face_index(h / 3));
+    mesh.set_next(halfedge[h], halfedge[next(h)]);
+    mesh.set_halfedge(vertex(corner[next(h)]), halfedge[h]);
   }
 
   // The border of a fan enters its vertex opposite to a side that leaves it, and goes on along the
   // border of the next fan there, so that circulators see all of them.
-  std::vector<Halfedge> first_enters(surface.file.points.size());
-  for(std::uint32_t s = 0; s < corner.size(); ++s)
+  std::vector<Halfedge> first_boundary_halfedge(surface.file.points.size());
+  for(std::uint32_t h = 0; h < corner.size(); ++h)
   {
-    if(twin[s] != no_side)
+    if(twin[h] != no_halfedge)
       continue;
-    std::uint32_t last = previous(s);
-    while(twin[last] != no_side)
+    std::uint32_t last = previous(h);
+    while(twin[last] != no_halfedge)
       last = previous(twin[last]);
-    const Halfedge enters = mesh.opposite(halfedge[s]), leaves = mesh.opposite(halfedge[last]);
-    Halfedge& first = first_enters[corner[s]];
-    if(first == Mesh::null_halfedge())
+    const Halfedge incoming = mesh.opposite(halfedge[h]), outgoing = mesh.opposite(halfedge[last]);
+    Halfedge& first_incoming = first_boundary_halfedge[corner[h]];
+    if(first_incoming == Mesh::null_halfedge())
     {
-      first = enters;
-      mesh.set_next(enters, leaves);
+      first_incoming = incoming;
+      mesh.set_next(incoming, outgoing);
     }
     else
     {
-      mesh.set_next(enters, mesh.next(first));
-      mesh.set_next(first, leaves);
+      mesh.set_next(incoming, mesh.next(first_incoming));
+      mesh.set_next(first_incoming, outgoing);
     }
     // CGAL wants a border half-edge at a border vertex.
-    mesh.set_halfedge(vertex(corner[s]), enters);
+    mesh.set_halfedge(vertex(corner[h]), incoming);
   }
   return mesh;
 }

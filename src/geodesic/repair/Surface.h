@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_SURFACE_H
-#define GEODESIC_PROGRAM_SURFACE_H
+#ifndef GEODESIC_PROGRAM_REPAIR_SURFACE_H
+#define GEODESIC_PROGRAM_REPAIR_SURFACE_H
 
 #include "io/Surface_file.h"
 #include "repair/repair.h"
@@ -17,8 +17,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
 
 // Of a point or a vector.
-template <typename Triple>
-Point coordinates(const Triple& p)
+template <typename Point_or_vector>
+Point coordinates(const Point_or_vector& p)
 {
   return {p.x(), p.y(), p.z()};
 }
@@ -28,9 +28,9 @@ Point coordinates(const Triple& p)
 struct Surface
 {
   std::string name;
-  Surface_file file; // triangles, oriented; or points with unit normals
-  Gluing gluing;     // of a mesh
-  bool repaired = false;
+  Surface_file file;         // triangles, oriented; or points with unit normals
+  Connectivity connectivity; // of a mesh
+  bool is_repaired = false;
 
   bool is_mesh() const { return file.number_of_polygons() > 0; }
 };
@@ -49,4 +49,4 @@ Cloud make_cloud(const Surface& surface);
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_SURFACE_H
+#endif // GEODESIC_PROGRAM_REPAIR_SURFACE_H

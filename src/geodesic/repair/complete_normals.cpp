@@ -3,7 +3,7 @@
 #include "repair/repair.h"
 
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
-#include <CGAL/Geodesic_processing/internal/mesh/locality.h>
+#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 #include "surfels/normals.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using CGAL::Geodesic_processing::internal::operator*;
 using CGAL::Geodesic_processing::internal::to_frame;
 using CGAL::Geodesic_processing::internal::unit_frame;
 
-constexpr unsigned neighbours = 16;
+constexpr unsigned number_of_neighbors = 16;
 
 // Of unit length, or zero where there is none.  Neither overflows nor underflows.
 Point unit(Point v)
@@ -47,23 +47,24 @@ Point unit(Point v)
 bool is_zero(const Point& v) { return v[0] == 0. && v[1] == 0. && v[2] == 0.; }
 
 // Replaces normals that are missing, on the side of the nearest one given.
-void complete_like_given(std::vector<Point> points, const std::vector<Point>& estimated,
-                         std::vector<Point>& normals)
+void fill_missing_normals(std::vector<Point> points, const std::vector<Point>& estimated,
+                          std::vector<Point>& normals)
 {
   to_frame(points, unit_frame(points));
-  std::vector<Point> known, like;
+  std::vector<Point> known_points, known_normals;
   for(std::size_t i = 0; i < points.size(); ++i)
     if(!is_zero(normals[i]))
     {
-      known.push_back(points[i]);
-      like.push_back(normals[i]);
+      known_points.push_back(points[i]);
+      known_normals.push_back(normals[i]);
     }
   std::vector<Index> order;
-  const Kd_tree tree(known, order);
+  const Kd_tree tree(known_points, order);
   for(std::size_t i = 0; i < points.size(); ++i)
     if(is_zero(normals[i]))
     {
-      const bool agrees = dot(estimated[i], like[order[tree.nearest(known, points[i])]]) >= 0.;
+      const bool agrees =
+          dot(estimated[i], known_normals[order[tree.nearest(known_points, points[i])]]) >= 0.;
       normals[i] = (agrees ? 1. : -1.) * estimated[i];
     }
 }
@@ -73,21 +74,22 @@ void complete_like_given(std::vector<Point> points, const std::vector<Point>& es
 bool complete_normals(Surface_file& cloud, unsigned threads)
 {
   const std::size_t n = cloud.points.size();
-  const bool given = !cloud.normals.empty();
+  const bool had_normals = !cloud.normals.empty();
   cloud.normals.resize(n, Point{0., 0., 0.});
   for(Point& normal : cloud.normals)
     normal = unit(normal);
-  const auto missing =
+  const auto number_of_missing =
       static_cast<std::size_t>(std::count_if(cloud.normals.begin(), cloud.normals.end(), is_zero));
-  if(missing == 0)
+  if(number_of_missing == 0)
     return false;
 
-  std::vector<Point> estimated = estimate_normals(cloud.points, neighbours, missing == n, threads);
-  if(missing == n)
+  std::vector<Point> estimated =
+      estimate_normals(cloud.points, number_of_neighbors, number_of_missing == n, threads);
+  if(number_of_missing == n)
     cloud.normals = std::move(estimated);
   else
-    complete_like_given(cloud.points, estimated, cloud.normals);
-  return given;
+    fill_missing_normals(cloud.points, estimated, cloud.normals);
+  return had_normals;
 }
 
 } // namespace program

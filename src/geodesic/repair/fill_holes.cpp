@@ -19,11 +19,11 @@ using Halfedge = Mesh::Halfedge_index;
 using Vertex = Mesh::Vertex_index;
 
 // The search among all triangles takes the cube of the number of edges: 0.1 s for so many.
-constexpr std::size_t most_for_all_triangles = 200;
+constexpr std::size_t max_edges_for_cubic_search = 200;
 // Some rims have Delaunay triangulations as large as the square.
-constexpr std::size_t most_for_delaunay = 1000;
+constexpr std::size_t max_edges_for_delaunay = 1000;
 // What writes the triangles calls itself as often.
-constexpr std::size_t most_for_plane = 5000;
+constexpr std::size_t max_edges_for_planar = 5000;
 
 struct Out_of_steps
 {};
@@ -31,16 +31,16 @@ struct Out_of_steps
 // Ends the searches when together they take too long.  A step is some 0.1 microseconds, and an
 // edge of the Delaunay triangulation counts as a hundred: a usual rim has four for each of its edges,
 // others half the square of their number.
-struct Patience : PMP::Hole_filling::Default_visitor
+struct Step_limit_visitor : PMP::Hole_filling::Default_visitor
 {
   double* steps_left;
 
-  explicit Patience(double& steps) : steps_left(&steps) {}
-  void quadratic_step() const { take(100.); }
-  void start_cubic_phase(int steps) const { take(steps); }
+  explicit Step_limit_visitor(double& steps) : steps_left(&steps) {}
+  void quadratic_step() const { consume(100.); }
+  void start_cubic_phase(int steps) const { consume(steps); }
 
 private:
-  void take(double steps) const
+  void consume(double steps) const
   {
     if(steps > *steps_left)
       throw Out_of_steps();
@@ -51,11 +51,11 @@ private:
 struct Hole
 {
   Halfedge last;
-  std::size_t edges = 0;
+  std::size_t number_of_edges = 0;
 };
 
 // What follows on a border in the same fan of triangles.
-Halfedge next_of_fan(const Mesh& mesh, Halfedge h)
+Halfedge next_in_fan(const Mesh& mesh, Halfedge h)
 {
   do
     h = mesh.prev(mesh.opposite(h));
@@ -66,61 +66,61 @@ Halfedge next_of_fan(const Mesh& mesh, Halfedge h)
 // The borders, each of which is made to pass its vertices once.  At vertices where several fans meet
 // each keeps to its fan, so that parts that only touch are not joined; where a border comes to a
 // vertex again, what lies between becomes a border of its own.
-std::vector<Hole> take_apart(Mesh& mesh)
+std::vector<Hole> split_boundaries(Mesh& mesh)
 {
   std::vector<Hole> holes;
-  std::vector<bool> seen(mesh.num_halfedges(), false);
-  std::vector<std::size_t> place(mesh.num_vertices(), 0); // in `border`, from 1
-  std::vector<Halfedge> border;
+  std::vector<bool> is_visited(mesh.num_halfedges(), false);
+  std::vector<std::size_t> position(mesh.num_vertices(), 0); // in `border`, from 1
+  std::vector<Halfedge> boundary;
   for(const Halfedge begin : mesh.halfedges())
   {
-    if(!mesh.is_border(begin) || seen[begin])
+    if(!mesh.is_border(begin) || is_visited[begin])
       continue;
-    for(Halfedge h = begin; !seen[h];)
+    for(Halfedge h = begin; !is_visited[h];)
     {
-      seen[h] = true;
-      const Halfedge next = next_of_fan(mesh, h);
-      const std::size_t before = place[mesh.target(h)];
-      border.push_back(h);
-      if(before == 0)
+      is_visited[h] = true;
+      const Halfedge next = next_in_fan(mesh, h);
+      const std::size_t previous_position = position[mesh.target(h)];
+      boundary.push_back(h);
+      if(previous_position == 0)
       {
-        place[mesh.target(h)] = border.size();
+        position[mesh.target(h)] = boundary.size();
         mesh.set_next(h, next);
       }
       else
       {
-        const Halfedge first = border[before - 1];
-        holes.push_back({h, border.size() - before});
+        const Halfedge first = boundary[previous_position - 1];
+        holes.push_back({h, boundary.size() - previous_position});
         mesh.set_next(h, mesh.next(first));
         mesh.set_next(first, next);
-        for(; border.size() > before; border.pop_back())
-          if(border.back() != h)
-            place[mesh.target(border.back())] = 0;
+        for(; boundary.size() > previous_position; boundary.pop_back())
+          if(boundary.back() != h)
+            position[mesh.target(boundary.back())] = 0;
       }
       h = next;
     }
-    holes.push_back({border.back(), border.size()});
-    for(; !border.empty(); border.pop_back())
-      place[mesh.target(border.back())] = 0;
+    holes.push_back({boundary.back(), boundary.size()});
+    for(; !boundary.empty(); boundary.pop_back())
+      position[mesh.target(boundary.back())] = 0;
   }
   return holes;
 }
 
 // The outside of a triangle that has no neighbours.
-bool is_one_triangle(const Mesh& mesh, const Hole& hole)
+bool is_isolated_triangle(const Mesh& mesh, const Hole& hole)
 {
-  const Halfedge inside = mesh.opposite(hole.last);
-  return hole.edges == 3 && mesh.is_border(mesh.opposite(mesh.next(inside))) &&
-         mesh.is_border(mesh.opposite(mesh.prev(inside)));
+  const Halfedge inner = mesh.opposite(hole.last);
+  return hole.number_of_edges == 3 && mesh.is_border(mesh.opposite(mesh.next(inner))) &&
+         mesh.is_border(mesh.opposite(mesh.prev(inner)));
 }
 
 // An edge of the hole that has a length: the search must start there, as it takes a rim whose first
 // and last points are equal for one that repeats its first vertex.  None where all lie in one place.
 template <typename Points>
-Halfedge edge_with_length(const Mesh& mesh, const Points& points, const Hole& hole)
+Halfedge find_nondegenerate_edge(const Mesh& mesh, const Points& points, const Hole& hole)
 {
   Halfedge h = hole.last;
-  for(std::size_t i = 0; i < hole.edges; ++i, h = mesh.next(h))
+  for(std::size_t i = 0; i < hole.number_of_edges; ++i, h = mesh.next(h))
     if(get(points, mesh.source(h)) != get(points, mesh.target(h)))
       return h;
   return Mesh::null_halfedge();
@@ -147,40 +147,44 @@ Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
 
 } // namespace
 
-Filled_holes fill_holes(Mesh& mesh, std::size_t most_edges)
+Hole_filling_result fill_holes(Mesh& mesh, std::size_t max_edges)
 {
-  std::vector<Hole> holes = take_apart(mesh);
+  std::vector<Hole> holes = split_boundaries(mesh);
   // Small ones first, lest a large one takes their time.
   std::stable_sort(holes.begin(), holes.end(),
-                   [](const Hole& a, const Hole& b) { return a.edges < b.edges; });
+                   [](const Hole& a, const Hole& b)
+                   { return a.number_of_edges < b.number_of_edges; });
   auto points = scaled_points(mesh);
   // Enough where half of the vertices lie on usual rims.
   double steps = 1e7 + 500. * static_cast<double>(mesh.number_of_vertices());
-  const Patience patience(steps);
-  Filled_holes result;
+  const Step_limit_visitor step_visitor(steps);
+  Hole_filling_result result;
   for(const Hole& hole : holes)
   {
-    if(hole.edges > most_edges)
+    if(hole.number_of_edges > max_edges)
       continue;
     std::vector<Mesh::Face_index> faces;
-    const Halfedge start = edge_with_length(mesh, points, hole);
-    if(start != Mesh::null_halfedge() && hole.edges >= 3 && hole.edges <= most_for_plane &&
-       !is_one_triangle(mesh, hole))
+    const Halfedge start = find_nondegenerate_edge(mesh, points, hole);
+    if(start != Mesh::null_halfedge() && hole.number_of_edges >= 3 &&
+       hole.number_of_edges <= max_edges_for_planar && !is_isolated_triangle(mesh, hole))
       try
       {
         PMP::triangulate_hole(
             mesh, start, std::back_inserter(faces),
             CGAL::parameters::vertex_point_map(points)
-                .visitor(patience)
-                .use_2d_constrained_delaunay_triangulation(hole.edges > most_for_all_triangles)
-                .use_delaunay_triangulation(hole.edges <= most_for_delaunay && steps > 0.)
-                .do_not_use_cubic_algorithm(hole.edges > most_for_all_triangles || steps <= 0.));
+                .visitor(step_visitor)
+                .use_2d_constrained_delaunay_triangulation(hole.number_of_edges >
+                                                           max_edges_for_cubic_search)
+                .use_delaunay_triangulation(hole.number_of_edges <= max_edges_for_delaunay &&
+                                            steps > 0.)
+                .do_not_use_cubic_algorithm(hole.number_of_edges > max_edges_for_cubic_search ||
+                                            steps <= 0.));
       }
       catch(const Out_of_steps&)
       {
         steps = 0.;
       }
-    ++(faces.empty() ? result.left : result.filled);
+    ++(faces.empty() ? result.number_of_left : result.number_of_filled);
   }
   mesh.remove_property_map(points);
   return result;

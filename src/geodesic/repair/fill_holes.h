@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef GEODESIC_PROGRAM_FILL_HOLES_H
-#define GEODESIC_PROGRAM_FILL_HOLES_H
+#ifndef GEODESIC_PROGRAM_REPAIR_FILL_HOLES_H
+#define GEODESIC_PROGRAM_REPAIR_FILL_HOLES_H
 
 #include "repair/Surface.h"
 
@@ -10,9 +10,9 @@
 
 namespace program {
 
-struct Filled_holes
+struct Hole_filling_result
 {
-  std::size_t filled = 0, left = 0;
+  std::size_t number_of_filled = 0, number_of_left = 0;
 };
 
 // Closes the holes of a mesh that have at most so many edges by triangles between the vertices of
@@ -25,9 +25,9 @@ struct Filled_holes
 // are filled when a plane or their Delaunay triangulation shows how, those of more than 1,000 when a
 // plane does, and those of more than 5,000 never.  Small holes come first; together they may take
 // some seconds.
-Filled_holes fill_holes(Mesh& mesh,
-                        std::size_t most_edges = std::numeric_limits<std::size_t>::max());
+Hole_filling_result fill_holes(Mesh& mesh,
+                               std::size_t max_edges = std::numeric_limits<std::size_t>::max());
 
 } // namespace program
 
-#endif // GEODESIC_PROGRAM_FILL_HOLES_H
+#endif // GEODESIC_PROGRAM_REPAIR_FILL_HOLES_H

@@ -9,38 +9,39 @@ namespace program {
 
 namespace {
 
-constexpr std::uint32_t next_side(std::uint32_t s) { return s % 3 == 2 ? s - 2 : s + 1; }
+constexpr std::uint32_t next_halfedge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
 // #sides: the only other side that joins the same two vertices, whichever way it runs.
 // Counts the edges with more than two sides in `crowded`.
-std::vector<std::uint32_t> neighbours(const std::vector<std::uint32_t>& corners,
-                                      std::size_t& crowded)
+std::vector<std::uint32_t> opposite_halfedges(const std::vector<std::uint32_t>& corners,
+                                              std::size_t& number_of_nonmanifold_edges)
 {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> sides(corners.size());
-  for(std::uint32_t s = 0; s < corners.size(); ++s)
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> halfedges(corners.size());
+  for(std::uint32_t h = 0; h < corners.size(); ++h)
   {
-    const auto [low, high] = std::minmax(corners[s], corners[next_side(s)]);
-    sides[s] = {std::uint64_t{low} << 32 | high, s};
+    const auto [low, high] = std::minmax(corners[h], corners[next_halfedge(h)]);
+    halfedges[h] = {std::uint64_t{low} << 32 | high, h};
   }
-  std::sort(sides.begin(), sides.end());
-  std::vector<std::uint32_t> result(corners.size(), no_side);
-  for(std::size_t i = 0, j; i < sides.size(); i = j)
+  std::sort(halfedges.begin(), halfedges.end());
+  std::vector<std::uint32_t> result(corners.size(), no_halfedge);
+  for(std::size_t i = 0, j; i < halfedges.size(); i = j)
   {
-    for(j = i + 1; j < sides.size() && sides[j].first == sides[i].first; ++j)
+    for(j = i + 1; j < halfedges.size() && halfedges[j].first == halfedges[i].first; ++j)
       ;
     if(j == i + 2)
     {
-      result[sides[i].second] = sides[i + 1].second;
-      result[sides[i + 1].second] = sides[i].second;
+      result[halfedges[i].second] = halfedges[i + 1].second;
+      result[halfedges[i + 1].second] = halfedges[i].second;
     }
     else if(j > i + 2)
-      ++crowded;
+      ++number_of_nonmanifold_edges;
   }
   return result;
 }
 
 // Which triangles to turn round.  Leaves open the edges where that contradicts itself.
-std::vector<bool> choose_flips(const std::vector<std::uint32_t>& corners, Gluing& gluing)
+std::vector<bool> choose_flips(const std::vector<std::uint32_t>& corners,
+                               Connectivity& connectivity)
 {
   const std::size_t triangles = corners.size() / 3;
   std::vector<bool> flip(triangles, false), seen(triangles, false);
@@ -49,7 +50,7 @@ std::vector<bool> choose_flips(const std::vector<std::uint32_t>& corners, Gluing
   {
     if(seen[start])
       continue;
-    ++gluing.components;
+    ++connectivity.number_of_components;
     component.assign(1, start);
     seen[start] = true;
     std::size_t flipped = 0;
@@ -57,39 +58,40 @@ std::vector<bool> choose_flips(const std::vector<std::uint32_t>& corners, Gluing
     {
       const std::uint32_t f = component[i];
       flipped += flip[f] ? 1 : 0;
-      for(std::uint32_t s = 3 * f; s < 3 * f + 3; ++s)
+      for(std::uint32_t h = 3 * f; h < 3 * f + 3; ++h)
       {
-        const std::uint32_t t = gluing.twins[s];
-        if(t == no_side)
+        const std::uint32_t t = connectivity.twins[h];
+        if(t == no_halfedge)
           continue;
         const std::uint32_t g = t / 3;
         // Sides that start at the same vertex run the same way: one triangle must turn.
-        const bool wanted = flip[f] != (corners[s] == corners[t]);
+        const bool should_flip = flip[f] != (corners[h] == corners[t]);
         if(!seen[g])
         {
           seen[g] = true;
-          flip[g] = wanted;
+          flip[g] = should_flip;
           component.push_back(g);
         }
-        else if(flip[g] != wanted)
+        else if(flip[g] != should_flip)
         {
-          gluing.twins[s] = gluing.twins[t] = no_side;
-          ++gluing.cut;
+          connectivity.twins[h] = connectivity.twins[t] = no_halfedge;
+          ++connectivity.number_of_cut_edges;
         }
       }
     }
-    const bool turn_all = 2 * flipped > component.size();
-    if(turn_all)
+    const bool flip_all = 2 * flipped > component.size();
+    if(flip_all)
       for(const std::uint32_t f : component)
         flip[f] = !flip[f];
-    gluing.flipped += turn_all ? component.size() - flipped : flipped;
+    connectivity.number_of_flipped_faces += flip_all ? component.size() - flipped : flipped;
   }
   return flip;
 }
 
-void count_fans(const std::vector<std::uint32_t>& corners, std::size_t points, Gluing& gluing)
+void count_fans(const std::vector<std::uint32_t>& corners, std::size_t number_of_points,
+                Connectivity& connectivity)
 {
-  std::vector<std::uint8_t> fans(points, 0);
+  std::vector<std::uint8_t> fans(number_of_points, 0);
   std::vector<bool> seen(corners.size(), false);
   for(std::uint32_t c = 0; c < corners.size(); ++c)
   {
@@ -97,74 +99,79 @@ void count_fans(const std::vector<std::uint32_t>& corners, std::size_t points, G
       continue;
     // Clockwise to the border or once around, then counterclockwise over the whole fan.
     std::uint32_t start = c;
-    while(gluing.twins[start] != no_side && next_side(gluing.twins[start]) != c)
-      start = next_side(gluing.twins[start]);
+    while(connectivity.twins[start] != no_halfedge && next_halfedge(connectivity.twins[start]) != c)
+      start = next_halfedge(connectivity.twins[start]);
     for(std::uint32_t d = start;;)
     {
       seen[d] = true;
       const std::uint32_t before = d % 3 == 0 ? d + 2 : d - 1;
-      if(gluing.twins[before] == no_side || gluing.twins[before] == start)
+      if(connectivity.twins[before] == no_halfedge || connectivity.twins[before] == start)
         break;
-      d = gluing.twins[before];
+      d = connectivity.twins[before];
     }
-    ++gluing.fans;
+    ++connectivity.number_of_fans;
     std::uint8_t& count = fans[corners[c]];
     count = static_cast<std::uint8_t>(std::min(count + 1, 2));
   }
-  gluing.pinched = static_cast<std::size_t>(std::count(fans.begin(), fans.end(), 2));
+  connectivity.number_of_nonmanifold_vertices =
+      static_cast<std::size_t>(std::count(fans.begin(), fans.end(), 2));
 }
 
-void count_boundary_loops(Gluing& gluing)
+void count_boundary_loops(Connectivity& connectivity)
 {
-  std::vector<bool> seen(gluing.twins.size(), false);
-  for(std::uint32_t begin = 0; begin < gluing.twins.size(); ++begin)
+  std::vector<bool> seen(connectivity.twins.size(), false);
+  for(std::uint32_t begin = 0; begin < connectivity.twins.size(); ++begin)
   {
-    if(gluing.twins[begin] != no_side || seen[begin])
+    if(connectivity.twins[begin] != no_halfedge || seen[begin])
       continue;
-    ++gluing.boundary_loops;
-    for(std::uint32_t s = begin; !seen[s];)
+    ++connectivity.number_of_boundary_loops;
+    for(std::uint32_t h = begin; !seen[h];)
     {
-      seen[s] = true;
-      for(s = next_side(s); gluing.twins[s] != no_side;)
-        s = next_side(gluing.twins[s]);
+      seen[h] = true;
+      for(h = next_halfedge(h); connectivity.twins[h] != no_halfedge;)
+        h = next_halfedge(connectivity.twins[h]);
     }
   }
 }
 
 } // namespace
 
-long long Gluing::genus(std::size_t triangles) const
+long long Connectivity::genus(std::size_t triangles) const
 {
-  std::size_t border = 0;
+  std::size_t number_of_boundary_halfedges = 0;
   for(const std::uint32_t twin : twins)
-    border += twin == no_side ? 1 : 0;
-  const auto number = [](std::size_t n) { return static_cast<long long>(n); };
-  const long long edges = (3 * number(triangles) + number(border)) / 2;
-  const long long euler = number(fans) - edges + number(triangles);
-  return (2 * number(components) - number(boundary_loops) - euler) / 2;
+    number_of_boundary_halfedges += twin == no_halfedge ? 1 : 0;
+  const auto to_signed = [](std::size_t n) { return static_cast<long long>(n); };
+  const long long number_of_edges =
+      (3 * to_signed(triangles) + to_signed(number_of_boundary_halfedges)) / 2;
+  const long long euler_characteristic =
+      to_signed(number_of_fans) - number_of_edges + to_signed(triangles);
+  return (2 * to_signed(number_of_components) - to_signed(number_of_boundary_loops) -
+          euler_characteristic) /
+         2;
 }
 
-Gluing orient(Surface_file& surface)
+Connectivity orient(Surface_file& surface)
 {
-  Gluing gluing;
+  Connectivity connectivity;
   std::vector<std::uint32_t>& corners = surface.corners;
-  gluing.twins = neighbours(corners, gluing.cut);
-  const std::vector<bool> flip = choose_flips(corners, gluing);
+  connectivity.twins = opposite_halfedges(corners, connectivity.number_of_cut_edges);
+  const std::vector<bool> flip = choose_flips(corners, connectivity);
 
   // Exchanging the last two corners exchanges the first and the last side.
-  const auto renamed = [&flip](std::uint32_t s)
-  { return s == no_side || !flip[s / 3] ? s : 3 * (s / 3) + (2 - s % 3); };
+  const auto new_index = [&flip](std::uint32_t h)
+  { return h == no_halfedge || !flip[h / 3] ? h : 3 * (h / 3) + (2 - h % 3); };
   std::vector<std::uint32_t> twins(corners.size());
-  for(std::uint32_t s = 0; s < corners.size(); ++s)
-    twins[renamed(s)] = renamed(gluing.twins[s]);
-  gluing.twins = std::move(twins);
+  for(std::uint32_t h = 0; h < corners.size(); ++h)
+    twins[new_index(h)] = new_index(connectivity.twins[h]);
+  connectivity.twins = std::move(twins);
   for(std::size_t f = 0; f < flip.size(); ++f)
     if(flip[f])
       std::swap(corners[3 * f + 1], corners[3 * f + 2]);
 
-  count_fans(corners, surface.points.size(), gluing);
-  count_boundary_loops(gluing);
-  return gluing;
+  count_fans(corners, surface.points.size(), connectivity);
+  count_boundary_loops(connectivity);
+  return connectivity;
 }
 
 } // namespace program

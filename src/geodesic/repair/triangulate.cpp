@@ -11,16 +11,16 @@ namespace program {
 
 namespace {
 
-using Plane_point = std::array<double, 2>;
+using Planar_point = std::array<double, 2>;
 
-double cross(const Plane_point& a, const Plane_point& b, const Plane_point& c)
+double signed_area(const Planar_point& a, const Planar_point& b, const Planar_point& c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
 // The corners of a polygon in the plane that fits it best, of size about one.  Empty where it spans
 // no plane.
-std::vector<Plane_point> flatten(const std::vector<Point>& corners)
+std::vector<Planar_point> project_to_plane(const std::vector<Point>& corners)
 {
   const Point origin = corners[0];
   double size = 0.;
@@ -54,45 +54,46 @@ std::vector<Plane_point> flatten(const std::vector<Point>& corners)
     return {};
   // Along the axis nearest to the normal: signs of areas are kept, and no rounding is added.
   const double sign = normal[axis] > 0. ? 1. : -1.;
-  std::vector<Plane_point> flat(p.size());
+  std::vector<Planar_point> projected(p.size());
   for(std::size_t i = 0; i < p.size(); ++i)
-    flat[i] = {p[i][(axis + 1) % 3], sign * p[i][(axis + 2) % 3]};
-  return flat;
+    projected[i] = {p[i][(axis + 1) % 3], sign * p[i][(axis + 2) % 3]};
+  return projected;
 }
 
-double squared_distance(const Plane_point& a, const Plane_point& b)
+double squared_distance(const Planar_point& a, const Planar_point& b)
 {
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
 
-bool contains(const Plane_point& a, const Plane_point& b, const Plane_point& c,
-              const Plane_point& p)
+bool is_in_triangle(const Planar_point& a, const Planar_point& b, const Planar_point& c,
+                    const Planar_point& p)
 {
-  return p != a && p != b && p != c && cross(a, b, p) >= 0. && cross(b, c, p) >= 0. &&
-         cross(c, a, p) >= 0.;
+  return p != a && p != b && p != c && signed_area(a, b, p) >= 0. && signed_area(b, c, p) >= 0. &&
+         signed_area(c, a, p) >= 0.;
 }
 
 using Triangle = std::array<std::size_t, 3>;
 
 // Cuts ears off, one after another.  Always ends with n - 2 triangles: where no corner is an ear,
 // as in a polygon that crosses itself, the most convex one goes.
-std::vector<Triangle> cut_ears(const std::vector<Plane_point>& p)
+std::vector<Triangle> clip_ears(const std::vector<Planar_point>& p)
 {
   std::vector<Triangle> triangles;
-  std::vector<std::size_t> left(p.size());
-  for(std::size_t i = 0; i < left.size(); ++i)
-    left[i] = i;
+  std::vector<std::size_t> remaining(p.size());
+  for(std::size_t i = 0; i < remaining.size(); ++i)
+    remaining[i] = i;
 
   std::size_t begin = 0;
-  while(left.size() > 3)
+  while(remaining.size() > 3)
   {
-    const std::size_t n = left.size();
-    const auto area = [&](std::size_t i)
-    { return cross(p[left[(i + n - 1) % n]], p[left[i]], p[left[(i + 1) % n]]); };
+    const std::size_t n = remaining.size();
+    const auto area = [&](std::size_t i) {
+      return signed_area(p[remaining[(i + n - 1) % n]], p[remaining[i]], p[remaining[(i + 1) % n]]);
+    };
     std::vector<std::size_t> reflex;
     for(std::size_t i = 0; i < n; ++i)
       if(area(i) <= 0.)
-        reflex.push_back(left[i]);
+        reflex.push_back(remaining[i]);
 
     // Of a quadrilateral's two ears the one with the shorter cut; else the first after the last
     // cut, so that a round polygon does not become a fan.
@@ -103,14 +104,15 @@ std::vector<Triangle> cut_ears(const std::vector<Plane_point>& p)
       const std::size_t i = (begin + k) % n;
       if(area(i) > area(most_convex))
         most_convex = i;
-      const Plane_point &a = p[left[(i + n - 1) % n]], &b = p[left[i]], &c = p[left[(i + 1) % n]];
+      const Planar_point &a = p[remaining[(i + n - 1) % n]], &b = p[remaining[i]],
+                         &c = p[remaining[(i + 1) % n]];
       if(area(i) <= 0. || std::any_of(reflex.begin(), reflex.end(),
-                                      [&](std::size_t r) { return contains(a, b, c, p[r]); }))
+                                      [&](std::size_t r) { return is_in_triangle(a, b, c, p[r]); }))
         continue;
-      const double cut = squared_distance(a, c);
-      if(cut < shortest)
+      const double squared_diagonal = squared_distance(a, c);
+      if(squared_diagonal < shortest)
       {
-        shortest = cut;
+        shortest = squared_diagonal;
         ear = i;
       }
       if(n > 4)
@@ -118,15 +120,15 @@ std::vector<Triangle> cut_ears(const std::vector<Plane_point>& p)
     }
     if(ear == n)
       ear = most_convex;
-    triangles.push_back({left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n]});
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-    begin = (ear + 1) % left.size();
+    triangles.push_back({remaining[(ear + n - 1) % n], remaining[ear], remaining[(ear + 1) % n]});
+    remaining.erase(remaining.begin() + static_cast<std::ptrdiff_t>(ear));
+    begin = (ear + 1) % remaining.size();
   }
-  triangles.push_back({left[0], left[1], left[2]});
+  triangles.push_back({remaining[0], remaining[1], remaining[2]});
   return triangles;
 }
 
-struct Hash
+struct Triangle_hash
 {
   std::size_t operator()(const std::array<std::uint32_t, 3>& triangle) const
   {
@@ -142,24 +144,24 @@ struct Hash
 
 // Keeps the first of triangles with the same corners in the same order.  Two that face opposite
 // ways may be a closed surface and stay.
-bool drop_copies(Surface_file& surface)
+bool remove_duplicate_triangles(Surface_file& surface)
 {
-  std::unordered_set<std::array<std::uint32_t, 3>, Hash> seen;
+  std::unordered_set<std::array<std::uint32_t, 3>, Triangle_hash> seen;
   seen.reserve(surface.number_of_polygons());
-  std::size_t kept = 0;
+  std::size_t number_kept = 0;
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
   {
     std::array<std::uint32_t, 3> triangle;
     std::copy_n(surface.corners.begin() + static_cast<std::ptrdiff_t>(3 * f), 3, triangle.begin());
-    std::array<std::uint32_t, 3> turned = triangle;
-    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
-    if(seen.insert(turned).second)
+    std::array<std::uint32_t, 3> rotated = triangle;
+    std::rotate(rotated.begin(), std::min_element(rotated.begin(), rotated.end()), rotated.end());
+    if(seen.insert(rotated).second)
       std::copy_n(triangle.begin(), 3,
-                  surface.corners.begin() + static_cast<std::ptrdiff_t>(3 * kept++));
+                  surface.corners.begin() + static_cast<std::ptrdiff_t>(3 * number_kept++));
   }
-  const bool changed = kept != surface.number_of_polygons();
-  surface.corners.resize(3 * kept);
-  surface.first.resize(kept + 1);
+  const bool changed = number_kept != surface.number_of_polygons();
+  surface.corners.resize(3 * number_kept);
+  surface.polygon_begin.resize(number_kept + 1);
   return changed;
 }
 
@@ -168,15 +170,16 @@ bool drop_copies(Surface_file& surface)
 bool triangulate(Surface_file& surface, const std::string& name)
 {
   // Ears are searched in quadratic time: 10,000 corners take about a second.
-  constexpr std::size_t most_corners = 10000;
+  constexpr std::size_t max_corners = 10000;
   bool changed = false;
   std::vector<std::uint32_t> corners, face;
   corners.reserve(surface.corners.size());
   std::vector<Point> points;
   for(std::size_t f = 0; f < surface.number_of_polygons(); ++f)
   {
-    face.assign(surface.corners.begin() + static_cast<std::ptrdiff_t>(surface.first[f]),
-                surface.corners.begin() + static_cast<std::ptrdiff_t>(surface.first[f + 1]));
+    face.assign(surface.corners.begin() + static_cast<std::ptrdiff_t>(surface.polygon_begin[f]),
+                surface.corners.begin() +
+                    static_cast<std::ptrdiff_t>(surface.polygon_begin[f + 1]));
     const std::size_t degree = face.size();
     face.erase(std::unique(face.begin(), face.end()), face.end());
     while(face.size() > 1 && face.front() == face.back())
@@ -189,16 +192,16 @@ bool triangulate(Surface_file& surface, const std::string& name)
       corners.insert(corners.end(), face.begin(), face.end());
       continue;
     }
-    if(face.size() > most_corners)
+    if(face.size() > max_corners)
       fail(name, "face " + std::to_string(f) + " has " + std::to_string(face.size()) +
                      " corners, more than 10,000");
     points.clear();
     for(const std::uint32_t corner : face)
       points.push_back(surface.points[corner]);
-    const std::vector<Plane_point> flat = flatten(points);
+    const std::vector<Planar_point> projected = project_to_plane(points);
     std::vector<Triangle> triangles;
-    if(!flat.empty())
-      triangles = cut_ears(flat);
+    if(!projected.empty())
+      triangles = clip_ears(projected);
     else
       for(std::size_t k = 2; k < face.size(); ++k)
         triangles.push_back({0, k - 1, k});
@@ -207,10 +210,10 @@ bool triangulate(Surface_file& surface, const std::string& name)
         corners.insert(corners.end(), {face[t[0]], face[t[1]], face[t[2]]});
   }
   surface.corners = std::move(corners);
-  surface.first.resize(surface.corners.size() / 3 + 1);
-  for(std::size_t f = 0; f < surface.first.size(); ++f)
-    surface.first[f] = 3 * f;
-  const bool dropped = drop_copies(surface);
+  surface.polygon_begin.resize(surface.corners.size() / 3 + 1);
+  for(std::size_t f = 0; f < surface.polygon_begin.size(); ++f)
+    surface.polygon_begin[f] = 3 * f;
+  const bool dropped = remove_duplicate_triangles(surface);
   return changed || dropped;
 }
 

@@ -14,40 +14,42 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-Location location(Index triangle, std::array<double, 3> barycentric)
+Surface_location location(Index triangle, std::array<double, 3> barycentric)
 {
-  Location result;
+  Surface_location result;
   result.triangle = triangle;
   result.barycentric = barycentric;
   return result;
 }
 
-TEST(Path_locations, are_cleaned_of_rounding)
+TEST(Path_locations, canonical_form_removes_round_off)
 {
-  const Glued_mesh mesh = glued(one_triangle());
-  const Location clean = cleaned(mesh.triangles, location(0, {1. + 1e-16, 1e-15, -1e-16}));
-  EXPECT_EQ(clean.barycentric, (std::array<double, 3>{1., 0., 0.}));
-  EXPECT_EQ(corner_of(clean), 0u);
-  EXPECT_EQ(side_of(clean), none);
-  EXPECT_EQ(site_of(mesh.triangles, clean), mesh.triangles.corner[0]);
+  const Mesh_arrays mesh = arrays_of(one_triangle());
+  const Surface_location canonical_location =
+      canonical(mesh.arrays, location(0, {1. + 1e-16, 1e-15, -1e-16}));
+  EXPECT_EQ(canonical_location.barycentric, (std::array<double, 3>{1., 0., 0.}));
+  EXPECT_EQ(corner_of(canonical_location), 0u);
+  EXPECT_EQ(halfedge_of(canonical_location), none);
+  EXPECT_EQ(vertex_of(mesh.arrays, canonical_location), mesh.arrays.corner[0]);
 }
 
-TEST(Path_locations, at_a_corner_have_nothing_but_one)
+TEST(Path_locations, corner_has_exact_unit_weight)
 {
   // One that misses it by the rounding of a sum.
-  const Glued_mesh mesh = glued(one_triangle());
-  const Location clean = cleaned(mesh.triangles, location(0, {0., 1. - 2.2e-16, 1e-15}));
-  EXPECT_EQ(clean.barycentric, (std::array<double, 3>{0., 1., 0.}));
+  const Mesh_arrays mesh = arrays_of(one_triangle());
+  const Surface_location canonical_location =
+      canonical(mesh.arrays, location(0, {0., 1. - 2.2e-16, 1e-15}));
+  EXPECT_EQ(canonical_location.barycentric, (std::array<double, 3>{0., 1., 0.}));
 }
 
-TEST(Path_locations, of_a_site_are_the_same_seen_from_all_its_triangles)
+TEST(Path_locations, vertex_is_same_point_in_all_incident_triangles)
 {
-  const Glued_mesh mesh = glued(tetrahedron());
-  const Glued_triangles& t = mesh.triangles;
+  const Mesh_arrays mesh = arrays_of(tetrahedron());
+  const Surface_arrays& t = mesh.arrays;
   for(Index corner = 0; corner < 12; ++corner)
   {
-    const Location p = at_site(t, t.corner[corner]);
-    const auto seen = seen_from(t, corner / 3, p);
+    const Surface_location p = vertex_location(t, t.corner[corner]);
+    const auto seen = barycentric_in(t, corner / 3, p);
     ASSERT_TRUE(seen);
     EXPECT_EQ(*seen, location(0, {corner % 3 == 0 ? 1. : 0., corner % 3 == 1 ? 1. : 0.,
                                   corner % 3 == 2 ? 1. : 0.})
@@ -56,20 +58,20 @@ TEST(Path_locations, of_a_site_are_the_same_seen_from_all_its_triangles)
   }
 }
 
-TEST(Path_locations, of_a_side_are_the_same_seen_from_its_twin)
+TEST(Path_locations, edge_point_is_same_in_twin_triangle)
 {
-  const Glued_mesh mesh = glued(icosphere(1));
-  const Glued_triangles& t = mesh.triangles;
-  for(Index side = 0; side < t.corner.size(); ++side)
+  const Mesh_arrays mesh = arrays_of(icosphere(1));
+  const Surface_arrays& t = mesh.arrays;
+  for(Index h = 0; h < t.corner.size(); ++h)
   {
     std::array<double, 3> b = {0., 0., 0.};
-    b[side % 3] = 0.25;
-    b[next_side(side) % 3] = 0.75;
-    const Location p = location(side / 3, b);
-    EXPECT_EQ(side_of(p), side);
-    const auto seen = seen_from(t, t.twin[side] / 3, p);
+    b[h % 3] = 0.25;
+    b[next_halfedge(h) % 3] = 0.75;
+    const Surface_location p = location(h / 3, b);
+    EXPECT_EQ(halfedge_of(p), h);
+    const auto seen = barycentric_in(t, t.twin[h] / 3, p);
     ASSERT_TRUE(seen);
-    const Location q = location(t.twin[side] / 3, *seen);
+    const Surface_location q = location(t.twin[h] / 3, *seen);
     EXPECT_TRUE(is_same_point(t, p, q));
     const Point a = point_at(t, p), c = point_at(t, q);
     EXPECT_NEAR(distance(a, c), 0., 1e-15); // roundings of coordinates below 1
@@ -77,19 +79,20 @@ TEST(Path_locations, of_a_side_are_the_same_seen_from_its_twin)
   }
 }
 
-TEST(Path_locations, in_far_triangles_have_no_triangle_in_common)
+TEST(Path_locations, distant_locations_have_no_common_triangle)
 {
-  const Glued_mesh mesh = glued(icosphere(2));
-  const Glued_triangles& t = mesh.triangles;
-  const Location p = at_site(t, mesh.site_of_vertex[0]), q = at_site(t, mesh.site_of_vertex[3]);
+  const Mesh_arrays mesh = arrays_of(icosphere(2));
+  const Surface_arrays& t = mesh.arrays;
+  const Surface_location p = vertex_location(t, mesh.internal_vertex[0]),
+                         q = vertex_location(t, mesh.internal_vertex[3]);
   EXPECT_EQ(common_triangle(t, p, q), none);
   EXPECT_THROW(path_length(t, {p, q}), Invalid_argument_error);
 }
 
-TEST(Path_locations, give_the_length_of_a_path)
+TEST(Path_locations, path_length_is_sum_of_segments)
 {
-  const Glued_mesh mesh = glued(one_triangle());
-  const Glued_triangles& t = mesh.triangles;
+  const Mesh_arrays mesh = arrays_of(one_triangle());
+  const Surface_arrays& t = mesh.arrays;
   const double length = path_length(t, {location(0, {1., 0., 0.}), location(0, {0., 0.5, 0.5}),
                                         location(0, {0., 0.5, 0.5}), location(0, {0., 1., 0.})});
   EXPECT_NEAR(length * t.scale, std::sqrt(2.), 1e-15 * 4); // a few roundings

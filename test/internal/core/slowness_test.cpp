@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 
-TEST(Slowness, is_one_over_the_speed)
+TEST(Slowness, is_reciprocal_of_speed)
 {
   const auto slowness = slowness_of({1., 2., 0.25, 0., 1e-310});
   EXPECT_EQ(slowness[0], 1.);
@@ -25,20 +25,20 @@ TEST(Slowness, is_one_over_the_speed)
   EXPECT_EQ(slowness[4], infinity); // slower than numbers can tell
 }
 
-TEST(Slowness, refuses_speeds_that_are_none)
+TEST(Slowness, throws_on_invalid_speeds)
 {
   for(const double speed : {-1., -1e-300, infinity, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(slowness_of({1., speed}), Invalid_argument_error);
 }
 
-TEST(Slowness, of_a_triangle_is_the_mean_of_its_corners)
+TEST(Slowness, of_triangle_is_mean_over_corners)
 {
-  const test::Glued_surface surface(test::square(1));
+  const test::Array_surface surface(test::square(1));
   std::vector<double> slowness(4);
   for(Index i = 0; i < 4; ++i)
-    slowness[surface.site(i)] = 1. + i;
-  slowness[surface.site(2)] = infinity; // the corner (0,1), of the face 0, 3, 2 alone
-  const auto mean = mean_of_corners(*surface.triangles(), slowness);
+    slowness[surface.vertex(i)] = 1. + i;
+  slowness[surface.vertex(2)] = infinity; // the corner (0,1), of the face 0, 3, 2 alone
+  const auto mean = mean_over_corners(*surface.triangles(), slowness);
   EXPECT_NEAR(mean[surface.triangle(0)], (1. + 2. + 4.) / 3., 1e-15); // a few roundings
   EXPECT_EQ(mean[surface.triangle(1)], infinity);
 }

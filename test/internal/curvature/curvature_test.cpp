@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/curvature/curvature.h>
 
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -18,14 +18,14 @@ using namespace CGAL::Geodesic_processing::test;
 std::vector<Curvature> curvatures_of(const Triangulation& shape, double radius = 0.,
                                      unsigned threads = 1)
 {
-  const Glued_surface surface(shape);
-  const auto by_site = curvatures(surface.triangles(), radius / surface.scale(), threads);
+  const Array_surface surface(shape);
+  const auto by_vertex = curvatures(surface.triangles(), radius / surface.scale(), threads);
   std::vector<Curvature> result(shape.points.size());
   for(Index i = 0; i < result.size(); ++i)
   {
-    result[i] = by_site[surface.site(i)];
-    result[i].least /= surface.scale();
-    result[i].most /= surface.scale();
+    result[i] = by_vertex[surface.vertex(i)];
+    result[i].min_curvature /= surface.scale();
+    result[i].max_curvature /= surface.scale();
   }
   return result;
 }
@@ -47,14 +47,14 @@ Triangulation graph(std::size_t n, double size, const std::function<double(doubl
 // A frame of two unit vectors that are perpendicular to each other and to the normal.
 void expect_frame(const Curvature& curvature, const Point& normal, double tolerance)
 {
-  EXPECT_NEAR(norm(curvature.least_direction), 1., 1e-12);
-  EXPECT_NEAR(norm(curvature.most_direction), 1., 1e-12);
-  EXPECT_NEAR(dot(curvature.least_direction, curvature.most_direction), 0., 1e-12);
-  EXPECT_NEAR(dot(curvature.least_direction, normal), 0., tolerance);
-  EXPECT_NEAR(dot(curvature.most_direction, normal), 0., tolerance);
+  EXPECT_NEAR(norm(curvature.min_direction), 1., 1e-12);
+  EXPECT_NEAR(norm(curvature.max_direction), 1., 1e-12);
+  EXPECT_NEAR(dot(curvature.min_direction, curvature.max_direction), 0., 1e-12);
+  EXPECT_NEAR(dot(curvature.min_direction, normal), 0., tolerance);
+  EXPECT_NEAR(dot(curvature.max_direction, normal), 0., tolerance);
 }
 
-TEST(Curvature, of_a_sphere_is_that_of_its_radius_on_every_scale)
+TEST(Curvature, sphere_curvature_is_inverse_radius)
 {
   for(const double radius : {1., 1e-6, 1e6})
   {
@@ -65,16 +65,16 @@ TEST(Curvature, of_a_sphere_is_that_of_its_radius_on_every_scale)
     for(Index i = 0; i < found.size(); ++i)
     {
       // Sides are 0.07 long, and balls of a radius of three have some forty edges.
-      EXPECT_NEAR(radius * found[i].least, 1., 0.05);
-      EXPECT_NEAR(radius * found[i].most, 1., 0.05);
-      EXPECT_LE(found[i].least, found[i].most);
+      EXPECT_NEAR(radius * found[i].min_curvature, 1., 0.05);
+      EXPECT_NEAR(radius * found[i].max_curvature, 1., 0.05);
+      EXPECT_LE(found[i].min_curvature, found[i].max_curvature);
       const Point& p = sphere.points[i];
       expect_frame(found[i], {p[0] / radius, p[1] / radius, p[2] / radius}, 0.02);
     }
   }
 }
 
-TEST(Curvature, of_a_cylinder_is_around_its_axis)
+TEST(Curvature, cylinder_has_one_non_zero_curvature)
 {
   const double radius = 2.;
   const Triangulation pipe = cylinder(80, 40, radius, 6.);
@@ -86,40 +86,42 @@ TEST(Curvature, of_a_cylinder_is_around_its_axis)
       continue;
     // Its edges bend by 2 pi / 80 each: a ball has eight of them beside each other, so that one more
     // or less is an eighth of them, at both ends in part.
-    EXPECT_NEAR(found[i].most, 1. / radius, 0.1 / radius);
-    EXPECT_NEAR(found[i].least, 0., 0.02 / radius);
-    EXPECT_GT(std::abs(found[i].least_direction[2]), 0.999);
-    EXPECT_LT(std::abs(found[i].most_direction[2]), 0.05);
+    EXPECT_NEAR(found[i].max_curvature, 1. / radius, 0.1 / radius);
+    EXPECT_NEAR(found[i].min_curvature, 0., 0.02 / radius);
+    EXPECT_GT(std::abs(found[i].min_direction[2]), 0.999);
+    EXPECT_LT(std::abs(found[i].max_direction[2]), 0.05);
   }
 }
 
-TEST(Curvature, of_a_torus_changes_its_sign)
+TEST(Curvature, torus_matches_formula)
 {
-  const double far = 1., near = 0.4;
+  const double major_radius = 1., minor_radius = 0.4;
   const Triangulation torus = grid(
       160, 80,
       [=](double u, double v)
       {
-        const double a = 2. * pi * u, b = 2. * pi * v, r = far + near * std::cos(b);
-        return Point{r * std::cos(a), r * std::sin(a), near * std::sin(b)};
+        const double a = 2. * pi * u, b = 2. * pi * v,
+                     r = major_radius + minor_radius * std::cos(b);
+        return Point{r * std::cos(a), r * std::sin(a), minor_radius * std::sin(b)};
       },
       0.);
   const auto found = curvatures_of(torus, 0.12);
   for(std::size_t j = 8; j <= 72; j += 4)
     for(std::size_t i = 10; i <= 150; i += 20)
     {
-      const Curvature& here = found[i + 161 * j];
+      const Curvature& curvature = found[i + 161 * j];
       const double a = 2. * pi * i / 160., b = 2. * pi * j / 80.;
-      const double around = std::cos(b) / (far + near * std::cos(b)), across = 1. / near;
+      const double around = std::cos(b) / (major_radius + minor_radius * std::cos(b)),
+                   across = 1. / minor_radius;
       // A ball of 0.12 averages over a third of a radian of b.
-      EXPECT_NEAR(here.most, across, 0.05 * across);
-      EXPECT_NEAR(here.least, around, 0.05 * across);
+      EXPECT_NEAR(curvature.max_curvature, across, 0.05 * across);
+      EXPECT_NEAR(curvature.min_curvature, around, 0.05 * across);
       const Point axis = {-std::sin(a), std::cos(a), 0.};
-      EXPECT_GT(std::abs(dot(here.least_direction, axis)), 0.99);
+      EXPECT_GT(std::abs(dot(curvature.min_direction, axis)), 0.99);
     }
 }
 
-TEST(Curvature, of_a_saddle_is_up_one_way_and_down_the_other)
+TEST(Curvature, saddle_has_curvatures_of_opposite_sign)
 {
   // Turned by 0.3, on a triangulation without any order.
   const double c = std::cos(0.3), s = std::sin(0.3);
@@ -132,22 +134,22 @@ TEST(Curvature, of_a_saddle_is_up_one_way_and_down_the_other)
   const Curvature middle = curvatures_of(saddle, 0.25)[30 + 61 * 30];
   // Normals point up, from where a valley is not convex.  A ball of 0.25 has curvatures down to
   // (1 + 0.25^2)^-1.5 of those in its middle.
-  EXPECT_NEAR(middle.least, -1., 0.1);
-  EXPECT_NEAR(middle.most, 1., 0.1);
-  EXPECT_GT(std::abs(dot(middle.least_direction, Point{c, s, 0.})), 0.99);
-  EXPECT_GT(std::abs(dot(middle.most_direction, Point{-s, c, 0.})), 0.99);
+  EXPECT_NEAR(middle.min_curvature, -1., 0.1);
+  EXPECT_NEAR(middle.max_curvature, 1., 0.1);
+  EXPECT_GT(std::abs(dot(middle.min_direction, Point{c, s, 0.})), 0.99);
+  EXPECT_GT(std::abs(dot(middle.max_direction, Point{-s, c, 0.})), 0.99);
 }
 
-TEST(Curvature, of_a_plane_is_zero_up_to_its_border)
+TEST(Curvature, plane_has_zero_curvature)
 {
-  for(const Curvature& here : curvatures_of(square(12, 0.24)))
+  for(const Curvature& curvature : curvatures_of(square(12, 0.24)))
   {
-    EXPECT_NEAR(here.least, 0., 1e-12); // rounding
-    EXPECT_NEAR(here.most, 0., 1e-12);
+    EXPECT_NEAR(curvature.min_curvature, 0., 1e-12); // rounding
+    EXPECT_NEAR(curvature.max_curvature, 0., 1e-12);
   }
 }
 
-TEST(Curvature, is_a_number_everywhere)
+TEST(Curvature, is_finite_on_degenerate_meshes)
 {
   Triangulation needles = square(8, 0.24);
   for(Point& p : needles.points)
@@ -155,30 +157,31 @@ TEST(Curvature, is_a_number_everywhere)
   Triangulation flat = square(8);
   for(Point& p : flat.points)
     p[1] = 0.;
-  Triangulation alone = tetrahedron();
-  alone.points.push_back({5., 5., 5.});
-  for(const Triangulation& shape : {needles, flat, alone, one_triangle(), apart(alone, square(2))})
-    for(const Curvature& here : curvatures_of(shape))
+  Triangulation with_isolated_vertex = tetrahedron();
+  with_isolated_vertex.points.push_back({5., 5., 5.});
+  for(const Triangulation& shape : {needles, flat, with_isolated_vertex, one_triangle(),
+                                    disjoint_union(with_isolated_vertex, square(2))})
+    for(const Curvature& curvature : curvatures_of(shape))
     {
-      EXPECT_TRUE(std::isfinite(here.least) && std::isfinite(here.most));
+      EXPECT_TRUE(std::isfinite(curvature.min_curvature) && std::isfinite(curvature.max_curvature));
       for(int k = 0; k < 3; ++k)
-        EXPECT_TRUE(std::isfinite(here.least_direction[k]) &&
-                    std::isfinite(here.most_direction[k]));
+        EXPECT_TRUE(std::isfinite(curvature.min_direction[k]) &&
+                    std::isfinite(curvature.max_direction[k]));
     }
-  const Curvature isolated = curvatures_of(alone).back();
-  EXPECT_EQ(isolated.least, 0.);
-  EXPECT_EQ(isolated.most, 0.);
+  const Curvature isolated = curvatures_of(with_isolated_vertex).back();
+  EXPECT_EQ(isolated.min_curvature, 0.);
+  EXPECT_EQ(isolated.max_curvature, 0.);
 }
 
-TEST(Curvature, is_the_same_from_any_number_of_threads)
+TEST(Curvature, does_not_depend_on_number_of_threads)
 {
-  const Triangulation shape = shaken(icosphere(3), 0.02);
+  const Triangulation shape = jittered(icosphere(3), 0.02);
   const auto one = curvatures_of(shape), three = curvatures_of(shape, 0., 3);
   for(Index i = 0; i < one.size(); ++i)
   {
-    EXPECT_EQ(one[i].least, three[i].least);
-    EXPECT_EQ(one[i].most, three[i].most);
-    EXPECT_EQ(one[i].most_direction, three[i].most_direction);
+    EXPECT_EQ(one[i].min_curvature, three[i].min_curvature);
+    EXPECT_EQ(one[i].max_curvature, three[i].max_curvature);
+    EXPECT_EQ(one[i].max_direction, three[i].max_direction);
   }
 }
 

@@ -3,9 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/curvature/speeds.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -21,15 +21,15 @@ using Function = std::function<double(const Point&)>;
 // Of functions of the points of a triangulation, by its points.
 std::vector<double> gradients_of(const Triangulation& shape, const std::vector<Function>& functions)
 {
-  const Glued_surface surface(shape);
+  const Array_surface surface(shape);
   std::vector<std::vector<double>> channels(functions.size(), std::vector<double>(surface.size()));
   for(std::size_t c = 0; c < functions.size(); ++c)
     for(Index i = 0; i < surface.size(); ++i)
-      channels[c][surface.site(i)] = functions[c](surface.point(i));
-  const auto found = relative_gradients(surface.t(), channels);
+      channels[c][surface.vertex(i)] = functions[c](surface.point(i));
+  const auto found = relative_gradient_norms(surface.t(), channels);
   std::vector<double> result;
   for(Index i = 0; i < surface.size(); ++i)
-    result.push_back(found[surface.site(i)]);
+    result.push_back(found[surface.vertex(i)]);
   return result;
 }
 
@@ -37,40 +37,40 @@ double x_of(const Point& p) { return p[0]; }
 double y_of(const Point& p) { return p[1]; }
 double z_of(const Point& p) { return p[2]; }
 
-TEST(Speeds, total_curvature_of_a_sphere_does_not_depend_on_its_radius)
+TEST(Speeds, total_curvature_is_scale_invariant)
 {
-  EXPECT_NEAR(sphere_bend, 4. * std::sqrt(pi), 1e-15); // rounding
+  EXPECT_NEAR(sphere_total_curvature, 4. * std::sqrt(pi), 1e-15); // rounding
   for(const double radius : {1., 1e-6, 1e6})
   {
     Triangulation sphere = icosphere(4);
     for(Point& p : sphere.points)
       p = radius * p;
-    const Glued_surface surface(sphere);
+    const Array_surface surface(sphere);
     // 2 / r times the root of 4 pi r^2, with curvatures within the bound of their own test.
-    for(const double bend : total_curvatures(surface.triangles(), 0., 1))
-      EXPECT_NEAR(bend, sphere_bend, 0.05 * sphere_bend);
+    for(const double curvature : total_curvatures(surface.triangles(), 0., 1))
+      EXPECT_NEAR(curvature, sphere_total_curvature, 0.05 * sphere_total_curvature);
   }
 }
 
-TEST(Speeds, total_curvature_of_a_cylinder_is_its_one)
+TEST(Speeds, total_curvature_of_a_cylinder_matches_formula)
 {
   const Triangulation pipe = cylinder(80, 40, 2., 6.);
-  const Glued_surface surface(pipe);
+  const Array_surface surface(pipe);
   const auto found = total_curvatures(surface.triangles(), 0.6 / surface.scale(), 2);
   const double expected = std::sqrt(2. * pi * 2. * 6.) / 2.;
   // As the curvatures in their own test: an eighth of an edge too much or too little.
   for(Index i = 0; i < surface.size(); ++i)
     if(surface.point(i)[2] > 0.6 && surface.point(i)[2] < 5.4)
     {
-      EXPECT_NEAR(found[surface.site(i)], expected, 0.12 * expected);
+      EXPECT_NEAR(found[surface.vertex(i)], expected, 0.12 * expected);
     }
 }
 
-TEST(Speeds, a_plane_has_no_curvature_and_linear_functions_one_gradient)
+TEST(Speeds, plane_has_no_curvature_and_linear_functions_constant_gradient)
 {
   const Triangulation plane = square(12, 0.24);
-  for(const double bend : total_curvatures(Glued_surface(plane).triangles(), 0., 1))
-    EXPECT_NEAR(bend, 0., 1e-11); // rounding, over sides of a twelfth
+  for(const double curvature : total_curvatures(Array_surface(plane).triangles(), 0., 1))
+    EXPECT_NEAR(curvature, 0., 1e-11); // rounding, over sides of a twelfth
   const std::vector<std::vector<Function>> images = {
       {x_of}, {x_of, y_of}, {[](const Point& p) { return 1e308 * (p[1] - 0.5 * p[0] - 0.25); }}};
   for(const auto& functions : images)
@@ -78,7 +78,7 @@ TEST(Speeds, a_plane_has_no_curvature_and_linear_functions_one_gradient)
       EXPECT_NEAR(gradient, 1., 1e-12); // rounding, over sides of a twelfth
 }
 
-TEST(Speeds, gradients_are_told_apart)
+TEST(Speeds, gradients_differ_across_a_crease)
 {
   // Up to and from the line at 1/2, which the triangles do not cross.
   const Triangulation plane = grid(
@@ -100,41 +100,41 @@ TEST(Speeds, gradients_are_told_apart)
   }
 }
 
-TEST(Speeds, gradient_of_the_height_on_a_sphere_is_the_sine)
+TEST(Speeds, height_gradient_on_a_sphere_is_the_sine)
 {
   const Triangulation sphere = icosphere(4);
   const auto found = gradients_of(sphere, {z_of});
-  const auto glued = glue_surfels(sphere.points, sphere.points);
+  const auto surfels = build_surfel_arrays(sphere.points, sphere.points);
   std::vector<double> heights;
-  for(const Index surfel : glued.surfel_of_site)
+  for(const Index surfel : surfels.caller_vertex)
     heights.push_back(sphere.points[surfel][2]);
-  const auto on_cloud = relative_gradients(glued.triangles, {heights});
+  const auto on_cloud = relative_gradient_norms(surfels.arrays, {heights});
   for(std::size_t i = 0; i < sphere.points.size(); ++i)
   {
     const double sine = std::sqrt(1. - sphere.points[i][2] * sphere.points[i][2]);
     // At a pole the mean over triangles as wide as a side, 0.08, is half of that.
     EXPECT_NEAR(found[i], sine, 0.05);
-    EXPECT_NEAR(on_cloud[glued.site_of_surfel[i]], sine, 0.05);
+    EXPECT_NEAR(on_cloud[surfels.internal_vertex[i]], sine, 0.05);
   }
 }
 
-TEST(Speeds, are_numbers_everywhere)
+TEST(Speeds, are_finite_on_degenerate_meshes)
 {
-  Triangulation parts = apart(square(3), grid(4, 4,
-                                              [](double u, double) {
-                                                return Point{u, u, 0.};
-                                              }));
-  parts = apart(parts, grid(8, 8,
-                            [](double u, double v) {
-                              return Point{u, 1e-150 * v, 1e-160 * u * v};
-                            }));
-  parts.points.push_back({9., 9., 9.});
-  const Glued_surface surface(parts);
-  for(const double bend : total_curvatures(surface.triangles(), 0., 1))
-    EXPECT_TRUE(bend >= 0. && bend < 1e7);
+  Triangulation shape = disjoint_union(square(3), grid(4, 4,
+                                                       [](double u, double) {
+                                                         return Point{u, u, 0.};
+                                                       }));
+  shape = disjoint_union(shape, grid(8, 8,
+                                     [](double u, double v) {
+                                       return Point{u, 1e-150 * v, 1e-160 * u * v};
+                                     }));
+  shape.points.push_back({9., 9., 9.});
+  const Array_surface surface(shape);
+  for(const double curvature : total_curvatures(surface.triangles(), 0., 1))
+    EXPECT_TRUE(curvature >= 0. && curvature < 1e7);
   for(const double scale : {0., 1e-300, 1., 1e308})
     for(const double gradient : gradients_of(
-            parts, {[=](const Point& p) { return scale * std::sin(3. * p[0] + 5. * p[1]); }}))
+            shape, {[=](const Point& p) { return scale * std::sin(3. * p[0] + 5. * p[1]); }}))
     {
       EXPECT_TRUE(gradient >= 0. && gradient <= 1.);
       if(scale == 0.)
@@ -142,11 +142,11 @@ TEST(Speeds, are_numbers_everywhere)
         EXPECT_EQ(gradient, 0.);
       }
     }
-  EXPECT_EQ(total_curvatures(Glued_surface(Triangulation()).triangles(), 0., 1).size(), 0u);
-  EXPECT_THROW(relative_gradients(Glued_surface(square(1)).t(), {{0., 1., infinity, 0.}}),
+  EXPECT_EQ(total_curvatures(Array_surface(Triangulation()).triangles(), 0., 1).size(), 0u);
+  EXPECT_THROW(relative_gradient_norms(Array_surface(square(1)).t(), {{0., 1., infinity, 0.}}),
                Invalid_argument_error);
-  EXPECT_THROW(relative_gradients(Glued_surface(square(1)).t(),
-                                  {{0., 1., 0., std::numeric_limits<double>::quiet_NaN()}}),
+  EXPECT_THROW(relative_gradient_norms(Array_surface(square(1)).t(),
+                                       {{0., 1., 0., std::numeric_limits<double>::quiet_NaN()}}),
                Invalid_argument_error);
 }
 

@@ -5,10 +5,10 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/paths/straightest.h>
+#include <CGAL/Geodesic_processing/internal/paths/trace_straightest.h>
 #include "core/unfold.h"
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,10 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // Sums of some hundred lengths, and as many changes of coordinates.
-constexpr double rounding = 1e-12;
+constexpr double round_off = 1e-12;
 
-std::vector<double> run(const Glued_surface& surface, const std::vector<internal::Source>& sources,
+std::vector<double> run(const Array_surface& surface,
+                        const std::vector<internal::Front_source>& sources,
                         const Front_limits& limits = {})
 {
   Window_propagation windows(surface.triangles());
@@ -42,7 +43,7 @@ Triangulation scaled(Triangulation surface, double x, double y, double z)
 }
 
 // Hills and saddles over the unit square.
-Triangulation hills(std::size_t n, double height, unsigned seed = 1)
+Triangulation hilly_square(std::size_t n, double height, unsigned seed = 1)
 {
   return grid(
       n, n,
@@ -53,7 +54,7 @@ Triangulation hills(std::size_t n, double height, unsigned seed = 1)
 }
 
 // The unit square without the quarter beyond its centre; points there are of no triangle.
-Triangulation corner_room(std::size_t n, double jitter)
+Triangulation l_shaped_room(std::size_t n, double jitter)
 {
   Triangulation result = square(n, jitter);
   const auto is_kept = [&](std::size_t f)
@@ -82,82 +83,82 @@ Triangulation corner_room(std::size_t n, double jitter)
   return result;
 }
 
-TEST(Window_propagation, is_exact_on_flat_convex_surfaces)
+TEST(Window_propagation, is_exact_on_flat_convex_meshes)
 {
   for(const double scale : {1., 1e-6, 1e6})
     for(const double height : {1., 0.05, 20.})
       for(const double jitter : {0., 0.24})
       {
         const Triangulation plane = scaled(square(30, jitter), scale, scale * height, scale);
-        const Glued_surface surface(plane);
+        const Array_surface surface(plane);
         for(const Index source : {0, 15 * 31 + 15, 30, 7 * 31 + 22, 28 * 31 + 3})
         {
           const auto d = run(surface, {surface.source(source)});
           EXPECT_LT(largest_error(d, [&](Index i)
                                   { return distance(plane.points[i], plane.points[source]); }),
-                    rounding * scale * std::max(1., height));
+                    round_off * scale * std::max(1., height));
         }
       }
 }
 
-TEST(Window_propagation, knows_places_in_faces_and_on_sides_as_sources)
+TEST(Window_propagation, accepts_sources_in_faces_and_on_edges)
 {
   const Triangulation plane = square(20, 0.24);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   std::mt19937 random(1);
   for(int i = 0; i < 10; ++i)
   {
-    Location at = random_location(*surface.triangles(), random);
+    Surface_location at = random_location(*surface.triangles(), random);
     if(i % 2 == 1) // on a side
       at.barycentric = {at.barycentric[0], 1. - at.barycentric[0], 0.};
     const Point p = point_at(*surface.triangles(), at);
     const auto d = run(surface, {surface.source(at)});
-    EXPECT_LT(largest_error(d, [&](Index j) { return distance(plane.points[j], p); }), rounding);
+    EXPECT_LT(largest_error(d, [&](Index j) { return distance(plane.points[j], p); }), round_off);
   }
 }
 
-TEST(Window_propagation, is_exact_around_cones_and_saddles)
+TEST(Window_propagation, is_exact_on_cones_and_saddles)
 {
   constexpr Index n = 12, rings = 9;
   for(const double total : {0.7, 2., 5., 2. * pi, 7., 9., 16.})
   {
-    const Glued_surface surface(cone(n, rings, total));
-    const auto place = [&](Index i) -> std::pair<double, double> // radius, angle
+    const Array_surface surface(cone(n, rings, total));
+    const auto location = [&](Index i) -> std::pair<double, double> // radius, angle
     {
       return i == 0 ? std::pair(0., 0.)
                     : std::pair(double((i - 1) / n + 1), total * ((i - 1) % n) / n);
     };
     for(const Index source : {Index(0), Index(1), Index(1 + 4 * n + 5), Index(1 + 8 * n + 11)})
     {
-      const auto [a, angle] = place(source);
+      const auto [a, angle] = location(source);
       const auto d = run(surface, {surface.source(source)});
       const double error =
           largest_error(d,
                         [&, a = a, angle = angle](Index i)
                         {
-                          const auto [b, other] = place(i);
+                          const auto [b, other] = location(i);
                           return distance_on_cone(a, b, std::abs(angle - other), total);
                         });
-      EXPECT_LT(error, rounding * rings) << total << " " << source;
+      EXPECT_LT(error, round_off * rings) << total << " " << source;
     }
   }
 }
 
-TEST(Window_propagation, goes_around_a_wall)
+TEST(Window_propagation, bends_around_boundary_corner)
 {
   for(const double jitter : {0., 0.24})
   {
-    const Triangulation room = corner_room(24, jitter);
-    const Glued_surface surface(room);
+    const Triangulation l_shaped_mesh = l_shaped_room(24, jitter);
+    const Array_surface surface(l_shaped_mesh);
     const Point corner = {0.5, 0.5, 0.};
     for(const Index source : {Index(24), Index(24 + 25 * 7), Index(5), Index(12 + 25 * 12)})
     {
-      const Point& p = room.points[source];
+      const Point& p = l_shaped_mesh.points[source];
       const auto d = run(surface, {surface.source(source)});
       const double error = largest_error(d,
                                          [&](Index i)
                                          {
-                                           const Point& q = room.points[i];
+                                           const Point& q = l_shaped_mesh.points[i];
                                            if(q[0] > 0.5 + 1e-9 && q[1] > 0.5 + 1e-9)
                                              return infinity;
                                            // The corner is in the way when it lies left of the way from the right to the left.
@@ -165,22 +166,22 @@ TEST(Window_propagation, goes_around_a_wall)
                                            const Point& b = p[0] - p[1] > q[0] - q[1] ? q : p;
                                            const double turn = (b[0] - a[0]) * (corner[1] - a[1]) -
                                                                (b[1] - a[1]) * (corner[0] - a[0]);
-                                           const bool is_beside = a[0] > 0.5 && b[1] > 0.5;
-                                           return is_beside && turn > 0.
+                                           const bool is_around_corner = a[0] > 0.5 && b[1] > 0.5;
+                                           return is_around_corner && turn > 0.
                                                       ? distance(a, corner) + distance(corner, b)
                                                       : distance(a, b);
                                          });
-      EXPECT_LT(error, rounding);
+      EXPECT_LT(error, round_off);
     }
   }
 }
 
-TEST(Window_propagation, lies_between_the_bounds_of_a_sphere)
+TEST(Window_propagation, lies_between_bounds_on_sphere)
 {
   for(const unsigned level : {0u, 1u, 2u, 4u})
   {
     const Triangulation sphere = icosphere(level);
-    const Glued_surface surface(sphere);
+    const Array_surface surface(sphere);
     double inner = 1.; // radius of the largest ball inside
     for(std::size_t f = 0; f < sphere.corners.size(); f += 3)
     {
@@ -199,22 +200,23 @@ TEST(Window_propagation, lies_between_the_bounds_of_a_sphere)
       {
         // The nearest point of a convex surface is never farther from another one's than these are;
         // and from the centre its faces look larger by at most 1 / inner.
-        const double arc = great_circle(sphere.points[i], sphere.points[source]);
-        EXPECT_LE(d[i], arc * (1. + rounding));
-        EXPECT_GE(d[i], inner * arc * (1. - rounding));
+        const double edge = great_circle(sphere.points[i], sphere.points[source]);
+        EXPECT_LE(d[i], edge * (1. + round_off));
+        EXPECT_GE(d[i], inner * edge * (1. - round_off));
       }
     }
   }
 }
 
-TEST(Window_propagation, is_a_metric)
+TEST(Window_propagation, satisfies_metric_axioms)
 {
   for(const Triangulation& shape :
-      {shaken(icosphere(3), 0.05), hills(24, 0.2), scaled(shaken(icosphere(2), 0.1), 1., 1., 20.),
-       shaken(annulus(24, 6, 0.4, 1.), 0.03), tetrahedron(), one_triangle()})
+      {jittered(icosphere(3), 0.05), hilly_square(24, 0.2),
+       scaled(jittered(icosphere(2), 0.1), 1., 1., 20.), jittered(annulus(24, 6, 0.4, 1.), 0.03),
+       tetrahedron(), one_triangle()})
   {
-    const Glued_surface surface(shape);
-    const Glued_triangles& t = *surface.triangles();
+    const Array_surface surface(shape);
+    const Surface_arrays& t = *surface.triangles();
     const Index sources[] = {0, surface.size() / 2, surface.size() - 1};
     std::vector<std::vector<double>> d;
     for(const Index source : sources)
@@ -223,30 +225,30 @@ TEST(Window_propagation, is_a_metric)
       for(int b = 0; b < 3; ++b)
       {
         const double there = d[a][sources[b]], back = d[b][sources[a]];
-        EXPECT_NEAR(there, back, rounding * (there + back));
+        EXPECT_NEAR(there, back, round_off * (there + back));
         for(Index i = 0; i < surface.size(); ++i)
-          EXPECT_LE(d[a][i], (there + d[b][i]) * (1. + rounding));
+          EXPECT_LE(d[a][i], (there + d[b][i]) * (1. + round_off));
       }
     for(const auto& one : d)
-      for(Index side = 0; side < t.corner.size(); ++side)
+      for(Index h = 0; h < t.corner.size(); ++h)
       {
-        const double from = one[surface.point_of_site(t.corner[side])],
-                     to = one[surface.point_of_site(t.corner[next_side(side)])];
-        EXPECT_LE(std::abs(from - to), t.length[side] * t.scale * (1. + rounding));
+        const double from = one[surface.caller_vertex(t.corner[h])],
+                     to = one[surface.caller_vertex(t.corner[next_halfedge(h)])];
+        EXPECT_LE(std::abs(from - to), t.length[h] * t.scale * (1. + round_off));
       }
   }
 }
 
-TEST(Window_propagation, several_sources_are_the_nearest_of_each)
+TEST(Window_propagation, distance_is_minimum_over_sources)
 {
-  const Glued_surface surface(hills(24, 0.2));
-  const std::vector<Index> places = {0, 300, 301, 450, 620};
+  const Array_surface surface(hilly_square(24, 0.2));
+  const std::vector<Index> vertices = {0, 300, 301, 450, 620};
   const std::vector<double> offsets = {0.1, -0.3, -0.25, 5., 0.};
-  std::vector<internal::Source> sources;
+  std::vector<internal::Front_source> sources;
   std::vector<std::vector<double>> single;
-  for(std::size_t i = 0; i < places.size(); ++i)
+  for(std::size_t i = 0; i < vertices.size(); ++i)
   {
-    sources.push_back(surface.source(places[i], offsets[i]));
+    sources.push_back(surface.source(vertices[i], offsets[i]));
     single.push_back(run(surface, {sources.back()}));
   }
   Window_propagation windows(surface.triangles());
@@ -258,72 +260,75 @@ TEST(Window_propagation, several_sources_are_the_nearest_of_each)
     const auto d = surface.distances(windows);
     for(Index i = 0; i < surface.size(); ++i)
     {
-      double least = infinity;
+      double min_distance = infinity;
       for(const auto& one : single)
-        least = std::min(least, one[i]);
-      EXPECT_NEAR(d[i], least, rounding);
-      const Index source = windows.source(surface.site(i));
-      EXPECT_NEAR(single[is_reversed ? places.size() - 1 - source : source][i], least, rounding);
-      const Index before = windows.predecessor(surface.site(i));
+        min_distance = std::min(min_distance, one[i]);
+      EXPECT_NEAR(d[i], min_distance, round_off);
+      const Index source = windows.source(surface.vertex(i));
+      EXPECT_NEAR(single[is_reversed ? vertices.size() - 1 - source : source][i], min_distance,
+                  round_off);
+      const Index before = windows.predecessor(surface.vertex(i));
       if(before != none)
       {
-        EXPECT_LT(windows.distance(before), windows.distance(surface.site(i)));
+        EXPECT_LT(windows.distance(before), windows.distance(surface.vertex(i)));
       }
     }
-    EXPECT_EQ(windows.predecessor(surface.site(300)), none);
+    EXPECT_EQ(windows.predecessor(surface.vertex(300)), none);
   }
 }
 
-TEST(Window_propagation, polylines_are_sources)
+TEST(Window_propagation, accepts_polyline_sources)
 {
   const Triangulation plane = square(20, 0.24);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   // Along sides: the lower border.
-  std::vector<Index> border(21);
-  std::iota(border.begin(), border.end(), 0);
-  EXPECT_LT(largest_error(run(surface, {surface.line(border, 0.5)}),
+  std::vector<Index> boundary_edge(21);
+  std::iota(boundary_edge.begin(), boundary_edge.end(), 0);
+  EXPECT_LT(largest_error(run(surface, {surface.line(boundary_edge, 0.5)}),
                           [&](Index i) { return 0.5 + plane.points[i][1]; }),
-            rounding);
+            round_off);
   // Part of it, and a segment within a face.
-  EXPECT_LT(largest_error(
-                run(surface, {surface.line({border.begin() + 5, border.begin() + 9})}), [&](Index i)
-                { return distance_to_segment(plane.points[i], plane.points[5], plane.points[8]); }),
-            rounding);
+  EXPECT_LT(
+      largest_error(
+          run(surface, {surface.line({boundary_edge.begin() + 5, boundary_edge.begin() + 9})}),
+          [&](Index i)
+          { return distance_to_segment(plane.points[i], plane.points[5], plane.points[8]); }),
+      round_off);
   for(const Index face : {0, 333, 500})
   {
-    const Location begin = surface.in(face, {0.5, 0.3, 0.2}),
-                   end = surface.in(face, {0.1, 0.2, 0.7});
+    const Surface_location begin = surface.in(face, {0.5, 0.3, 0.2}),
+                           end = surface.in(face, {0.1, 0.2, 0.7});
     const Point p = point_at(*surface.triangles(), begin), q = point_at(*surface.triangles(), end);
-    EXPECT_LT(largest_error(run(surface, {internal::Source{{begin, end}, 0., 0}}),
+    EXPECT_LT(largest_error(run(surface, {internal::Front_source{{begin, end}, 0., 0}}),
                             [&](Index i) { return distance_to_segment(plane.points[i], p, q); }),
-              rounding);
+              round_off);
   }
 }
 
-TEST(Window_propagation, a_limit_keeps_what_is_nearer)
+TEST(Window_propagation, respects_maximum_distance)
 {
-  const Glued_surface surface(hills(30, 0.1));
+  const Array_surface surface(hilly_square(30, 0.1));
   Window_propagation windows(surface.triangles());
   ASSERT_TRUE(windows.run({surface.source(480, -0.1)}));
   const auto full = surface.distances(windows);
   Front_limits limits;
   limits.maximum_distance = 0.25 / surface.scale();
   ASSERT_TRUE(windows.run({surface.source(480, -0.1)}, limits));
-  const auto part = surface.distances(windows);
+  const auto partial = surface.distances(windows);
   std::size_t near = 0;
   for(Index i = 0; i < surface.size(); ++i)
   {
-    EXPECT_EQ(part[i], full[i] <= 0.25 ? full[i] : infinity);
+    EXPECT_EQ(partial[i], full[i] <= 0.25 ? full[i] : infinity);
     near += full[i] <= 0.25;
   }
   EXPECT_EQ(windows.reached().size(), near);
-  for(const Index site : windows.reached())
-    EXPECT_LT(windows.distance(site), infinity);
+  for(const Index vertex : windows.reached())
+    EXPECT_LT(windows.distance(vertex), infinity);
 }
 
-TEST(Window_propagation, targets_have_their_distances)
+TEST(Window_propagation, distances_of_targets_match_full_run)
 {
-  const Glued_surface surface(hills(30, 0.1));
+  const Array_surface surface(hilly_square(30, 0.1));
   Window_propagation windows(surface.triangles());
   ASSERT_TRUE(windows.run({surface.source(480)}));
   const auto full = surface.distances(windows);
@@ -331,41 +336,41 @@ TEST(Window_propagation, targets_have_their_distances)
   limits.targets = {surface.at(490), surface.at(500), surface.in(870, {0.2, 0.3, 0.5})};
   ASSERT_TRUE(windows.run({surface.source(480)}, limits));
   EXPECT_LT(windows.reached().size(), std::size_t(surface.size() * 3 / 4));
-  const auto part = surface.distances(windows);
+  const auto partial = surface.distances(windows);
   for(const Index i : {490, 500})
-    EXPECT_EQ(part[i], full[i]);
+    EXPECT_EQ(partial[i], full[i]);
   for(Index i = 0; i < surface.size(); ++i)
-    EXPECT_TRUE(part[i] == full[i] || part[i] == infinity);
+    EXPECT_TRUE(partial[i] == full[i] || partial[i] == infinity);
 }
 
-TEST(Window_propagation, a_cancelled_run_keeps_what_is_final)
+TEST(Window_propagation, cancelled_run_keeps_final_distances)
 {
-  const Glued_surface surface(shaken(icosphere(5), 0.003));
+  const Array_surface surface(jittered(icosphere(5), 0.003));
   Window_propagation windows(surface.triangles());
   ASSERT_TRUE(windows.run({surface.source(0)}));
   const auto full = surface.distances(windows);
   int calls = 0;
   Front_limits limits;
-  limits.callback = [&](double part)
+  limits.callback = [&](double partial)
   {
-    EXPECT_GE(part, 0.);
-    EXPECT_LE(part, 1.);
+    EXPECT_GE(partial, 0.);
+    EXPECT_LE(partial, 1.);
     return ++calls < 5;
   };
   EXPECT_FALSE(windows.run({surface.source(0)}, limits));
   EXPECT_GT(windows.reached().size(), 0u);
   EXPECT_LT(windows.reached().size(), std::size_t(surface.size()));
-  const auto part = surface.distances(windows);
+  const auto partial = surface.distances(windows);
   for(Index i = 0; i < surface.size(); ++i)
-    EXPECT_TRUE(part[i] == full[i] || part[i] == infinity);
+    EXPECT_TRUE(partial[i] == full[i] || partial[i] == infinity);
   // Nothing of it is left in the next one.
   ASSERT_TRUE(windows.run({surface.source(0)}));
   EXPECT_EQ(surface.distances(windows), full);
 }
 
-TEST(Window_propagation, copies_run_at_the_same_time)
+TEST(Window_propagation, copies_run_concurrently)
 {
-  const Glued_surface surface(hills(30, 0.1));
+  const Array_surface surface(hilly_square(30, 0.1));
   Window_propagation a(surface.triangles()), b(a);
   const auto first = run(surface, {surface.source(0)}),
              second = run(surface, {surface.source(900)});
@@ -376,11 +381,11 @@ TEST(Window_propagation, copies_run_at_the_same_time)
   EXPECT_EQ(surface.distances(b), second);
 }
 
-TEST(Window_propagation, other_components_and_isolated_sites_are_not_reached)
+TEST(Window_propagation, does_not_reach_other_components_and_isolated_vertices)
 {
-  Triangulation shape = apart(icosphere(2), square(4));
+  Triangulation shape = disjoint_union(icosphere(2), square(4));
   shape.points.push_back({5., 5., 5.});
-  const Glued_surface surface(shape);
+  const Array_surface surface(shape);
   const auto d = run(surface, {surface.source(0)});
   for(Index i = 0; i < surface.size(); ++i)
     EXPECT_EQ(d[i] < infinity, i < icosphere(2).points.size());
@@ -390,55 +395,56 @@ TEST(Window_propagation, other_components_and_isolated_sites_are_not_reached)
   EXPECT_EQ(surface.distances(windows).back(), 2.);
 }
 
-TEST(Window_propagation, knows_the_distance_of_every_place)
+TEST(Window_propagation, distances_inside_faces_are_exact)
 {
   const Triangulation plane = square(20, 0.24);
-  const Glued_surface flat(plane);
+  const Array_surface flat(plane);
   Window_propagation windows(flat.triangles());
   std::mt19937 random(1);
-  const Location begin = flat.in(333, {0.5, 0.3, 0.2}), end = flat.in(333, {0.1, 0.2, 0.7});
+  const Surface_location begin = flat.in(333, {0.5, 0.3, 0.2}), end = flat.in(333, {0.1, 0.2, 0.7});
   const Point p = point_at(*flat.triangles(), begin), q = point_at(*flat.triangles(), end);
   for(int i = 0; i < 20; ++i)
   {
-    const Location at = random_location(*flat.triangles(), random);
+    const Surface_location at = random_location(*flat.triangles(), random);
     const Point r = point_at(*flat.triangles(), at);
     ASSERT_TRUE(windows.run({flat.source(100, 0.5)}));
     EXPECT_NEAR(flat.scale() * windows.distance(at), 0.5 + distance(plane.points[100], r),
-                rounding);
+                round_off);
     ASSERT_TRUE(windows.run({flat.source(begin, -0.5)}));
-    EXPECT_NEAR(flat.scale() * windows.distance(at), -0.5 + distance(p, r), rounding);
-    ASSERT_TRUE(windows.run({internal::Source{{begin, end}, 0., 0}}));
-    EXPECT_NEAR(flat.scale() * windows.distance(at), distance_to_segment(r, p, q), rounding);
+    EXPECT_NEAR(flat.scale() * windows.distance(at), -0.5 + distance(p, r), round_off);
+    ASSERT_TRUE(windows.run({internal::Front_source{{begin, end}, 0., 0}}));
+    EXPECT_NEAR(flat.scale() * windows.distance(at), distance_to_segment(r, p, q), round_off);
   }
   // The same as windows from there.
   for(const Triangulation& shape :
-      {hills(24, 0.2), shaken(icosphere(3), 0.1), corner_room(12, 0.2)})
+      {hilly_square(24, 0.2), jittered(icosphere(3), 0.1), l_shaped_room(12, 0.2)})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     Window_propagation there(surface.triangles()), back(surface.triangles());
     ASSERT_TRUE(there.run({surface.source(0), surface.source(surface.size() / 3, 0.1)}));
     for(int i = 0; i < 20; ++i)
     {
-      const Location at = random_location(*surface.triangles(), random);
+      const Surface_location at = random_location(*surface.triangles(), random);
       ASSERT_TRUE(back.run({surface.source(at)}));
-      const double least =
-          std::min(back.distance(surface.site(0)),
-                   back.distance(surface.site(surface.size() / 3)) + 0.1 / surface.scale());
-      EXPECT_NEAR(there.distance(at), least, rounding);
+      const double min_distance =
+          std::min(back.distance(surface.vertex(0)),
+                   back.distance(surface.vertex(surface.size() / 3)) + 0.1 / surface.scale());
+      EXPECT_NEAR(there.distance(at), min_distance, round_off);
     }
   }
 }
 
-TEST(Window_propagation, paths_are_as_long_as_their_distances)
+TEST(Window_propagation, path_length_equals_distance)
 {
-  for(const Triangulation& shape : {square(16, 0.24), hills(24, 0.2), shaken(icosphere(3), 0.1),
-                                    corner_room(12, 0.2), cone(12, 6, 9.), square(12)})
+  for(const Triangulation& shape :
+      {square(16, 0.24), hilly_square(24, 0.2), jittered(icosphere(3), 0.1), l_shaped_room(12, 0.2),
+       cone(12, 6, 9.), square(12)})
   {
-    const Glued_surface surface(shape);
-    const Glued_triangles& t = *surface.triangles();
+    const Array_surface surface(shape);
+    const Surface_arrays& t = *surface.triangles();
     std::mt19937 random(1);
     Window_propagation windows(surface.triangles());
-    const std::vector<std::vector<internal::Source>> queries = {
+    const std::vector<std::vector<internal::Front_source>> queries = {
         {surface.source(0)},
         {surface.source(surface.size() / 3, 0.2), surface.source(random_location(t, random))},
         {{{surface.in(7, {0.2, 0.2, 0.6}), surface.in(7, {0.1, 0.8, 0.1})}, 0., 0}}};
@@ -447,7 +453,7 @@ TEST(Window_propagation, paths_are_as_long_as_their_distances)
       ASSERT_TRUE(windows.run(sources));
       for(int i = 0; i < 40; ++i)
       {
-        const Location from =
+        const Surface_location from =
             i % 2 == 0 ? random_location(t, random) : surface.at(Index(random() % surface.size()));
         const double expected = windows.distance(from);
         const auto path = windows.path(from);
@@ -457,35 +463,36 @@ TEST(Window_propagation, paths_are_as_long_as_their_distances)
           continue;
         }
         ASSERT_FALSE(path.empty());
-        EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
+        EXPECT_TRUE(is_same_point(t, path.front(), canonical(t, from)));
         // One of the sources is at its end.
-        double least = infinity;
-        for(const internal::Source& source : sources)
+        double min_distance = infinity;
+        for(const internal::Front_source& source : sources)
         {
           const Point end = point_at(t, path.back()), p = point_at(t, source.polyline.front()),
                       q = point_at(t, source.polyline.back());
-          const double away = p == q ? distance(end, p) : distance_to_segment(end, p, q);
+          const double distance_to_source =
+              p == q ? distance(end, p) : distance_to_segment(end, p, q);
           // A line that is traced turns by rounding at each side.
-          if(away < 1e-9)
-            least = std::min(least, source.offset);
+          if(distance_to_source < 1e-9)
+            min_distance = std::min(min_distance, source.offset);
         }
-        EXPECT_NEAR(least + path_length(t, path), expected, 1e-9);
+        EXPECT_NEAR(min_distance + path_length(t, path), expected, 1e-9);
       }
     }
   }
 }
 
-TEST(Window_propagation, paths_pass_the_sites_of_a_lattice)
+TEST(Window_propagation, paths_pass_through_lattice_vertices)
 {
   const std::size_t n = 200;
-  const Glued_surface surface(square(n));
+  const Array_surface surface(square(n));
   Window_propagation windows(surface.triangles());
   // Half of the lines from there to other sites meet sites on their way, after up to a hundred sides.
   ASSERT_TRUE(windows.run({surface.source(Index((n + 1) * 192 + 121))}));
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
   {
-    const Location from = surface.at(Index(random() % surface.size()));
+    const Surface_location from = surface.at(Index(random() % surface.size()));
     const auto path = windows.path(from);
     ASSERT_FALSE(path.empty());
     const double expected = windows.distance(from);
@@ -493,13 +500,13 @@ TEST(Window_propagation, paths_pass_the_sites_of_a_lattice)
   }
 }
 
-TEST(Window_propagation, departures_are_where_straight_lines_arrive)
+TEST(Window_propagation, departure_reproduces_target_by_tracing)
 {
   // On convex surfaces, where no shortest path bends.
   for(const Triangulation& shape : {square(16, 0.24), icosphere(3), cone(12, 6, 5.)})
   {
-    const Glued_surface surface(shape);
-    const Glued_triangles& t = *surface.triangles();
+    const Array_surface surface(shape);
+    const Surface_arrays& t = *surface.triangles();
     std::mt19937 random(1);
     Window_propagation windows(surface.triangles());
     for(const auto& source : {surface.source(surface.size() / 2, 0.5), surface.source(0),
@@ -508,10 +515,10 @@ TEST(Window_propagation, departures_are_where_straight_lines_arrive)
       ASSERT_TRUE(windows.run({source}));
       for(int i = 0; i < 30; ++i)
       {
-        const Location to = random_location(t, random);
+        const Surface_location to = random_location(t, random);
         const Departure departure = windows.departure(to);
-        EXPECT_NEAR(departure.length, windows.distance(to) - source.offset, rounding);
-        const auto line = straightest(t, departure.from, departure.angle, departure.length);
+        EXPECT_NEAR(departure.length, windows.distance(to) - source.offset, round_off);
+        const auto line = trace_straightest(t, departure.from, departure.angle, departure.length);
         // The direction of the first part of the path, which may be short.
         EXPECT_LT(distance(point_at(t, line.locations.back()), point_at(t, to)), 1e-8);
       }
@@ -519,37 +526,38 @@ TEST(Window_propagation, departures_are_where_straight_lines_arrive)
   }
 }
 
-TEST(Window_propagation, departures_go_around_their_site)
+TEST(Window_propagation, polar_angles_are_counterclockwise_around_vertex)
 {
   const Triangulation plane = square(16, 0.24);
-  const Glued_surface surface(plane);
-  const Glued_triangles& t = *surface.triangles();
-  const Index center = 8 * 17 + 8, site = surface.site(center);
+  const Array_surface surface(plane);
+  const Surface_arrays& t = *surface.triangles();
+  const Index center = 8 * 17 + 8, vertex = surface.vertex(center);
   Window_propagation windows(surface.triangles());
   ASSERT_TRUE(windows.run({surface.source(center)}));
   const auto direction = [&](const Point& p)
   { return std::atan2(p[1] - plane.points[center][1], p[0] - plane.points[center][0]); };
-  const double first =
-      direction(plane.points[surface.point_of_site(t.corner[next_side(t.star[t.first[site]])])]);
+  const double first = direction(
+      plane.points[surface.caller_vertex(t.corner[next_halfedge(t.ring[t.ring_begin[vertex]])])]);
   std::mt19937 random(1);
   for(int i = 0; i < 40; ++i)
   {
-    const Location to = random_location(t, random);
-    const double turned = direction(point_at(t, to)) - first;
-    EXPECT_NEAR(windows.departure(to).polar_angle, turned < 0. ? turned + 2. * pi : turned, 1e-8);
+    const Surface_location to = random_location(t, random);
+    const double angle_from_first = direction(point_at(t, to)) - first;
+    EXPECT_NEAR(windows.departure(to).polar_angle,
+                angle_from_first < 0. ? angle_from_first + 2. * pi : angle_from_first, 1e-8);
   }
   EXPECT_EQ(windows.departure(surface.at(center)).length, 0.);
 }
 
-TEST(Window_propagation, departures_go_around_a_place_on_a_side)
+TEST(Window_propagation, polar_angles_are_counterclockwise_around_edge_location)
 {
   // Counterclockwise seen from above, from one direction along the side or the other.
   const Triangulation plane = square(16, 0.24);
-  const Glued_surface surface(plane);
-  const Glued_triangles& t = *surface.triangles();
-  const Location on = surface.on(250, 1, 0.3);
+  const Array_surface surface(plane);
+  const Surface_arrays& t = *surface.triangles();
+  const Surface_location on = surface.on(250, 1, 0.3);
   const Index corner = 3 * on.triangle + 1;
-  const Point p = point_at(t, on), a = plane.points[surface.point_of_site(t.corner[corner])];
+  const Point p = point_at(t, on), a = plane.points[surface.caller_vertex(t.corner[corner])];
   Window_propagation windows(surface.triangles());
   ASSERT_TRUE(windows.run({surface.source(on)}));
   double first = std::atan2(p[1] - a[1], p[0] - a[0]);
@@ -558,22 +566,23 @@ TEST(Window_propagation, departures_go_around_a_place_on_a_side)
   std::mt19937 random(1);
   for(int i = 0; i < 40; ++i)
   {
-    const Location to = random_location(t, random);
+    const Surface_location to = random_location(t, random);
     const Point q = point_at(t, to);
-    const double turned = std::atan2(q[1] - p[1], q[0] - p[0]) - first;
-    EXPECT_NEAR(std::remainder(windows.departure(to).polar_angle - turned, 2. * pi), 0., 1e-8);
+    const double angle_from_first = std::atan2(q[1] - p[1], q[0] - p[0]) - first;
+    EXPECT_NEAR(std::remainder(windows.departure(to).polar_angle - angle_from_first, 2. * pi), 0.,
+                1e-8);
   }
 }
 
-TEST(Window_propagation, polar_angles_of_sites_are_those_of_their_departures)
+TEST(Window_propagation, polar_angle_matches_departure)
 {
   // Flat with borders, convex, with saddles, with flat parts whose lines pass sites, and rough.
   for(const Triangulation& shape :
       {square(16, 0.24), icosphere(3), cone(12, 6, 5.), cone(12, 6, 7.5), torus(24, 12),
-       tetrahedron(), double_ring(3), shaken(icosphere(3), 0.05)})
+       tetrahedron(), double_torus(3), jittered(icosphere(3), 0.05)})
   {
-    const Glued_surface surface(shape);
-    const Glued_triangles& t = *surface.triangles();
+    const Array_surface surface(shape);
+    const Surface_arrays& t = *surface.triangles();
     std::mt19937 random(1);
     Window_propagation windows(surface.triangles());
     for(const auto& source :
@@ -581,66 +590,68 @@ TEST(Window_propagation, polar_angles_of_sites_are_those_of_their_departures)
          surface.source(surface.on(1, 1, 0.3)), surface.source(random_location(t, random))})
     {
       ASSERT_TRUE(windows.run({source}));
-      const Location from = cleaned(t, source.polyline.front());
+      const Surface_location from = canonical(t, source.polyline.front());
       double whole = 2. * pi; // once around
-      if(const Index site = site_of(t, from); site != none)
+      if(const Index vertex = vertex_of(t, from); vertex != none)
       {
         whole = 0.;
-        for(Index i = t.first[site]; i < t.first[site + 1]; ++i)
-          whole += interior_angle(t, t.star[i]);
+        for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+          whole += interior_angle(t, t.ring[i]);
       }
-      for(const Index site : windows.reached())
+      for(const Index vertex : windows.reached())
       {
-        const Departure known = windows.departure(at_site(t, site));
-        EXPECT_NEAR(known.length, windows.distance(site) - source.offset, rounding);
-        const double found = windows.polar_angle_of_departure(site);
+        const Departure departure = windows.departure(vertex_location(t, vertex));
+        EXPECT_NEAR(departure.length, windows.distance(vertex) - source.offset, round_off);
+        const double found = windows.polar_angle_of_departure(vertex);
         // As of the directions of other tests.
-        EXPECT_NEAR(std::remainder(found - known.polar_angle, whole), 0., 1e-8);
+        EXPECT_NEAR(std::remainder(found - departure.polar_angle, whole), 0., 1e-8);
       }
     }
   }
 }
 
 // The lengths of all shortest paths, whether they are paths from one end to the other, and all apart.
-std::size_t number_of_paths(const Glued_surface& surface, const Window_propagation& windows,
-                            const Location& from, double offset = 0.)
+std::size_t number_of_paths(const Array_surface& surface, const Window_propagation& windows,
+                            const Surface_location& from, double offset = 0.)
 {
-  const Glued_triangles& t = *surface.triangles();
+  const Surface_arrays& t = *surface.triangles();
   const double shortest = windows.distance(from) - offset;
   const auto paths = windows.paths(from, 1e-9);
   for(const auto& path : paths)
   {
     // The tolerance, and rounding.
     EXPECT_NEAR(path_length(t, path), shortest, 2e-9 * shortest);
-    EXPECT_TRUE(is_same_point(t, path.front(), cleaned(t, from)));
+    EXPECT_TRUE(is_same_point(t, path.front(), canonical(t, from)));
     for(const auto& other : paths)
       EXPECT_EQ(&other == &path,
-                other.size() == path.size() && std::equal(path.begin(), path.end(), other.begin(),
-                                                          [&](const Location& p, const Location& q)
-                                                          { return is_same_point(t, p, q); }));
+                other.size() == path.size() &&
+                    std::equal(path.begin(), path.end(), other.begin(),
+                               [&](const Surface_location& p, const Surface_location& q)
+                               { return is_same_point(t, p, q); }));
   }
   return paths.size();
 }
 
 // Each triangle cut into four, the surface unchanged; its own points come first.
-Triangulation cut(const Triangulation& surface)
+Triangulation subdivide(const Triangulation& surface)
 {
   Triangulation result{surface.points, {}};
-  std::map<std::pair<Index, Index>, Index> middles;
-  const auto middle = [&](Index a, Index b)
+  std::map<std::pair<Index, Index>, Index> midpoints;
+  const auto edge_midpoint = [&](Index a, Index b)
   {
-    const auto [place, is_new] = middles.emplace(std::minmax(a, b), Index(result.points.size()));
+    const auto [entry, is_new] = midpoints.emplace(std::minmax(a, b), Index(result.points.size()));
     if(is_new)
     {
       const Point &p = surface.points[a], &q = surface.points[b];
       result.points.push_back({(p[0] + q[0]) / 2., (p[1] + q[1]) / 2., (p[2] + q[2]) / 2.});
     }
-    return place->second;
+    return entry->second;
   };
   for(std::size_t c = 0; c < surface.corners.size(); c += 3)
   {
     const Index *k = &surface.corners[c],
-                m[] = {middle(k[0], k[1]), middle(k[1], k[2]), middle(k[2], k[0])};
+                m[] = {edge_midpoint(k[0], k[1]), edge_midpoint(k[1], k[2]),
+                       edge_midpoint(k[2], k[0])};
     for(const Index corner :
         {k[0], m[0], m[2], m[0], k[1], m[1], m[2], m[1], k[2], m[0], m[1], m[2]})
       result.corners.push_back(corner);
@@ -648,7 +659,7 @@ Triangulation cut(const Triangulation& surface)
   return result;
 }
 
-TEST(Window_propagation, finds_all_shortest_paths_on_solids)
+TEST(Window_propagation, finds_all_shortest_paths_on_platonic_solids)
 {
   const Triangulation octahedron{
       {{1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}, {0., 0., 1.}, {0., 0., -1.}},
@@ -675,17 +686,17 @@ TEST(Window_propagation, finds_all_shortest_paths_on_solids)
   for(int level = 0; level < 3; ++level)
     for(Case& solid : cases)
     {
-      const Glued_surface surface(solid.surface);
+      const Array_surface surface(solid.surface);
       Window_propagation windows(surface.triangles());
       ASSERT_TRUE(windows.run({surface.source(solid.from)}));
-      EXPECT_NEAR(surface.scale() * windows.distance(surface.site(solid.to)), solid.length,
-                  rounding);
+      EXPECT_NEAR(surface.scale() * windows.distance(surface.vertex(solid.to)), solid.length,
+                  round_off);
       EXPECT_EQ(number_of_paths(surface, windows, surface.at(solid.to)), solid.paths);
-      solid.surface = cut(solid.surface);
+      solid.surface = subdivide(solid.surface);
     }
 }
 
-TEST(Window_propagation, finds_the_ways_around_a_hole_and_to_both_ends)
+TEST(Window_propagation, finds_shortest_paths_on_both_sides_of_hole)
 {
   // A square ring: up and down are equally long around its hole.
   const std::size_t n = 12;
@@ -698,13 +709,13 @@ TEST(Window_propagation, finds_the_ways_around_a_hole_and_to_both_ends)
       corners.insert(corners.end(), &ring.corners[3 * f], &ring.corners[3 * f] + 3);
   }
   ring.corners = corners;
-  const Glued_surface surface(ring);
+  const Array_surface surface(ring);
   const auto at = [&](std::size_t column, std::size_t row)
   { return Index(column + (n + 1) * row); };
   Window_propagation windows(surface.triangles());
   ASSERT_TRUE(windows.run({surface.source(at(6, 0))}));
-  EXPECT_NEAR(surface.scale() * windows.distance(surface.site(at(6, 12))),
-              1. / 3. + 2. * std::hypot(1. / 6., 1. / 3.), rounding);
+  EXPECT_NEAR(surface.scale() * windows.distance(surface.vertex(at(6, 12))),
+              1. / 3. + 2. * std::hypot(1. / 6., 1. / 3.), round_off);
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 12))), 2u);
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(5, 12))), 1u);
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 0))), 1u); // of one point
@@ -723,16 +734,16 @@ TEST(Window_propagation, finds_the_ways_around_a_hole_and_to_both_ends)
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(5, 10))), 1u);
 }
 
-TEST(Window_propagation, finds_one_shortest_path_off_the_cut_locus)
+TEST(Window_propagation, shortest_path_is_unique_off_cut_locus)
 {
   // Random places are not on it, nor are vertices without a symmetry.  Around a pipe the places
   // opposite to the source are.
   for(const Triangulation& shape :
-      {square(12, 0.24), shaken(icosphere(3), 0.02), shaken(cone(12, 6, 5.), 0.02),
-       shaken(cone(12, 6, 8.), 0.02), hills(12, 0.2)})
+      {square(12, 0.24), jittered(icosphere(3), 0.02), jittered(cone(12, 6, 5.), 0.02),
+       jittered(cone(12, 6, 8.), 0.02), hilly_square(12, 0.2)})
   {
-    const Glued_surface surface(shape);
-    const Glued_triangles& t = *surface.triangles();
+    const Array_surface surface(shape);
+    const Surface_arrays& t = *surface.triangles();
     std::mt19937 random(1);
     Window_propagation windows(surface.triangles());
     for(const auto& source : {surface.source(surface.size() / 3), surface.source(0, 0.7),
@@ -750,7 +761,7 @@ TEST(Window_propagation, finds_one_shortest_path_off_the_cut_locus)
   }
   const Triangulation pipe = rings(
       16, 8, [](double) { return 1.; }, [](double s) { return 2. * s; }, 0.);
-  const Glued_surface surface(pipe);
+  const Array_surface surface(pipe);
   Window_propagation windows(surface.triangles());
   ASSERT_TRUE(windows.run({surface.source(Index(16 * 2))}));
   for(const Index ring : {0, 1, 3, 5, 8})
@@ -760,7 +771,7 @@ TEST(Window_propagation, finds_one_shortest_path_off_the_cut_locus)
   }
 }
 
-TEST(Window_propagation, passes_a_pinched_site)
+TEST(Window_propagation, passes_pinched_vertex)
 {
   // Two squares that share the point at the end of one and the begin of the other.
   Triangulation shape = square(8, 0.24), other = square(8, 0.24, 2);
@@ -769,7 +780,7 @@ TEST(Window_propagation, passes_a_pinched_site)
     shape.points.push_back({1. + p[0], 1. + p[1], 0.});
   for(const Index corner : other.corners)
     shape.corners.push_back(corner == 0 ? shared : first + corner);
-  const Glued_surface surface(shape);
+  const Array_surface surface(shape);
   const auto d = run(surface, {surface.source(3)});
   const Point pinch = {1., 1., 0.};
   EXPECT_LT(largest_error(d,
@@ -781,10 +792,10 @@ TEST(Window_propagation, passes_a_pinched_site)
                                              : distance(pinch, shape.points[3]) +
                                                    distance(pinch, shape.points[i]);
                           }),
-            rounding);
+            round_off);
 }
 
-TEST(Window_propagation, needles_and_sides_without_length_are_no_trouble)
+TEST(Window_propagation, handles_needles_and_zero_length_edges)
 {
   // A square squeezed to nothing in its middle, one that folds flat, coincident points, and a pillow
   // without area.
@@ -796,8 +807,8 @@ TEST(Window_propagation, needles_and_sides_without_length_are_no_trouble)
   const Triangulation thin{{{0., 0., 0.}, {1., 1e-9, 0.}, {3., 0., 0.}}, {0, 1, 2, 0, 2, 1}};
   for(const Triangulation& shape : {squeezed, flat, point, pillow, thin})
   {
-    const Glued_surface surface(shape);
-    const Glued_triangles& t = *surface.triangles();
+    const Array_surface surface(shape);
+    const Surface_arrays& t = *surface.triangles();
     for(const Index source : {Index(0), Index(surface.size() / 2)})
     {
       const auto d = run(surface, {surface.source(source)});
@@ -805,17 +816,17 @@ TEST(Window_propagation, needles_and_sides_without_length_are_no_trouble)
       {
         EXPECT_TRUE(std::isfinite(d[i]));
         // Never shorter than in space.
-        EXPECT_GE(d[i], distance(shape.points[i], shape.points[source]) - rounding);
+        EXPECT_GE(d[i], distance(shape.points[i], shape.points[source]) - round_off);
       }
-      for(Index side = 0; side < t.corner.size(); ++side)
-        EXPECT_LE(d[surface.point_of_site(t.corner[side])],
-                  d[surface.point_of_site(t.corner[next_side(side)])] +
-                      t.length[side] * t.scale * (1. + rounding) + rounding);
+      for(Index h = 0; h < t.corner.size(); ++h)
+        EXPECT_LE(d[surface.caller_vertex(t.corner[h])],
+                  d[surface.caller_vertex(t.corner[next_halfedge(h)])] +
+                      t.length[h] * t.scale * (1. + round_off) + round_off);
     }
   }
 }
 
-TEST(Window_propagation, ends_on_needles_and_spikes)
+TEST(Window_propagation, terminates_on_needles_and_spikes)
 {
   // Two faces on each other that a line crosses to and fro, and spikes a thousand times as high as
   // wide, around which it winds.
@@ -828,21 +839,21 @@ TEST(Window_propagation, ends_on_needles_and_spikes)
       0.24);
   for(const Triangulation& shape : {pillow, spikes})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     const Index a = 0, b = surface.size() / 2;
     const double there = run(surface, {surface.source(a)})[b],
                  back = run(surface, {surface.source(b)})[a];
-    EXPECT_NEAR(there, back, rounding * there);
-    EXPECT_GE(there, distance(shape.points[a], shape.points[b]) * (1. - rounding));
+    EXPECT_NEAR(there, back, round_off * there);
+    EXPECT_GE(there, distance(shape.points[a], shape.points[b]) * (1. - round_off));
   }
 }
 
-TEST(Window_propagation, refuses_clouds_and_speeds)
+TEST(Window_propagation, throws_on_point_sets_and_speeds)
 {
-  auto cloud = std::make_shared<Glued_triangles>();
-  cloud->graph.first = {0};
+  auto cloud = std::make_shared<Surface_arrays>();
+  cloud->graph.begin = {0};
   EXPECT_THROW(Window_propagation{cloud}, Unsupported_surface_error);
-  const Glued_surface surface(square(2));
+  const Array_surface surface(square(2));
   Window_propagation windows(surface.triangles());
   Front_limits limits;
   limits.slowness = std::make_shared<const std::vector<double>>(8, 1.);

@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -20,16 +20,16 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 using Kind = Front_kind;
-constexpr Kind all_kinds[] = {Kind::arcs, Kind::planar, Kind::euclidean};
+constexpr Kind all_kinds[] = {Kind::dijkstra, Kind::planar, Kind::euclidean};
 
 // A final site is corrected by one part in 10^12 or more; what is below is left, and on these surfaces
 // passed on some tens of times.
-constexpr double flat = 1e-10;
+constexpr double flat_tolerance = 1e-10;
 // Sums of some hundred lengths.
-constexpr double rounding = 1e-12;
+constexpr double round_off = 1e-12;
 
-std::vector<double> run(const Glued_surface& surface, Kind kind,
-                        const std::vector<internal::Source>& sources,
+std::vector<double> run(const Array_surface& surface, Kind kind,
+                        const std::vector<internal::Front_source>& sources,
                         const Front_limits& limits = {})
 {
   Front front(surface.triangles(), kind);
@@ -37,7 +37,7 @@ std::vector<double> run(const Glued_surface& surface, Kind kind,
   return surface.distances(front);
 }
 
-Triangulation stretched(std::size_t n, double width, double height, unsigned seed)
+Triangulation stretched_square(std::size_t n, double width, double height, unsigned seed)
 {
   return grid(
       n, n,
@@ -54,24 +54,24 @@ Triangulation prism(std::size_t n, std::size_t rows, double width, double height
       n, rows, [=](double) { return radius; }, [=](double s) { return s * height; }, 0.);
 }
 
-TEST(Front, is_exact_on_flat_convex_surfaces)
+TEST(Front, is_exact_on_flat_convex_meshes)
 {
   // Angles up to 145 degrees.
   for(const unsigned seed : {1u, 2u, 3u, 4u, 5u})
   {
     const Triangulation plane = square(30, 0.24, seed);
-    const Glued_surface surface(plane);
+    const Array_surface surface(plane);
     for(const Index source : {0, 15 * 31 + 15, 30, 7 * 31 + 22, 28 * 31 + 3})
     {
       const auto d = run(surface, Kind::euclidean, {surface.source(source)});
       EXPECT_LT(largest_error(d, [&](Index i)
                               { return distance(plane.points[i], plane.points[source]); }),
-                flat);
+                flat_tolerance);
     }
   }
 }
 
-TEST(Front, is_exact_where_triangles_are_flat_as_well)
+TEST(Front, is_exact_on_flat_meshes_of_obtuse_triangles)
 {
   // Angles up to 168 degrees: a site may hand on a front before the one that comes the long way
   // around a needle has turned its direction, and has to take back what it gave.
@@ -79,71 +79,72 @@ TEST(Front, is_exact_where_triangles_are_flat_as_well)
     for(const unsigned seed : {1u, 2u, 3u})
     {
       const std::size_t n = height == 0.3 ? 150 : 30;
-      const Triangulation plane = stretched(n, 1., height, seed);
-      const Glued_surface surface(plane);
+      const Triangulation plane = stretched_square(n, 1., height, seed);
+      const Array_surface surface(plane);
       for(const std::size_t source : {std::size_t(0), n / 2 * (n + 2), n})
       {
         const auto d = run(surface, Kind::euclidean, {surface.source(Index(source))});
         EXPECT_LT(largest_error(d, [&](Index i)
                                 { return distance(plane.points[i], plane.points[source]); }),
-                  flat * std::max(1., height));
+                  flat_tolerance * std::max(1., height));
       }
     }
 }
 
-TEST(Front, is_exact_on_an_unrolled_cylinder)
+TEST(Front, is_exact_on_cylinder)
 {
   const std::size_t n = 24;
   const double width = 0.25;
   const Triangulation cylinder = prism(n, 30, width, 4.);
-  const Glued_surface surface(cylinder);
+  const Array_surface surface(cylinder);
   for(const Index source : {Index(0), Index(15 * n + 3)})
   {
     const auto d = run(surface, Kind::euclidean, {surface.source(source)});
-    const auto truth = [&](Index i)
+    const auto exact_distance = [&](Index i)
     {
       const std::size_t steps = (i + n - source % n) % n;
       return std::hypot(width * std::min(steps, n - steps),
                         cylinder.points[i][2] - cylinder.points[source][2]);
     };
-    EXPECT_LT(largest_error(d, truth), flat * 4.);
+    EXPECT_LT(largest_error(d, exact_distance), flat_tolerance * 4.);
   }
 }
 
 TEST(Front, is_exact_on_cones_and_behind_saddles)
 {
-  for(const double total : {0.3 * pi, pi, 1.7 * pi, 2. * pi, 2.5 * pi, 3.5 * pi})
+  for(const double total_angle : {0.3 * pi, pi, 1.7 * pi, 2. * pi, 2.5 * pi, 3.5 * pi})
   {
     const Index n = 36, rows = 12;
-    const Glued_surface surface(cone(n, rows, total));
+    const Array_surface surface(cone(n, rows, total_angle));
     for(const Index ring : {Index(0), Index(5)})
     {
       const auto d = run(surface, Kind::euclidean, {surface.source(1 + n * ring)});
-      const auto truth = [&](Index i)
+      const auto exact_distance = [&](Index i)
       {
-        return i == 0
-                   ? ring + 1.
-                   : distance_on_cone(ring + 1., (i - 1) / n + 1., (i - 1) % n * total / n, total);
+        return i == 0 ? ring + 1.
+                      : distance_on_cone(ring + 1., (i - 1) / n + 1., (i - 1) % n * total_angle / n,
+                                         total_angle);
       };
       // Above 3 pi the shadow's edge passes through triangles of half of its size: there a circle
       // is fitted to two fronts.
-      EXPECT_LT(largest_error(d, truth), total < 3. * pi ? flat * rows : 0.01)
-          << "total angle " << total << " ring " << ring;
+      EXPECT_LT(largest_error(d, exact_distance),
+                total_angle < 3. * pi ? flat_tolerance * rows : 0.01)
+          << "total angle " << total_angle << " ring " << ring;
     }
     const auto d = run(surface, Kind::euclidean, {surface.source(0)});
     EXPECT_LT(largest_error(d, [&](Index i) { return i == 0 ? 0. : (i - 1) / n + 1.; }),
-              flat * rows);
+              flat_tolerance * rows);
   }
 }
 
 // A square with a hole [0.5, 0.5 + 1/n] x [0, 0.5]: the border's two inner corners throw shadows.
-struct Walled_square
+struct Square_with_wall
 {
   static constexpr std::size_t n = 32;
   Triangulation surface = square(n, 0.24);
   const Point corner[2] = {{0.5, 0.5, 0.}, {0.5 + 1. / n, 0.5, 0.}};
 
-  Walled_square()
+  Square_with_wall()
   {
     for(std::size_t j = 0; j <= n; ++j)
       for(std::size_t i = n / 2; i <= n / 2 + 1; ++i)
@@ -158,7 +159,7 @@ struct Walled_square
     surface.corners = corners;
   }
 
-  bool sees(const Point& p, const Point& q) const
+  bool is_visible(const Point& p, const Point& q) const
   {
     // Where the segment is in the wall's range of x it must not be below the wall's top.
     const double low = std::min(p[0], q[0]), high = std::max(p[0], q[0]);
@@ -169,35 +170,36 @@ struct Walled_square
     return std::min(height(from), height(to)) >= 0.5 - 1e-12;
   }
 
-  double truth(const Point& p, const Point& q) const
+  double exact_distance(const Point& p, const Point& q) const
   {
-    if(sees(p, q))
+    if(is_visible(p, q))
       return distance(p, q);
     double result = infinity;
     for(const Point& c : corner)
       for(const Point& e : corner)
-        if(sees(p, c) && sees(e, q))
+        if(is_visible(p, c) && is_visible(e, q))
           result = std::min(result, distance(p, c) + distance(c, e) + distance(e, q));
     return result;
   }
 };
 
-TEST(Front, turns_around_the_corners_of_a_wall)
+TEST(Front, bends_around_boundary_corners)
 {
-  const Walled_square wall;
-  const Glued_surface surface(wall.surface);
+  const Square_with_wall wall;
+  const Array_surface surface(wall.surface);
   for(const Index source : {Index(0), Index(5 * 33 + 8), Index(12 * 33 + 14), Index(32)})
   {
     const auto d = run(surface, Kind::euclidean, {surface.source(source)});
-    const auto truth = [&](Index i)
+    const auto exact_distance = [&](Index i)
     {
       // The points under the wall, in no triangle, are not reached.
-      return std::isinf(d[i]) ? infinity
-                              : wall.truth(wall.surface.points[source], wall.surface.points[i]);
+      return std::isinf(d[i])
+                 ? infinity
+                 : wall.exact_distance(wall.surface.points[source], wall.surface.points[i]);
     };
     // Exact but along the shadow's edge, where a circle is fitted to two fronts: part of a side.
-    EXPECT_LT(largest_error(d, truth), 0.2 / wall.n) << "source " << source;
-    EXPECT_LT(mean_relative_error(d, 1e-3, truth), 5e-4) << "source " << source;
+    EXPECT_LT(largest_error(d, exact_distance), 0.2 / wall.n) << "source " << source;
+    EXPECT_LT(mean_relative_error(d, 1e-3, exact_distance), 5e-4) << "source " << source;
   }
 }
 
@@ -205,7 +207,7 @@ TEST(Front, turns_around_the_corners_of_a_wall)
 double error_on_sphere(unsigned level, Kind kind)
 {
   const Triangulation sphere = icosphere(level);
-  const Glued_surface surface(sphere);
+  const Array_surface surface(sphere);
   double sum = 0.;
   const Index sources[] = {0, 100, 517};
   for(const Index source : sources)
@@ -215,7 +217,7 @@ double error_on_sphere(unsigned level, Kind kind)
   return sum / 3.;
 }
 
-TEST(Front, has_about_second_order_on_a_sphere)
+TEST(Front, converges_with_second_order_on_sphere)
 {
   const double coarse = error_on_sphere(3, Kind::euclidean),
                middle = error_on_sphere(4, Kind::euclidean),
@@ -226,35 +228,36 @@ TEST(Front, has_about_second_order_on_a_sphere)
   EXPECT_LT(fine, 0.0015); // the bar for 10,242 vertices
 }
 
-TEST(Front, is_as_near_where_a_grid_is_skew)
+TEST(Front, is_accurate_on_skewed_grid)
 {
   // A side of a cube blown up to a sphere.  Where fronts pass its vertices on one side only, they went up to
   // 2.8 % too far.
-  const Triangulation side = grid(60, 60,
-                                  [](double u, double v)
-                                  {
-                                    const double x = 2. * u - 1., y = 2. * v - 1.,
-                                                 size = std::sqrt(x * x + y * y + 1.);
-                                    return Point{x / size, y / size, 1. / size};
-                                  });
-  const Glued_surface surface(side);
+  const Triangulation cube_face = grid(60, 60,
+                                       [](double u, double v)
+                                       {
+                                         const double x = 2. * u - 1., y = 2. * v - 1.,
+                                                      size = std::sqrt(x * x + y * y + 1.);
+                                         return Point{x / size, y / size, 1. / size};
+                                       });
+  const Array_surface surface(cube_face);
   for(const Index triangle : {100u, 3625u, 3638u, 3651u, 6053u, 7183u})
   {
     const std::array<double, 3> barycentric = {.52, .36, .12};
-    Spatial place = {0., 0., 0.};
+    Vec3 position = {0., 0., 0.};
     for(Index k = 0; k < 3; ++k)
-      place = place + barycentric[k] * side.points[side.corners[3 * triangle + k]];
+      position = position + barycentric[k] * cube_face.points[cube_face.corners[3 * triangle + k]];
     const auto d =
         run(surface, Kind::euclidean, {surface.source(surface.in(triangle, barycentric))});
     for(Index i = 0; i < d.size(); ++i)
       // What front.cpp says at worth_a_return; and the source lies by an eighth of the square of an edge, 1e-4,
       // below the sphere.
-      EXPECT_NEAR(d[i] / great_circle(unit(place), side.points[i]), 1., d[i] > 0.2 ? 2.5e-3 : 0.1)
+      EXPECT_NEAR(d[i] / great_circle(unit(position), cube_face.points[i]), 1.,
+                  d[i] > 0.2 ? 2.5e-3 : 0.1)
           << triangle << " " << i;
   }
 }
 
-TEST(Front, has_about_first_order_when_planar)
+TEST(Front, planar_front_converges_with_first_order)
 {
   const double coarse = error_on_sphere(3, Kind::planar), fine = error_on_sphere(5, Kind::planar);
   // h log h: the circle's bend around the source costs the logarithm, half an order here.
@@ -262,30 +265,31 @@ TEST(Front, has_about_first_order_when_planar)
   EXPECT_LT(fine, 0.02);
 }
 
-TEST(Front, is_the_five_point_scheme_on_right_angles)
+TEST(Front, planar_front_matches_five_point_scheme_on_right_triangles)
 {
   // Rouy and Tourin's scheme on a grid, for which the fronts of Kimmel and Sethian were made.
   const std::size_t n = 20;
-  const Glued_surface surface(square(n));
+  const Array_surface surface(square(n));
   const auto d = run(surface, Kind::planar, {surface.source(Index(n))}); // at (1,0)
   const double h = 1. / n;
-  std::vector<double> truth(d.size());
+  std::vector<double> exact_distance(d.size());
   for(std::size_t j = 0; j <= n; ++j)
     for(std::size_t i = 0; i <= n; ++i) // i sides to the left of the source
     {
-      double& value = truth[j * (n + 1) + n - i];
+      double& value = exact_distance[j * (n + 1) + n - i];
       if(i == 0 || j == 0)
       {
         value = h * double(i + j);
         continue;
       }
-      const double a = truth[j * (n + 1) + n - i + 1], b = truth[(j - 1) * (n + 1) + n - i];
+      const double a = exact_distance[j * (n + 1) + n - i + 1],
+                   b = exact_distance[(j - 1) * (n + 1) + n - i];
       value = 0.5 * (a + b + std::sqrt(2. * h * h - (a - b) * (a - b)));
     }
-  EXPECT_LT(largest_error(d, [&](Index i) { return truth[i]; }), rounding);
+  EXPECT_LT(largest_error(d, [&](Index i) { return exact_distance[i]; }), round_off);
 }
 
-TEST(Front, is_not_consistent_along_arcs)
+TEST(Front, dijkstra_is_not_consistent)
 {
   // The diagonal against the sides of a regular grid that has the other diagonals.
   Triangulation plane = square(16);
@@ -293,90 +297,92 @@ TEST(Front, is_not_consistent_along_arcs)
     p[0] = 1. - p[0];
   for(std::size_t c = 0; c < plane.corners.size(); c += 3)
     std::swap(plane.corners[c], plane.corners[c + 1]);
-  const Glued_surface surface(plane);
-  const auto d = run(surface, Kind::arcs, {surface.source(16)});
-  EXPECT_NEAR(d[16 * 17], 2., rounding); // from (0,0) to (1,1): two sides, not sqrt(2)
+  const Array_surface surface(plane);
+  const auto d = run(surface, Kind::dijkstra, {surface.source(16)});
+  EXPECT_NEAR(d[16 * 17], 2., round_off); // from (0,0) to (1,1): two sides, not sqrt(2)
 }
 
-TEST(Front, agrees_with_a_plain_dijkstra)
+TEST(Front, dijkstra_matches_bellman_ford)
 {
-  for(const Triangulation& surface :
-      {shaken(icosphere(3), 0.02), Walled_square().surface, apart(square(7, 0.24), tetrahedron())})
+  for(const Triangulation& surface : {jittered(icosphere(3), 0.02), Square_with_wall().surface,
+                                      disjoint_union(square(7, 0.24), tetrahedron())})
   {
     // Bellman and Ford: no queue at all.
-    std::vector<double> truth(surface.points.size(), infinity);
-    truth[3] = 0.25;
-    truth[20] = 0.;
+    std::vector<double> exact_distance(surface.points.size(), infinity);
+    exact_distance[3] = 0.25;
+    exact_distance[20] = 0.;
     for(bool changes = true; changes;)
     {
       changes = false;
       for(std::size_t c = 0; c < surface.corners.size(); ++c)
       {
-        const Index a = surface.corners[c], b = surface.corners[next_side(Index(c))];
+        const Index a = surface.corners[c], b = surface.corners[next_halfedge(Index(c))];
         const double length = distance(surface.points[a], surface.points[b]);
         for(const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}})
-          if(truth[from] + length < truth[to])
+          if(exact_distance[from] + length < exact_distance[to])
           {
-            truth[to] = truth[from] + length;
+            exact_distance[to] = exact_distance[from] + length;
             changes = true;
           }
       }
     }
-    const Glued_surface glued_surface(surface);
-    const auto d =
-        run(glued_surface, Kind::arcs, {glued_surface.source(3, 0.25), glued_surface.source(20)});
-    EXPECT_LT(largest_error(d, [&](Index i) { return truth[i]; }), rounding);
+    const Array_surface arrays(surface);
+    const auto d = run(arrays, Kind::dijkstra, {arrays.source(3, 0.25), arrays.source(20)});
+    EXPECT_LT(largest_error(d, [&](Index i) { return exact_distance[i]; }), round_off);
   }
 }
 
-TEST(Front, never_goes_below_the_distance_in_space_nor_above_the_arcs)
+TEST(Front, lies_between_euclidean_and_graph_distance)
 {
-  for(const Triangulation& sphere : {shaken(icosphere(3), 0.05), shaken(icosphere(4), 0.02)})
+  for(const Triangulation& sphere : {jittered(icosphere(3), 0.05), jittered(icosphere(4), 0.02)})
   {
-    const Glued_surface surface(sphere);
-    const auto arcs = run(surface, Kind::arcs, {surface.source(5)});
+    const Array_surface surface(sphere);
+    const auto edges = run(surface, Kind::dijkstra, {surface.source(5)});
     for(const Kind kind : {Kind::planar, Kind::euclidean})
     {
       const auto d = run(surface, kind, {surface.source(5)});
       for(Index i = 0; i < d.size(); ++i)
       {
-        EXPECT_GE(d[i], distance(sphere.points[5], sphere.points[i]) * (1. - rounding));
-        EXPECT_LE(d[i], arcs[i] * (1. + rounding));
+        EXPECT_GE(d[i], distance(sphere.points[5], sphere.points[i]) * (1. - round_off));
+        EXPECT_LE(d[i], edges[i] * (1. + round_off));
       }
     }
   }
 }
 
-TEST(Front, starts_anywhere)
+TEST(Front, accepts_sources_in_triangles_and_on_edges)
 {
-  const Triangulation plane = stretched(20, 1., 0.7, 5);
-  const Glued_surface surface(plane);
+  const Triangulation plane = stretched_square(20, 1., 0.7, 5);
+  const Array_surface surface(plane);
   std::mt19937 random(1);
   for(int i = 0; i < 40; ++i)
   {
-    Location location = random_location(*surface.triangles(), random);
+    Surface_location location = random_location(*surface.triangles(), random);
     if(i % 2 == 0)
-      location = {location.triangle, none, on_side(3 * location.triangle + i / 2 % 3, 0.3)};
+      location = {location.triangle, none,
+                  barycentric_on_halfedge(3 * location.triangle + i / 2 % 3, 0.3)};
     if(i % 5 == 0)
-      location = {location.triangle, none, at_corner(3 * location.triangle + i % 3)};
+      location = {location.triangle, none, barycentric_at_corner(3 * location.triangle + i % 3)};
     const Point p = point_at(*surface.triangles(), location);
-    const auto truth = [&](Index k) { return distance(p, plane.points[k]); };
-    EXPECT_LT(largest_error(run(surface, Kind::euclidean, {surface.source(location)}), truth),
-              flat);
+    const auto exact_distance = [&](Index k) { return distance(p, plane.points[k]); };
+    EXPECT_LT(
+        largest_error(run(surface, Kind::euclidean, {surface.source(location)}), exact_distance),
+        flat_tolerance);
     // First order: at most two of the 20 sides across.
-    EXPECT_LT(largest_error(run(surface, Kind::planar, {surface.source(location)}), truth), 0.1);
+    EXPECT_LT(largest_error(run(surface, Kind::planar, {surface.source(location)}), exact_distance),
+              0.1);
   }
 }
 
-TEST(Front, is_exact_in_the_triangles_of_its_source)
+TEST(Front, is_exact_in_triangle_of_source)
 {
-  const Triangulation plane = stretched(6, 1., 0.4, 3);
-  const Glued_surface surface(plane);
+  const Triangulation plane = stretched_square(6, 1., 0.4, 3);
+  const Array_surface surface(plane);
   std::mt19937 random(2);
   for(int i = 0; i < 60; ++i)
   {
-    const Location from = random_location(*surface.triangles(), random);
-    Location to = random_location(*surface.triangles(), random);
+    const Surface_location from = random_location(*surface.triangles(), random);
+    Surface_location to = random_location(*surface.triangles(), random);
     to.triangle = from.triangle;
     for(const Kind kind : all_kinds)
     {
@@ -385,12 +391,12 @@ TEST(Front, is_exact_in_the_triangles_of_its_source)
       EXPECT_NEAR(
           surface.scale() * front.distance(to),
           distance(point_at(*surface.triangles(), from), point_at(*surface.triangles(), to)),
-          rounding);
+          round_off);
     }
   }
 }
 
-TEST(Front, leaves_a_polyline_as_a_straight_line)
+TEST(Front, is_straight_next_to_polyline_source)
 {
   // The lower half of a column in the middle, with both ends inside: a wave on both sides, circles
   // around the ends.
@@ -401,75 +407,80 @@ TEST(Front, leaves_a_polyline_as_a_straight_line)
     line.push_back(12 + 25 * j);
     plane.points[line.back()] = {0.5, j / 24., 0.};
   }
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   const Point a = plane.points[line.front()], b = plane.points[line.back()];
-  const auto truth = [&](Index i) { return distance_to_segment(plane.points[i], a, b); };
+  const auto exact_distance = [&](Index i) { return distance_to_segment(plane.points[i], a, b); };
   // Sites in triangles that hold only a vertex of the line are first reached from there.
-  const double side = 1. / 24.;
+  const double edge_length = 1. / 24.;
   const auto d = run(surface, Kind::euclidean, {surface.line(line)});
-  EXPECT_LT(largest_error(d, truth), 0.1 * side);
-  EXPECT_LT(largest_error(run(surface, Kind::planar, {surface.line(line)}), truth), side);
+  EXPECT_LT(largest_error(d, exact_distance), 0.1 * edge_length);
+  EXPECT_LT(largest_error(run(surface, Kind::planar, {surface.line(line)}), exact_distance),
+            edge_length);
   std::reverse(line.begin(), line.end());
   const auto reversed = run(surface, Kind::euclidean, {surface.line(line)});
   EXPECT_LT(largest_error(reversed, [&](Index i) { return d[i]; }), 1e-9);
 }
 
-TEST(Front, leaves_a_line_across_faces)
+TEST(Front, is_exact_from_polyline_across_faces)
 {
   // From one point of a face to another: the polyline x = 0.31 across a regular grid.
   const std::size_t n = 10;
   const Triangulation plane = square(n);
-  const Glued_surface surface(plane);
-  internal::Source source;
-  const double share = 0.1; // of the column 0.3 .. 0.4
+  const Array_surface surface(plane);
+  internal::Front_source source;
+  const double fraction = 0.1; // of the column 0.3 .. 0.4
   for(Index j = 0; j < n; ++j)
   {
     // Face 2 c has the corners (0,0), (1,0), (1,1) of its cell, face 2 c + 1 (0,0), (1,1), (0,1).
     const Index cell = 3 + n * j;
-    source.polyline.push_back(surface.in(2 * cell, {1. - share, share, 0.}));
-    source.polyline.push_back(surface.in(2 * cell, {1. - share, 0., share}));
+    source.polyline.push_back(surface.in(2 * cell, {1. - fraction, fraction, 0.}));
+    source.polyline.push_back(surface.in(2 * cell, {1. - fraction, 0., fraction}));
   }
-  source.polyline.push_back(surface.in(2 * (3 + n * (n - 1)) + 1, {0., share, 1. - share}));
+  source.polyline.push_back(surface.in(2 * (3 + n * (n - 1)) + 1, {0., fraction, 1. - fraction}));
   const auto d = run(surface, Kind::euclidean, {source});
-  EXPECT_LT(largest_error(d, [&](Index i) { return std::abs(plane.points[i][0] - 0.31); }), flat);
+  EXPECT_LT(largest_error(d, [&](Index i) { return std::abs(plane.points[i][0] - 0.31); }),
+            flat_tolerance);
 }
 
-TEST(Front, leaves_the_borders_of_an_annulus)
+TEST(Front, measures_distance_from_boundary_of_annulus)
 {
   const Index n = 48, rows = 10;
-  const Triangulation ring = annulus(n, rows, 1., 3.); // the first row of points is the outer one
-  const Glued_surface surface(ring);
+  const Triangulation annulus_mesh =
+      annulus(n, rows, 1., 3.); // the first row of points is the outer one
+  const Array_surface surface(annulus_mesh);
   for(const Index first : {Index(0), Index(n * rows)})
   {
-    std::vector<Index> border(n + 1);
+    std::vector<Index> boundary_loop(n + 1);
     for(Index i = 0; i <= n; ++i)
-      border[i] = first + i % n;
-    const auto d = run(surface, Kind::euclidean, {surface.line(border)});
-    const auto truth = [&](Index i)
+      boundary_loop[i] = first + i % n;
+    const auto d = run(surface, Kind::euclidean, {surface.line(boundary_loop)});
+    const auto exact_distance = [&](Index i)
     {
       double result = infinity;
       for(Index k = 0; k < n; ++k)
-        result = std::min(result, distance_to_segment(ring.points[i], ring.points[border[k]],
-                                                      ring.points[border[k + 1]]));
+        result = std::min(result, distance_to_segment(annulus_mesh.points[i],
+                                                      annulus_mesh.points[boundary_loop[k]],
+                                                      annulus_mesh.points[boundary_loop[k + 1]]));
       return result;
     };
     // At the creases between the waves of two segments: part of a side, of length 0.2 to 0.4.
-    EXPECT_LT(largest_error(d, truth), 0.1 * 0.3) << "from the border that begins at " << first;
+    EXPECT_LT(largest_error(d, exact_distance), 0.1 * 0.3)
+        << "from the border that begins at " << first;
   }
 }
 
-TEST(Front, never_mixes_the_fronts_of_several_sources)
+TEST(Front, does_not_mix_fronts_of_several_sources)
 {
-  const Triangulation plane = stretched(30, 1., 1., 9);
-  const Glued_surface surface(plane);
+  const Triangulation plane = stretched_square(30, 1., 1., 9);
+  const Array_surface surface(plane);
   std::mt19937 random(3);
   for(const bool has_offsets : {false, true})
-    for(const std::size_t count : {2u, 3u, 10u, 100u})
+    for(const std::size_t number_of_sources : {2u, 3u, 10u, 100u})
     {
-      std::vector<internal::Source> sources;
+      std::vector<internal::Front_source> sources;
       std::vector<Index> points;
       std::vector<double> offsets;
-      for(std::size_t i = 0; i < count; ++i)
+      for(std::size_t i = 0; i < number_of_sources; ++i)
       {
         points.push_back(Index(random() % plane.points.size()));
         offsets.push_back(has_offsets ? 0.05 * double(random() % 1000) / 1000. : 0.);
@@ -477,10 +488,10 @@ TEST(Front, never_mixes_the_fronts_of_several_sources)
       }
       const auto to_source = [&](Index i, std::size_t k)
       { return offsets[k] + distance(plane.points[i], plane.points[points[k]]); };
-      const auto truth = [&](Index i)
+      const auto exact_distance = [&](Index i)
       {
         double result = infinity;
-        for(std::size_t k = 0; k < count; ++k)
+        for(std::size_t k = 0; k < number_of_sources; ++k)
           result = std::min(result, to_source(i, k));
         return result;
       };
@@ -489,19 +500,22 @@ TEST(Front, never_mixes_the_fronts_of_several_sources)
       const auto d = surface.distances(front);
       // Where two fronts meet in a triangle, each may have to go along a side: half of it at most.
       // One percent of many sides of 1/30 in a cell of three sides, few of which are concerned.
-      const double side = 1. / 30.;
-      EXPECT_LT(largest_error(d, truth), 0.5 * side) << count << " sources " << has_offsets;
-      EXPECT_LT(mean_relative_error(d, side, truth), 0.01) << count << " sources " << has_offsets;
+      const double edge_length = 1. / 30.;
+      EXPECT_LT(largest_error(d, exact_distance), 0.5 * edge_length)
+          << number_of_sources << " sources " << has_offsets;
+      EXPECT_LT(mean_relative_error(d, edge_length, exact_distance), 0.01)
+          << number_of_sources << " sources " << has_offsets;
       // The label is that of a source that explains the distance.
       for(Index i = 0; i < d.size(); ++i)
-        EXPECT_LT(to_source(i, front.source(surface.site(i))), truth(i) + 0.5 * side);
+        EXPECT_LT(to_source(i, front.source(surface.vertex(i))),
+                  exact_distance(i) + 0.5 * edge_length);
     }
 }
 
-TEST(Front, does_not_depend_on_the_order_of_sources)
+TEST(Front, is_independent_of_order_of_sources)
 {
-  const Glued_surface surface(shaken(icosphere(4), 0.01));
-  std::vector<internal::Source> sources;
+  const Array_surface surface(jittered(icosphere(4), 0.01));
+  std::vector<internal::Front_source> sources;
   for(Index i = 0; i < 20; ++i)
     sources.push_back(surface.source(i * 120, 0.001 * (i % 5), i));
   for(const Kind kind : all_kinds)
@@ -514,25 +528,26 @@ TEST(Front, does_not_depend_on_the_order_of_sources)
   }
 }
 
-TEST(Front, takes_a_source_that_another_one_overtakes)
+TEST(Front, ignores_sources_that_are_overtaken)
 {
   const Triangulation plane = square(16, 0.24);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   // The second starts later than the first one arrives there.
   for(const Kind kind : all_kinds)
   {
     Front front(surface.triangles(), kind);
     front.run({surface.source(0), surface.source(100, 3.)});
     const auto alone = run(surface, kind, {surface.source(0)});
-    EXPECT_LT(largest_error(surface.distances(front), [&](Index i) { return alone[i]; }), rounding);
+    EXPECT_LT(largest_error(surface.distances(front), [&](Index i) { return alone[i]; }),
+              round_off);
     for(Index i = 0; i < surface.size(); ++i)
       EXPECT_EQ(front.source(i), 0u);
   }
 }
 
-TEST(Front, adds_offsets)
+TEST(Front, adds_offset_of_source)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const Array_surface surface(jittered(icosphere(3), 0.02));
   for(const Kind kind : all_kinds)
   {
     const auto d = run(surface, kind, {surface.source(7)});
@@ -546,10 +561,10 @@ TEST(Front, adds_offsets)
   }
 }
 
-TEST(Front, is_symmetric)
+TEST(Front, distance_is_symmetric)
 {
   // Exact where the surface is flat between them; elsewhere each way has the method's error.
-  const Glued_surface surface(shaken(icosphere(4), 0.02));
+  const Array_surface surface(jittered(icosphere(4), 0.02));
   std::mt19937 random(4);
   double sum = 0.;
   for(int i = 0; i < 40; ++i)
@@ -557,19 +572,19 @@ TEST(Front, is_symmetric)
     const Index a = Index(random() % surface.size()), b = Index(random() % surface.size());
     if(a == b)
       continue;
-    const double there = run(surface, Kind::euclidean, {surface.source(a)})[b],
-                 back = run(surface, Kind::euclidean, {surface.source(b)})[a];
-    EXPECT_NEAR(there, back, 0.02 * there);
-    sum += std::abs(there / back - 1.);
-    EXPECT_NEAR(run(surface, Kind::arcs, {surface.source(a)})[b],
-                run(surface, Kind::arcs, {surface.source(b)})[a], rounding);
+    const double forward_distance = run(surface, Kind::euclidean, {surface.source(a)})[b],
+                 backward_distance = run(surface, Kind::euclidean, {surface.source(b)})[a];
+    EXPECT_NEAR(forward_distance, backward_distance, 0.02 * forward_distance);
+    sum += std::abs(forward_distance / backward_distance - 1.);
+    EXPECT_NEAR(run(surface, Kind::dijkstra, {surface.source(a)})[b],
+                run(surface, Kind::dijkstra, {surface.source(b)})[a], round_off);
   }
   EXPECT_LT(sum / 40., 0.004);
 }
 
-TEST(Front, obeys_the_triangle_inequality)
+TEST(Front, satisfies_triangle_inequality)
 {
-  const Glued_surface surface(shaken(icosphere(4), 0.02));
+  const Array_surface surface(jittered(icosphere(4), 0.02));
   std::mt19937 random(5);
   std::vector<std::vector<double>> d;
   std::vector<Index> points;
@@ -581,13 +596,13 @@ TEST(Front, obeys_the_triangle_inequality)
   for(int a = 0; a < 6; ++a)
     for(int b = 0; b < 6; ++b)
       for(Index c = 0; c < surface.size(); ++c)
-        // Twice the largest relative error of a distance, see is_symmetric.
+        // Twice the largest relative error of a distance, see distance_is_symmetric.
         EXPECT_LE(d[a][c], (d[a][points[b]] + d[b][c]) * 1.04);
 }
 
-TEST(Front, is_exactly_scaled_by_speed)
+TEST(Front, scales_with_constant_speed)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const Array_surface surface(jittered(icosphere(3), 0.02));
   const std::size_t triangles = surface.triangles()->number_of_triangles();
   for(const Kind kind : all_kinds)
   {
@@ -601,9 +616,9 @@ TEST(Front, is_exactly_scaled_by_speed)
   }
 }
 
-TEST(Front, of_speed_one_is_the_planar_one)
+TEST(Front, euclidean_front_with_unit_speed_equals_planar_front)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const Array_surface surface(jittered(icosphere(3), 0.02));
   Front_limits limits;
   limits.slowness =
       std::make_shared<const std::vector<double>>(surface.triangles()->number_of_triangles(), 1.);
@@ -612,11 +627,11 @@ TEST(Front, of_speed_one_is_the_planar_one)
   EXPECT_EQ(run(surface, Kind::euclidean, {surface.source(7)}, limits), planar);
 }
 
-TEST(Front, stops_at_obstacles)
+TEST(Front, does_not_cross_obstacles)
 {
   const std::size_t n = 20;
   const Triangulation plane = square(n, 0.24);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   for(const bool has_gap : {false, true})
   {
     // The column of cells at x in [0.5, 0.55] is an obstacle; but for the uppermost, if there is
@@ -654,27 +669,28 @@ double time_through_layers(const Point& target, double p)
 {
   if(target[1] <= 0.5)
   {
-    const double direct = std::hypot(target[0] - 0.5, target[1]);
+    const double straight_ray = std::hypot(target[0] - 0.5, target[1]);
     if(p >= 1.)
-      return direct;
+      return straight_ray;
     // Along the border of the faster medium, entered and left at the critical angle.
-    const double across = std::abs(target[0] - 0.5), depth = 0.5 + 0.5 - target[1];
-    const double head = p * across + depth * std::sqrt(1. - p * p);
-    return across >= depth * p / std::sqrt(1. - p * p) ? std::min(direct, head) : direct;
+    const double horizontal = std::abs(target[0] - 0.5), vertical = 0.5 + 0.5 - target[1];
+    const double head_wave = p * horizontal + vertical * std::sqrt(1. - p * p);
+    return horizontal >= vertical * p / std::sqrt(1. - p * p) ? std::min(straight_ray, head_wave)
+                                                              : straight_ray;
   }
   double low = std::min(0.5, target[0]), high = std::max(0.5, target[0]);
-  const double up = target[1] - 0.5;
+  const double height = target[1] - 0.5;
   for(int i = 0; i < 100; ++i)
   {
     const double x = 0.5 * (low + high);
-    const double slope =
-        (x - 0.5) / std::hypot(x - 0.5, 0.5) + p * (x - target[0]) / std::hypot(x - target[0], up);
+    const double slope = (x - 0.5) / std::hypot(x - 0.5, 0.5) +
+                         p * (x - target[0]) / std::hypot(x - target[0], height);
     (slope > 0. ? high : low) = x;
   }
-  return std::hypot(low - 0.5, 0.5) + p * std::hypot(low - target[0], up);
+  return std::hypot(low - 0.5, 0.5) + p * std::hypot(low - target[0], height);
 }
 
-TEST(Front, is_refracted_by_snells_law)
+TEST(Front, satisfies_snells_law)
 {
   for(const double p : {0.5, 2., 4.})
   {
@@ -685,7 +701,7 @@ TEST(Front, is_refracted_by_snells_law)
       Triangulation plane = square(n, 0.2);
       for(std::size_t i = 0; i <= n; ++i)
         plane.points[i + (n + 1) * (n / 2)][1] = 0.5;
-      const Glued_surface surface(plane);
+      const Array_surface surface(plane);
       std::vector<double> slowness(2 * n * n);
       for(Index f = 0; f < 2 * n * n; ++f)
         slowness[surface.triangle(f)] = f < n * n ? 1. : p;
@@ -701,9 +717,9 @@ TEST(Front, is_refracted_by_snells_law)
   }
 }
 
-TEST(Front, reaches_what_is_within_the_maximum_distance)
+TEST(Front, reaches_exactly_vertices_within_maximum_distance)
 {
-  const Glued_surface surface(shaken(icosphere(4), 0.01));
+  const Array_surface surface(jittered(icosphere(4), 0.01));
   for(const Kind kind : all_kinds)
   {
     const auto all = run(surface, kind, {surface.source(30)});
@@ -713,10 +729,10 @@ TEST(Front, reaches_what_is_within_the_maximum_distance)
       Front_limits limits;
       limits.maximum_distance = limit / surface.scale();
       front.run({surface.source(30)}, limits);
-      std::size_t inside = 0;
+      std::size_t number_inside = 0;
       for(Index i = 0; i < surface.size(); ++i)
       {
-        const double d = surface.scale() * front.distance(surface.site(i));
+        const double d = surface.scale() * front.distance(surface.vertex(i));
         // A gain of 1e-9 is one that the front may leave.
         if(all[i] <= limit * (1. - 1e-9))
         {
@@ -726,16 +742,16 @@ TEST(Front, reaches_what_is_within_the_maximum_distance)
         {
           EXPECT_EQ(d, infinity) << "limit " << limit << " kind " << int(kind);
         }
-        inside += d < infinity;
+        number_inside += d < infinity;
       }
-      EXPECT_EQ(front.reached().size(), inside);
+      EXPECT_EQ(front.reached().size(), number_inside);
     }
   }
 }
 
-TEST(Front, keeps_what_it_reached_in_order_and_once)
+TEST(Front, lists_reached_vertices_once_and_nearly_sorted)
 {
-  const Glued_surface surface(shaken(icosphere(4), 0.02));
+  const Array_surface surface(jittered(icosphere(4), 0.02));
   for(const Kind kind : all_kinds)
   {
     Front front(surface.triangles(), kind);
@@ -750,11 +766,11 @@ TEST(Front, keeps_what_it_reached_in_order_and_once)
   }
 }
 
-TEST(Front, gives_targets_what_the_full_run_gives)
+TEST(Front, distances_of_targets_match_full_run)
 {
-  for(const Triangulation& shape : {shaken(icosphere(4), 0.02), Walled_square().surface})
+  for(const Triangulation& shape : {jittered(icosphere(4), 0.02), Square_with_wall().surface})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     std::mt19937 random(6);
     for(const Kind kind : all_kinds)
     {
@@ -767,7 +783,7 @@ TEST(Front, gives_targets_what_the_full_run_gives)
         for(int k = 0; k <= i % 3; ++k)
           limits.targets.push_back(random_location(*surface.triangles(), random));
         front.run({surface.source(0)}, limits);
-        for(const Location& target : limits.targets)
+        for(const Surface_location& target : limits.targets)
           EXPECT_NEAR(front.distance(target), full.distance(target), 1e-8); // see `flat`
       }
       // A near one is reached without the rest.
@@ -779,23 +795,23 @@ TEST(Front, gives_targets_what_the_full_run_gives)
   }
 }
 
-TEST(Front, goes_on_to_the_end_for_a_target_out_of_reach)
+TEST(Front, terminates_with_unreachable_target)
 {
-  const Glued_surface surface(apart(tetrahedron(), square(4)));
+  const Array_surface surface(disjoint_union(tetrahedron(), square(4)));
   Front_limits limits;
   limits.targets = {surface.at(10)};
   for(const Kind kind : all_kinds)
   {
     Front front(surface.triangles(), kind);
     EXPECT_TRUE(front.run({surface.source(0)}, limits));
-    EXPECT_EQ(front.distance(surface.site(10)), infinity);
+    EXPECT_EQ(front.distance(surface.vertex(10)), infinity);
     EXPECT_EQ(front.reached().size(), 4u);
   }
 }
 
-TEST(Front, is_cancelled_by_its_callback)
+TEST(Front, is_cancelled_by_callback)
 {
-  const Glued_surface surface(icosphere(5));
+  const Array_surface surface(icosphere(5));
   for(const Kind kind : all_kinds)
   {
     const auto all = run(surface, kind, {surface.source(0)});
@@ -829,55 +845,59 @@ TEST(Front, is_cancelled_by_its_callback)
   }
 }
 
-TEST(Front, knows_a_predecessor_next_to_the_shortest_path)
+TEST(Front, predecessors_lead_to_source)
 {
   for(const Triangulation& shape :
-      {shaken(icosphere(4), 0.02), Walled_square().surface, cone(20, 8, 3. * pi)})
+      {jittered(icosphere(4), 0.02), Square_with_wall().surface, cone(20, 8, 3. * pi)})
   {
-    const Glued_surface surface(shape);
-    const Glued_triangles& t = *surface.triangles();
+    const Array_surface surface(shape);
+    const Surface_arrays& t = *surface.triangles();
     for(const Kind kind : all_kinds)
     {
       Front front(surface.triangles(), kind);
       front.run({surface.source(0), surface.source(30, 0.01)});
-      for(const Index site : front.reached())
+      for(const Index vertex : front.reached())
       {
-        std::size_t steps = 0;
-        Index at = site;
-        for(Index before; (before = front.predecessor(at)) != none; at = before)
+        std::size_t number_of_steps = 0;
+        Index current = vertex;
+        for(Index predecessor_vertex; (predecessor_vertex = front.predecessor(current)) != none;
+            current = predecessor_vertex)
         {
-          EXPECT_LT(front.distance(before), front.distance(at));
-          EXPECT_EQ(front.source(before), front.source(at));
-          EXPECT_NE(common_triangle(t, at_site(t, before), at_site(t, at)), none);
-          ASSERT_LT(++steps, surface.size());
+          EXPECT_LT(front.distance(predecessor_vertex), front.distance(current));
+          EXPECT_EQ(front.source(predecessor_vertex), front.source(current));
+          EXPECT_NE(common_triangle(t, vertex_location(t, predecessor_vertex),
+                                    vertex_location(t, current)),
+                    none);
+          ASSERT_LT(++number_of_steps, surface.size());
         }
-        EXPECT_EQ(at, surface.site(front.source(site) == 0 ? 0 : 30)) << "kind " << int(kind);
+        EXPECT_EQ(current, surface.vertex(front.source(vertex) == 0 ? 0 : 30))
+            << "kind " << int(kind);
       }
     }
   }
 }
 
-TEST(Front, has_distances_everywhere)
+TEST(Front, distances_inside_triangles_are_exact_in_plane)
 {
   // Exact in the plane, inside of triangles as at their corners.
-  const Triangulation plane = stretched(16, 1., 0.6, 8);
-  const Glued_surface surface(plane);
-  const Glued_triangles& t = *surface.triangles();
+  const Triangulation plane = stretched_square(16, 1., 0.6, 8);
+  const Array_surface surface(plane);
+  const Surface_arrays& t = *surface.triangles();
   Front front(surface.triangles(), Kind::euclidean);
   front.run({surface.source(100)});
   std::mt19937 random(7);
   for(int i = 0; i < 500; ++i)
   {
-    const Location location = random_location(t, random);
+    const Surface_location location = random_location(t, random);
     EXPECT_NEAR(surface.scale() * front.distance(location),
-                distance(plane.points[100], point_at(t, location)), flat);
+                distance(plane.points[100], point_at(t, location)), flat_tolerance);
   }
 }
 
-TEST(Front, is_continuous_inside_triangles)
+TEST(Front, distance_is_continuous_at_corners)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.05));
-  const Glued_triangles& t = *surface.triangles();
+  const Array_surface surface(jittered(icosphere(3), 0.05));
+  const Surface_arrays& t = *surface.triangles();
   std::mt19937 random(8);
   for(const Kind kind : all_kinds)
   {
@@ -887,26 +907,27 @@ TEST(Front, is_continuous_inside_triangles)
       for(Index k = 0; k < 3; ++k)
       {
         const double corner = front.distance(t.corner[3 * f + k]);
-        EXPECT_EQ(front.distance(Location{f, none, at_corner(k)}), corner);
+        EXPECT_EQ(front.distance(Surface_location{f, none, barycentric_at_corner(k)}), corner);
         // Never more than the way to a corner.
-        Location location = random_location(t, random);
+        Surface_location location = random_location(t, random);
         location.triangle = f;
-        const double way = distance_in_triangle(t, f, location.barycentric, at_corner(k));
-        EXPECT_LE(front.distance(location), corner + way + rounding);
+        const double distance_to_corner =
+            distance_in_triangle(t, f, location.barycentric, barycentric_at_corner(k));
+        EXPECT_LE(front.distance(location), corner + distance_to_corner + round_off);
       }
   }
 }
 
-TEST(Front, gives_each_query_what_a_fresh_one_gives)
+TEST(Front, is_independent_of_previous_queries)
 {
-  const Glued_surface surface(shaken(icosphere(4), 0.02));
+  const Array_surface surface(jittered(icosphere(4), 0.02));
   std::mt19937 random(9);
   for(const Kind kind : all_kinds)
   {
     Front reused(surface.triangles(), kind);
     for(int i = 0; i < 12; ++i)
     {
-      std::vector<internal::Source> sources;
+      std::vector<internal::Front_source> sources;
       for(int k = 0; k <= i % 4; ++k)
         sources.push_back(surface.source(random_location(*surface.triangles(), random)));
       Front_limits limits;
@@ -922,18 +943,18 @@ TEST(Front, gives_each_query_what_a_fresh_one_gives)
       reused.run(sources, limits);
       EXPECT_EQ(surface.distances(reused), surface.distances(fresh));
       EXPECT_EQ(reused.reached(), fresh.reached());
-      for(Index site = 0; site < surface.size(); ++site)
+      for(Index vertex = 0; vertex < surface.size(); ++vertex)
       {
-        EXPECT_EQ(reused.source(site), fresh.source(site));
-        EXPECT_EQ(reused.predecessor(site), fresh.predecessor(site));
+        EXPECT_EQ(reused.source(vertex), fresh.source(vertex));
+        EXPECT_EQ(reused.predecessor(vertex), fresh.predecessor(vertex));
       }
     }
   }
 }
 
-TEST(Front, can_run_in_threads)
+TEST(Front, copies_run_concurrently)
 {
-  const Glued_surface surface(shaken(icosphere(5), 0.01));
+  const Array_surface surface(jittered(icosphere(5), 0.01));
   for(const Kind kind : all_kinds)
   {
     Front first(surface.triangles(), kind), second = first;
@@ -947,7 +968,7 @@ TEST(Front, can_run_in_threads)
   }
 }
 
-TEST(Front, survives_triangles_without_area)
+TEST(Front, handles_degenerate_triangles)
 {
   // A row of points on a line, twice the same point, and a face with one corner on its own side.
   Triangulation surface = square(8, 0.24);
@@ -955,23 +976,23 @@ TEST(Front, survives_triangles_without_area)
     surface.points[40 + i] = surface.points[40];
   for(Index i = 10; i < 17; ++i)
     surface.points[i][1] = surface.points[10][1];
-  const Glued_surface glued_surface(surface);
+  const Array_surface arrays(surface);
   for(const Kind kind : all_kinds)
     for(const Index source : {0, 12, 42, 80})
     {
-      const auto d = run(glued_surface, kind, {glued_surface.source(Index(source))});
+      const auto d = run(arrays, kind, {arrays.source(Index(source))});
       for(Index i = 0; i < d.size(); ++i)
       {
         EXPECT_TRUE(d[i] < infinity);
         // The surface turns over at these points; there the method errs by a percent.
-        EXPECT_GE(d[i], 0.98 * distance(surface.points[source], surface.points[i]) - rounding);
+        EXPECT_GE(d[i], 0.98 * distance(surface.points[source], surface.points[i]) - round_off);
       }
       for(int i = 1; i < 5; ++i)
-        EXPECT_NEAR(d[40 + i], d[40], flat);
+        EXPECT_NEAR(d[40 + i], d[40], flat_tolerance);
     }
 }
 
-TEST(Front, passes_pinched_sites)
+TEST(Front, passes_pinched_vertices)
 {
   // Two squares that share a corner point: (1, 1) of the first is (0, 0) of the second.
   const Index n = 6, m = (n + 1) * (n + 1);
@@ -979,26 +1000,27 @@ TEST(Front, passes_pinched_sites)
   for(Point& p : second.points)
     for(int k = 0; k < 2; ++k)
       p[k] += 1.;
-  Triangulation surface = apart(square(n, 0.24), second);
+  Triangulation surface = disjoint_union(square(n, 0.24), second);
   for(Index& corner : surface.corners)
     if(corner == m)
       corner = m - 1;
-  const Glued_surface glued_surface(surface);
-  const auto d = run(glued_surface, Kind::euclidean, {glued_surface.source(0)});
+  const Array_surface arrays(surface);
+  const auto d = run(arrays, Kind::euclidean, {arrays.source(0)});
   for(Index i = 0; i < d.size(); ++i)
   {
     if(i == m) // in no triangle any more
       EXPECT_EQ(d[i], infinity);
     else if(i < m)
-      EXPECT_NEAR(d[i], distance(surface.points[0], surface.points[i]), flat);
+      EXPECT_NEAR(d[i], distance(surface.points[0], surface.points[i]), flat_tolerance);
     else
-      EXPECT_NEAR(d[i], std::sqrt(2.) + distance(surface.points[m - 1], surface.points[i]), flat);
+      EXPECT_NEAR(d[i], std::sqrt(2.) + distance(surface.points[m - 1], surface.points[i]),
+                  flat_tolerance);
   }
 }
 
-TEST(Front, does_nothing_without_sources)
+TEST(Front, reaches_nothing_without_sources)
 {
-  const Glued_surface surface(tetrahedron());
+  const Array_surface surface(tetrahedron());
   for(const Kind kind : all_kinds)
   {
     Front front(surface.triangles(), kind);
@@ -1010,29 +1032,29 @@ TEST(Front, does_nothing_without_sources)
   }
 }
 
-TEST(Front, goes_on_only_where_it_improves_what_is_known)
+TEST(Front, stops_where_known_distances_are_smaller)
 {
   const Triangulation plane = square(30, 0.2, 3);
-  const Glued_surface surface(plane);
-  const Glued_triangles& t = surface.t();
+  const Array_surface surface(plane);
+  const Surface_arrays& t = surface.t();
   for(const Kind kind : all_kinds)
   {
     Front front(surface.triangles(), kind);
     front.run({surface.source(0)});
     std::vector<double> known(surface.size());
-    for(Index site = 0; site < surface.size(); ++site)
-      known[site] = front.distance(site);
+    for(Index vertex = 0; vertex < surface.size(); ++vertex)
+      known[vertex] = front.distance(vertex);
     front.run({surface.source(960)});
-    std::vector<double> alone(surface.size());
-    for(Index site = 0; site < surface.size(); ++site)
-      alone[site] = front.distance(site);
+    std::vector<double> unbounded(surface.size());
+    for(Index vertex = 0; vertex < surface.size(); ++vertex)
+      unbounded[vertex] = front.distance(vertex);
 
     Front_limits limits;
-    limits.known = &known;
+    limits.known_distance = &known;
     EXPECT_TRUE(front.run({surface.source(960)}, limits));
     // Both are straight in the plane; the sites halfway may be told by other triangles.
-    double worst = 0.;
-    std::vector<bool> is_near(surface.size(), false);
+    double max_error = 0.;
+    std::vector<bool> is_near_improvement(surface.size(), false);
     for(Index f = 0; f < t.number_of_triangles(); ++f)
     {
       bool has_improved = false;
@@ -1042,25 +1064,25 @@ TEST(Front, goes_on_only_where_it_improves_what_is_known)
       for(Index k = 0; k < 3; ++k)
         if(has_improved)
         {
-          is_near[t.corner[3 * f + k]] = true;
+          is_near_improvement[t.corner[3 * f + k]] = true;
           // The ring beyond is known, but for chains of arcs that need none.
-          if(kind != Kind::arcs)
+          if(kind != Kind::dijkstra)
           {
             EXPECT_LT(front.distance(t.corner[3 * f + k]), infinity);
           }
         }
     }
-    for(Index site = 0; site < surface.size(); ++site)
+    for(Index vertex = 0; vertex < surface.size(); ++vertex)
     {
-      worst = std::max(worst, std::min(front.distance(site), known[site]) -
-                                  std::min(alone[site], known[site]));
-      if(!is_near[site])
+      max_error = std::max(max_error, std::min(front.distance(vertex), known[vertex]) -
+                                          std::min(unbounded[vertex], known[vertex]));
+      if(!is_near_improvement[vertex])
       {
-        EXPECT_EQ(front.distance(site), infinity);
+        EXPECT_EQ(front.distance(vertex), infinity);
       }
     }
     // A side is 1/30, in units of the domain.
-    EXPECT_LE(worst, kind == Kind::arcs ? 0. : 0.02 / 30. / surface.scale());
+    EXPECT_LE(max_error, kind == Kind::dijkstra ? 0. : 0.02 / 30. / surface.scale());
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -16,21 +16,21 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-std::vector<double> heat_distances(const Glued_surface& surface,
-                                   const std::vector<internal::Source>& sources)
+std::vector<double> heat_distances(const Array_surface& surface,
+                                   const std::vector<internal::Front_source>& sources)
 {
   Heat_solver solver(surface.triangles());
   EXPECT_TRUE(solver.run(sources));
   return surface.distances(solver);
 }
 
-TEST(Heat, gets_closer_to_the_truth_on_finer_spheres)
+TEST(Heat, error_decreases_under_refinement)
 {
   double error[3];
   for(const unsigned level : {3u, 4u, 5u})
   {
     const Triangulation sphere = icosphere(level);
-    const Glued_surface surface(sphere);
+    const Array_surface surface(sphere);
     const auto d = heat_distances(surface, {surface.source(100)});
     error[level - 3] = mean_relative_error(
         d, 0.05 * pi, [&](Index i) { return great_circle(sphere.points[100], sphere.points[i]); });
@@ -41,11 +41,11 @@ TEST(Heat, gets_closer_to_the_truth_on_finer_spheres)
   EXPECT_LT(error[2], 0.01); // 0.64 percent is what CGAL's class has on this mesh
 }
 
-TEST(Heat, is_right_for_several_sources)
+TEST(Heat, is_accurate_for_several_sources)
 {
   // A wave from both poles: half a sphere each.
   const Triangulation sphere = icosphere(5);
-  const Glued_surface surface(sphere);
+  const Array_surface surface(sphere);
   const std::vector<Index> poles = {0, 3}; // opposite vertices of the icosahedron
   ASSERT_NEAR(distance(sphere.points[0], sphere.points[3]), 2., 1e-15);
   const auto d = heat_distances(surface, {surface.source(0), surface.source(3)});
@@ -58,13 +58,13 @@ TEST(Heat, is_right_for_several_sources)
             0.03); // the equator, where the two meet, is rounded
 }
 
-TEST(Heat, adds_offsets)
+TEST(Heat, adds_offset_of_source)
 {
   const Triangulation plane = square(40, 0.24);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   const auto d = heat_distances(surface, {surface.source(0)});
-  const auto later = heat_distances(surface, {surface.source(0, 3.)});
-  EXPECT_LT(largest_error(later, [&](Index i) { return 3. + d[i]; }), 1e-9);
+  const auto with_offset = heat_distances(surface, {surface.source(0, 3.)});
+  EXPECT_LT(largest_error(with_offset, [&](Index i) { return 3. + d[i]; }), 1e-9);
   // Two corners, one a quarter behind the other.
   const auto both = heat_distances(surface, {surface.source(0), surface.source(1680, 0.25)});
   EXPECT_LT(mean_relative_error(both, 0.1,
@@ -77,20 +77,20 @@ TEST(Heat, adds_offsets)
             0.05); // some percent of the method itself, on a mesh with 40 sides across
 }
 
-TEST(Heat, is_right_in_each_component)
+TEST(Heat, is_accurate_in_each_component)
 {
-  Triangulation surface = apart(square(20, 0.24), icosphere(3));
+  Triangulation surface = disjoint_union(square(20, 0.24), icosphere(3));
   surface.points.push_back({7., 7., 7.}); // in no triangle
-  const Glued_surface glued_surface(surface);
-  const auto d = heat_distances(glued_surface, {glued_surface.source(0)});
+  const Array_surface arrays(surface);
+  const auto d = heat_distances(arrays, {arrays.source(0)});
   for(Index i = 0; i < d.size(); ++i)
   {
     EXPECT_EQ(d[i] < infinity, i < 441);
     EXPECT_FALSE(std::isnan(d[i]));
   }
   const Index isolated = Index(surface.points.size() - 1);
-  const auto e = heat_distances(glued_surface, {glued_surface.source(0), glued_surface.source(441),
-                                                glued_surface.source(isolated)});
+  const auto e =
+      heat_distances(arrays, {arrays.source(0), arrays.source(441), arrays.source(isolated)});
   EXPECT_EQ(e[isolated], 0.);
   // The other components' sources change nothing here.
   EXPECT_LT(largest_error(e, [&](Index i) { return i < 441 ? d[i] : e[i]; }), 1e-9);
@@ -103,38 +103,38 @@ TEST(Heat, is_right_in_each_component)
             0.05);
 }
 
-TEST(Heat, stays_finite_on_triangles_without_area)
+TEST(Heat, is_finite_on_degenerate_triangles)
 {
   Triangulation surface = square(10, 0.24);
   for(Index i = 60; i < 63; ++i)
     surface.points[i] = surface.points[60];
   for(Index i = 12; i < 20; ++i)
     surface.points[i][1] = surface.points[12][1];
-  const Glued_surface glued_surface(surface);
-  const auto d = heat_distances(glued_surface, {glued_surface.source(0)});
+  const Array_surface arrays(surface);
+  const auto d = heat_distances(arrays, {arrays.source(0)});
   for(Index i = 0; i < d.size(); ++i)
     EXPECT_TRUE(d[i] >= 0. && d[i] < 2.);
   // And where all points are the same.
-  const Glued_surface point({std::vector<Point>(4, Point{1., 2., 3.}), {0, 1, 2, 0, 2, 3}});
+  const Array_surface point({std::vector<Point>(4, Point{1., 2., 3.}), {0, 1, 2, 0, 2, 3}});
   for(const double x : heat_distances(point, {point.source(0)}))
     EXPECT_TRUE(std::abs(x) < 1e-3);
 }
 
-TEST(Heat, honours_the_limits)
+TEST(Heat, respects_limits)
 {
-  const Glued_surface surface(icosphere(3));
+  const Array_surface surface(icosphere(3));
   Heat_solver solver(surface.triangles());
   solver.run({surface.source(0)});
   const auto all = surface.distances(solver);
   Front_limits limits;
   limits.maximum_distance = 1. / surface.scale();
   solver.run({surface.source(0)}, limits);
-  const auto near = surface.distances(solver);
+  const auto within_limit = surface.distances(solver);
   std::size_t count = 0;
-  for(Index i = 0; i < near.size(); ++i)
+  for(Index i = 0; i < within_limit.size(); ++i)
   {
-    EXPECT_EQ(near[i], all[i] <= 1. ? all[i] : infinity);
-    count += near[i] < infinity;
+    EXPECT_EQ(within_limit[i], all[i] <= 1. ? all[i] : infinity);
+    count += within_limit[i] < infinity;
   }
   EXPECT_EQ(solver.reached().size(), count);
 
@@ -161,9 +161,9 @@ TEST(Heat, honours_the_limits)
   EXPECT_EQ(surface.distances(solver), all);
 }
 
-TEST(Heat, gives_each_query_what_a_fresh_one_gives)
+TEST(Heat, is_independent_of_previous_queries)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const Array_surface surface(jittered(icosphere(3), 0.02));
   Heat_solver reused(surface.triangles());
   for(const Index source : {5u, 100u, 5u})
   {
@@ -173,9 +173,9 @@ TEST(Heat, gives_each_query_what_a_fresh_one_gives)
   }
 }
 
-TEST(Heat, can_run_in_threads)
+TEST(Heat, copies_run_concurrently)
 {
-  const Glued_surface surface(icosphere(4));
+  const Array_surface surface(icosphere(4));
   Heat_solver first(surface.triangles()), second = first;
   const auto expected_first = heat_distances(surface, {surface.source(0)}),
              expected_second = heat_distances(surface, {surface.source(1000)});
@@ -186,9 +186,9 @@ TEST(Heat, can_run_in_threads)
   EXPECT_EQ(surface.distances(second), expected_second);
 }
 
-TEST(Heat, knows_sources_and_predecessors)
+TEST(Heat, reports_sources_and_predecessors)
 {
-  const Glued_surface surface(icosphere(3));
+  const Array_surface surface(icosphere(3));
   Heat_solver solver(surface.triangles());
   solver.run({surface.source(0), surface.source(3)});
   for(Index i = 0; i < surface.size(); ++i)
@@ -198,25 +198,28 @@ TEST(Heat, knows_sources_and_predecessors)
     // Along arcs, so that near the equator it may be either.
     if(std::abs(to_first - to_second) > 0.3)
     {
-      EXPECT_EQ(solver.source(surface.site(i)), to_first < to_second ? 0u : 1u);
+      EXPECT_EQ(solver.source(surface.vertex(i)), to_first < to_second ? 0u : 1u);
     }
-    Index at = surface.site(i);
-    for(std::size_t steps = 0; solver.predecessor(at) != none; at = solver.predecessor(at))
-      ASSERT_LT(++steps, surface.size());
+    Index current = surface.vertex(i);
+    for(std::size_t number_of_steps = 0; solver.predecessor(current) != none;
+        current = solver.predecessor(current))
+      ASSERT_LT(++number_of_steps, surface.size());
   }
 }
 
-TEST(Heat, is_interpolated_in_triangles)
+TEST(Heat, interpolates_linearly_in_triangles)
 {
-  const Glued_surface surface(icosphere(2));
+  const Array_surface surface(icosphere(2));
   Heat_solver solver(surface.triangles());
   solver.run({surface.source(0)});
-  const Glued_triangles& t = *surface.triangles();
+  const Surface_arrays& t = *surface.triangles();
   double mean = 0.;
   for(int k = 0; k < 3; ++k)
     mean += solver.distance(t.corner[3 * 17 + k]) / 3.;
-  EXPECT_NEAR(solver.distance(Location{17, none, {1. / 3., 1. / 3., 1. / 3.}}), mean, 1e-15 * 4);
-  EXPECT_EQ(solver.distance(Location{17, none, {0., 1., 0.}}), solver.distance(t.corner[52]));
+  EXPECT_NEAR(solver.distance(Surface_location{17, none, {1. / 3., 1. / 3., 1. / 3.}}), mean,
+              1e-15 * 4);
+  EXPECT_EQ(solver.distance(Surface_location{17, none, {0., 1., 0.}}),
+            solver.distance(t.corner[52]));
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -24,40 +24,41 @@ using namespace CGAL::Geodesic_processing::test;
 struct Flat_map
 {
   std::vector<Index> reached;
-  std::vector<Planar> coordinates;
+  std::vector<Vec2> coordinates;
 
-  explicit Flat_map(const Glued_triangles& t, double distance = infinity)
+  explicit Flat_map(const Surface_arrays& t, double distance = infinity)
   {
-    for(Index site = 0; site < t.number_of_sites(); ++site)
+    for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
     {
-      const Planar place = {t.point[site][0] + (t.origin[0] - 0.5) / t.scale,
-                            t.point[site][1] + (t.origin[1] - 0.5) / t.scale};
-      const bool is_inside = norm(place) <= distance;
+      const Vec2 position = {t.point[vertex][0] + (t.origin[0] - 0.5) / t.scale,
+                             t.point[vertex][1] + (t.origin[1] - 0.5) / t.scale};
+      const bool is_inside = norm(position) <= distance;
       const double outside = std::numeric_limits<double>::quiet_NaN();
-      coordinates.push_back(is_inside ? place : Planar{outside, outside});
+      coordinates.push_back(is_inside ? position : Vec2{outside, outside});
       if(is_inside)
-        reached.push_back(site);
+        reached.push_back(vertex);
     }
   }
 };
 
-TEST(decal, triangles_are_those_of_the_cells_that_a_rectangle_meets)
+TEST(decal, finds_triangles_of_intersected_cells)
 {
   // Ten cells a side, of two triangles each.  From 0.31 to 0.69 and from 0.45 to 0.55: cells 3 to 6 and
   // 4 to 5.
-  const Glued_surface surface(square(10));
+  const Array_surface surface(square(10));
   const Flat_map map(surface.t());
-  const Planar half = {0.19 / surface.scale(), 0.05 / surface.scale()};
-  const Decal_triangles found = triangles_of_decal(surface.t(), map.reached, map.coordinates, half);
-  EXPECT_EQ(found.longest_side, 0.);
+  const Vec2 half_size = {0.19 / surface.scale(), 0.05 / surface.scale()};
+  const Decal_triangles found =
+      find_decal_triangles(surface.t(), map.reached, map.coordinates, half_size);
+  EXPECT_EQ(found.longest_edge, 0.);
   std::set<Index> inside;
-  for(const auto& image : found.inside)
+  for(const auto& image : found.covered)
     inside.insert(image.triangle);
-  EXPECT_EQ(inside.size(), found.inside.size());
+  EXPECT_EQ(inside.size(), found.covered.size());
   std::size_t cells = 0;
   for(Index f = 0; f < surface.t().number_of_triangles(); ++f)
   {
-    Planar low = {infinity, infinity};
+    Vec2 low = {infinity, infinity};
     for(Index k = 0; k < 3; ++k)
       for(int c = 0; c < 2; ++c)
         low[c] =
@@ -78,133 +79,140 @@ TEST(decal, triangles_are_those_of_the_cells_that_a_rectangle_meets)
   EXPECT_EQ(cells, 16u);
 }
 
-TEST(decal, a_border_that_is_only_touched_does_not_count)
+TEST(decal, excludes_triangles_touched_at_boundary)
 {
-  const Glued_surface surface(square(4)); // its lines are multiples of 1/4: exact
+  const Array_surface surface(square(4)); // its lines are multiples of 1/4: exact
   const Flat_map map(surface.t());
-  const Planar half = {0.25 / surface.scale(), 0.25 / surface.scale()};
-  EXPECT_EQ(triangles_of_decal(surface.t(), map.reached, map.coordinates, half).inside.size(), 8u);
+  const Vec2 half_size = {0.25 / surface.scale(), 0.25 / surface.scale()};
+  EXPECT_EQ(
+      find_decal_triangles(surface.t(), map.reached, map.coordinates, half_size).covered.size(),
+      8u);
 }
 
-TEST(decal, says_how_long_sides_are_where_it_has_not_all_corners)
+TEST(decal, reports_longest_edge_of_incomplete_triangles)
 {
-  const Glued_surface surface(square(10, 0.2));
-  const double half = 0.2 / surface.scale();
-  const Decal_triangles all = triangles_of_decal(surface.t(), Flat_map(surface.t()).reached,
-                                                 Flat_map(surface.t()).coordinates, {half, half});
+  const Array_surface surface(square(10, 0.2));
+  const double half_size = 0.2 / surface.scale();
+  const Decal_triangles all =
+      find_decal_triangles(surface.t(), Flat_map(surface.t()).reached,
+                           Flat_map(surface.t()).coordinates, {half_size, half_size});
   // As far as the rectangle's corners: sides beyond it are missing.
-  const Flat_map near(surface.t(), half * std::sqrt(2.));
-  const Decal_triangles some =
-      triangles_of_decal(surface.t(), near.reached, near.coordinates, {half, half});
-  EXPECT_GT(some.longest_side, 0.);
-  EXPECT_LT(some.inside.size(), all.inside.size());
+  const Flat_map small_map(surface.t(), half_size * std::sqrt(2.));
+  const Decal_triangles partial = find_decal_triangles(
+      surface.t(), small_map.reached, small_map.coordinates, {half_size, half_size});
+  EXPECT_GT(partial.longest_edge, 0.);
+  EXPECT_LT(partial.covered.size(), all.covered.size());
   // Farther by as much as it says, everything is there.
-  const Flat_map far(surface.t(), half * std::sqrt(2.) + some.longest_side);
-  const Decal_triangles found =
-      triangles_of_decal(surface.t(), far.reached, far.coordinates, {half, half});
-  EXPECT_EQ(found.longest_side, 0.);
-  EXPECT_EQ(found.inside.size(), all.inside.size());
+  const Flat_map large_map(surface.t(), half_size * std::sqrt(2.) + partial.longest_edge);
+  const Decal_triangles found = find_decal_triangles(surface.t(), large_map.reached,
+                                                     large_map.coordinates, {half_size, half_size});
+  EXPECT_EQ(found.longest_edge, 0.);
+  EXPECT_EQ(found.covered.size(), all.covered.size());
 }
 
-TEST(decal, cut_triangles_are_made_whole)
+TEST(decal, completes_cut_triangles)
 {
-  const Glued_surface surface(square(10, 0.2));
+  const Array_surface surface(square(10, 0.2));
   Flat_map map(surface.t());
-  const Flat_map truth = map;
-  const Planar half = {1. / surface.scale(), 1. / surface.scale()};
-  const Index moved = surface.site(60);
-  map.coordinates[moved] = 0.9 * half; // as if behind a cut locus
-  const auto found = triangles_of_decal(surface.t(), map.reached, map.coordinates, half);
-  EXPECT_EQ(found.inside.size(), surface.t().number_of_triangles());
-  for(const auto& [triangle, corners] : found.inside)
+  const Flat_map original = map;
+  const Vec2 half_size = {1. / surface.scale(), 1. / surface.scale()};
+  const Index moved = surface.vertex(60);
+  map.coordinates[moved] = 0.9 * half_size; // as if behind a cut locus
+  const auto found = find_decal_triangles(surface.t(), map.reached, map.coordinates, half_size);
+  EXPECT_EQ(found.covered.size(), surface.t().number_of_triangles());
+  for(const auto& [triangle, corners] : found.covered)
     for(Index k = 0; k < 3; ++k)
     {
-      const Planar& place = truth.coordinates[surface.t().corner[3 * triangle + k]];
-      EXPECT_LT(norm(corners[k] - place), 1e-13); // rounding
+      const Vec2& position = original.coordinates[surface.t().corner[3 * triangle + k]];
+      EXPECT_LT(norm(corners[k] - position), 1e-13); // rounding
     }
   // Those without a whole side stay out.
-  for(const Index near : {Index(61), Index(71), Index(70)})
-    map.coordinates[surface.site(near)] = (double(near) - 65.) * half;
-  EXPECT_LT(triangles_of_decal(surface.t(), map.reached, map.coordinates, half).inside.size(),
-            found.inside.size());
+  for(const Index neighbor : {Index(61), Index(71), Index(70)})
+    map.coordinates[surface.vertex(neighbor)] = (double(neighbor) - 65.) * half_size;
+  EXPECT_LT(
+      find_decal_triangles(surface.t(), map.reached, map.coordinates, half_size).covered.size(),
+      found.covered.size());
 }
 
-TEST(decal, longest_sides_are_those_around)
+TEST(decal, longest_edge_is_local)
 {
-  const Glued_surface surface(square(10));
-  const double side = 0.1 / surface.scale();
-  EXPECT_NEAR(longest_side_around(surface.t(), {none, surface.site(60), {}}), std::sqrt(2.) * side,
+  const Array_surface surface(square(10));
+  const double edge_length = 0.1 / surface.scale();
+  EXPECT_NEAR(longest_edge_at(surface.t(), {none, surface.vertex(60), {}}),
+              std::sqrt(2.) * edge_length,
               1e-15); // rounding
-  EXPECT_NEAR(longest_side_around(surface.t(), {0, none, {0.2, 0.3, 0.5}}), std::sqrt(2.) * side,
+  EXPECT_NEAR(longest_edge_at(surface.t(), {0, none, {0.2, 0.3, 0.5}}), std::sqrt(2.) * edge_length,
               1e-15);
 }
 
-TEST(decal, colours_are_seen_through_one_another)
+TEST(decal, blending_is_associative)
 {
   const Rgba red = {1., 0., 0., 1.}, green = {0., 1., 0., 0.5}, clear = {0.3, 0.2, 0.1, 0.};
-  EXPECT_EQ(over(red, green), red);
-  EXPECT_EQ(over(green, red), (Rgba{0.5, 0.5, 0., 1.}));
-  EXPECT_EQ(over(clear, red), red);
-  EXPECT_EQ(over(green, clear), green);
-  EXPECT_EQ(over(clear, clear)[3], 0.);
+  EXPECT_EQ(blend_over(red, green), red);
+  EXPECT_EQ(blend_over(green, red), (Rgba{0.5, 0.5, 0., 1.}));
+  EXPECT_EQ(blend_over(clear, red), red);
+  EXPECT_EQ(blend_over(green, clear), green);
+  EXPECT_EQ(blend_over(clear, clear)[3], 0.);
   // In whatever order three are put together.
   const Rgba glass = {0.2, 0.4, 0.8, 0.25};
-  const Rgba first = over(over(glass, green), red), last = over(glass, over(green, red));
+  const Rgba first = blend_over(blend_over(glass, green), red),
+             last = blend_over(glass, blend_over(green, red));
   for(int c = 0; c < 4; ++c)
     EXPECT_NEAR(first[c], last[c], 1e-15); // rounding
 }
 
-TEST(decal, texels_belong_to_one_triangle)
+TEST(decal, each_texel_belongs_to_at_most_one_triangle)
 {
   for(const std::size_t segments : {1u, 2u, 7u})
     for(const std::size_t number : {1u, 2u, 9u})
     {
       const Texture_cells cells(number, segments);
-      std::vector<int> times(cells.width() * cells.height(), 0);
+      std::vector<int> use_count(cells.width() * cells.height(), 0);
       for(std::size_t f = 0; f < number; ++f)
         cells.for_each_texel(
             f,
-            [&](std::size_t texel, const std::array<double, 3>& shares)
+            [&](std::size_t texel, const std::array<double, 3>& barycentric)
             {
-              ++times.at(texel);
-              EXPECT_NEAR(shares[0] + shares[1] + shares[2], 1., 1e-14);
+              ++use_count.at(texel);
+              EXPECT_NEAR(barycentric[0] + barycentric[1] + barycentric[2], 1., 1e-14);
               // Where the texel is, seen from the corners.
               const auto corners = cells.corners(f);
-              const Planar place =
-                  shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
+              const Vec2 position = barycentric[0] * corners[0] + barycentric[1] * corners[1] +
+                                    barycentric[2] * corners[2];
               const double w = double(cells.width()), h = double(cells.height());
-              EXPECT_NEAR(place[0] * w - 0.5, double(texel % cells.width()), 1e-10);
-              EXPECT_NEAR(place[1] * h - 0.5, double(texel / cells.width()), 1e-10);
+              EXPECT_NEAR(position[0] * w - 0.5, double(texel % cells.width()), 1e-10);
+              EXPECT_NEAR(position[1] * h - 0.5, double(texel / cells.width()), 1e-10);
             });
-      EXPECT_LE(*std::max_element(times.begin(), times.end()), 1);
+      EXPECT_LE(*std::max_element(use_count.begin(), use_count.end()), 1);
     }
 }
 
-TEST(decal, interpolation_inside_of_a_triangle_sees_its_texels_alone)
+TEST(decal, interpolation_uses_only_own_texels)
 {
   const std::size_t number = 5, segments = 3;
   const Texture_cells cells(number, segments);
-  std::vector<std::size_t> owner(cells.width() * cells.height(), number);
+  std::vector<std::size_t> triangle_of_texel(cells.width() * cells.height(), number);
   for(std::size_t f = 0; f < number; ++f)
-    cells.for_each_texel(f, [&](std::size_t texel, const auto&) { owner[texel] = f; });
+    cells.for_each_texel(f, [&](std::size_t texel, const auto&) { triangle_of_texel[texel] = f; });
   const int steps = 40;
   for(std::size_t f = 0; f < number; ++f)
     for(int i = 0; i <= steps; ++i)
       for(int j = 0; i + j <= steps; ++j)
       {
         const auto corners = cells.corners(f);
-        const Planar place = (double(i) / steps) * corners[0] + (double(j) / steps) * corners[1] +
-                             (double(steps - i - j) / steps) * corners[2];
-        const double x = place[0] * double(cells.width()) - 0.5,
-                     y = place[1] * double(cells.height()) - 0.5;
+        const Vec2 position = (double(i) / steps) * corners[0] + (double(j) / steps) * corners[1] +
+                              (double(steps - i - j) / steps) * corners[2];
+        const double x = position[0] * double(cells.width()) - 0.5,
+                     y = position[1] * double(cells.height()) - 0.5;
         // Rounding is not seen.
         for(const double right : {1e-9, 1. - 1e-9})
           for(const double up : {1e-9, 1. - 1e-9})
-            EXPECT_EQ(owner[std::size_t(y + up) * cells.width() + std::size_t(x + right)], f);
+            EXPECT_EQ(
+                triangle_of_texel[std::size_t(y + up) * cells.width() + std::size_t(x + right)], f);
       }
 }
 
-TEST(decal, textures_have_a_largest_size)
+TEST(decal, throws_on_invalid_texture_size)
 {
   EXPECT_THROW(Texture_cells(1, 0), Invalid_argument_error);
   EXPECT_THROW(Texture_cells(std::size_t(1) << 40, 4), Invalid_argument_error);

@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -18,26 +18,26 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // A few roundings of coordinates below 2.
-constexpr double rounding = 1e-13;
+constexpr double round_off_tolerance = 1e-13;
 
-TEST(tangent_plane, is_the_plane_itself)
+TEST(tangent_plane, is_exact_on_planes)
 {
-  const Glued_surface surface(square(10, 0.25));
+  const Array_surface surface(square(10, 0.25));
   const Index inner = 60; // in the middle of 11 x 11
-  for(const Location& at :
+  for(const Surface_location& at :
       {surface.at(inner), surface.in(57, {0.2, 0.5, 0.3}), surface.on(57, 1, 0.3)})
   {
     const Tangent_plane plane(surface.t(), at);
-    EXPECT_NEAR(norm(plane.x()), 1., rounding);
-    EXPECT_NEAR(norm(cross(plane.x(), plane.y()) - Spatial{0., 0., 1.}), 0., rounding);
-    EXPECT_NEAR(plane.opening(), 2. * pi, rounding);
+    EXPECT_NEAR(norm(plane.x()), 1., round_off_tolerance);
+    EXPECT_NEAR(norm(cross(plane.x(), plane.y()) - Vec3{0., 0., 1.}), 0., round_off_tolerance);
+    EXPECT_NEAR(plane.total_angle(), 2. * pi, round_off_tolerance);
     for(const double angle : {-3., -1., 0., 0.7, 2., 3.1, 5., 9.})
     {
       const double length = 0.1 / surface.scale();
-      const Straightest_path path = plane.straight(angle, length);
-      EXPECT_NEAR(path.length, length, rounding);
-      const Spatial end = plane.point() + length * std::cos(angle) * plane.x() +
-                          length * std::sin(angle) * plane.y();
+      const Straightest_path path = plane.straightest_path(angle, length);
+      EXPECT_NEAR(path.length, length, round_off_tolerance);
+      const Vec3 end = plane.point() + length * std::cos(angle) * plane.x() +
+                       length * std::sin(angle) * plane.y();
       EXPECT_LT(norm(scaled_coordinates(surface.t(), path.locations.back()) - end), 1e-12);
       EXPECT_NEAR(std::remainder(plane.tangent_angle(end - plane.point()) - angle, 2. * pi), 0.,
                   1e-12);
@@ -45,58 +45,60 @@ TEST(tangent_plane, is_the_plane_itself)
   }
 }
 
-TEST(tangent_plane, ends_at_a_border)
+TEST(tangent_plane, is_limited_at_boundary)
 {
-  const Glued_surface surface(square(4));
+  const Array_surface surface(square(4));
   const Tangent_plane corner(surface.t(), surface.at(0)), middle(surface.t(), surface.at(2));
-  EXPECT_NEAR(corner.opening(), pi / 2., rounding);
-  EXPECT_NEAR(middle.opening(), pi, rounding);
-  const Straightest_path out = corner.straight(2., 0.1);
-  EXPECT_EQ(out.length, 0.);
-  EXPECT_EQ(out.end, Straightest_end::border);
-  EXPECT_NEAR(corner.straight(0.5, 0.1).length, 0.1, rounding);
+  EXPECT_NEAR(corner.total_angle(), pi / 2., round_off_tolerance);
+  EXPECT_NEAR(middle.total_angle(), pi, round_off_tolerance);
+  const Straightest_path path_outside = corner.straightest_path(2., 0.1);
+  EXPECT_EQ(path_outside.length, 0.);
+  EXPECT_EQ(path_outside.end, Straightest_path_end::boundary);
+  EXPECT_NEAR(corner.straightest_path(0.5, 0.1).length, 0.1, round_off_tolerance);
 }
 
-TEST(tangent_plane, stretches_angles_around_a_cone)
+TEST(tangent_plane, rescales_angles_around_a_cone)
 {
   // Three quarters of the plane, rolled up.
-  const Glued_surface surface(cone(9, 3, 1.5 * pi));
+  const Array_surface surface(cone(9, 3, 1.5 * pi));
   const Tangent_plane plane(surface.t(), surface.at(0));
-  EXPECT_NEAR(plane.opening(), 2. * pi, rounding);
-  EXPECT_NEAR(plane.tangent_angle(0.75 * pi), pi, rounding);
+  EXPECT_NEAR(plane.total_angle(), 2. * pi, round_off_tolerance);
+  EXPECT_NEAR(plane.tangent_angle(0.75 * pi), pi, round_off_tolerance);
   // Nine sides leave the tip: along each, straight on.
   for(int i = 0; i < 9; ++i)
   {
     const double length = 0.01;
-    const Straightest_path path = plane.straight(2. * pi * i / 9., length);
-    const Spatial way = scaled_coordinates(surface.t(), path.locations.back()) - plane.point();
-    EXPECT_NEAR(norm(way), length, rounding);
+    const Straightest_path path = plane.straightest_path(2. * pi * i / 9., length);
+    const Vec3 offset = scaled_coordinates(surface.t(), path.locations.back()) - plane.point();
+    EXPECT_NEAR(norm(offset), length, round_off_tolerance);
     // In space the sides are where the axes say, seen from the axis of the cone.
-    EXPECT_NEAR(std::remainder(plane.tangent_angle(way) - 2. * pi * i / 9., 2. * pi), 0., 1e-9);
+    EXPECT_NEAR(std::remainder(plane.tangent_angle(offset) - 2. * pi * i / 9., 2. * pi), 0., 1e-9);
   }
 }
 
-TEST(tangent_plane, lies_across_the_normal)
+TEST(tangent_plane, is_orthogonal_to_vertex_normal)
 {
-  const Glued_surface surface(torus(30, 20));
+  const Array_surface surface(torus(30, 20));
   for(const Index i : {0u, 77u, 300u})
   {
-    const Spatial normal = Tangent_plane(surface.t(), surface.at(i)).normal();
-    EXPECT_LT(norm(normal - site_normal(surface.t(), surface.site(i))), rounding);
+    const Vec3 normal = Tangent_plane(surface.t(), surface.at(i)).normal();
+    EXPECT_LT(norm(normal - vertex_normal(surface.t(), surface.vertex(i))), round_off_tolerance);
   }
   // By symmetry.
   const Triangulation sphere = icosphere(2);
-  const Glued_surface round(sphere);
-  EXPECT_LT(norm(site_normal(round.t(), round.site(0)) - sphere.points[0]), rounding);
+  const Array_surface sphere_surface(sphere);
+  EXPECT_LT(norm(vertex_normal(sphere_surface.t(), sphere_surface.vertex(0)) - sphere.points[0]),
+            round_off_tolerance);
 }
 
-TEST(tangent_plane, needs_a_triangle)
+TEST(tangent_plane, throws_on_isolated_vertex)
 {
-  Triangulation lonely = square(2);
-  lonely.points.push_back({5., 5., 5.});
-  const Glued_surface surface(lonely);
-  EXPECT_THROW(Tangent_plane(surface.t(), surface.at(Index(lonely.points.size() - 1))),
-               Invalid_argument_error);
+  Triangulation with_isolated_vertex = square(2);
+  with_isolated_vertex.points.push_back({5., 5., 5.});
+  const Array_surface surface(with_isolated_vertex);
+  EXPECT_THROW(
+      Tangent_plane(surface.t(), surface.at(Index(with_isolated_vertex.points.size() - 1))),
+      Invalid_argument_error);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/flips.h"
 
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include "topology.h"
 
@@ -39,7 +39,7 @@ double area(const std::vector<Point>& points, const Triangles& triangles)
   return result;
 }
 
-double least_angle(const std::vector<Point>& points, const Triangles& triangles)
+double min_angle(const std::vector<Point>& points, const Triangles& triangles)
 {
   double result = pi;
   for(const auto& f : triangles)
@@ -74,7 +74,7 @@ bool is_delaunay(const std::vector<Point>& p, const Triangles& triangles)
   return true;
 }
 
-TEST(Flips, make_a_plane_delaunay)
+TEST(Flips, planar_triangulation_becomes_delaunay)
 {
   for(const unsigned seed : {1u, 2u, 3u})
   {
@@ -88,7 +88,7 @@ TEST(Flips, make_a_plane_delaunay)
   }
 }
 
-TEST(Flips, keep_edges_that_are_to_be_kept)
+TEST(Flips, constrained_edges_are_kept)
 {
   const std::vector<Point> points = {{0., 0., 0.}, {4., 0., 0.}, {2., 1., 0.}, {2., -1., 0.}};
   const Triangles both = {{0, 1, 2}, {1, 0, 3}};
@@ -101,7 +101,7 @@ TEST(Flips, keep_edges_that_are_to_be_kept)
     EXPECT_EQ(std::count_if(f.begin(), f.end(), [](Index i) { return i >= 2; }), 2);
 }
 
-TEST(Flips, keep_what_bends)
+TEST(Flips, creases_are_kept)
 {
   // The same, bent at the edge by 60 degrees.
   const double c = 0.5, s = std::sqrt(0.75);
@@ -119,7 +119,7 @@ TEST(Flips, keep_what_bends)
   EXPECT_EQ(topology_of(triangles), topology(flat.corners));
 }
 
-TEST(Flips, turn_needles_at_creases)
+TEST(Flips, needles_at_creases_are_flipped)
 {
   // A needle upright on the side of a triangle that lies: as high as a twentieth of that side, and as a quarter.
   const Triangles both = {{0, 1, 2}, {1, 0, 3}};
@@ -133,21 +133,21 @@ TEST(Flips, turn_needles_at_creases)
   }
 }
 
-TEST(Flips, make_angles_larger_on_any_surface)
+TEST(Flips, min_angle_does_not_decrease)
 {
-  for(const Triangulation& surface : {shaken(icosphere(3), 0.03), shaken(torus(60, 24), 0.01),
-                                      cylinder(24, 40, 1., 5.), double_ring(3)})
+  for(const Triangulation& surface : {jittered(icosphere(3), 0.03), jittered(torus(60, 24), 0.01),
+                                      cylinder(24, 40, 1., 5.), double_torus(3)})
   {
     Triangles triangles = triangles_of(surface);
-    const double before = least_angle(surface.points, triangles);
+    const double before = min_angle(surface.points, triangles);
     flip_to_larger_angles(surface.points, std::vector<bool>(surface.points.size(), false),
                           triangles);
     EXPECT_EQ(topology_of(triangles), topology(surface.corners));
-    EXPECT_GE(least_angle(surface.points, triangles), before);
+    EXPECT_GE(min_angle(surface.points, triangles), before);
   }
 }
 
-TEST(Flips, stand_points_that_coincide)
+TEST(Flips, coincident_points_are_handled)
 {
   Triangulation plane = square(4);
   for(Point& p : plane.points)

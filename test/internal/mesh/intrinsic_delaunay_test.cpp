@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/intrinsic_delaunay.h"
 
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include "core/unfold.h"
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-double area(const Glued_triangles& t)
+double area(const Surface_arrays& t)
 {
   double sum = 0.;
   for(std::size_t c = 0; c < t.length.size(); c += 3)
@@ -25,31 +25,32 @@ double area(const Glued_triangles& t)
   return sum;
 }
 
-void expect_delaunay(const Glued_triangles& t)
+void expect_delaunay(const Surface_arrays& t)
 {
-  for(Index side = 0; side < t.corner.size(); ++side)
+  for(Index h = 0; h < t.corner.size(); ++h)
   {
-    const Index twin = t.twin[side];
+    const Index twin = t.twin[h];
     if(twin == none)
       continue;
-    EXPECT_EQ(t.twin[twin], side);
-    EXPECT_EQ(t.length[twin], t.length[side]);
-    EXPECT_EQ(t.corner[twin], t.corner[next_side(side)]);
-    if(twin / 3 != side / 3)
+    EXPECT_EQ(t.twin[twin], h);
+    EXPECT_EQ(t.length[twin], t.length[h]);
+    EXPECT_EQ(t.corner[twin], t.corner[next_halfedge(h)]);
+    if(twin / 3 != h / 3)
     {
-      EXPECT_LE(interior_angle(t, previous_side(side)) + interior_angle(t, previous_side(twin)),
+      EXPECT_LE(interior_angle(t, previous_halfedge(h)) +
+                    interior_angle(t, previous_halfedge(twin)),
                 pi + 1e-9); // the root of the 1e-12 in the cosine that flips leave, times sines
     }
   }
 }
 
-TEST(Intrinsic_delaunay, flips_until_opposite_angles_sum_to_at_most_pi)
+TEST(Intrinsic_delaunay, opposite_angles_sum_to_at_most_pi)
 {
   for(const Triangulation& surface :
-      {shaken(icosphere(3), 0.08), square(15, 0.24), annulus(40, 2, 1., 3.),
+      {jittered(icosphere(3), 0.08), square(15, 0.24), annulus(40, 2, 1., 3.),
        cylinder(5, 40, 1., 0.4), cone(8, 5, 3. * pi)})
   {
-    Glued_triangles t = *Glued_surface(surface).triangles();
+    Surface_arrays t = *Array_surface(surface).triangles();
     const double before = area(t);
     flip_to_delaunay(t);
     expect_delaunay(t);
@@ -58,54 +59,54 @@ TEST(Intrinsic_delaunay, flips_until_opposite_angles_sum_to_at_most_pi)
   }
 }
 
-TEST(Intrinsic_delaunay, keeps_the_lengths_of_the_plane)
+TEST(Intrinsic_delaunay, planar_lengths_stay_euclidean)
 {
   // New sides join sites of the plane: their lengths are known.
   const Triangulation plane = square(15, 0.24);
-  const Glued_surface surface(plane);
-  Glued_triangles t = *surface.triangles();
+  const Array_surface surface(plane);
+  Surface_arrays t = *surface.triangles();
   EXPECT_GT(flip_to_delaunay(t), 0u);
-  for(Index side = 0; side < t.corner.size(); ++side)
-    EXPECT_NEAR(surface.scale() * t.length[side],
-                distance(surface.point(surface.point_of_site(t.corner[side])),
-                         surface.point(surface.point_of_site(t.corner[next_side(side)]))),
+  for(Index h = 0; h < t.corner.size(); ++h)
+    EXPECT_NEAR(surface.scale() * t.length[h],
+                distance(surface.point(surface.caller_vertex(t.corner[h])),
+                         surface.point(surface.caller_vertex(t.corner[next_halfedge(h)]))),
                 1e-12); // a chain of flips, each with a few roundings
 }
 
-TEST(Intrinsic_delaunay, flips_the_long_diagonal)
+TEST(Intrinsic_delaunay, long_diagonal_is_flipped)
 {
   // A flat rhombus with diagonals 4 and 1, cut by the long one.
   const Triangulation rhombus = {{{-2., 0., 0.}, {2., 0., 0.}, {0., 0.5, 0.}, {0., -0.5, 0.}},
                                  {0, 1, 2, 1, 0, 3}};
-  const Glued_surface surface(rhombus);
-  Glued_triangles t = *surface.triangles();
+  const Array_surface surface(rhombus);
+  Surface_arrays t = *surface.triangles();
   EXPECT_EQ(flip_to_delaunay(t), 1u);
   expect_delaunay(t);
   EXPECT_NEAR(surface.scale() * *std::min_element(t.length.begin(), t.length.end()), 1., 1e-15);
 }
 
-TEST(Intrinsic_delaunay, takes_triangles_glued_along_two_sides)
+TEST(Intrinsic_delaunay, handles_triangles_that_share_two_edges)
 {
   // Two faces of a pillow: every flip makes a side whose ends are one site.
   const Triangulation pillow = {{{0., 0., 0.}, {3., 0., 0.}, {1.5, 0.2, 0.}}, {0, 1, 2, 0, 2, 1}};
-  Glued_triangles t = *Glued_surface(pillow).triangles();
+  Surface_arrays t = *Array_surface(pillow).triangles();
   const double before = area(t);
   flip_to_delaunay(t);
   expect_delaunay(t);
   EXPECT_NEAR(area(t), before, 1e-12);
 }
 
-TEST(Intrinsic_delaunay, mollifies_just_enough)
+TEST(Intrinsic_delaunay, mollification_is_minimal)
 {
   Triangulation surface = square(6, 0.24);
   surface.points[23] = surface.points[24]; // a side of length zero
-  Glued_triangles t = *Glued_surface(surface).triangles();
+  Surface_arrays t = *Array_surface(surface).triangles();
   const double slack = 1e-4;
   mollify(t, slack);
   double least = infinity;
-  for(Index side = 0; side < t.length.size(); ++side)
+  for(Index h = 0; h < t.length.size(); ++h)
     least =
-        std::min(least, t.length[side] + t.length[next_side(side)] - t.length[previous_side(side)]);
+        std::min(least, t.length[h] + t.length[next_halfedge(h)] - t.length[previous_halfedge(h)]);
   EXPECT_NEAR(least, slack, 1e-15 * 4); // a few roundings of lengths below 2
   const auto lengths = t.length;
   mollify(t, 0.5 * slack);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/patches.h"
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ using namespace CGAL::Geodesic_processing::test;
 
 // A label for each triangle by where its middle is.
 template <typename Label>
-std::vector<Index> by_middle(const Glued_surface& surface, const Label& label)
+std::vector<Index> by_middle(const Array_surface& surface, const Label& label)
 {
-  const Glued_triangles& t = surface.t();
+  const Surface_arrays& t = surface.t();
   std::vector<Index> result;
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
@@ -29,14 +29,14 @@ std::vector<Index> by_middle(const Glued_surface& surface, const Label& label)
   return result;
 }
 
-TEST(Patches, go_with_two_corners_or_the_nearest_one)
+TEST(Patches, label_is_majority_or_nearest_corner)
 {
-  const Glued_surface surface(tetrahedron());
-  const Glued_triangles& t = surface.t();
+  const Array_surface surface(tetrahedron());
+  const Surface_arrays& t = surface.t();
   const std::vector<double> distances = {0.3, 0.1, 0.2, 0.4};
   const auto label_of = [&](const std::vector<Index>& labels, const std::set<Index>& corners)
   {
-    const std::vector<Index> patch = patches(t, distances, labels);
+    const std::vector<Index> patch = label_patches(t, distances, labels);
     for(Index f = 0; f < patch.size(); ++f)
       if(std::set<Index>{t.corner[3 * f], t.corner[3 * f + 1], t.corner[3 * f + 2]} == corners)
         return patch[f];
@@ -50,45 +50,46 @@ TEST(Patches, go_with_two_corners_or_the_nearest_one)
   EXPECT_EQ(label_of({5, none, 5, 8}, {0, 1, 2}), none);
 }
 
-TEST(Patches, discs_annuli_and_pieces)
+TEST(Patches, disk_topology_is_detected)
 {
   // Coordinates of the grid are whole numbers over 8.
-  const Glued_surface surface(square(8));
+  const Array_surface surface(square(8));
   const auto count = [&](const auto& label, Index number)
   {
-    const std::vector<bool> is_disc = are_discs(surface.t(), by_middle(surface, label), number);
-    return std::vector<bool>(is_disc.begin(), is_disc.end());
+    const std::vector<bool> is_disk = are_disks(surface.t(), by_middle(surface, label), number);
+    return std::vector<bool>(is_disk.begin(), is_disk.end());
   };
   // All of it, and nothing at all.
   EXPECT_EQ(count([](const Point&) { return Index(0); }, 1), std::vector<bool>({true}));
   EXPECT_EQ(count([](const Point&) { return none; }, 1), std::vector<bool>({true}));
   // A block in the middle and the annulus around.
-  const auto is_inside = [](double x) { return x > 0.25 && x < 0.75; };
-  EXPECT_EQ(count([&](const Point& p) { return Index(is_inside(p[0]) && is_inside(p[1])); }, 2),
-            std::vector<bool>({false, true}));
+  const auto is_in_middle = [](double x) { return x > 0.25 && x < 0.75; };
+  EXPECT_EQ(
+      count([&](const Point& p) { return Index(is_in_middle(p[0]) && is_in_middle(p[1])); }, 2),
+      std::vector<bool>({false, true}));
   // A stripe between two pieces.
-  EXPECT_EQ(count([&](const Point& p) { return Index(is_inside(p[0])); }, 2),
+  EXPECT_EQ(count([&](const Point& p) { return Index(is_in_middle(p[0])); }, 2),
             std::vector<bool>({false, true}));
   // Two blocks that meet in a corner alone.
   EXPECT_EQ(count([&](const Point& p) { return Index((p[0] > 0.5) == (p[1] > 0.5)); }, 2),
             std::vector<bool>({false, false}));
 
   // Closed surfaces and tubes are none.
-  for(const Triangulation& closed : {icosphere(2), torus(12, 6), cylinder(8, 5, 1., 3.)})
+  for(const Triangulation& triangulation : {icosphere(2), torus(12, 6), cylinder(8, 5, 1., 3.)})
   {
-    const Glued_surface whole(closed);
+    const Array_surface whole(triangulation);
     EXPECT_FALSE(
-        are_discs(whole.t(), std::vector<Index>(whole.t().number_of_triangles(), 0), 1)[0]);
+        are_disks(whole.t(), std::vector<Index>(whole.t().number_of_triangles(), 0), 1)[0]);
   }
-  const Glued_surface sphere(icosphere(2));
+  const Array_surface sphere(icosphere(2));
   const std::vector<bool> halves =
-      are_discs(sphere.t(), by_middle(sphere, [](const Point& p) { return Index(p[2] > 0.); }), 2);
+      are_disks(sphere.t(), by_middle(sphere, [](const Point& p) { return Index(p[2] > 0.); }), 2);
   EXPECT_TRUE(halves[0] && halves[1]);
 }
 
-TEST(Patches, islands_and_knots_go_to_their_neighbours)
+TEST(Patches, fragments_and_pinches_merge_into_neighbors)
 {
-  const Glued_surface surface(square(8));
+  const Array_surface surface(square(8));
   // Left and right, and in each a block of the other one, which meets its own side nowhere.
   std::vector<Index> patch =
       by_middle(surface,
@@ -97,46 +98,46 @@ TEST(Patches, islands_and_knots_go_to_their_neighbours)
                   const bool is_block = p[1] > 0.5 && p[1] < 0.625 && std::abs(p[0] - 0.5) > 0.25;
                   return Index((p[0] > 0.5) != is_block);
                 });
-  tidy(surface.t(), patch);
+  merge_patch_fragments(surface.t(), patch);
   EXPECT_EQ(patch, by_middle(surface, [](const Point& p) { return Index(p[0] > 0.5); }));
 
   // Three quarters and a block that touches the fourth in a corner.
   const auto quarter = [](const Point& p) { return Index(p[0] > 0.5) + 2 * Index(p[1] > 0.5); };
-  std::vector<Index> tied = by_middle(
+  std::vector<Index> touching = by_middle(
       surface, [&](const Point& p)
       { return p[0] > 0.5 && p[0] < 0.625 && p[1] > 0.375 && p[1] < 0.5 ? 2u : quarter(p); });
-  EXPECT_FALSE(are_discs(surface.t(), tied, 4)[2]);
-  tidy(surface.t(), tied);
-  EXPECT_TRUE(are_discs(surface.t(), tied, 4)[2]);
-  EXPECT_TRUE(are_discs(surface.t(), tied, 4)[1]);
+  EXPECT_FALSE(are_disks(surface.t(), touching, 4)[2]);
+  merge_patch_fragments(surface.t(), touching);
+  EXPECT_TRUE(are_disks(surface.t(), touching, 4)[2]);
+  EXPECT_TRUE(are_disks(surface.t(), touching, 4)[1]);
 
   // What has no neighbour stays as it is.
-  const Glued_surface two(apart(square(4), tetrahedron()));
-  std::vector<Index> same(two.t().number_of_triangles(), 0);
-  tidy(two.t(), same);
-  EXPECT_EQ(same, std::vector<Index>(same.size(), 0));
+  const Array_surface two_surfaces(disjoint_union(square(4), tetrahedron()));
+  std::vector<Index> labels(two_surfaces.t().number_of_triangles(), 0);
+  merge_patch_fragments(two_surfaces.t(), labels);
+  EXPECT_EQ(labels, std::vector<Index>(labels.size(), 0));
 }
 
-TEST(Patches, any_labels_are_tidied_and_split_into_discs)
+TEST(Patches, random_labels_become_disks)
 {
   std::mt19937 random(3);
   for(const Triangulation& mesh : {square(12), icosphere(3), torus(24, 12), cylinder(12, 9, 1., 3.),
-                                   apart(torus(12, 6), square(3)), double_ring()})
+                                   disjoint_union(torus(12, 6), square(3)), double_torus()})
   {
-    const Glued_surface surface(mesh);
-    const Glued_triangles& t = surface.t();
+    const Array_surface surface(mesh);
+    const Surface_arrays& t = surface.t();
     for(const Index number : {1u, 3u, 40u})
     {
       std::vector<Index> patch;
       for(Index f = 0; f < t.number_of_triangles(); ++f)
         patch.push_back(random() % number);
-      tidy(t, patch);
+      merge_patch_fragments(t, patch);
       const std::vector<Index> before = patch;
-      const std::vector<Index> some = split_into_discs(t, patch, number);
-      const std::vector<bool> is_disc = are_discs(t, patch, Index(number + some.size()));
-      EXPECT_EQ(std::count(is_disc.begin(), is_disc.end(), false), 0);
-      for(std::size_t i = 0; i < some.size(); ++i)
-        EXPECT_EQ(patch[some[i]], number + i);
+      const std::vector<Index> representatives = split_into_disks(t, patch, number);
+      const std::vector<bool> is_disk = are_disks(t, patch, Index(number + representatives.size()));
+      EXPECT_EQ(std::count(is_disk.begin(), is_disk.end(), false), 0);
+      for(std::size_t i = 0; i < representatives.size(); ++i)
+        EXPECT_EQ(patch[representatives[i]], number + i);
       // New ones come out of one each.
       std::map<Index, std::set<Index>> origins;
       for(Index f = 0; f < patch.size(); ++f)
@@ -147,11 +148,11 @@ TEST(Patches, any_labels_are_tidied_and_split_into_discs)
   }
 }
 
-TEST(Patches, halves_of_a_strip_meet_in_its_middle)
+TEST(Patches, bisection_of_strip_is_balanced)
 {
-  const Glued_surface surface(grid(16, 1, [](double s, double t) -> Point { return {s, t, 0.}; }));
-  const Glued_triangles& t = surface.t();
-  const auto [first, second] = ends(t);
+  const Array_surface surface(grid(16, 1, [](double s, double t) -> Point { return {s, t, 0.}; }));
+  const Surface_arrays& t = surface.t();
+  const auto [first, second] = farthest_triangle_pair(t);
   const auto middle = [&](Index f)
   {
     double x = 0.;
@@ -166,7 +167,7 @@ TEST(Patches, halves_of_a_strip_meet_in_its_middle)
     high = std::max(high, middle(f));
   }
   EXPECT_NEAR(std::abs(middle(first) - middle(second)), high - low, 1e-12);
-  const std::vector<Index> half = halves(t, first, second);
+  const std::vector<Index> half = bisect_patch(t, first, second);
   EXPECT_EQ(half[first], 0u);
   EXPECT_EQ(half[second], 1u);
   for(Index f = 0; f < half.size(); ++f)

@@ -16,7 +16,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 
 // The lower triangle of 2 + shift on the diagonal and -1 beside it.
-Sparse_matrix chain(int n, double shift)
+Sparse_matrix tridiagonal_matrix(int n, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;
   for(int i = 0; i < n; ++i)
@@ -30,73 +30,73 @@ Sparse_matrix chain(int n, double shift)
   return matrix;
 }
 
-TEST(Sparse_solver, leaves_a_small_residual)
+TEST(Sparse_solver, has_small_residual)
 {
   const int n = 1000;
-  const Sparse_matrix matrix = chain(n, 1e-3);
+  const Sparse_matrix matrix = tridiagonal_matrix(n, 1e-3);
   const Sparse_solver solver(matrix);
   std::mt19937 random(1);
   for(int i = 0; i < 5; ++i)
   {
-    Vector right(n);
-    for(double& x : right)
+    Vector rhs(n);
+    for(double& x : rhs)
       x = double(random()) / double(random.max()) - 0.5;
-    const Vector x = solver.solve(right);
-    const Vector residual = matrix.selfadjointView<Eigen::Lower>() * x - right;
+    const Vector x = solver.solve(rhs);
+    const Vector residual = matrix.selfadjointView<Eigen::Lower>() * x - rhs;
     // Backward stable: roundings of |A| |x|.
     EXPECT_LT(residual.norm(), 1e-14 * 4. * x.norm());
   }
 }
 
-TEST(Sparse_solver, solves_for_columns_as_for_one)
+TEST(Sparse_solver, column_solves_match_single_solves)
 {
   const int n = 1000;
-  const Sparse_solver solver(chain(n, 1e-3));
+  const Sparse_solver solver(tridiagonal_matrix(n, 1e-3));
   std::srand(1); // Eigen's random values
-  for(const int number : {1, 7, 40, 7})
+  for(const int number_of_columns : {1, 7, 40, 7})
   {
-    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(n, number);
-    Eigen::MatrixXd columns = right;
+    const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(n, number_of_columns);
+    Eigen::MatrixXd columns = rhs;
     solver.solve_columns(columns);
-    for(int j = 0; j < number; ++j)
+    for(int j = 0; j < number_of_columns; ++j)
     {
-      const Vector x = solver.solve(right.col(j));
+      const Vector x = solver.solve(rhs.col(j));
       // Another order of some thousand sums.
       EXPECT_LT((columns.col(j) - x).norm(), 1e-11 * x.norm());
     }
   }
 }
 
-TEST(Sparse_solver, factorizes_again_what_has_the_same_pattern)
+TEST(Sparse_solver, refactorizes_matrix_of_same_pattern)
 {
   const int n = 1000;
-  const Vector right = Vector::Ones(n);
-  for(const Elimination elimination : {Elimination::quick, Elimination::sparse})
+  const Vector rhs = Vector::Ones(n);
+  for(const Elimination_order order : {Elimination_order::fast, Elimination_order::low_fill})
   {
-    const Sparse_solver first(chain(n, 1.), elimination);
-    Sparse_solver second = first;
-    EXPECT_FALSE(second.factorize(chain(n, -3.)));
-    EXPECT_TRUE(second.factorize(chain(n, 2.)));
-    EXPECT_EQ(first.solve(right), Sparse_solver(chain(n, 1.), elimination).solve(right));
-    EXPECT_EQ(second.solve(right), Sparse_solver(chain(n, 2.), elimination).solve(right));
+    const Sparse_solver original(tridiagonal_matrix(n, 1.), order);
+    Sparse_solver copy = original;
+    EXPECT_FALSE(copy.factorize(tridiagonal_matrix(n, -3.)));
+    EXPECT_TRUE(copy.factorize(tridiagonal_matrix(n, 2.)));
+    EXPECT_EQ(original.solve(rhs), Sparse_solver(tridiagonal_matrix(n, 1.), order).solve(rhs));
+    EXPECT_EQ(copy.solve(rhs), Sparse_solver(tridiagonal_matrix(n, 2.), order).solve(rhs));
   }
 }
 
-TEST(Sparse_solver, solves_in_threads)
+TEST(Sparse_solver, solves_concurrently)
 {
-  const Sparse_solver solver(chain(1000, 1e-3));
-  const Vector right = Vector::Ones(1000), expected = solver.solve(right);
-  std::vector<Vector> found(100);
-  for_each_block(found.size(), 1, 4,
+  const Sparse_solver solver(tridiagonal_matrix(1000, 1e-3));
+  const Vector rhs = Vector::Ones(1000), expected = solver.solve(rhs);
+  std::vector<Vector> solutions(100);
+  for_each_block(solutions.size(), 1, 4,
                  [&](std::size_t block, std::size_t, std::size_t)
-                 { found[block] = solver.solve(right); });
-  for(const Vector& x : found)
+                 { solutions[block] = solver.solve(rhs); });
+  for(const Vector& x : solutions)
     EXPECT_EQ(x, expected);
 }
 
-TEST(Sparse_solver, refuses_a_matrix_that_is_not_definite)
+TEST(Sparse_solver, throws_on_indefinite_matrix)
 {
-  EXPECT_THROW(Sparse_solver(chain(10, -3.)), Unsupported_surface_error);
+  EXPECT_THROW(Sparse_solver(tridiagonal_matrix(10, -3.)), Unsupported_surface_error);
 }
 
 } // namespace

@@ -16,21 +16,21 @@ void expect_products(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns
   using Scalar = typename Matrix_type::Scalar;
   std::srand(1); // Eigen's random values
   const Matrix_type a = Matrix_type::Random(rows, inner), b = Matrix_type::Random(inner, columns);
-  const Matrix_type turned = a.transpose(), expected = a.lazyProduct(b);
+  const Matrix_type a_transposed = a.transpose(), expected = a.lazyProduct(b);
   Matrix_type result;
   // Sums of `inner` products of numbers below one, in another order.
-  const Scalar rounding = Scalar(inner + 1) * std::numeric_limits<Scalar>::epsilon();
+  const Scalar round_off = Scalar(inner + 1) * std::numeric_limits<Scalar>::epsilon();
   product(a, b, result);
   ASSERT_EQ(result.rows(), rows);
   ASSERT_EQ(result.cols(), columns);
-  EXPECT_TRUE(result.size() == 0 || (result - expected).cwiseAbs().maxCoeff() <= rounding);
-  transposed_product(turned, b, result);
+  EXPECT_TRUE(result.size() == 0 || (result - expected).cwiseAbs().maxCoeff() <= round_off);
+  transposed_product(a_transposed, b, result);
   ASSERT_EQ(result.rows(), rows);
   ASSERT_EQ(result.cols(), columns);
-  EXPECT_TRUE(result.size() == 0 || (result - expected).cwiseAbs().maxCoeff() <= rounding);
+  EXPECT_TRUE(result.size() == 0 || (result - expected).cwiseAbs().maxCoeff() <= round_off);
 }
 
-TEST(Dense_product, takes_some_columns)
+TEST(Dense_product, accepts_column_blocks)
 {
   std::srand(1);
   const Matrix a = Matrix::Random(9, 7), b = Matrix::Random(9, 5);
@@ -40,7 +40,7 @@ TEST(Dense_product, takes_some_columns)
   EXPECT_LT((result - expected).cwiseAbs().maxCoeff(), 1e-14); // nine products of numbers below one
 }
 
-TEST(Dense_product, is_what_Eigen_computes)
+TEST(Dense_product, matches_eigen)
 {
   for(const auto& [rows, inner, columns] :
       {std::array<int, 3>{7, 5, 3}, {1, 1, 1}, {300, 40, 17}, {40, 300, 1}, {0, 4, 4}, {4, 0, 4}})

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/eigenfunctions.h"
 
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "clouds.h"
 
 #include <Eigen/Eigenvalues>
@@ -17,12 +17,12 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // The least residual that is asked for, 1e-8 of the inverse, and roundings of some hundred products.
-constexpr double accuracy = 1e-7;
+constexpr double relative_tolerance = 1e-7;
 
 Eigenfunctions eigenfunctions_of(const Triangulation& surface, std::size_t number)
 {
-  const Glued_surface glued_surface(surface);
-  return eigenfunctions(glued_surface.t(), operators(glued_surface.t()), number);
+  const Array_surface array_surface(surface);
+  return eigenfunctions(array_surface.t(), operators(array_surface.t()), number);
 }
 
 Matrix dense(const Sparse_matrix& lower)
@@ -33,79 +33,83 @@ Matrix dense(const Sparse_matrix& lower)
 // All values, by a dense solver on the sites of `is_free`, those of constants among them.
 Vector all_values(const Operators& o, const std::vector<bool>& is_border)
 {
-  std::vector<Eigen::Index> free;
-  for(std::size_t site = 0; site < is_border.size(); ++site)
-    if(!is_border[site])
-      free.push_back(Eigen::Index(site));
-  const Matrix laplacian = dense(Laplacian(o).matrix(o))(free, free);
-  const Matrix mass = Vector(lumped_mass(o)(free)).asDiagonal();
+  std::vector<Eigen::Index> free_vertices;
+  for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
+    if(!is_border[vertex])
+      free_vertices.push_back(Eigen::Index(vertex));
+  const Matrix laplacian = dense(Laplacian(o).matrix(o))(free_vertices, free_vertices);
+  const Matrix mass = Vector(lumped_mass(o)(free_vertices)).asDiagonal();
   return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(laplacian, mass).eigenvalues();
 }
 
-void expect_eigenfunctions(const Glued_triangles& t, std::size_t number, std::size_t constants)
+void expect_eigenfunctions(const Surface_arrays& t, std::size_t number, std::size_t constants)
 {
   const Operators o = operators(t);
   const Eigenfunctions found = eigenfunctions(t, o, number);
   const Eigen::Index k = found.value.size();
-  const std::vector<bool> is_border = border_sites(t);
+  const std::vector<bool> is_border = border_vertices(t);
   const Vector expected = all_values(o, is_border);
   ASSERT_GE(k, Eigen::Index(std::min(number, std::size_t(expected.size()) - constants)));
-  ASSERT_EQ(found.function.rows(), Eigen::Index(o.number_of_sites));
+  ASSERT_EQ(found.function.rows(), Eigen::Index(o.number_of_vertices));
   ASSERT_EQ(found.function.cols(), k);
   for(Eigen::Index i = 0; i < k; ++i)
-    EXPECT_NEAR(found.value[i], expected[i + Eigen::Index(constants)], accuracy * found.value[i]);
+    EXPECT_NEAR(found.value[i], expected[i + Eigen::Index(constants)],
+                relative_tolerance * found.value[i]);
 
   const Matrix laplacian = dense(Laplacian(o).matrix(o));
   const Vector mass = lumped_mass(o);
   const Matrix identity = Matrix::Identity(k, k);
   const Matrix gram = found.function.transpose() * mass.asDiagonal() * found.function;
-  EXPECT_LT((gram - identity).cwiseAbs().maxCoeff(), accuracy);
-  const Vector root = found.value.cwiseSqrt().cwiseInverse();
+  EXPECT_LT((gram - identity).cwiseAbs().maxCoeff(), relative_tolerance);
+  const Vector inverse_sqrt = found.value.cwiseSqrt().cwiseInverse();
   const Matrix energy = found.function.transpose() * laplacian * found.function;
-  EXPECT_LT((root.asDiagonal() * energy * root.asDiagonal() - identity).cwiseAbs().maxCoeff(),
-            accuracy);
-  for(std::size_t site = 0; site < is_border.size(); ++site)
-    EXPECT_TRUE(!is_border[site] || found.function.row(Eigen::Index(site)).isZero(0.));
+  EXPECT_LT((inverse_sqrt.asDiagonal() * energy * inverse_sqrt.asDiagonal() - identity)
+                .cwiseAbs()
+                .maxCoeff(),
+            relative_tolerance);
+  for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
+    EXPECT_TRUE(!is_border[vertex] || found.function.row(Eigen::Index(vertex)).isZero(0.));
 }
 
-TEST(Eigenfunctions, are_those_of_a_dense_solver)
+TEST(Eigenfunctions, match_dense_solver)
 {
   for(const auto& [surface, constants] : std::vector<std::pair<Triangulation, std::size_t>>{
           {tetrahedron(), 1},
-          {shaken(icosphere(2), 0.03), 1},
+          {jittered(icosphere(2), 0.03), 1},
           {square(12, 0.24), 0},
           {cylinder(12, 8, 1., 2.), 0},
           {torus(16, 10), 1},
-          {double_ring(1), 1},
+          {double_torus(1), 1},
           {cone(12, 6, 8.), 0},
-          {apart(shaken(icosphere(1), 0.03), apart(torus(9, 6), square(8))), 2}})
+          {disjoint_union(jittered(icosphere(1), 0.03), disjoint_union(torus(9, 6), square(8))),
+           2}})
     for(const std::size_t number : {std::size_t(1), std::size_t(7), std::size_t(40)})
-      expect_eigenfunctions(Glued_surface(surface).t(), number, constants);
+      expect_eigenfunctions(Array_surface(surface).t(), number, constants);
 }
 
-TEST(Eigenfunctions, of_a_cloud_vanish_nowhere_by_decree)
+TEST(Eigenfunctions, cloud_has_no_boundary_condition)
 {
   const Cloud cloud = octahedron_sphere(3);
-  const Glued_surfels sphere = glue_surfels(cloud.points, cloud.normals);
-  expect_eigenfunctions(sphere.triangles, 20, 1);
+  const Surfel_arrays sphere = build_surfel_arrays(cloud.points, cloud.normals);
+  expect_eigenfunctions(sphere.arrays, 20, 1);
 }
 
-TEST(Eigenfunctions, are_all_that_there_are)
+TEST(Eigenfunctions, returns_complete_spectrum)
 {
   const Triangulation small = square(5);
   EXPECT_EQ(eigenfunctions_of(small, 0).value.size(), 0);
   EXPECT_EQ(eigenfunctions_of(small, 1000).value.size(), 16);
   EXPECT_EQ(eigenfunctions_of(tetrahedron(), 1000).value.size(), 3);
   EXPECT_EQ(eigenfunctions_of(one_triangle(), 1000).value.size(), 0);
-  expect_eigenfunctions(Glued_surface(small).t(), 1000, 0);
-  expect_eigenfunctions(Glued_surface(tetrahedron()).t(), 1000, 1);
+  expect_eigenfunctions(Array_surface(small).t(), 1000, 0);
+  expect_eigenfunctions(Array_surface(tetrahedron()).t(), 1000, 1);
 }
 
 // On the unit sphere 2 l + 1 functions have the value l (l + 1), and triangles tell some of them apart, by
 // half a percent here.
-TEST(Eigenfunctions, come_in_whole_groups_on_a_sphere)
+TEST(Eigenfunctions, eigenspaces_are_complete_on_sphere)
 {
-  const Glued_surface sphere(icosphere(4));
+  const Array_surface sphere(icosphere(4));
   const Operators o = operators(sphere.t());
   for(const std::size_t number : {1u, 3u, 4u, 10u, 15u, 16u, 37u, 49u, 70u, 99u, 100u})
   {
@@ -122,7 +126,7 @@ TEST(Eigenfunctions, come_in_whole_groups_on_a_sphere)
 }
 
 // pi^2 (i^2 + j^2) on the unit square, i and j from 1.
-TEST(Eigenfunctions, come_in_whole_groups_on_a_square)
+TEST(Eigenfunctions, eigenspaces_are_complete_on_square)
 {
   const Triangulation plane = square(40);
   const std::vector<std::pair<std::size_t, Eigen::Index>> groups = {
@@ -132,18 +136,18 @@ TEST(Eigenfunctions, come_in_whole_groups_on_a_square)
 }
 
 // More of one value than a block has columns.
-TEST(Eigenfunctions, of_many_equal_components_are_not_missed)
+TEST(Eigenfunctions, finds_high_multiplicity)
 {
   Triangulation many = icosphere(1);
   for(int i = 1; i < 12; ++i)
-    many = apart(many, icosphere(1));
+    many = disjoint_union(many, icosphere(1));
   EXPECT_EQ(eigenfunctions_of(many, 1).value.size(), 36);
   EXPECT_EQ(eigenfunctions_of(many, 37).value.size(), 96);
 }
 
-TEST(Eigenfunctions, are_the_same_at_each_call)
+TEST(Eigenfunctions, is_deterministic)
 {
-  const Triangulation surface = shaken(icosphere(3), 0.03);
+  const Triangulation surface = jittered(icosphere(3), 0.03);
   EXPECT_EQ(eigenfunctions_of(surface, 20).function, eigenfunctions_of(surface, 20).function);
 }
 

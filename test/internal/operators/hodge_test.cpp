@@ -4,9 +4,9 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "operators/harmonic_fields.h"
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "clouds.h"
 #include "random_values.h"
 
@@ -21,25 +21,25 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // Of solutions of systems with some hundred unknowns.
-constexpr double rounding = 1e-9;
+constexpr double round_off = 1e-9;
 
-std::vector<Field> harmonic_basis(const Glued_surface& surface, const Operators& o)
+std::vector<Field> harmonic_basis(const Array_surface& surface, const Operators& o)
 {
   const Laplacian laplacian(o);
   Sparse_matrix matrix = laplacian.matrix(o);
-  laplacian.hold(matrix);
+  laplacian.pin(matrix);
   return harmonic_fields(surface.t(), o, Sparse_solver(matrix));
 }
 
 // How many dimensions the images of many random fields span.
-template <typename Part>
-Eigen::Index dimension(const Operators& o, const Part& part)
+template <typename Projection>
+Eigen::Index dimension(const Operators& o, const Projection& projection)
 {
   const Eigen::Index n = 2 * Eigen::Index(o.number_of_triangles());
   Eigen::MatrixXd columns(n, n);
   for(Eigen::Index i = 0; i < n; ++i)
   {
-    const Field field = part(random_field(o.number_of_triangles(), unsigned(i)));
+    const Field field = projection(random_field(o.number_of_triangles(), unsigned(i)));
     for(std::size_t f = 0; f < field.size(); ++f)
       for(std::size_t k = 0; k < 2; ++k)
         columns(Eigen::Index(2 * f + k), i) = field[f][k];
@@ -62,90 +62,94 @@ std::vector<Case> cases()
           {one_triangle(), 0},
           {torus(6, 4), 2},
           {cylinder(6, 2, 1., 1.), 1},
-          {double_ring(1), 4},
-          {apart(torus(6, 4), cylinder(6, 2, 1., 1.)), 3}};
+          {double_torus(1), 4},
+          {disjoint_union(torus(6, 4), cylinder(6, 2, 1., 1.)), 3}};
 }
 
-TEST(Hodge, parts_are_orthogonal_and_sum_to_the_field)
+TEST(Hodge, components_are_orthogonal_and_sum_to_field)
 {
   for(const auto& [surface, harmonic] : cases())
   {
-    const Glued_surface glued_surface(surface);
-    const Operators o = operators(glued_surface.t());
+    const Array_surface array_surface(surface);
+    const Operators o = operators(array_surface.t());
     const Field field = random_field(o.number_of_triangles(), 7);
-    const Hodge_parts parts = Hodge_solver(glued_surface.t(), o).decompose(field);
-    EXPECT_NEAR(inner_product(o, parts.gradient, parts.rotation), 0., rounding);
-    EXPECT_NEAR(inner_product(o, parts.gradient, parts.harmonic), 0., rounding);
-    EXPECT_NEAR(inner_product(o, parts.rotation, parts.harmonic), 0., rounding);
+    const Hodge_components components_of_field =
+        Hodge_solver(array_surface.t(), o).decompose(field);
+    EXPECT_NEAR(inner_product(o, components_of_field.gradient, components_of_field.rotation), 0.,
+                round_off);
+    EXPECT_NEAR(inner_product(o, components_of_field.gradient, components_of_field.harmonic), 0.,
+                round_off);
+    EXPECT_NEAR(inner_product(o, components_of_field.rotation, components_of_field.harmonic), 0.,
+                round_off);
     // What is left is a sum of harmonic fields.
-    Field rest = parts.harmonic;
-    for(const Field& basis : harmonic_basis(glued_surface, o))
+    Field remainder = components_of_field.harmonic;
+    for(const Field& basis : harmonic_basis(array_surface, o))
     {
-      const double share = inner_product(o, rest, basis);
-      for(std::size_t f = 0; f < rest.size(); ++f)
-        rest[f] = rest[f] - share * basis[f];
+      const double coefficient = inner_product(o, remainder, basis);
+      for(std::size_t f = 0; f < remainder.size(); ++f)
+        remainder[f] = remainder[f] - coefficient * basis[f];
     }
-    EXPECT_NEAR(inner_product(o, rest, rest), 0., rounding);
+    EXPECT_NEAR(inner_product(o, remainder, remainder), 0., round_off);
   }
 }
 
-TEST(Hodge, leaves_gradients_turned_ones_and_harmonic_fields_as_they_are)
+TEST(Hodge, projections_are_idempotent)
 {
-  const Glued_surface surface(double_ring(1));
+  const Array_surface surface(double_torus(1));
   const Operators o = operators(surface.t());
-  const Operators sides = operators_of_sides(surface.t(), o);
+  const Operators edge_operators = crouzeix_raviart_operators(surface.t(), o);
   const Hodge_solver solver(surface.t(), o);
   const auto expect_same = [&](Field a, const Field& b)
   {
     for(std::size_t f = 0; f < a.size(); ++f)
       a[f] = a[f] - b[f];
-    EXPECT_NEAR(inner_product(o, a, a), 0., rounding);
+    EXPECT_NEAR(inner_product(o, a, a), 0., round_off);
   };
-  const Field gradients = gradient(o, Vector::LinSpaced(Eigen::Index(o.number_of_sites), 0., 1.));
+  const Field gradients =
+      gradient(o, Vector::LinSpaced(Eigen::Index(o.number_of_vertices), 0., 1.));
   expect_same(solver.decompose(gradients).gradient, gradients);
-  const Field turned =
-      turned_left(gradient(sides, Vector::LinSpaced(Eigen::Index(sides.number_of_sites), 0., 1.)));
-  expect_same(solver.decompose(turned).rotation, turned);
+  const Field rotated = rotated_left(gradient(
+      edge_operators, Vector::LinSpaced(Eigen::Index(edge_operators.number_of_vertices), 0., 1.)));
+  expect_same(solver.decompose(rotated).rotation, rotated);
   for(const Field& field : harmonic_basis(surface, o))
     expect_same(solver.decompose(field).harmonic, field);
 }
 
-TEST(Hodge, has_the_dimensions_of_the_theory)
+TEST(Hodge, component_dimensions_match_topology)
 {
   for(const auto& [surface, harmonic] : cases())
   {
-    const Glued_surface glued_surface(surface);
-    const Glued_triangles& t = glued_surface.t();
+    const Array_surface array_surface(surface);
+    const Surface_arrays& t = array_surface.t();
     const Operators o = operators(t);
     const Hodge_solver solver(t, o);
-    const auto [component, number] = components(o);
-    std::vector<bool> has_border(number, false);
-    Eigen::Index inner = 0, closed = 0;
-    for(std::size_t side = 0; side < t.twin.size(); ++side)
+    const auto [component, number_of_components] = components(o);
+    std::vector<bool> has_border(number_of_components, false);
+    Eigen::Index inner_edges = 0, closed_components = 0;
+    for(std::size_t h = 0; h < t.twin.size(); ++h)
     {
-      inner += t.twin[side] != none && side < t.twin[side];
-      if(t.twin[side] == none)
-        has_border[component[t.corner[side]]] = true;
+      inner_edges += t.twin[h] != none && h < t.twin[h];
+      if(t.twin[h] == none)
+        has_border[component[t.corner[h]]] = true;
     }
     for(const bool border : has_border)
-      closed += !border;
+      closed_components += !border;
     const auto gradients =
         dimension(o, [&](const Field& x) { return solver.decompose(x).gradient; });
     const auto rotations =
         dimension(o, [&](const Field& x) { return solver.decompose(x).rotation; });
-    EXPECT_EQ(gradients, Eigen::Index(o.number_of_sites - number));
-    EXPECT_EQ(rotations, inner - closed);
+    EXPECT_EQ(gradients, Eigen::Index(o.number_of_vertices - number_of_components));
+    EXPECT_EQ(rotations, inner_edges - closed_components);
     EXPECT_EQ(dimension(o, [&](const Field& x) { return solver.decompose(x).harmonic; }), harmonic);
     EXPECT_EQ(gradients + rotations + harmonic, 2 * Eigen::Index(o.number_of_triangles()));
   }
 }
 
-TEST(Hodge, is_of_meshes)
+TEST(Hodge, throws_on_cloud)
 {
   const Cloud cloud = octahedron_sphere(2);
-  const Glued_surfels sphere = glue_surfels(cloud.points, cloud.normals);
-  EXPECT_THROW(Hodge_solver(sphere.triangles, operators(sphere.triangles)),
-               Unsupported_surface_error);
+  const Surfel_arrays sphere = build_surfel_arrays(cloud.points, cloud.normals);
+  EXPECT_THROW(Hodge_solver(sphere.arrays, operators(sphere.arrays)), Unsupported_surface_error);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -14,111 +14,115 @@ namespace {
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
 
-Base_points spread(const Glued_surface& surface, std::size_t number, std::size_t nearest)
+Base_points farthest_base_points(const Array_surface& surface, std::size_t number,
+                                 std::size_t nearest)
 {
   const Front front(surface.triangles(), Front_kind::euclidean);
-  Sampling sampling(surface.triangles(), front, Sample_place::site);
-  Sampling_goal goal;
-  goal.number = number;
-  sample_farthest(sampling, goal, [](double) {});
+  Sampling sampling(surface.triangles(), front, Sample_location::vertex);
+  Sampling_options options;
+  options.number_of_samples = number;
+  sample_farthest_points(sampling, options, [](double) {});
   return nearest_base_points(surface.t(), sampling, front, nearest);
 }
 
-double straight(const Glued_surface& surface, Index a, Index b)
+double euclidean_distance(const Array_surface& surface, Index a, Index b)
 {
-  return distance(surface.point(surface.point_of_site(a)), surface.point(surface.point_of_site(b)));
+  return distance(surface.point(surface.caller_vertex(a)), surface.point(surface.caller_vertex(b)));
 }
 
-TEST(base_points, are_nearer_to_each_other_than_a_surface_is_wide)
+TEST(base_points, spacing_is_below_surface_width)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
     const auto strip = [&](std::size_t length)
     {
-      const auto place = [&](double u, double v) { return Point{double(length) * u, v, 0.}; };
-      return Glued_surface(scaled(grid(length, 1, place), scale));
+      const auto position = [&](double u, double v) { return Point{double(length) * u, v, 0.}; };
+      return Array_surface(scaled(grid(length, 1, position), scale));
     };
-    EXPECT_EQ(base_points_across(Glued_surface(scaled(square(10), scale)).t()), 200u);
-    EXPECT_EQ(base_points_across(strip(100).t()), 200u);
+    EXPECT_EQ(suitable_number_of_base_points(Array_surface(scaled(square(10), scale)).t()), 200u);
+    EXPECT_EQ(suitable_number_of_base_points(strip(100).t()), 200u);
     // Its width in the mean is 800 / 802, and a hexagon with 0.85 of that between its sides has an area
     // of 0.6226.
-    EXPECT_EQ(base_points_across(strip(400).t()), 642u);
-    EXPECT_EQ(base_points_across(strip(2000).t()), 1000u);
-    EXPECT_EQ(base_points_across(Glued_surface(scaled(tetrahedron(), scale)).t()), 200u);
+    EXPECT_EQ(suitable_number_of_base_points(strip(400).t()), 642u);
+    EXPECT_EQ(suitable_number_of_base_points(strip(2000).t()), 1000u);
+    EXPECT_EQ(suitable_number_of_base_points(Array_surface(scaled(tetrahedron(), scale)).t()),
+              200u);
   }
 }
 
-TEST(base_points, are_those_nearest_to_each_site)
+TEST(base_points, stores_nearest_points_of_each_vertex)
 {
-  const Glued_surface surface(square(40, 0.25));
-  const Base_points base = spread(surface, 60, 12);
+  const Array_surface surface(square(40, 0.25));
+  const Base_points base = farthest_base_points(surface, 60, 12);
   ASSERT_EQ(base.size(), 60u);
-  ASSERT_EQ(base.nearest, 12u);
-  for(Index site = 0; site < surface.size(); ++site)
+  ASSERT_EQ(base.number_of_nearest, 12u);
+  for(Index vertex = 0; vertex < surface.size(); ++vertex)
   {
-    std::vector<double> truth;
-    for(const Index point : base.sites)
-      truth.push_back(straight(surface, site, point));
-    std::sort(truth.begin(), truth.end());
+    std::vector<double> expected;
+    for(const Index point : base.vertices)
+      expected.push_back(euclidean_distance(surface, vertex, point));
+    std::sort(expected.begin(), expected.end());
     for(std::size_t k = 0; k < 12; ++k)
     {
       // Where a front ends it may be too long by some thousandths of a side; not so far inside.
       const double error = k < 8 ? 1e-6 : 0.01 / 40.;
-      EXPECT_NEAR(surface.scale() * base.distance[12 * site + k], truth[k], error);
-      EXPECT_NEAR(straight(surface, site, base.sites[base.point[12 * site + k]]), truth[k], error);
+      EXPECT_NEAR(surface.scale() * base.distance[12 * vertex + k], expected[k], error);
+      EXPECT_NEAR(
+          euclidean_distance(surface, vertex, base.vertices[base.neighbor[12 * vertex + k]]),
+          expected[k], error);
     }
   }
 }
 
-TEST(base_points, are_at_their_distance_from_neighbours_that_have_a_neighbour_in_common)
+TEST(base_points, pair_distances_of_close_points_are_exact)
 {
-  const Glued_surface surface(square(40, 0.25));
-  const Base_points base = spread(surface, 60, 16);
-  for(Index site = 0; site < surface.size(); ++site)
+  const Array_surface surface(square(40, 0.25));
+  const Base_points base = farthest_base_points(surface, 60, 16);
+  for(Index vertex = 0; vertex < surface.size(); ++vertex)
     for(std::size_t a = 0; a < 8; ++a)
       for(std::size_t b = 0; b < 8; ++b)
       {
-        const Index i = base.point[16 * site + a], j = base.point[16 * site + b];
+        const Index i = base.neighbor[16 * vertex + a], j = base.neighbor[16 * vertex + b];
         EXPECT_NEAR(surface.scale() * base.distance_between(i, j),
-                    straight(surface, base.sites[i], base.sites[j]), 1e-6);
+                    euclidean_distance(surface, base.vertices[i], base.vertices[j]), 1e-6);
         EXPECT_EQ(base.distance_between(i, j), base.distance_between(j, i));
       }
 }
 
-TEST(base_points, are_all_there_where_they_are_few)
+TEST(base_points, few_points_are_all_stored)
 {
-  const Glued_surface surface(square(10, 0.25));
-  const Base_points base = spread(surface, 5, 16);
-  EXPECT_EQ(base.nearest, 5u);
+  const Array_surface surface(square(10, 0.25));
+  const Base_points base = farthest_base_points(surface, 5, 16);
+  EXPECT_EQ(base.number_of_nearest, 5u);
   EXPECT_TRUE(std::none_of(base.distance.begin(), base.distance.end(),
                            [](double d) { return d == infinity; }));
   for(Index i = 0; i < 5; ++i)
     for(Index j = 0; j < 5; ++j)
       EXPECT_NEAR(surface.scale() * base.distance_between(i, j),
-                  straight(surface, base.sites[i], base.sites[j]), 1e-9);
+                  euclidean_distance(surface, base.vertices[i], base.vertices[j]), 1e-9);
 }
 
-TEST(base_points, of_two_pieces_do_not_meet)
+TEST(base_points, distance_between_components_is_infinite)
 {
-  const Triangulation piece = square(6, 0.2);
-  Triangulation other = piece;
+  const Triangulation component = square(6, 0.2);
+  Triangulation other = component;
   for(Point& p : other.points)
     p[2] += 3.;
-  const Glued_surface surface(apart(piece, other));
-  const Base_points base = spread(surface, 10, 8);
-  std::size_t apart = 0;
+  const Array_surface surface(disjoint_union(component, other));
+  const Base_points base = farthest_base_points(surface, 10, 8);
+  std::size_t number_of_infinite_pairs = 0;
   for(Index i = 0; i < 10; ++i)
     for(Index j = 0; j < 10; ++j)
-      apart += base.distance_between(i, j) == infinity;
-  EXPECT_EQ(apart, 50u); // five samples each
-  EXPECT_GT(std::count(base.point.begin(), base.point.end(), none), 0);
+      number_of_infinite_pairs += base.distance_between(i, j) == infinity;
+  EXPECT_EQ(number_of_infinite_pairs, 50u); // five samples each
+  EXPECT_GT(std::count(base.neighbor.begin(), base.neighbor.end(), none), 0);
 }
 
-TEST(base_points, are_none_when_cancelled)
+TEST(base_points, is_empty_when_cancelled)
 {
-  const Glued_surface surface(square(6, 0.2));
+  const Array_surface surface(square(6, 0.2));
   const Front front(surface.triangles(), Front_kind::euclidean);
-  Sampling sampling(surface.triangles(), front, Sample_place::site);
+  Sampling sampling(surface.triangles(), front, Sample_location::vertex);
   sampling.add(surface.at(0));
   EXPECT_EQ(
       nearest_base_points(surface.t(), sampling, front, 3, [](double) { return false; }).size(),

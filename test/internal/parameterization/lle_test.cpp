@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/lle.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -14,69 +14,70 @@ namespace {
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
 
-struct Flat
+struct Flattening
 {
   Base_points base;
-  std::vector<Planar> places, image;
+  std::vector<Vec2> positions, image;
 };
 
-Flat flattened(const Glued_surface& surface, std::size_t number, std::size_t neighbors = 10)
+Flattening flatten(const Array_surface& surface, std::size_t number, std::size_t neighbors = 10)
 {
   const Front front(surface.triangles(), Front_kind::euclidean);
-  Sampling sampling(surface.triangles(), front, Sample_place::site);
-  Sampling_goal goal;
-  goal.number = number;
-  sample_farthest(sampling, goal, [](double) {});
-  Flat result;
-  result.base = nearest_base_points(surface.t(), sampling, front, nearest_for(neighbors));
-  result.places = embedded(result.base, neighbors);
-  result.image = extended(result.base, result.places, neighbors);
+  Sampling sampling(surface.triangles(), front, Sample_location::vertex);
+  Sampling_options options;
+  options.number_of_samples = number;
+  sample_farthest_points(sampling, options, [](double) {});
+  Flattening result;
+  result.base = nearest_base_points(surface.t(), sampling, front, number_of_nearest_for(neighbors));
+  result.positions = embed_base_points(result.base, neighbors);
+  result.image = extend_embedding(result.base, result.positions, neighbors);
   return result;
 }
 
 // The largest difference of a distance in the image from that in space, of pairs with the first point.
-double error_in_plane(const Glued_surface& surface, const std::vector<Planar>& image)
+double error_in_plane(const Array_surface& surface, const std::vector<Vec2>& image)
 {
   double result = 0.;
   for(const Index a : {Index(0), surface.size() / 2})
     for(Index b = 0; b < surface.size(); ++b)
-      result = std::max(
-          result, std::abs(surface.scale() * norm(image[surface.site(b)] - image[surface.site(a)]) -
-                           distance(surface.point(a), surface.point(b))));
+      result = std::max(result, std::abs(surface.scale() * norm(image[surface.vertex(b)] -
+                                                                image[surface.vertex(a)]) -
+                                         distance(surface.point(a), surface.point(b))));
   return result;
 }
 
-TEST(lle, keeps_a_piece_of_the_plane)
+TEST(lle, is_isometric_on_planar_patch)
 {
-  const Glued_surface surface(square(40, 0.25));
+  const Array_surface surface(square(40, 0.25));
   // Rounding and fronts' ends, some millionths.
   for(const std::size_t number : {4u, 20u, 100u})
-    EXPECT_LT(error_in_plane(surface, flattened(surface, number).image), 2e-5) << number;
+    EXPECT_LT(error_in_plane(surface, flatten(surface, number).image), 2e-5) << number;
 }
 
-TEST(lle, keeps_what_unrolls_into_a_plane)
+TEST(lle, is_isometric_on_developable_patch)
 {
   // A quarter of a cylinder: chords are shorter than arcs, by less than a ten-thousandth.
-  const Glued_surface surface(grid(
+  const Array_surface surface(grid(
       30, 30,
       [](double s, double t) -> Point {
         return {std::cos(0.5 * pi * s), std::sin(0.5 * pi * s), t};
       },
       0.2));
-  const Flat flat = flattened(surface, 100);
-  double worst = 0.;
+  const Flattening flattening = flatten(surface, 100);
+  double max_error = 0.;
   for(Index a = 0; a < surface.size(); ++a)
   {
     const Point &p = surface.point(a), &q = surface.point(0);
-    const double along = std::atan2(p[1], p[0]) - std::atan2(q[1], q[0]);
-    worst = std::max(worst, std::abs(surface.scale() * norm(flat.image[surface.site(a)] -
-                                                            flat.image[surface.site(0)]) -
-                                     std::hypot(along, p[2] - q[2])));
+    const double arc_length = std::atan2(p[1], p[0]) - std::atan2(q[1], q[0]);
+    max_error =
+        std::max(max_error, std::abs(surface.scale() * norm(flattening.image[surface.vertex(a)] -
+                                                            flattening.image[surface.vertex(0)]) -
+                                     std::hypot(arc_length, p[2] - q[2])));
   }
-  EXPECT_LT(worst, 2e-3);
+  EXPECT_LT(max_error, 2e-3);
 }
 
-TEST(lle, is_exact_at_base_points_and_continuous)
+TEST(lle, interpolates_base_points_continuously)
 {
   Triangulation cap = icosphere(4);
   Triangulation half;
@@ -86,24 +87,24 @@ TEST(lle, is_exact_at_base_points_and_continuous)
        cap.points[cap.corners[c + 2]][2] > 0.)
       half.corners.insert(half.corners.end(), cap.corners.begin() + std::ptrdiff_t(c),
                           cap.corners.begin() + std::ptrdiff_t(c) + 3);
-  const Glued_surface surface(half);
-  const Flat flat = flattened(surface, 60);
-  for(std::size_t i = 0; i < flat.base.size(); ++i)
-    EXPECT_EQ(flat.image[flat.base.sites[i]], flat.places[i]);
+  const Array_surface surface(half);
+  const Flattening flattening = flatten(surface, 60);
+  for(std::size_t i = 0; i < flattening.base.size(); ++i)
+    EXPECT_EQ(flattening.image[flattening.base.vertices[i]], flattening.positions[i]);
   // Over a hemisphere lengths change by half at most.
-  const Glued_triangles& t = surface.t();
-  for(Index side = 0; side < t.corner.size(); ++side)
-    EXPECT_LT(norm(flat.image[t.corner[next_side(side)]] - flat.image[t.corner[side]]),
-              2. * t.length[side]);
+  const Surface_arrays& t = surface.t();
+  for(Index h = 0; h < t.corner.size(); ++h)
+    EXPECT_LT(norm(flattening.image[t.corner[next_halfedge(h)]] - flattening.image[t.corner[h]]),
+              2. * t.length[h]);
 }
 
-TEST(lle, scales_known_places_classically)
+TEST(lle, classical_scaling_recovers_known_positions)
 {
-  const Eigen::MatrixXd places = Eigen::MatrixXd::Random(12, 2);
+  const Eigen::MatrixXd positions = Eigen::MatrixXd::Random(12, 2);
   Eigen::MatrixXd squares(12, 12);
   for(int i = 0; i < 12; ++i)
     for(int j = 0; j < 12; ++j)
-      squares(i, j) = (places.row(i) - places.row(j)).squaredNorm();
+      squares(i, j) = (positions.row(i) - positions.row(j)).squaredNorm();
   const Eigen::MatrixXd found = classical_scaling(squares);
   for(int i = 0; i < 12; ++i)
     for(int j = 0; j < 12; ++j)

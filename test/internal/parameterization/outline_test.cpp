@@ -11,7 +11,7 @@ namespace {
 
 using namespace CGAL::Geodesic_processing::internal;
 
-Outline star(std::size_t n, double scale)
+Outline star_polygon(std::size_t n, double scale)
 {
   Outline result;
   for(std::size_t i = 0; i < n; ++i)
@@ -22,18 +22,18 @@ Outline star(std::size_t n, double scale)
   return result;
 }
 
-TEST(outline, simple_polygons_have_no_meeting_sides)
+TEST(outline, simple_polygon_has_no_self_intersection)
 {
   for(const double scale : {1e-6, 1., 1e6})
     for(const std::size_t n : {4u, 10u, 1000u})
-      EXPECT_FALSE(meeting_sides(star(n, scale)));
-  EXPECT_FALSE(meeting_sides({{0., 0.}, {1., 0.}, {0., 1.}}));
+      EXPECT_FALSE(find_self_intersection(star_polygon(n, scale)));
+  EXPECT_FALSE(find_self_intersection({{0., 0.}, {1., 0.}, {0., 1.}}));
 }
 
-TEST(outline, sides_that_cross_are_found)
+TEST(outline, finds_crossing_edges)
 {
   // A figure of eight.
-  const auto found = meeting_sides({{0., 0.}, {1., 1.}, {1., 0.}, {0., 1.}});
+  const auto found = find_self_intersection({{0., 0.}, {1., 1.}, {1., 0.}, {0., 1.}});
   ASSERT_TRUE(found);
   EXPECT_EQ(std::minmax(found->first, found->second), std::minmax(std::size_t(0), std::size_t(2)));
   // Round twice.
@@ -41,51 +41,51 @@ TEST(outline, sides_that_cross_are_found)
   for(int i = 0; i < 40; ++i)
     twice.push_back({(1. + 0.1 * std::sin(i * 0.155)) * std::cos(i * 0.31),
                      (1. + 0.1 * std::sin(i * 0.155)) * std::sin(i * 0.31)});
-  EXPECT_TRUE(meeting_sides(twice));
+  EXPECT_TRUE(find_self_intersection(twice));
 }
 
-TEST(outline, touching_counts)
+TEST(outline, touching_is_an_intersection)
 {
   // A corner in the middle of a side, a corner that comes twice, and a side back on the last one.
-  EXPECT_TRUE(meeting_sides({{0., 0.}, {2., 0.}, {2., 2.}, {1., 0.}, {0., 2.}}));
-  EXPECT_TRUE(meeting_sides({{0., 0.}, {2., 0.}, {1., 1.}, {2., 2.}, {0., 2.}, {1., 1.}}));
-  EXPECT_TRUE(meeting_sides({{0., 0.}, {2., 0.}, {1., 0.}, {1., 1.}}));
-  EXPECT_TRUE(meeting_sides({{0., 0.}, {0., 0.}, {1., 0.}, {0., 1.}}));
+  EXPECT_TRUE(find_self_intersection({{0., 0.}, {2., 0.}, {2., 2.}, {1., 0.}, {0., 2.}}));
+  EXPECT_TRUE(find_self_intersection({{0., 0.}, {2., 0.}, {1., 1.}, {2., 2.}, {0., 2.}, {1., 1.}}));
+  EXPECT_TRUE(find_self_intersection({{0., 0.}, {2., 0.}, {1., 0.}, {1., 1.}}));
+  EXPECT_TRUE(find_self_intersection({{0., 0.}, {0., 0.}, {1., 0.}, {0., 1.}}));
 }
 
-TEST(outline, a_gap_of_the_last_digit_is_seen)
+TEST(outline, predicates_are_exact)
 {
   // The corner (x, x) of the notch lies on the side from (0, 0) to (3, 3) or one digit beside it.
   const double x = 1.1, above = std::nextafter(x, 2.);
   const auto notch = [&](double y) {
     return Outline{{0., 0.}, {3., 3.}, {0., 4.}, {x, y}, {-1., 2.}};
   };
-  EXPECT_TRUE(meeting_sides(notch(x)));
-  EXPECT_FALSE(meeting_sides(notch(above)));
-  EXPECT_TRUE(turns_left({0., 0.}, {3., 3.}, {x, above}));
-  EXPECT_FALSE(turns_left({0., 0.}, {3., 3.}, {x, x}));
+  EXPECT_TRUE(find_self_intersection(notch(x)));
+  EXPECT_FALSE(find_self_intersection(notch(above)));
+  EXPECT_TRUE(is_left_turn({0., 0.}, {3., 3.}, {x, above}));
+  EXPECT_FALSE(is_left_turn({0., 0.}, {3., 3.}, {x, x}));
 }
 
-TEST(outline, agrees_with_all_pairs_of_sides)
+TEST(outline, agrees_with_brute_force)
 {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> wobble(-0.03, 0.03);
   int meeting = 0;
   for(int trial = 0; trial < 200; ++trial)
   {
-    Outline polygon = star(24, 0.3);
-    for(Planar& p : polygon)
-      p = p + Planar{wobble(random), wobble(random)};
+    Outline polygon = star_polygon(24, 0.3);
+    for(Vec2& p : polygon)
+      p = p + Vec2{wobble(random), wobble(random)};
     // By signs of areas in double precision: coordinates are at random, so that none is near zero.
     bool expected = false;
-    const auto side_of = [&](std::size_t i, const Planar& p)
+    const auto side_of = [&](std::size_t i, const Vec2& p)
     { return cross(polygon[(i + 1) % 24] - polygon[i], p - polygon[i]) > 0.; };
     for(std::size_t i = 0; i < 24; ++i)
       for(std::size_t j = i + 2; j < 24; ++j)
         if(!(i == 0 && j == 23))
           expected = expected || (side_of(i, polygon[j]) != side_of(i, polygon[(j + 1) % 24]) &&
                                   side_of(j, polygon[i]) != side_of(j, polygon[i + 1]));
-    EXPECT_EQ(meeting_sides(polygon).has_value(), expected);
+    EXPECT_EQ(find_self_intersection(polygon).has_value(), expected);
     meeting += expected;
   }
   EXPECT_GT(meeting, 5);

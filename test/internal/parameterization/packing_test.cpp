@@ -15,7 +15,7 @@ using namespace CGAL::Geodesic_processing::internal;
 using CGAL::Geodesic_processing::Invalid_argument_error;
 
 // Polygons around points, of all sizes.
-std::vector<Outline> blobs(std::size_t number, double scale)
+std::vector<Outline> random_outlines(std::size_t number, double scale)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> radius(0.3, 1.);
@@ -34,33 +34,33 @@ std::vector<Outline> blobs(std::size_t number, double scale)
 
 double area(const Outline& outline)
 {
-  double twice = 0.;
+  double double_area = 0.;
   for(std::size_t i = 0; i < outline.size(); ++i)
-    twice += cross(outline[i], outline[(i + 1) % outline.size()]);
-  return twice / 2.;
+    double_area += cross(outline[i], outline[(i + 1) % outline.size()]);
+  return double_area / 2.;
 }
 
 std::vector<Outline> placed(const std::vector<Outline>& outlines, const Packing& packing)
 {
   std::vector<Outline> result(outlines.size());
   for(std::size_t i = 0; i < outlines.size(); ++i)
-    for(const Planar& p : outlines[i])
+    for(const Vec2& p : outlines[i])
       result[i].push_back(packing(i, p));
   return result;
 }
 
-double distance(const Planar& p, const Planar& a, const Planar& b)
+double distance(const Vec2& p, const Vec2& a, const Vec2& b)
 {
   bool inside;
-  return norm(p - foot(p, a, b, inside));
+  return norm(p - closest_point_on_segment(p, a, b, inside));
 }
 
-bool contains(const Outline& outline, const Planar& p)
+bool contains(const Outline& outline, const Vec2& p)
 {
   bool result = false;
   for(std::size_t i = 0; i < outline.size(); ++i)
   {
-    const Planar &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
     if((a[1] > p[1]) != (b[1] > p[1]) && (cross(b - a, p - a) > 0.) == (b[1] > a[1]))
       result = !result;
   }
@@ -72,7 +72,7 @@ double gap(const Outline& a, const Outline& b)
 {
   double result = infinity;
   for(const auto& [p, q] : {std::make_pair(&a, &b), std::make_pair(&b, &a)})
-    for(const Planar& corner : *p)
+    for(const Vec2& corner : *p)
     {
       if(contains(*q, corner))
         return 0.;
@@ -82,20 +82,20 @@ double gap(const Outline& a, const Outline& b)
   return result;
 }
 
-TEST(packing, keeps_the_gutter_and_covers_most_of_the_square)
+TEST(packing, keeps_gutter_and_covers_square)
 {
   constexpr std::size_t texels = 512, gutter = 6;
   for(const double scale : {1e-6, 1., 1e6})
   {
-    const std::vector<Outline> outlines = blobs(60, scale);
+    const std::vector<Outline> outlines = random_outlines(60, scale);
     const Packing packing = pack(outlines, texels, gutter, 1);
     const std::vector<Outline> all = placed(outlines, packing);
-    double covered = 0.;
+    double covered_area = 0.;
     for(std::size_t i = 0; i < all.size(); ++i)
     {
       EXPECT_NEAR(norm(packing.directions[i]), 1., 1e-14);
-      covered += area(all[i]);
-      for(const Planar& p : all[i])
+      covered_area += area(all[i]);
+      for(const Vec2& p : all[i])
         for(const double x : p)
         {
           EXPECT_GE(x, gutter / 2. - 1e-9); // a place in a cell is rounded
@@ -105,11 +105,11 @@ TEST(packing, keeps_the_gutter_and_covers_most_of_the_square)
         EXPECT_GE(gap(all[i], all[j]), gutter - 1e-9) << i << ' ' << j;
     }
     // These stars fill 64 % of their own rectangles on the average, and a twelfth is gutter.
-    EXPECT_GT(covered / (texels * texels), 0.4);
+    EXPECT_GT(covered_area / (texels * texels), 0.4);
   }
 }
 
-TEST(packing, one_rectangle_fills_what_it_can)
+TEST(packing, single_square_fills_texture)
 {
   const Packing packing = pack({{{0., 0.}, {2., 0.}, {2., 2.}, {0., 2.}}}, 256, 4, 1);
   // Within a hundredth of 252 texels: the search ends there; cells are texels.
@@ -117,7 +117,7 @@ TEST(packing, one_rectangle_fills_what_it_can)
   EXPECT_LE(2. * packing.scale, 252.);
 }
 
-TEST(packing, small_ones_go_between_large_ones)
+TEST(packing, small_outlines_fill_gaps)
 {
   // A frame that is open at one corner, and squares for its inside.
   std::vector<Outline> outlines = {
@@ -130,26 +130,26 @@ TEST(packing, small_ones_go_between_large_ones)
   EXPECT_GT(12. * packing.scale, 512. * 1.05);
 }
 
-TEST(packing, threads_change_nothing)
+TEST(packing, is_independent_of_threads)
 {
-  const std::vector<Outline> outlines = blobs(40, 1.);
+  const std::vector<Outline> outlines = random_outlines(40, 1.);
   const Packing one = pack(outlines, 300, 3, 1), three = pack(outlines, 300, 3, 3);
   EXPECT_EQ(one.scale, three.scale);
   EXPECT_EQ(one.offsets, three.offsets);
   EXPECT_EQ(one.directions, three.directions);
 }
 
-TEST(packing, says_when_there_is_no_room)
+TEST(packing, throws_if_it_does_not_fit)
 {
-  EXPECT_THROW(pack(blobs(100, 1.), 32, 8, 1), Invalid_argument_error);
-  EXPECT_THROW(pack(blobs(1, 1.), 8, 2, 1), Invalid_argument_error);
+  EXPECT_THROW(pack(random_outlines(100, 1.), 32, 8, 1), Invalid_argument_error);
+  EXPECT_THROW(pack(random_outlines(1, 1.), 8, 2, 1), Invalid_argument_error);
   // The same of charts that are points.
-  EXPECT_THROW(pack(std::vector<Outline>(200, Outline(3, Planar{0., 0.})), 16, 1, 1),
+  EXPECT_THROW(pack(std::vector<Outline>(200, Outline(3, Vec2{0., 0.})), 16, 1, 1),
                Invalid_argument_error);
-  EXPECT_THROW(pack(blobs(1, 1.), 20000, 2, 1), Invalid_argument_error);
-  EXPECT_THROW(pack(blobs(1, 1.), 64, 65, 1), Invalid_argument_error);
-  EXPECT_THROW(check_room(257, 32, 2), Invalid_argument_error);
-  check_room(256, 32, 2);
+  EXPECT_THROW(pack(random_outlines(1, 1.), 20000, 2, 1), Invalid_argument_error);
+  EXPECT_THROW(pack(random_outlines(1, 1.), 64, 65, 1), Invalid_argument_error);
+  EXPECT_THROW(check_fits(257, 32, 2), Invalid_argument_error);
+  check_fits(256, 32, 2);
   EXPECT_TRUE(pack({}, 64, 2, 1).offsets.empty());
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>
 
-#include <CGAL/Geodesic_processing/internal/parameterization/injective.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +19,15 @@ using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
 
 // Where points lie, seen from above.
-std::vector<Planar> flat(const Glued_surface& surface, double scale = 1.)
+std::vector<Vec2> planar_image(const Array_surface& surface, double scale = 1.)
 {
-  std::vector<Planar> image(surface.size());
+  std::vector<Vec2> image(surface.size());
   for(Index i = 0; i < surface.size(); ++i)
-    image[surface.site(i)] = {scale * surface.point(i)[0], scale * surface.point(i)[1]};
+    image[surface.vertex(i)] = {scale * surface.point(i)[0], scale * surface.point(i)[1]};
   return image;
 }
 
-double largest_move(const std::vector<Planar>& a, const std::vector<Planar>& b)
+double largest_move(const std::vector<Vec2>& a, const std::vector<Vec2>& b)
 {
   double result = 0.;
   for(std::size_t i = 0; i < a.size(); ++i)
@@ -38,39 +38,39 @@ double largest_move(const std::vector<Planar>& a, const std::vector<Planar>& b)
 // Newton's method ends where a step takes a ten-thousandth off the energy, of which a triangle stretched by e has
 // 8 e^2 too much: the last step stretches no triangle in a hundred by more than a hundredth or so, of whose
 // sides moves are shares.
-constexpr double share_of_side = 0.05;
+constexpr double edge_length_tolerance = 0.05;
 
-TEST(untangling, puts_back_what_was_moved_out_of_a_plane_map)
+TEST(untangling, restores_displaced_vertex_of_planar_map)
 {
   constexpr Index n = 40;
   for(const double scale : {1e-6, 1., 1e6})
     for(const Index moved : {20 * (n + 1) + 20, n + 2, 20 * (n + 1) + 1, Index(20)})
     {
-      const Glued_surface surface(square(n, 0.25));
-      const std::vector<Planar> truth = flat(surface, scale);
-      std::vector<Planar> image = truth;
-      Planar& p = image[surface.site(moved)];
-      p = p + scale / double(n) * Planar{2.6, 1.7};
+      const Array_surface surface(square(n, 0.25));
+      const std::vector<Vec2> expected = planar_image(surface, scale);
+      std::vector<Vec2> image = expected;
+      Vec2& p = image[surface.vertex(moved)];
+      p = p + scale / double(n) * Vec2{2.6, 1.7};
       ASSERT_GT(number_of_flips(surface.t(), image), 0u);
       untangle(surface.t(), image);
       EXPECT_EQ(number_of_flips(surface.t(), image), 0u) << moved;
-      EXPECT_LT(largest_move(image, truth), share_of_side * scale / double(n)) << moved;
+      EXPECT_LT(largest_move(image, expected), edge_length_tolerance * scale / double(n)) << moved;
     }
 }
 
-TEST(untangling, moves_nothing_far_away_and_nothing_that_is_sound)
+TEST(untangling, changes_only_neighborhood_of_flips)
 {
   constexpr std::size_t n = 60;
-  const Glued_surface surface(square(n, 0.25));
-  std::vector<Planar> image = flat(surface);
-  for(Planar& p : image)
+  const Array_surface surface(square(n, 0.25));
+  std::vector<Vec2> image = planar_image(surface);
+  for(Vec2& p : image)
     p = {p[0] + 0.1 * p[1] * p[1], 0.8 * p[1]}; // distorted
-  std::vector<Planar> before = image;
+  std::vector<Vec2> before = image;
   untangle(surface.t(), image);
   EXPECT_EQ(image, before);
 
   const Index moved = Index(30 * (n + 1) + 30);
-  image[surface.site(moved)][0] += 2.5 / double(n);
+  image[surface.vertex(moved)][0] += 2.5 / double(n);
   untangle(surface.t(), image);
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
   // Squares around what was flipped, in as many rings as are moved at most.
@@ -78,44 +78,44 @@ TEST(untangling, moves_nothing_far_away_and_nothing_that_is_sound)
   {
     const int column = int(i % (n + 1)), row = int(i / (n + 1));
     const bool is_far = std::max(std::abs(column - 30), std::abs(row - 30)) > 10;
-    EXPECT_TRUE(!is_far || image[surface.site(i)] == before[surface.site(i)]);
+    EXPECT_TRUE(!is_far || image[surface.vertex(i)] == before[surface.vertex(i)]);
   }
 }
 
-TEST(untangling, leaves_places_when_there_are_many)
+TEST(untangling, limits_total_number_of_moved_triangles)
 {
   // 49 places, with more than 100 triangles about each, of which two passes move 3,000 each.
-  constexpr std::size_t n = 160, spacing = 20, most_moved = 2 * 3000;
-  const Glued_surface surface(square(n, 0.25));
-  std::vector<Planar> image = flat(surface);
+  constexpr std::size_t n = 160, spacing = 20, max_moved = 2 * 3000;
+  const Array_surface surface(square(n, 0.25));
+  std::vector<Vec2> image = planar_image(surface);
   for(std::size_t row = spacing; row < n; row += spacing)
     for(std::size_t column = spacing; column < n; column += spacing)
-      image[surface.site(Index(row * (n + 1) + column))][0] += 2.5 / double(n);
-  const std::vector<Planar> before = image;
+      image[surface.vertex(Index(row * (n + 1) + column))][0] += 2.5 / double(n);
+  const std::vector<Vec2> before = image;
   untangle(surface.t(), image);
   EXPECT_GT(number_of_flips(surface.t(), image), 0u);
   EXPECT_LT(number_of_flips(surface.t(), image), number_of_flips(surface.t(), before));
   std::size_t moved = 0;
   for(std::size_t c = 0; c < surface.t().corner.size(); c += 3)
     moved += std::any_of(surface.t().corner.begin() + c, surface.t().corner.begin() + c + 3,
-                         [&](Index site) { return image[site] != before[site]; });
-  EXPECT_LE(moved, most_moved);
+                         [&](Index vertex) { return image[vertex] != before[vertex]; });
+  EXPECT_LE(moved, max_moved);
 }
 
-TEST(untangling, adds_no_flip)
+TEST(untangling, never_adds_flips)
 {
   std::mt19937 random(7);
-  const Glued_surface surface(square(30, 0.25));
+  const Array_surface surface(square(30, 0.25));
   std::size_t solved = 0;
   for(const double amount : {0.02, 0.05, 0.1, 0.3, 1.})
     for(int round = 0; round < 3; ++round)
     {
-      std::vector<Planar> image = flat(surface);
+      std::vector<Vec2> image = planar_image(surface);
       std::uniform_real_distribution<double> offset(-amount, amount);
       for(int k = 0; k < 5; ++k)
       {
-        Planar& p = image[random() % image.size()];
-        p = p + Planar{offset(random), offset(random)};
+        Vec2& p = image[random() % image.size()];
+        p = p + Vec2{offset(random), offset(random)};
       }
       const std::size_t before = number_of_flips(surface.t(), image);
       untangle(surface.t(), image);
@@ -127,55 +127,54 @@ TEST(untangling, adds_no_flip)
 }
 
 // An inner site with four right angles twice has a map without flips that goes around it twice.
-TEST(untangling, does_not_wind_a_star_twice)
+TEST(untangling, does_not_accept_double_winding)
 {
   constexpr std::size_t n = 24, rings = 14;
-  const Glued_surface surface(cone(n, rings, 4. * pi));
-  std::vector<Planar> image(surface.size());
+  const Array_surface surface(cone(n, rings, 4. * pi));
+  std::vector<Vec2> image(surface.size());
   for(Index i = 1; i < surface.size(); ++i)
   {
     const double angle = 4. * pi * double((i - 1) % n) / double(n),
                  radius = double((i - 1) / n + 1);
-    image[surface.site(i)] = {radius * std::cos(angle), radius * std::sin(angle)};
+    image[surface.vertex(i)] = {radius * std::cos(angle), radius * std::sin(angle)};
   }
-  image[surface.site(0)] = {0., 0.};
+  image[surface.vertex(0)] = {0., 0.};
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
-  image[surface.site(1 + 2 * n)][1] += 2.;
+  image[surface.vertex(1 + 2 * n)][1] += 2.;
   ASSERT_GT(number_of_flips(surface.t(), image), 0u);
-  const std::vector<Planar> before = image;
+  const std::vector<Vec2> before = image;
   untangle(surface.t(), image);
   EXPECT_EQ(image, before);
 }
 
-TEST(untangling, survives_maps_that_are_none)
+TEST(untangling, handles_degenerate_maps)
 {
-  const Glued_surface surface(square(8));
-  for(const Planar& factor :
-      {Planar{0., 0.}, Planar{1., 0.}, Planar{1e200, -1e200}, Planar{1e-200, -1e-200}})
+  const Array_surface surface(square(8));
+  for(const Vec2& factor : {Vec2{0., 0.}, Vec2{1., 0.}, Vec2{1e200, -1e200}, Vec2{1e-200, -1e-200}})
   {
-    std::vector<Planar> image = flat(surface);
-    for(Planar& p : image)
+    std::vector<Vec2> image = planar_image(surface);
+    for(Vec2& p : image)
       p = {factor[0] * p[0], factor[1] * p[1]};
     const std::size_t before = number_of_flips(surface.t(), image);
     EXPECT_GT(before, 0u);
     untangle(surface.t(), image);
     EXPECT_LE(number_of_flips(surface.t(), image), before);
-    for(const Planar& p : image)
+    for(const Vec2& p : image)
       EXPECT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]));
   }
 }
 
-TEST(untangling, faces_up)
+TEST(untangling, orients_positively)
 {
-  const Glued_surface surface(square(5));
-  const std::vector<Planar> truth = flat(surface);
-  std::vector<Planar> image = truth;
-  face_up(surface.t(), image);
-  EXPECT_EQ(image, truth);
-  for(Planar& p : image)
+  const Array_surface surface(square(5));
+  const std::vector<Vec2> expected = planar_image(surface);
+  std::vector<Vec2> image = expected;
+  orient_positively(surface.t(), image);
+  EXPECT_EQ(image, expected);
+  for(Vec2& p : image)
     p[1] = -p[1];
-  face_up(surface.t(), image);
-  EXPECT_EQ(image, truth);
+  orient_positively(surface.t(), image);
+  EXPECT_EQ(image, expected);
 }
 
 } // namespace

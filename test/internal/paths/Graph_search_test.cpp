@@ -16,26 +16,27 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-constexpr double rounding = 1e-12; // sums of some hundreds of lengths
+constexpr double round_off = 1e-12; // sums of some hundreds of lengths
 
-bool has_arc(const Site_graph& graph, Index from, Index to)
+bool has_edge(const Proximity_graph& graph, Index from, Index to)
 {
   const auto begin = graph.target.begin();
-  const auto end = begin + graph.first[from + 1];
-  return std::find(begin + graph.first[from], end, to) != end;
+  const auto end = begin + graph.begin[from + 1];
+  return std::find(begin + graph.begin[from], end, to) != end;
 }
 
 // Of arcs, between these two.
-void expect_chain(const Site_graph& graph, const std::vector<Index>& chain, Index from, Index to)
+void expect_chain(const Proximity_graph& graph, const std::vector<Index>& chain, Index from,
+                  Index to)
 {
   ASSERT_FALSE(chain.empty());
   EXPECT_EQ(chain.front(), from);
   EXPECT_EQ(chain.back(), to);
   for(std::size_t k = 0; k + 1 < chain.size(); ++k)
-    EXPECT_TRUE(has_arc(graph, chain[k], chain[k + 1]));
+    EXPECT_TRUE(has_edge(graph, chain[k], chain[k + 1]));
 }
 
-double length(const Surfel_cloud& cloud, const std::vector<Index>& chain)
+double chain_length(const Surfel_cloud& cloud, const std::vector<Index>& chain)
 {
   double sum = 0.;
   for(std::size_t i = 0; i + 1 < chain.size(); ++i)
@@ -43,7 +44,7 @@ double length(const Surfel_cloud& cloud, const std::vector<Index>& chain)
   return sum;
 }
 
-TEST(Graph_search, finds_the_same_chains_by_all_methods)
+TEST(Graph_search, agrees_between_search_methods)
 {
   const Cloud torus = with_noise(torus_cloud(3000, 0.4), std::vector<double>(3200, 0.05), 0.2, 1);
   const Surfel_cloud cloud = make_cloud(torus.points, torus.normals);
@@ -57,17 +58,17 @@ TEST(Graph_search, finds_the_same_chains_by_all_methods)
     ASSERT_FALSE(expected.empty());
     EXPECT_EQ(expected.front(), a);
     EXPECT_EQ(expected.back(), b);
-    visited[0] += search.visited();
+    visited[0] += search.number_of_visited_vertices();
     EXPECT_EQ(search(a, b, Surfel_search::bidirectional), expected);
-    visited[1] += search.visited();
+    visited[1] += search.number_of_visited_vertices();
     EXPECT_EQ(search(a, b, Surfel_search::a_star), expected);
-    visited[2] += search.visited();
+    visited[2] += search.number_of_visited_vertices();
   }
   EXPECT_LT(visited[1], visited[0]);
   EXPECT_LT(visited[2], visited[1]);
 }
 
-TEST(Graph_search, finds_chains_of_one_length_on_lattices)
+TEST(Graph_search, finds_equally_short_paths_on_lattices)
 {
   // Many chains are as short there.
   const Cloud square = square_cloud(30);
@@ -76,104 +77,104 @@ TEST(Graph_search, finds_chains_of_one_length_on_lattices)
   for(Index a = 0; a < 900; a += 37)
     for(Index b = 0; b < 900; b += 41)
     {
-      const double expected = length(cloud, search(a, b, Surfel_search::dijkstra));
+      const double expected = chain_length(cloud, search(a, b, Surfel_search::dijkstra));
       // Sums of at most 60 roundings.
-      EXPECT_NEAR(length(cloud, search(a, b, Surfel_search::bidirectional)), expected, 1e-14);
-      EXPECT_NEAR(length(cloud, search(a, b, Surfel_search::a_star)), expected, 1e-14);
+      EXPECT_NEAR(chain_length(cloud, search(a, b, Surfel_search::bidirectional)), expected, 1e-14);
+      EXPECT_NEAR(chain_length(cloud, search(a, b, Surfel_search::a_star)), expected, 1e-14);
     }
 }
 
-TEST(Graph_search, finds_short_chains_from_coarse_to_fine)
+TEST(Graph_search, finds_short_paths_with_coarse_to_fine_search)
 {
   const Cloud sphere = ellipsoid_cloud(20000, {1., 1., 1.}), torus = torus_cloud(20000, 0.4);
   const Cloud noisy = with_noise(torus, std::vector<double>(torus.size(), 0.02), 0.5, 1);
   for(const Cloud& surfels : {sphere, torus, noisy})
   {
     const Surfel_cloud cloud = make_cloud(surfels.points, surfels.normals);
-    const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+    const Vertex_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
     Graph_search search(cloud.graph, cloud.point, &regions);
     std::mt19937 random(1);
     double sum = 0.;
-    std::size_t visited = 0, visited_all = 0;
+    std::size_t visited = 0, number_visited_by_a_star = 0;
     for(int i = 0; i < 100; ++i)
     {
-      const Index a = Index(random() % cloud.number_of_sites()),
-                  b = Index(random() % cloud.number_of_sites());
-      const double shortest = length(cloud, search(a, b, Surfel_search::a_star));
-      visited_all += search.visited();
+      const Index a = Index(random() % cloud.number_of_vertices()),
+                  b = Index(random() % cloud.number_of_vertices());
+      const double shortest_length = chain_length(cloud, search(a, b, Surfel_search::a_star));
+      number_visited_by_a_star += search.number_of_visited_vertices();
       const std::vector<Index> chain = search(a, b, Surfel_search::coarse_to_fine);
-      visited += search.visited();
+      visited += search.number_of_visited_vertices();
       expect_chain(cloud.graph, chain, a, b);
       // Lengths of 16 regions or more, each a tenth too long or too short, are known to some percent:
       // by so much may the chain be the shortest of another way round.
-      const double excess = length(cloud, chain) / shortest - 1.;
+      const double excess = chain_length(cloud, chain) / shortest_length - 1.;
       EXPECT_LT(excess, 0.06);
-      EXPECT_GT(excess, -rounding);
+      EXPECT_GT(excess, -round_off);
       sum += excess;
     }
     EXPECT_LT(sum / 100., 0.005);
-    EXPECT_LT(visited, visited_all);
+    EXPECT_LT(visited, number_visited_by_a_star);
   }
 }
 
-TEST(Graph_search, is_led_along_long_ways)
+TEST(Graph_search, is_guided_on_long_paths)
 {
   // Once half around are 350 surfels, or 60 regions.
   const Cloud torus = torus_cloud(100000, 0.4);
   const Surfel_cloud cloud = make_cloud(torus.points, torus.normals);
-  const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+  const Vertex_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
   Graph_search search(cloud.graph, cloud.point, &regions);
   std::mt19937 random(1);
   double sum = 0.;
-  std::size_t number = 0, visited = 0, visited_all = 0;
-  while(number < 30)
+  std::size_t number_of_pairs = 0, visited = 0, number_visited_by_a_star = 0;
+  while(number_of_pairs < 30)
   {
-    const Index a = Index(random() % cloud.number_of_sites()),
-                b = Index(random() % cloud.number_of_sites());
+    const Index a = Index(random() % cloud.number_of_vertices()),
+                b = Index(random() % cloud.number_of_vertices());
     if(norm(cloud.point[a] - cloud.point[b]) * cloud.frame.scale < 2.2)
       continue;
-    ++number;
-    const double shortest = length(cloud, search(a, b, Surfel_search::a_star));
-    visited_all += search.visited();
+    ++number_of_pairs;
+    const double shortest_length = chain_length(cloud, search(a, b, Surfel_search::a_star));
+    number_visited_by_a_star += search.number_of_visited_vertices();
     const std::vector<Index> chain = search(a, b, Surfel_search::coarse_to_fine);
-    visited += search.visited();
+    visited += search.number_of_visited_vertices();
     expect_chain(cloud.graph, chain, a, b);
-    const double excess = length(cloud, chain) / shortest - 1.;
+    const double excess = chain_length(cloud, chain) / shortest_length - 1.;
     // What the chain of leaders is too long by, and as much because distances count a tenth more.
     EXPECT_LT(excess, 0.1);
-    EXPECT_GT(excess, -rounding);
+    EXPECT_GT(excess, -round_off);
     sum += excess;
   }
   EXPECT_LT(sum / 30., 0.03);
-  EXPECT_LT(3 * visited, visited_all);
+  EXPECT_LT(3 * visited, number_visited_by_a_star);
 }
 
-TEST(Graph_search, leaves_nothing_out_between_near_sites)
+TEST(Graph_search, is_exact_between_adjacent_vertices)
 {
   const Cloud torus = torus_cloud(3000, 0.4);
   const Surfel_cloud cloud = make_cloud(torus.points, torus.normals);
-  const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+  const Vertex_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
   Graph_search search(cloud.graph, cloud.point, &regions);
-  for(Index a = 0; a < cloud.number_of_sites(); a += 10)
-    for(Index arc = cloud.graph.first[a]; arc < cloud.graph.first[a + 1]; ++arc)
+  for(Index a = 0; a < cloud.number_of_vertices(); a += 10)
+    for(Index e = cloud.graph.begin[a]; e < cloud.graph.begin[a + 1]; ++e)
     {
-      const Index b = cloud.graph.target[arc];
+      const Index b = cloud.graph.target[e];
       EXPECT_EQ(search(a, b, Surfel_search::coarse_to_fine), search(a, b, Surfel_search::a_star));
     }
 }
 
-TEST(Graph_search, says_when_there_is_no_chain)
+TEST(Graph_search, is_empty_when_not_connected)
 {
   Cloud two = square_cloud(5);
   for(std::size_t i = 0; i < 25; ++i)
-    two.add(two.points[i] + Spatial{9., 0., 0.}, two.normals[i]);
+    two.add(two.points[i] + Vec3{9., 0., 0.}, two.normals[i]);
   const Surfel_cloud cloud = make_cloud(two.points, two.normals);
-  const Site_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
+  const Vertex_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
   Graph_search search(cloud.graph, cloud.point, &regions);
   for(const Surfel_search method : {Surfel_search::dijkstra, Surfel_search::bidirectional,
                                     Surfel_search::a_star, Surfel_search::coarse_to_fine})
   {
-    EXPECT_TRUE(search(cloud.site_of_surfel[0], cloud.site_of_surfel[30], method).empty());
+    EXPECT_TRUE(search(cloud.internal_vertex[0], cloud.internal_vertex[30], method).empty());
     EXPECT_EQ(search(3, 3, method), std::vector<Index>{3});
   }
 }

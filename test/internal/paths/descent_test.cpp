@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "paths/descent.h"
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "path_checks.h"
 
 namespace {
@@ -11,26 +11,27 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-constexpr double rounding = 1e-12; // a few hundred roundings of lengths below 10
+constexpr double round_off = 1e-12; // a few hundred roundings of lengths below 10
 
 // A field from distances in the caller's space.
-std::function<double(Index)> field(const Glued_surface& surface,
+std::function<double(Index)> field(const Array_surface& surface,
                                    const std::function<double(const Point&)>& f)
 {
-  return [&surface, f](Index site)
-  { return f(surface.point(surface.point_of_site(site))) / surface.scale(); };
+  return [&surface, f](Index vertex)
+  { return f(surface.point(surface.caller_vertex(vertex))) / surface.scale(); };
 }
 
-Source source_at(const Location& location, double offset = 0.)
+Front_source source_at(const Surface_location& location, double offset = 0.)
 {
-  Source result;
+  Front_source result;
   result.polyline = {location};
   result.offset = offset;
   return result;
 }
 
-double value_at(const Glued_surface& surface, const std::function<double(Index)>& distance,
-                const Location& location)
+double interpolated_value(const Array_surface& surface,
+                          const std::function<double(Index)>& distance,
+                          const Surface_location& location)
 {
   double sum = 0.;
   for(Index k = 0; k < 3; ++k)
@@ -39,41 +40,41 @@ double value_at(const Glued_surface& surface, const std::function<double(Index)>
   return sum;
 }
 
-TEST(Descent, follows_a_distance_to_its_source)
+TEST(Descent, descends_distance_field_to_its_source)
 {
-  std::size_t steps = 0, climbs = 0;
-  const Glued_surface surface(square(20, 0.25));
+  std::size_t number_of_steps = 0, number_of_ascents = 0;
+  const Array_surface surface(square(20, 0.25));
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
   {
-    const Location to =
+    const Surface_location to =
         i % 2 == 0 ? surface.at(Index(random() % 441)) : random_location(surface.t(), random);
     const Point center = point_at(surface.t(), to);
     const auto distances = field(surface, [&](const Point& p) { return distance(p, center); });
     const Descent descent(surface.t(), {source_at(to)});
-    const Location from = random_location(surface.t(), random);
+    const Surface_location from = random_location(surface.t(), random);
     const auto path = descent(from, distances);
     EXPECT_EQ(path.source, 0u);
     expect_path_on_surface(surface.t(), path.locations, from, to);
     for(std::size_t k = 0; k + 2 < path.locations.size(); ++k)
     {
-      ++steps;
-      climbs += !(value_at(surface, distances, path.locations[k + 1]) <
-                  value_at(surface, distances, path.locations[k]));
+      ++number_of_steps;
+      number_of_ascents += !(interpolated_value(surface, distances, path.locations[k + 1]) <
+                             interpolated_value(surface, distances, path.locations[k]));
     }
-    const double straight = distance(point_at(surface.t(), from), center) / surface.t().scale;
-    const auto taut = straighten(surface.t(), path.locations);
-    EXPECT_NEAR(taut.length, straight, rounding);
-    EXPECT_LE(taut.length, path_length(surface.t(), path.locations) + rounding);
+    const double expected = distance(point_at(surface.t(), from), center) / surface.t().scale;
+    const auto geodesic = shorten_geodesic(surface.t(), path.locations);
+    EXPECT_NEAR(geodesic.length, expected, round_off);
+    EXPECT_LE(geodesic.length, path_length(surface.t(), path.locations) + round_off);
   }
   // Interpolated over triangles that are not Delaunay, even exact distances have a few pits.
-  EXPECT_LE(100 * climbs, steps);
+  EXPECT_LE(100 * number_of_ascents, number_of_steps);
 }
 
-TEST(Descent, ends_at_the_source_that_explains_the_value)
+TEST(Descent, ends_at_nearest_source)
 {
-  const Glued_surface surface(square(20, 0.25));
-  std::vector<Source> sources = {source_at(surface.at(0)), source_at(surface.at(440), 0.5)};
+  const Array_surface surface(square(20, 0.25));
+  std::vector<Front_source> sources = {source_at(surface.at(0)), source_at(surface.at(440), 0.5)};
   const Point p = {0., 0., 0.}, q = {1., 1., 0.};
   const double scale = surface.t().scale;
   const auto distances = field(surface, [&](const Point& x)
@@ -82,7 +83,7 @@ TEST(Descent, ends_at_the_source_that_explains_the_value)
   std::mt19937 random(2);
   for(int i = 0; i < 100; ++i)
   {
-    const Location from = random_location(surface.t(), random);
+    const Surface_location from = random_location(surface.t(), random);
     const Point x = point_at(surface.t(), from);
     const double first = distance(x, p), second = 0.5 * scale + distance(x, q);
     if(std::abs(first - second) > 0.2) // farther from the ridge than triangles are wide
@@ -93,33 +94,33 @@ TEST(Descent, ends_at_the_source_that_explains_the_value)
   }
 }
 
-TEST(Descent, ends_on_polylines)
+TEST(Descent, ends_on_polyline_sources)
 {
-  const Glued_surface surface(square(20, 0.25));
+  const Array_surface surface(square(20, 0.25));
   // The lower border.
-  Source border;
+  Front_source boundary;
   for(Index i = 0; i <= 20; ++i)
-    border.polyline.push_back(surface.at(i));
-  const Descent descent(surface.t(), {border});
+    boundary.polyline.push_back(surface.at(i));
+  const Descent descent(surface.t(), {boundary});
   const auto height = field(surface, [](const Point& p) { return p[1]; });
   std::mt19937 random(3);
   for(int i = 0; i < 100; ++i)
   {
-    const Location from = random_location(surface.t(), random);
+    const Surface_location from = random_location(surface.t(), random);
     const auto path = descent(from, height);
     ASSERT_FALSE(path.locations.empty());
     const Point p = point_at(surface.t(), from), q = point_at(surface.t(), path.locations.back());
     // The height is linear: straight down.
-    EXPECT_NEAR(q[1], 0., rounding);
+    EXPECT_NEAR(q[1], 0., round_off);
     EXPECT_NEAR(q[0], p[0], 1e-3); // steps go to corners that are nearer than 1e-4 of a side
   }
 }
 
-TEST(Descent, starts_at_the_source_and_beside_it)
+TEST(Descent, handles_start_at_or_next_to_source)
 {
-  const Glued_surface surface(square(6, 0.2));
+  const Array_surface surface(square(6, 0.2));
   std::mt19937 random(4);
-  Location to = random_location(surface.t(), random), from = to;
+  Surface_location to = random_location(surface.t(), random), from = to;
   const Point center = point_at(surface.t(), to);
   const auto distances = field(surface, [&](const Point& p) { return distance(p, center); });
   const Descent descent(surface.t(), {source_at(to)});
@@ -128,17 +129,17 @@ TEST(Descent, starts_at_the_source_and_beside_it)
   const auto path = descent(from, distances);
   EXPECT_EQ(path.locations.size(), 2u);
   EXPECT_NEAR(path_length(surface.t(), path.locations) * surface.t().scale,
-              distance(center, point_at(surface.t(), from)), rounding);
+              distance(center, point_at(surface.t(), from)), round_off);
 }
 
-TEST(Descent, never_turns_in_circles_whatever_the_field)
+TEST(Descent, terminates_on_arbitrary_fields)
 {
   for(unsigned seed = 1; seed <= 20; ++seed)
   {
-    const Glued_surface surface(shaken(icosphere(2), 0.05, seed));
-    const Glued_triangles& t = surface.t();
+    const Array_surface surface(jittered(icosphere(2), 0.05, seed));
+    const Surface_arrays& t = surface.t();
     std::mt19937 random(seed);
-    std::vector<double> values(t.number_of_sites());
+    std::vector<double> values(t.number_of_vertices());
     for(double& value : values)
       switch(seed % 4)
       {
@@ -155,21 +156,21 @@ TEST(Descent, never_turns_in_circles_whatever_the_field)
         value = double(random());
         break;
       }
-    const Location to = random_location(t, random);
+    const Surface_location to = random_location(t, random);
     const Descent descent(t, {source_at(to)});
     for(int i = 0; i < 20; ++i)
     {
-      const Location from = random_location(t, random);
-      const auto path = descent(from, [&](Index site) { return values[site]; });
+      const Surface_location from = random_location(t, random);
+      const auto path = descent(from, [&](Index vertex) { return values[vertex]; });
       expect_path_on_surface(t, path.locations, from, to);
-      EXPECT_LT(path.locations.size(), 3 * t.number_of_sites());
+      EXPECT_LT(path.locations.size(), 3 * t.number_of_vertices());
     }
   }
 }
 
-TEST(Descent, begins_beside_what_was_not_reached)
+TEST(Descent, starts_from_reached_corner_of_partly_reached_triangle)
 {
-  const Glued_surface surface(square(10));
+  const Array_surface surface(square(10));
   const Point center = {0., 0., 0.};
   const Descent descent(surface.t(), {source_at(surface.at(0))});
   // Reached up to a distance of 0.5 only.
@@ -181,45 +182,45 @@ TEST(Descent, begins_beside_what_was_not_reached)
   // In a triangle with a corner that was reached
   for(Index f = 0; f < surface.t().number_of_triangles(); ++f)
   {
-    int reached = 0;
+    int number_of_reached_corners = 0;
     for(Index k = 0; k < 3; ++k)
-      reached += std::isfinite(distances(surface.t().corner[3 * f + k]));
-    Location from;
+      number_of_reached_corners += std::isfinite(distances(surface.t().corner[3 * f + k]));
+    Surface_location from;
     from.triangle = f;
     from.barycentric = {0.4, 0.3, 0.3};
-    const auto part = descent(from, distances);
-    if(reached > 0)
-      expect_path_on_surface(surface.t(), part.locations, from, surface.at(0));
+    const auto path_in_triangle = descent(from, distances);
+    if(number_of_reached_corners > 0)
+      expect_path_on_surface(surface.t(), path_in_triangle.locations, from, surface.at(0));
     else
-      EXPECT_TRUE(part.locations.empty());
+      EXPECT_TRUE(path_in_triangle.locations.empty());
   }
 }
 
-TEST(Descent, says_when_there_is_no_way)
+TEST(Descent, is_empty_when_no_source_is_reachable)
 {
-  Triangulation two = apart(square(4), icosphere(1));
-  two.points.push_back({5., 5., 5.}); // an isolated point
-  const Glued_surface surface(two);
-  const Index isolated = Index(two.points.size() - 1);
+  Triangulation shape = disjoint_union(square(4), icosphere(1));
+  shape.points.push_back({5., 5., 5.}); // an isolated point
+  const Array_surface surface(shape);
+  const Index isolated = Index(shape.points.size() - 1);
   const auto constant = [](Index) { return 1.; };
   const Descent descent(surface.t(), {source_at(surface.at(0)), source_at(surface.at(isolated))});
   EXPECT_TRUE(descent(surface.at(30), constant).locations.empty());
   EXPECT_TRUE(descent(surface.at(30), [](Index) { return infinity; }).locations.empty());
-  const auto self = descent(surface.at(isolated), constant);
-  EXPECT_EQ(self.locations.size(), 1u);
-  EXPECT_EQ(self.source, 1u);
+  const auto path_to_itself = descent(surface.at(isolated), constant);
+  EXPECT_EQ(path_to_itself.locations.size(), 1u);
+  EXPECT_EQ(path_to_itself.source, 1u);
 }
 
-TEST(Descent, climbs_out_of_a_pit)
+TEST(Descent, escapes_local_minimum)
 {
-  const Glued_surface surface(square(20, 0.2));
+  const Array_surface surface(square(20, 0.2));
   const Point center = {0.1, 0.1, 0.}, pit = {0.7, 0.6, 0.};
   const auto distances =
       field(surface, [&](const Point& p)
             { return distance(p, center) - 2. * std::max(0., 0.2 - distance(p, pit)); });
-  const Location to = surface.at(2 + 21 * 2);
+  const Surface_location to = surface.at(2 + 21 * 2);
   const Descent descent(surface.t(), {source_at(to)});
-  const Location from = surface.at(19 + 21 * 17);
+  const Surface_location from = surface.at(19 + 21 * 17);
   const auto path = descent(from, distances);
   expect_path_on_surface(surface.t(), path.locations, from, to);
 }

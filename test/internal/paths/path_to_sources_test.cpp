@@ -3,9 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/paths/path_to_sources.h>
 
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "path_checks.h"
 
 #include <gtest/gtest.h>
@@ -16,27 +16,28 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-std::vector<Location> path_down(const Glued_triangles& t, const Front& front, const Location& from,
-                                const std::vector<internal::Source>& sources)
+std::vector<Surface_location> find_path(const Surface_arrays& t, const Front& front,
+                                        const Surface_location& from,
+                                        const std::vector<internal::Front_source>& sources)
 {
   return path_to_sources(
       t, from, sources, [&](Index i) { return front.distance(i); },
       [&](Index i) { return front.predecessor(i); }, [&](Index i) { return front.source(i); });
 }
 
-TEST(Path_to_sources, is_straight_in_the_plane)
+TEST(Path_to_sources, is_straight_in_plane)
 {
-  const Glued_surface surface(square(20, 0.24));
-  const Glued_triangles& t = *surface.triangles();
+  const Array_surface surface(square(20, 0.24));
+  const Surface_arrays& t = *surface.triangles();
   std::mt19937 random(1);
-  for(const Front_kind kind : {Front_kind::arcs, Front_kind::planar, Front_kind::euclidean})
+  for(const Front_kind kind : {Front_kind::dijkstra, Front_kind::planar, Front_kind::euclidean})
   {
     Front front(surface.triangles(), kind);
     for(int i = 0; i < 20; ++i)
     {
-      const Location from = random_location(t, random), to = random_location(t, random);
+      const Surface_location from = random_location(t, random), to = random_location(t, random);
       front.run({surface.source(to)});
-      const auto path = path_down(t, front, from, {surface.source(to)});
+      const auto path = find_path(t, front, from, {surface.source(to)});
       expect_path_on_surface(t, path, from, to);
       // Straightening makes any path in a convex region of the plane the straight one.
       EXPECT_NEAR(surface.scale() * path_length(t, path),
@@ -45,75 +46,76 @@ TEST(Path_to_sources, is_straight_in_the_plane)
   }
 }
 
-TEST(Path_to_sources, ends_at_a_nearest_source)
+TEST(Path_to_sources, ends_at_nearest_source)
 {
   const Triangulation plane = square(20, 0.24);
-  const Glued_surface surface(plane);
-  const Glued_triangles& t = *surface.triangles();
-  const std::vector<internal::Source> sources = {surface.source(0), surface.source(20),
-                                                 surface.source(220, 0.2), surface.source(440)};
+  const Array_surface surface(plane);
+  const Surface_arrays& t = *surface.triangles();
+  const std::vector<internal::Front_source> sources = {
+      surface.source(0), surface.source(20), surface.source(220, 0.2), surface.source(440)};
   Front front(surface.triangles(), Front_kind::euclidean);
   front.run(sources);
   for(Index i = 0; i < surface.size(); ++i)
   {
-    const auto path = path_down(t, front, surface.at(i), sources);
+    const auto path = find_path(t, front, surface.at(i), sources);
     ASSERT_FALSE(path.empty());
-    const Index end = site_of(t, path.back());
-    const auto source =
-        std::find_if(sources.begin(), sources.end(),
-                     [&](const internal::Source& one) { return one.polyline[0].site == end; });
+    const Index end = vertex_of(t, path.back());
+    const auto source = std::find_if(sources.begin(), sources.end(),
+                                     [&](const internal::Front_source& candidate)
+                                     { return candidate.polyline[0].vertex == end; });
     ASSERT_NE(source, sources.end());
     expect_path_on_surface(t, path, surface.at(i), source->polyline[0]);
     // Where two are about as near it may be either: their distances differ by less than a side.
-    const double length = surface.scale() * (source->offset + path_length(t, path)),
-                 distance = surface.scale() * front.distance(surface.site(i));
-    EXPECT_GT(length, distance - 0.5 / 20.);
-    EXPECT_LT(length, distance + 1. / 20.);
+    const double length_with_offset = surface.scale() * (source->offset + path_length(t, path)),
+                 distance = surface.scale() * front.distance(surface.vertex(i));
+    EXPECT_GT(length_with_offset, distance - 0.5 / 20.);
+    EXPECT_LT(length_with_offset, distance + 1. / 20.);
   }
 }
 
-TEST(Path_to_sources, is_a_location_from_a_source_to_itself)
+TEST(Path_to_sources, is_single_location_from_source_to_itself)
 {
-  const Glued_surface surface(icosphere(2));
-  const Glued_triangles& t = *surface.triangles();
+  const Array_surface surface(icosphere(2));
+  const Surface_arrays& t = *surface.triangles();
   Front front(surface.triangles(), Front_kind::euclidean);
-  for(const Location& place : {surface.at(5), surface.on(7, 1, 0.4), surface.in(9, {.2, .3, .5})})
+  for(const Surface_location& location :
+      {surface.at(5), surface.on(7, 1, 0.4), surface.in(9, {.2, .3, .5})})
   {
-    front.run({surface.source(place)});
-    EXPECT_EQ(path_down(t, front, place, {surface.source(place)}).size(), 1u);
+    front.run({surface.source(location)});
+    EXPECT_EQ(find_path(t, front, location, {surface.source(location)}).size(), 1u);
   }
 }
 
-TEST(Path_to_sources, is_empty_where_no_source_can_be_reached)
+TEST(Path_to_sources, is_empty_when_no_source_is_reachable)
 {
-  Triangulation shape = apart(square(4), tetrahedron());
+  Triangulation shape = disjoint_union(square(4), tetrahedron());
   shape.points.push_back({9., 9., 9.});
-  const Glued_surface surface(shape);
-  const Glued_triangles& t = *surface.triangles();
+  const Array_surface surface(shape);
+  const Surface_arrays& t = *surface.triangles();
   Front front(surface.triangles(), Front_kind::euclidean);
   front.run({surface.source(0)});
-  for(const Location& from : {surface.at(25), surface.in(33, {.2, .3, .5}), surface.at(29)})
-    EXPECT_TRUE(path_down(t, front, from, {surface.source(0)}).empty());
+  for(const Surface_location& from : {surface.at(25), surface.in(33, {.2, .3, .5}), surface.at(29)})
+    EXPECT_TRUE(find_path(t, front, from, {surface.source(0)}).empty());
   front.run({surface.source(29)});
-  EXPECT_EQ(path_down(t, front, surface.at(29), {surface.source(29)}).size(), 1u);
-  EXPECT_TRUE(path_down(t, front, surface.at(0), {surface.source(29)}).empty());
+  EXPECT_EQ(find_path(t, front, surface.at(29), {surface.source(29)}).size(), 1u);
+  EXPECT_TRUE(find_path(t, front, surface.at(0), {surface.source(29)}).empty());
 }
 
-TEST(Path_to_sources, comes_down_to_the_nearest_place_of_a_polyline)
+TEST(Path_to_sources, ends_at_nearest_point_of_polyline)
 {
   const Triangulation plane = square(20, 0.24);
-  const Glued_surface surface(plane);
-  const Glued_triangles& t = *surface.triangles();
-  std::vector<Index> side(21);
+  const Array_surface surface(plane);
+  const Surface_arrays& t = *surface.triangles();
+  std::vector<Index> edge_vertices(21);
   for(Index i = 0; i <= 20; ++i)
-    side[i] = i; // y = 0
+    edge_vertices[i] = i; // y = 0
   Front front(surface.triangles(), Front_kind::euclidean);
-  front.run({surface.line(side)});
+  front.run({surface.line(edge_vertices)});
   std::mt19937 random(2);
   for(int i = 0; i < 30; ++i)
   {
-    const Location from = random_location(t, random);
-    const auto path = path_down(t, front, from, {surface.line(side)});
+    const Surface_location from = random_location(t, random);
+    const auto path = find_path(t, front, from, {surface.line(edge_vertices)});
     ASSERT_FALSE(path.empty());
     // The end of a traced path is kept: by first order in the side 1/20 beside the foot, which
     // costs by second order.
@@ -123,23 +125,23 @@ TEST(Path_to_sources, comes_down_to_the_nearest_place_of_a_polyline)
   }
 }
 
-TEST(Path_to_sources, on_a_cloud_joins_its_ends)
+TEST(Path_to_sources, joins_end_points_on_point_set)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit;
   std::vector<Point> points(2000);
   for(Point& p : points)
     p = {unit(random), unit(random), 0.};
-  const Glued_surfels surfels =
-      glue_surfels(points, std::vector<Point>(points.size(), Point{0., 0., 1.}));
-  const auto triangles = std::make_shared<const Glued_triangles>(surfels.triangles);
+  const Surfel_arrays surfels =
+      build_surfel_arrays(points, std::vector<Point>(points.size(), Point{0., 0., 1.}));
+  const auto triangles = std::make_shared<const Surface_arrays>(surfels.arrays);
   Front front(triangles, Front_kind::euclidean);
-  const Location to = {none, surfels.site_of_surfel[0], {}};
+  const Surface_location to = {none, surfels.internal_vertex[0], {}};
   front.run({{{to}, 0., 0}});
   for(Index i = 1; i < 200; ++i)
   {
-    const Location from = {none, surfels.site_of_surfel[i], {}};
-    const auto path = path_down(*triangles, front, from, {{{to}, 0., 0}});
+    const Surface_location from = {none, surfels.internal_vertex[i], {}};
+    const auto path = find_path(*triangles, front, from, {{{to}, 0., 0}});
     ASSERT_GE(path.size(), 2u);
     const double chord = distance(points[0], points[i]);
     EXPECT_LT(distance(point_at(*triangles, path.front()), points[i]), 1e-14);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/remeshing/base_map.h>
 
-#include <CGAL/Geodesic_processing/internal/mesh/curves.h>
+#include <CGAL/Geodesic_processing/internal/mesh/feature_polylines.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -21,21 +21,22 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-std::shared_ptr<const Base_mesh> base_of(const Glued_surface& surface, std::size_t number)
+std::shared_ptr<const Base_mesh> base_of(const Array_surface& surface, std::size_t number)
 {
-  Remeshing_goal goal;
-  goal.number = number;
-  return std::make_shared<const Base_mesh>(base_mesh(surface.triangles(), goal));
+  Remeshing_options options;
+  options.number_of_samples = number;
+  return std::make_shared<const Base_mesh>(build_base_mesh(surface.triangles(), options));
 }
 
 // A disc is one base face between three points of its border; nothing where that cannot be drawn.
-std::shared_ptr<const Base_mesh> one_face(const Glued_surface& disc,
+std::shared_ptr<const Base_mesh> one_face(const Array_surface& disk,
                                           const std::array<Index, 3>& points)
 {
-  std::vector<Location> samples;
+  std::vector<Surface_location> samples;
   for(const Index i : points)
-    samples.push_back(at_site(disc.t(), disc.site(i)));
-  auto found = base_mesh(disc.t(), samples, {{0, 1, 2}}, border_and_sharp_sides(disc.t()));
+    samples.push_back(vertex_location(disk.t(), disk.vertex(i)));
+  auto found =
+      build_base_mesh(disk.t(), samples, {{0, 1, 2}}, boundary_and_sharp_halfedges(disk.t()));
   return found ? std::make_shared<const Base_mesh>(std::move(*found)) : nullptr;
 }
 
@@ -44,16 +45,16 @@ constexpr std::array<Base_coordinates, 3> kinds = {
 
 std::vector<Triangulation> surfaces()
 {
-  return {icosphere(3), torus(24, 16), double_ring(), shaken(square(16), 0.3, 2),
+  return {icosphere(3), torus(24, 16), double_torus(), jittered(square(16), 0.3, 2),
           annulus(24, 8, 1., 3.)};
 }
 
-TEST(Base_map, folds_no_triangle)
+TEST(Base_map, has_no_folded_triangles)
 {
   for(const Triangulation& surface : surfaces())
   {
-    const Glued_surface glued(surface);
-    const auto base = base_of(glued, 40);
+    const Array_surface arrays(surface);
+    const auto base = base_of(arrays, 40);
     for(const Base_coordinates kind : kinds)
     {
       const Base_map map(base, kind);
@@ -78,77 +79,77 @@ TEST(Base_map, is_continuous_across_edges)
 {
   for(const Triangulation& surface : surfaces())
   {
-    const Glued_surface glued(surface);
-    const auto base = base_of(glued, 40);
+    const Array_surface arrays(surface);
+    const auto base = base_of(arrays, 40);
     const Base_map map(base, Base_coordinates::heron);
-    for(Index side = 0; side < base->fine.corner.size(); ++side)
+    for(Index h = 0; h < base->fine.corner.size(); ++h)
     {
-      const Index edge = base->edge_of_side[side], twin = base->fine.twin[side];
+      const Index edge = base->edge_of_halfedge[h], twin = base->fine.twin[h];
       if(edge == none || twin == none)
         continue;
-      for(const auto& [mine, other] :
-          {std::pair(side, next_side(twin)), std::pair(next_side(side), twin)})
+      for(const auto& [own, other] :
+          {std::pair(h, next_halfedge(twin)), std::pair(next_halfedge(h), twin)})
       {
         // By base vertices: the same shares on both sides, exactly.
-        std::map<Index, double> shares, other_shares;
+        std::map<Index, double> weights, other_weights;
         for(Index k = 0; k < 3; ++k)
         {
-          const double a = map.coordinates()[mine][k], b = map.coordinates()[other][k];
+          const double a = map.coordinates()[own][k], b = map.coordinates()[other][k];
           if(a != 0.)
-            shares[base->triangles[base->region[mine / 3]][k]] = a;
+            weights[base->triangles[base->region[own / 3]][k]] = a;
           if(b != 0.)
-            other_shares[base->triangles[base->region[other / 3]][k]] = b;
+            other_weights[base->triangles[base->region[other / 3]][k]] = b;
         }
-        EXPECT_EQ(shares, other_shares);
-        EXPECT_LE(shares.size(), 2u);
+        EXPECT_EQ(weights, other_weights);
+        EXPECT_LE(weights.size(), 2u);
       }
     }
   }
 }
 
-TEST(Base_map, divides_edges_by_length)
+TEST(Base_map, edge_coordinates_follow_arc_length)
 {
-  const Glued_surface surface(icosphere(3));
+  const Array_surface surface(icosphere(3));
   const auto base = base_of(surface, 30);
   const Base_map map(base, Base_coordinates::heron);
-  for(Index side = 0; side < base->fine.corner.size(); ++side)
+  for(Index h = 0; h < base->fine.corner.size(); ++h)
   {
-    const Index edge = base->edge_of_side[side];
+    const Index edge = base->edge_of_halfedge[h];
     if(edge == none)
       continue;
-    double whole = 0., part = 0.;
+    double total_length = 0., partial_length = 0.;
     const std::vector<Index>& path = base->path[edge];
     for(std::size_t i = 0; i + 1 < path.size(); ++i)
     {
-      const double piece = norm(base->fine.point[path[i + 1]] - base->fine.point[path[i]]);
-      whole += piece;
-      if(path[i] == base->fine.corner[side] || path[i + 1] == base->fine.corner[side])
-        part = path[i] == base->fine.corner[side] ? part : whole;
+      const double segment_length = norm(base->fine.point[path[i + 1]] - base->fine.point[path[i]]);
+      total_length += segment_length;
+      if(path[i] == base->fine.corner[h] || path[i + 1] == base->fine.corner[h])
+        partial_length = path[i] == base->fine.corner[h] ? partial_length : total_length;
     }
-    const auto& f = base->triangles[base->region[side / 3]];
-    const Index first = base->triangles[base->side[edge] / 3][base->side[edge] % 3];
+    const auto& f = base->triangles[base->region[h / 3]];
+    const Index first = base->triangles[base->halfedge[edge] / 3][base->halfedge[edge] % 3];
     const std::size_t k = std::size_t(std::find(f.begin(), f.end(), first) - f.begin());
-    EXPECT_NEAR(map.coordinates()[side][k], 1. - part / whole, 1e-13);
+    EXPECT_NEAR(map.coordinates()[h][k], 1. - partial_length / total_length, 1e-13);
   }
 }
 
 // In the plane areas are those of Euclid, and the border is straight.
-TEST(Base_map, of_a_planar_triangle_by_areas_is_affine)
+TEST(Base_map, heron_coordinates_of_planar_triangle_are_affine)
 {
   const Subdivision subdivision = subdivide({{0, 1, 2}}, 3, 4);
   const std::array<Point, 3> corner = {Point{0., 0., 0.}, Point{2., 0.3, 1.},
                                        Point{0.5, 1.7, -0.2}};
   Triangulation surface;
-  for(const Base_place& place : base_places(subdivision))
+  for(const Coarse_location& base_place : coarse_locations(subdivision))
   {
     surface.points.push_back({0., 0., 0.});
     for(std::size_t k = 0; k < 3; ++k)
-      surface.points.back() = surface.points.back() + (place.coordinates[k] / 16.) * corner[k];
+      surface.points.back() = surface.points.back() + (base_place.coordinates[k] / 16.) * corner[k];
   }
   for(const Triangle& f : subdivision.finest().triangles)
     surface.corners.insert(surface.corners.end(), f.begin(), f.end());
-  const Glued_surface glued(surface);
-  const auto base = one_face(glued, {0, 1, 2});
+  const Array_surface arrays(surface);
+  const auto base = one_face(arrays, {0, 1, 2});
   ASSERT_TRUE(base);
   const Base_map raw(base, Base_coordinates::heron, false);
   EXPECT_EQ(raw.folds(), 0u);
@@ -156,19 +157,19 @@ TEST(Base_map, of_a_planar_triangle_by_areas_is_affine)
   {
     Point p = {0., 0., 0.};
     for(std::size_t k = 0; k < 3; ++k)
-      p = p + raw.coordinates()[c][k] * base->fine.point[base->site[k]];
+      p = p + raw.coordinates()[c][k] * base->fine.point[base->vertex[k]];
     // Rounding of distances, which areas enlarge by no more than the base over the distance from an
     // edge, 64 where a side at the border is halved.
     EXPECT_LT(norm(p - base->fine.point[base->fine.corner[c]]), 64 * 1e-13);
   }
 }
 
-TEST(Base_map, goes_there_and_back)
+TEST(Base_map, round_trip_is_identity)
 {
   for(const Triangulation& surface : surfaces())
   {
-    const Glued_surface glued(surface);
-    const auto base = base_of(glued, 40);
+    const Array_surface arrays(surface);
+    const auto base = base_of(arrays, 40);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0., 1.);
     const auto barycentric = [&]() -> std::array<double, 3>
@@ -181,23 +182,24 @@ TEST(Base_map, goes_there_and_back)
       const Base_map map(base, kind);
       for(int i = 0; i < 1000; ++i)
       {
-        const Location there{Index(random() % glued.t().number_of_triangles()), none,
-                             barycentric()};
-        const Location back = map.inverse(map(there));
+        const Surface_location location{Index(random() % arrays.t().number_of_triangles()), none,
+                                        barycentric()};
+        const Surface_location round_trip = map.inverse(map(location));
         // A hundred millionth of a side at worst, as images are no flatter.
-        EXPECT_LT(norm(scaled_coordinates(glued.t(), there) - scaled_coordinates(glued.t(), back)),
+        EXPECT_LT(norm(scaled_coordinates(arrays.t(), location) -
+                       scaled_coordinates(arrays.t(), round_trip)),
                   1e-7);
-        const Base_location place{Index(random() % base->triangles.size()), barycentric()};
-        const Base_location found = map(map.inverse(place));
-        ASSERT_EQ(found.triangle, place.triangle);
+        const Base_location base_location{Index(random() % base->triangles.size()), barycentric()};
+        const Base_location found = map(map.inverse(base_location));
+        ASSERT_EQ(found.triangle, base_location.triangle);
         for(std::size_t k = 0; k < 3; ++k)
-          EXPECT_NEAR(found.barycentric[k], place.barycentric[k], 1e-7);
+          EXPECT_NEAR(found.barycentric[k], base_location.barycentric[k], 1e-7);
       }
     }
   }
 }
 
-TEST(Base_map, has_coordinates_where_all_angles_are_zero)
+TEST(Base_map, handles_zero_angles)
 {
   Triangulation surface = {{{0., 0., 0.}}, {}};
   for(Index k = 0; k < 8; ++k)
@@ -206,8 +208,8 @@ TEST(Base_map, has_coordinates_where_all_angles_are_zero)
     for(const Index corner : {Index(0), k + 1, (k + 1) % 8 + 1})
       surface.corners.push_back(corner);
   }
-  const Glued_surface glued(surface);
-  const auto base = one_face(glued, {1, 4, 6});
+  const Array_surface arrays(surface);
+  const auto base = one_face(arrays, {1, 4, 6});
   ASSERT_TRUE(base);
   for(const Base_coordinates kind : kinds)
   {
@@ -219,7 +221,7 @@ TEST(Base_map, has_coordinates_where_all_angles_are_zero)
 }
 
 // A tube of forty rings, closed at its end, whose image is the smaller the farther it is from the border.
-TEST(Base_map, repairs_no_uniform_coordinates)
+TEST(Base_map, does_not_repair_uniform_coordinates)
 {
   Triangulation surface;
   constexpr Index rings = 40;
@@ -234,11 +236,11 @@ TEST(Base_map, repairs_no_uniform_coordinates)
     }
   for(Index k = 3; k > 0; --k)
     surface.corners.push_back(3 * rings - k);
-  const Glued_surface glued(surface);
-  const auto base = one_face(glued, {0, 1, 2});
+  const Array_surface arrays(surface);
+  const auto base = one_face(arrays, {0, 1, 2});
   ASSERT_TRUE(base);
-  EXPECT_EQ(Base_map(base, Base_coordinates::mean_value).repaired(), 1u);
-  EXPECT_EQ(Base_map(base, Base_coordinates::uniform).repaired(), 0u);
+  EXPECT_EQ(Base_map(base, Base_coordinates::mean_value).number_of_repaired_regions(), 1u);
+  EXPECT_EQ(Base_map(base, Base_coordinates::uniform).number_of_repaired_regions(), 0u);
 }
 
 } // namespace

@@ -3,12 +3,12 @@
 #include <CGAL/Geodesic_processing/internal/remeshing/remeshing.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/mesh/curves.h>
+#include <CGAL/Geodesic_processing/internal/mesh/feature_polylines.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
 #include <CGAL/Geodesic_processing/internal/mesh/refinement.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "topology.h"
 
 #include <gtest/gtest.h>
@@ -20,12 +20,12 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-Remeshing remeshed(const Glued_surface& surface, std::size_t number, std::size_t relaxation = 0)
+Remeshing remeshed(const Array_surface& surface, std::size_t number, std::size_t relaxation = 0)
 {
-  Remeshing_goal goal;
-  goal.number = number;
-  goal.relaxation_steps = relaxation;
-  return remeshing(surface.triangles(), goal);
+  Remeshing_options options;
+  options.number_of_samples = number;
+  options.number_of_relaxation_steps = relaxation;
+  return remesh(surface.triangles(), options);
 }
 
 std::vector<Index> corners_of(const Remeshing& mesh)
@@ -36,10 +36,10 @@ std::vector<Index> corners_of(const Remeshing& mesh)
   return result;
 }
 
-std::vector<Point> points_of(const Glued_surface& surface, const Remeshing& mesh)
+std::vector<Point> points_of(const Array_surface& surface, const Remeshing& mesh)
 {
   std::vector<Point> result;
-  for(const Location& sample : mesh.samples)
+  for(const Surface_location& sample : mesh.samples)
     result.push_back(coordinates(surface.t(), sample));
   return result;
 }
@@ -56,16 +56,16 @@ double area(const std::vector<Point>& points, const std::vector<Index>& corners)
 }
 
 // A surface like the one remeshed, each of whose points is a corner of a triangle, and lies on it.
-void expect_same_topology(const Glued_surface& surface, const Remeshing& mesh, std::size_t number)
+void expect_same_topology(const Array_surface& surface, const Remeshing& mesh, std::size_t number)
 {
   EXPECT_TRUE(mesh.is_finished);
   EXPECT_GE(mesh.samples.size(), number);
   const std::vector<Index> corners = corners_of(mesh);
-  EXPECT_EQ(topology(corners), topology(refinement(surface.triangles()).triangles->corner));
+  EXPECT_EQ(topology(corners), topology(make_refinement(surface.triangles()).triangles->corner));
   const std::set<Index> used(corners.begin(), corners.end());
   EXPECT_EQ(used.size(), mesh.samples.size());
   EXPECT_TRUE(used.empty() || *used.rbegin() + 1 == used.size());
-  for(const Location& sample : mesh.samples)
+  for(const Surface_location& sample : mesh.samples)
   {
     ASSERT_LT(sample.triangle, surface.t().number_of_triangles());
     double sum = 0.;
@@ -78,44 +78,45 @@ void expect_same_topology(const Glued_surface& surface, const Remeshing& mesh, s
   }
 }
 
-TEST(Remeshing, keeps_topology_and_adds_what_that_takes)
+TEST(Remeshing, preserves_topology)
 {
   for(const Triangulation& surface :
       {icosphere(4), torus(60, 24), cylinder(40, 60, 0.3, 3.), square(30, 0.2),
-       annulus(60, 10, 0.5, 1.), double_ring(4), apart(icosphere(3), square(9)), tetrahedron(),
-       apart(torus(30, 12), cylinder(20, 20, 1., 1.)), one_triangle(), cone(6, 5, 8.)})
+       annulus(60, 10, 0.5, 1.), double_torus(4), disjoint_union(icosphere(3), square(9)),
+       tetrahedron(), disjoint_union(torus(30, 12), cylinder(20, 20, 1., 1.)), one_triangle(),
+       cone(6, 5, 8.)})
   {
-    const Glued_surface glued(surface);
+    const Array_surface arrays(surface);
     for(const std::size_t number : {0u, 10u, 100u, 400u})
       for(const std::size_t relaxation : {0u, 2u})
       {
         SCOPED_TRACE(std::to_string(surface.points.size()) + " points, " + std::to_string(number) +
                      " samples");
-        expect_same_topology(glued, remeshed(glued, number, relaxation), number);
+        expect_same_topology(arrays, remeshed(arrays, number, relaxation), number);
       }
   }
 }
 
-TEST(Remeshing, takes_as_many_as_are_asked_for_where_they_are_enough)
+TEST(Remeshing, has_requested_number_of_samples)
 {
   for(const Triangulation& surface : {icosphere(4), square(40, 0.2), torus(60, 24)})
-    EXPECT_EQ(remeshed(Glued_surface(surface), 300).samples.size(), 300u);
+    EXPECT_EQ(remeshed(Array_surface(surface), 300).samples.size(), 300u);
 }
 
-TEST(Remeshing, can_be_finer_than_the_mesh)
+TEST(Remeshing, can_be_finer_than_input)
 {
   for(const Triangulation& surface : {icosphere(2), tetrahedron(), square(3), cone(6, 2, 8.)})
   {
-    const Glued_surface glued(surface);
-    const Remeshing mesh = remeshed(glued, 1000);
-    expect_same_topology(glued, mesh, 1000);
+    const Array_surface arrays(surface);
+    const Remeshing mesh = remeshed(arrays, 1000);
+    expect_same_topology(arrays, mesh, 1000);
     EXPECT_LE(mesh.samples.size(), 1010u);
   }
 }
 
-TEST(Remeshing, keeps_orientation)
+TEST(Remeshing, preserves_orientation)
 {
-  const Glued_surface surface(icosphere(4));
+  const Array_surface surface(icosphere(4));
   for(const std::size_t number : {50u, 300u})
   {
     const Remeshing mesh = remeshed(surface, number);
@@ -128,94 +129,94 @@ TEST(Remeshing, keeps_orientation)
   }
 }
 
-TEST(Remeshing, covers_a_square_to_its_corners)
+TEST(Remeshing, covers_square_exactly)
 {
   for(const double scale : {1e-6, 1., 1e6})
     for(const std::size_t relaxation : {0u, 3u})
       for(const std::size_t number : {20u, 200u})
       {
         const Triangulation plane = scaled(square(30, 0.2), scale);
-        const Glued_surface surface(plane);
+        const Array_surface surface(plane);
         const Remeshing mesh = remeshed(surface, number, relaxation);
         const std::vector<Point> points = points_of(surface, mesh);
         double signed_area = 0.;
         for(const auto& f : mesh.triangles)
         {
-          const double here = 0.5 * normal_of(points[f[0]], points[f[1]], points[f[2]])[2];
-          EXPECT_GT(here, 0.);
-          signed_area += here;
+          const double triangle_area = 0.5 * normal_of(points[f[0]], points[f[1]], points[f[2]])[2];
+          EXPECT_GT(triangle_area, 0.);
+          signed_area += triangle_area;
         }
         // Sums of some hundred terms.
         EXPECT_NEAR(signed_area, scale * scale, 1e-12 * scale * scale);
       }
 }
 
-TEST(Remeshing, keeps_borders)
+TEST(Remeshing, preserves_boundary)
 {
-  const Glued_surface surface(cylinder(48, 48, 1., 1.));
+  const Array_surface surface(cylinder(48, 48, 1., 1.));
   for(const std::size_t number : {20u, 300u})
   {
     const Remeshing mesh = remeshed(surface, number);
     const std::vector<Point> points = points_of(surface, mesh);
-    std::set<std::pair<Index, Index>> sides;
+    std::set<std::pair<Index, Index>> directed_edges;
     for(const auto& f : mesh.triangles)
       for(int k = 0; k < 3; ++k)
-        sides.insert({f[k], f[(k + 1) % 3]});
-    std::size_t border = 0;
-    for(const auto& [a, b] : sides)
-      if(sides.count({b, a}) == 0)
+        directed_edges.insert({f[k], f[(k + 1) % 3]});
+    std::size_t number_of_boundary_edges = 0;
+    for(const auto& [a, b] : directed_edges)
+      if(directed_edges.count({b, a}) == 0)
       {
-        ++border;
+        ++number_of_boundary_edges;
         EXPECT_TRUE(points[a][2] == 0. || points[a][2] == 1.);
         EXPECT_EQ(points[a][2], points[b][2]);
       }
-    EXPECT_GE(border, 6u);
+    EXPECT_GE(number_of_boundary_edges, 6u);
   }
 }
 
-TEST(Remeshing, keeps_curves)
+TEST(Remeshing, preserves_feature_edges)
 {
   const int size = 8;
-  const Glued_surface cube(blocks(size, size, size, [](int, int, int) { return true; }));
-  Remeshing_goal goal;
-  goal.is_curve = border_and_sharp_sides(cube.t(), 60.);
+  const Array_surface cube(blocks(size, size, size, [](int, int, int) { return true; }));
+  Remeshing_options options;
+  options.is_feature = boundary_and_sharp_halfedges(cube.t(), 60.);
   for(const std::size_t relaxation : {0u, 3u})
     for(const std::size_t number : {8u, 100u, 400u})
     {
-      goal.number = number;
-      goal.relaxation_steps = relaxation;
-      const Remeshing mesh = remeshing(cube.triangles(), goal);
+      options.number_of_samples = number;
+      options.number_of_relaxation_steps = relaxation;
+      const Remeshing mesh = remesh(cube.triangles(), options);
       expect_same_topology(cube, mesh, number);
       // Each triangle lies in one of the six faces, so that together they are these: rounding alone.
       const std::vector<Point> points = points_of(cube, mesh);
       EXPECT_NEAR(area(points, corners_of(mesh)), 6. * size * size, 1e-9);
       for(const auto& f : mesh.triangles)
       {
-        std::size_t common = 0;
+        std::size_t common_planes = 0;
         for(int k = 0; k < 3; ++k)
           for(const double x : {0., double(size)})
-            common += std::all_of(f.begin(), f.end(),
-                                  [&](Index i) { return std::abs(points[i][k] - x) < 1e-12; });
-        EXPECT_EQ(common, 1u);
+            common_planes += std::all_of(
+                f.begin(), f.end(), [&](Index i) { return std::abs(points[i][k] - x) < 1e-12; });
+        EXPECT_EQ(common_planes, 1u);
       }
     }
 }
 
-TEST(Remeshing, keeps_a_spacing_along_curves)
+TEST(Remeshing, respects_feature_spacing)
 {
-  const Glued_surface surface(square(12));
-  Remeshing_goal goal;
-  goal.number = 60;
-  goal.is_curve = border_and_sharp_sides(surface.t());
+  const Array_surface surface(square(12));
+  Remeshing_options options;
+  options.number_of_samples = 60;
+  options.is_feature = boundary_and_sharp_halfedges(surface.t());
   for(const double spacing : {0.02, 0.1, 1e300})
   {
     // At the lower side of the square; elsewhere it is left open.
-    goal.curve_spacing.assign(surface.t().corner.size(), 0.);
-    for(Index side = 0; side < goal.curve_spacing.size(); ++side)
-      if(goal.is_curve[side] &&
-         coordinates(surface.t(), {side / 3, none, on_side(side, 0.5)})[1] == 0.)
-        goal.curve_spacing[side] = spacing / surface.scale();
-    const Remeshing result = remeshing(surface.triangles(), goal);
+    options.feature_spacing.assign(surface.t().corner.size(), 0.);
+    for(Index h = 0; h < options.feature_spacing.size(); ++h)
+      if(options.is_feature[h] &&
+         coordinates(surface.t(), {h / 3, none, barycentric_on_halfedge(h, 0.5)})[1] == 0.)
+        options.feature_spacing[h] = spacing / surface.scale();
+    const Remeshing result = remesh(surface.triangles(), options);
     std::vector<Index> corners;
     for(const auto& f : result.triangles)
       corners.insert(corners.end(), f.begin(), f.end());
@@ -232,55 +233,55 @@ TEST(Remeshing, keeps_a_spacing_along_curves)
     for(std::size_t i = 0; i <= steps; ++i)
       EXPECT_NEAR(low[i], double(i) / double(steps), 1e-14);
   }
-  goal.curve_spacing.assign(goal.curve_spacing.size(), 1e-12);
-  EXPECT_THROW(remeshing(surface.triangles(), goal),
+  options.feature_spacing.assign(options.feature_spacing.size(), 1e-12);
+  EXPECT_THROW(remesh(surface.triangles(), options),
                CGAL::Geodesic_processing::Invalid_argument_error);
 }
 
-TEST(Remeshing, relaxes_to_even_triangles)
+TEST(Remeshing, relaxation_improves_angles)
 {
-  const Glued_surface surface(icosphere(4));
-  const auto mean_of_least_angles = [&](std::size_t number, std::size_t relaxation)
+  const Array_surface surface(icosphere(4));
+  const auto mean_min_angle = [&](std::size_t number, std::size_t relaxation)
   {
     const Remeshing mesh = remeshed(surface, number, relaxation);
     const std::vector<Point> points = points_of(surface, mesh);
     double sum = 0.;
     for(const auto& f : mesh.triangles)
     {
-      double least = pi;
+      double min_angle = pi;
       for(int k = 0; k < 3; ++k)
       {
         const Point u = points[f[(k + 1) % 3]] - points[f[k]],
                     v = points[f[(k + 2) % 3]] - points[f[k]];
-        least = std::min(least, std::atan2(norm(cross(u, v)), dot(u, v)));
+        min_angle = std::min(min_angle, std::atan2(norm(cross(u, v)), dot(u, v)));
       }
-      sum += least;
+      sum += min_angle;
     }
     return sum / double(mesh.triangles.size()) * 180. / pi;
   };
-  const double at_first = mean_of_least_angles(200, 0), relaxed = mean_of_least_angles(200, 20);
-  EXPECT_GT(relaxed, at_first);
+  const double initial = mean_min_angle(200, 0), relaxed = mean_min_angle(200, 20);
+  EXPECT_GT(relaxed, initial);
   // A sphere of many cells comes to 53 or more; 60 is what is possible.
   EXPECT_GT(relaxed, 50.);
   // What moves between its neighbours at last leaves less to do for further steps.
-  EXPECT_GT(mean_of_least_angles(1000, 2), 50.);
-  EXPECT_GT(mean_of_least_angles(1000, 20), 52.5);
+  EXPECT_GT(mean_min_angle(1000, 2), 50.);
+  EXPECT_GT(mean_min_angle(1000, 20), 52.5);
 }
 
-TEST(Remeshing, is_denser_where_it_is_slow)
+TEST(Remeshing, density_follows_slowness)
 {
-  const Glued_surface surface(square(30, 0.2));
+  const Array_surface surface(square(30, 0.2));
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
     if(coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.5)
       slowness[f] = 5.;
   for(const std::size_t relaxation : {0u, 3u})
   {
-    Remeshing_goal goal;
-    goal.number = 260;
-    goal.relaxation_steps = relaxation;
-    goal.slowness = std::make_shared<const std::vector<double>>(slowness);
-    const Remeshing mesh = remeshing(surface.triangles(), goal);
+    Remeshing_options options;
+    options.number_of_samples = 260;
+    options.number_of_relaxation_steps = relaxation;
+    options.slowness = std::make_shared<const std::vector<double>>(slowness);
+    const Remeshing mesh = remesh(surface.triangles(), options);
     expect_same_topology(surface, mesh, 260);
     const std::vector<Point> points = points_of(surface, mesh);
     const auto left =
@@ -290,33 +291,34 @@ TEST(Remeshing, is_denser_where_it_is_slow)
   }
 }
 
-TEST(Remeshing, comes_as_near_as_it_is_to)
+TEST(Remeshing, respects_maximum_deviation)
 {
-  for(const Triangulation& surface : {icosphere(4), double_ring(6), torus(60, 24)})
+  for(const Triangulation& surface : {icosphere(4), double_torus(6), torus(60, 24)})
     for(const double scale : {1e-6, 1.})
     {
       const Triangulation large = scaled(surface, scale);
-      const Glued_surface glued(large);
+      const Array_surface arrays(large);
       std::vector<std::size_t> numbers;
       for(const double deviation : {0.1, 0.03, 0.01})
       {
-        Remeshing_goal goal;
-        goal.number = 30;
-        goal.maximum_deviation = deviation * scale / glued.scale();
-        const Remeshing mesh = remeshing(glued.triangles(), goal);
-        expect_same_topology(glued, mesh, 30);
+        Remeshing_options options;
+        options.number_of_samples = 30;
+        options.maximum_deviation = deviation * scale / arrays.scale();
+        const Remeshing mesh = remesh(arrays.triangles(), options);
+        expect_same_topology(arrays, mesh, 30);
         numbers.push_back(mesh.samples.size());
-        const std::vector<Point> points = points_of(glued, mesh);
+        const std::vector<Point> points = points_of(arrays, mesh);
         for(const Point& p : large.points)
         {
-          double least = infinity;
+          double min_distance = infinity;
           for(const auto& f : mesh.triangles)
           {
             const Point &a = points[f[0]], &b = points[f[1]], &c = points[f[2]];
             const auto nearest = nearest_in_triangle(a, b, c, p);
-            least = std::min(least, distance(nearest[0] * a + nearest[1] * b + nearest[2] * c, p));
+            min_distance = std::min(min_distance,
+                                    distance(nearest[0] * a + nearest[1] * b + nearest[2] * c, p));
           }
-          EXPECT_LE(least, deviation * scale * (1. + 1e-9)); // roundings
+          EXPECT_LE(min_distance, deviation * scale * (1. + 1e-9)); // roundings
         }
       }
       EXPECT_GT(numbers.back(), numbers.front());
@@ -325,38 +327,38 @@ TEST(Remeshing, comes_as_near_as_it_is_to)
 
 TEST(Remeshing, keeps_first_samples)
 {
-  const Glued_surface surface(icosphere(3));
-  Remeshing_goal goal;
-  goal.number = 100;
-  goal.relaxation_steps = 3;
+  const Array_surface surface(icosphere(3));
+  Remeshing_options options;
+  options.number_of_samples = 100;
+  options.number_of_relaxation_steps = 3;
   for(const Index i : {7u, 100u, 300u})
-    goal.first_samples.push_back(cleaned(surface.t(), surface.at(i)));
-  goal.first_samples.push_back(surface.in(11, {0.25, 0.25, 0.5}));
-  const Remeshing mesh = remeshing(surface.triangles(), goal);
+    options.first_samples.push_back(canonical(surface.t(), surface.at(i)));
+  options.first_samples.push_back(surface.in(11, {0.25, 0.25, 0.5}));
+  const Remeshing mesh = remesh(surface.triangles(), options);
   expect_same_topology(surface, mesh, 100);
-  for(std::size_t i = 0; i < goal.first_samples.size(); ++i)
-    EXPECT_TRUE(is_same_point(surface.t(), mesh.samples[i], goal.first_samples[i]));
+  for(std::size_t i = 0; i < options.first_samples.size(); ++i)
+    EXPECT_TRUE(is_same_point(surface.t(), mesh.samples[i], options.first_samples[i]));
   // The same one twice is one.
-  goal.first_samples.assign(2, goal.first_samples[0]);
-  EXPECT_EQ(remeshing(surface.triangles(), goal).samples.size(), 100u);
+  options.first_samples.assign(2, options.first_samples[0]);
+  EXPECT_EQ(remesh(surface.triangles(), options).samples.size(), 100u);
 }
 
-TEST(Remeshing, depends_on_the_seed_alone)
+TEST(Remeshing, is_deterministic_for_a_seed)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.02));
+  const Array_surface surface(jittered(icosphere(3), 0.02));
   const auto with = [&](unsigned seed)
   {
-    Remeshing_goal goal;
-    goal.number = 60;
-    goal.seed = seed;
-    const Remeshing mesh = remeshing(surface.triangles(), goal);
+    Remeshing_options options;
+    options.number_of_samples = 60;
+    options.seed = seed;
+    const Remeshing mesh = remesh(surface.triangles(), options);
     return std::pair(points_of(surface, mesh), mesh.triangles);
   };
   EXPECT_EQ(with(1), with(1));
   EXPECT_NE(with(1), with(2));
 }
 
-TEST(Remeshing, of_what_is_degenerate_ends)
+TEST(Remeshing, handles_degenerate_input)
 {
   // Points that coincide, triangles without area, two triangles of the same corners, a pinched site,
   // isolated points, needles.
@@ -383,36 +385,36 @@ TEST(Remeshing, of_what_is_degenerate_ends)
     {
       SCOPED_TRACE(std::to_string(surface.points.size()) + " points, " + std::to_string(number) +
                    " samples");
-      const Glued_surface glued(surface);
-      expect_same_topology(glued, remeshed(glued, number), 0);
+      const Array_surface arrays(surface);
+      expect_same_topology(arrays, remeshed(arrays, number), 0);
     }
   for(const std::size_t number : {0u, 10u, 200u})
-    EXPECT_EQ(topology(corners_of(remeshed(Glued_surface(lens), number))),
+    EXPECT_EQ(topology(corners_of(remeshed(Array_surface(lens), number))),
               (Topology{true, {{2, 0}}}));
-  EXPECT_TRUE(remeshed(Glued_surface({{{0., 0., 0.}}, {}}), 10).samples.empty());
-  EXPECT_TRUE(remeshed(Glued_surface(Triangulation()), 10).triangles.empty());
+  EXPECT_TRUE(remeshed(Array_surface({{{0., 0., 0.}}, {}}), 10).samples.empty());
+  EXPECT_TRUE(remeshed(Array_surface(Triangulation()), 10).triangles.empty());
 }
 
 TEST(Remeshing, can_be_cancelled)
 {
-  const Glued_surface surface(icosphere(4));
-  Remeshing_goal goal;
-  goal.number = 200;
-  goal.relaxation_steps = 3;
+  const Array_surface surface(icosphere(4));
+  Remeshing_options options;
+  options.number_of_samples = 200;
+  options.number_of_relaxation_steps = 3;
   double last = 0.;
-  bool rises = true;
-  goal.callback = [&](double done)
+  bool is_monotone = true;
+  options.callback = [&](double done)
   {
-    rises = rises && done >= last && done <= 1.;
+    is_monotone = is_monotone && done >= last && done <= 1.;
     last = done;
     return true;
   };
-  EXPECT_TRUE(remeshing(surface.triangles(), goal).is_finished);
-  EXPECT_TRUE(rises);
+  EXPECT_TRUE(remesh(surface.triangles(), options).is_finished);
+  EXPECT_TRUE(is_monotone);
   for(const double end : {0.1, 0.5, 0.85})
   {
-    goal.callback = [&](double done) { return done < end; };
-    const Remeshing mesh = remeshing(surface.triangles(), goal);
+    options.callback = [&](double done) { return done < end; };
+    const Remeshing mesh = remesh(surface.triangles(), options);
     EXPECT_FALSE(mesh.is_finished);
     EXPECT_TRUE(mesh.triangles.empty());
   }

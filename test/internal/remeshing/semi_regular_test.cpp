@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/remeshing/semi_regular.h>
 
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "topology.h"
 
 #include <gtest/gtest.h>
@@ -16,19 +16,19 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-Base_map map_of(const Glued_surface& surface, std::size_t number)
+Base_map map_of(const Array_surface& surface, std::size_t number)
 {
-  Remeshing_goal goal;
-  goal.number = number;
-  return Base_map(std::make_shared<const Base_mesh>(base_mesh(surface.triangles(), goal)),
+  Remeshing_options options;
+  options.number_of_samples = number;
+  return Base_map(std::make_shared<const Base_mesh>(build_base_mesh(surface.triangles(), options)),
                   Base_coordinates::heron);
 }
 
-TEST(Semi_regular, lies_on_the_mesh_level_by_level)
+TEST(Semi_regular_mesh, vertices_lie_on_the_mesh_at_each_level)
 {
-  const Glued_surface sphere(icosphere(3));
+  const Array_surface sphere(icosphere(3));
   const Base_map map = map_of(sphere, 30);
-  const Semi_regular mesh = semi_regular(map, sphere.t(), 3);
+  const Semi_regular_mesh mesh = build_semi_regular_mesh(map, sphere.t(), 3);
   const std::size_t faces = map.base().triangles.size();
   EXPECT_EQ(mesh.triangles.size(), 64 * faces);
   EXPECT_EQ(mesh.number_of_vertices.size(), 4u);
@@ -43,19 +43,19 @@ TEST(Semi_regular, lies_on_the_mesh_level_by_level)
   for(const Triangle& f : mesh.triangles)
     corners.insert(corners.end(), f.begin(), f.end());
   EXPECT_EQ(topology(corners), topology(sphere.t().corner));
-  const Semi_regular coarser = semi_regular(map, sphere.t(), 2);
+  const Semi_regular_mesh coarser = build_semi_regular_mesh(map, sphere.t(), 2);
   EXPECT_TRUE(std::equal(coarser.points.begin(), coarser.points.end(), mesh.points.begin()));
 }
 
-TEST(Semi_regular, ends_where_it_is_near_enough)
+TEST(Semi_regular_mesh, stops_at_maximum_deviation)
 {
-  const Glued_surface sphere(icosphere(3));
+  const Array_surface sphere(icosphere(3));
   const Base_map map = map_of(sphere, 30);
   const double scale = sphere.scale();
   std::size_t last = 0;
   for(const double deviation : {10., 0.1, 0.02})
   {
-    const Semi_regular mesh = semi_regular(map, sphere.t(), 6, deviation / scale);
+    const Semi_regular_mesh mesh = build_semi_regular_mesh(map, sphere.t(), 6, deviation / scale);
     EXPECT_GE(mesh.number_of_vertices.size(), last);
     last = mesh.number_of_vertices.size();
     EXPECT_LT(last, 7u);
@@ -67,27 +67,28 @@ TEST(Semi_regular, ends_where_it_is_near_enough)
   EXPECT_GT(last, 1u);
 }
 
-TEST(Semi_regular, has_quads)
+TEST(Semi_regular_mesh, has_quad_faces)
 {
-  const Glued_surface surface(torus(24, 16));
+  const Array_surface surface(torus(24, 16));
   const Base_map map = map_of(surface, 40);
-  const Semi_regular mesh = semi_regular_quads(map, surface.t(), 2);
+  const Semi_regular_mesh mesh = build_semi_regular_quads(map, surface.t(), 2);
   EXPECT_EQ(mesh.quads.size(), 3 * 16 * map.base().triangles.size());
   EXPECT_TRUE(mesh.triangles.empty());
   // Of a torus, closed: as many vertices as faces.
   EXPECT_EQ(mesh.points.size(), mesh.quads.size());
 }
 
-TEST(Semi_regular, makes_no_finer_levels_than_it_takes)
+TEST(Semi_regular_mesh, uses_no_more_levels_than_needed)
 {
-  const Glued_surface sphere(icosphere(3));
+  const Array_surface sphere(icosphere(3));
   const Base_map map = map_of(sphere, 30);
-  const Semi_regular mesh = semi_regular(map, sphere.t(), 20, 100. / sphere.scale());
+  const Semi_regular_mesh mesh =
+      build_semi_regular_mesh(map, sphere.t(), 20, 100. / sphere.scale());
   EXPECT_EQ(mesh.number_of_vertices.size(), 1u);
   EXPECT_EQ(mesh.triangles, map.base().triangles);
   EXPECT_GT(mesh.deviation, 0.);
   // What is left where levels are few.
-  EXPECT_GT(semi_regular(map, sphere.t(), 1, 1e-9 / sphere.scale()).deviation, 1e-9);
+  EXPECT_GT(build_semi_regular_mesh(map, sphere.t(), 1, 1e-9 / sphere.scale()).deviation, 1e-9);
 }
 
 } // namespace

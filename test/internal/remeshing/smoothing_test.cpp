@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "polygons.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using Triangles = std::vector<std::array<Index, 3>>;
 
 struct Input
 {
-  std::vector<Location> samples;
-  Triangles between;
+  std::vector<Surface_location> samples;
+  Triangles triangles;
   std::vector<bool> is_fixed;
 };
 
@@ -34,7 +34,7 @@ Triangles triangles_of(const Triangulation& surface)
 }
 
 // The points of a mesh as samples of another one of the same plane, whose points are n + 1 to a side.
-Input on_square(const Glued_surface& surface, std::size_t n, const Triangulation& points,
+Input on_square(const Array_surface& surface, std::size_t n, const Triangulation& points,
                 double scale)
 {
   Input result = {{}, triangles_of(points), {}};
@@ -50,41 +50,41 @@ Input on_square(const Glued_surface& surface, std::size_t n, const Triangulation
                   b = coordinates(surface.t(), {f, none, {0., 1., 0.}}),
                   c = coordinates(surface.t(), {f, none, {0., 0., 1.}});
       const double area = cross(b - a, c - a)[2];
-      const std::array<double, 3> at = {cross(b - p, c - p)[2] / area,
-                                        cross(c - p, a - p)[2] / area,
-                                        cross(a - p, b - p)[2] / area};
-      if(*std::min_element(at.begin(), at.end()) < -1e-12)
+      const std::array<double, 3> barycentric = {cross(b - p, c - p)[2] / area,
+                                                 cross(c - p, a - p)[2] / area,
+                                                 cross(a - p, b - p)[2] / area};
+      if(*std::min_element(barycentric.begin(), barycentric.end()) < -1e-12)
         continue;
-      result.samples.push_back(cleaned(surface.t(), {f, none, at}));
+      result.samples.push_back(canonical(surface.t(), {f, none, barycentric}));
       break;
     }
-    const auto is_end = [&](double z) { return z == 0. || z == scale; };
-    result.is_fixed.push_back(is_end(p[0]) || is_end(p[1]));
+    const auto is_on_boundary = [&](double z) { return z == 0. || z == scale; };
+    result.is_fixed.push_back(is_on_boundary(p[0]) || is_on_boundary(p[1]));
   }
   EXPECT_EQ(result.samples.size(), points.points.size());
   return result;
 }
 
-std::vector<Point> smoothed(const Glued_surface& surface, const Input& input, int steps,
+std::vector<Point> smoothed(const Array_surface& surface, const Input& input, int steps,
                             const std::vector<double>* slowness = nullptr,
-                            std::vector<bool> is_curve = {})
+                            std::vector<bool> is_feature = {})
 {
-  is_curve.resize(surface.t().corner.size());
-  Smoothing smoothing(surface.t(), slowness, input.samples, input.between, input.is_fixed,
-                      is_curve);
+  is_feature.resize(surface.t().corner.size());
+  Smoothing smoothing(surface.t(), slowness, input.samples, input.triangles, input.is_fixed,
+                      is_feature);
   for(int step = 0; step < steps; ++step)
     smoothing.step();
   std::vector<Point> result;
-  for(const Location& sample : smoothing.samples())
+  for(const Surface_location& sample : smoothing.samples())
     result.push_back(coordinates(surface.t(), sample));
   return result;
 }
 
-TEST(Smoothing, ends_at_the_centroids_of_voronoi_cells)
+TEST(Smoothing, converges_to_voronoi_centroids)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
-    const Glued_surface surface(scaled(square(20), scale));
+    const Array_surface surface(scaled(square(20), scale));
     const Input input = on_square(surface, 20, scaled(square(6, 0.25, 5), scale), scale);
     const std::vector<Point> found = smoothed(surface, input, 1000);
     const std::vector<Point> all = {
@@ -99,37 +99,38 @@ TEST(Smoothing, ends_at_the_centroids_of_voronoi_cells)
       std::vector<Point> cell = all;
       for(std::size_t j = 0; j < found.size(); ++j)
         if(j != i)
-          cell = nearer(cell, found[i], found[j]);
+          cell = clip_to_bisector(cell, found[i], found[j]);
       EXPECT_LT(distance(centroid(cell), found[i]), 1e-12 * scale);
     }
   }
 }
 
-TEST(Smoothing, leaves_what_is_not_surrounded)
+TEST(Smoothing, keeps_samples_without_closed_ring)
 {
-  const Glued_surface surface(square(20));
+  const Array_surface surface(square(20));
   Input input = on_square(surface, 20, square(4, 0.3), 1.);
   const auto points = [&](const Input& in) { return smoothed(surface, in, 0); };
   Input apart = input;
-  apart.between.clear();
+  apart.triangles.clear();
   EXPECT_EQ(smoothed(surface, apart, 3), points(apart));
   // A third triangle at an edge: neither of its ends moves.  Corners as those of the first one.
-  Input torn = input;
-  torn.between.push_back(torn.between[14]);
-  const std::vector<Point> before = points(torn), after = smoothed(surface, torn, 1);
+  Input non_manifold = input;
+  non_manifold.triangles.push_back(non_manifold.triangles[14]);
+  const std::vector<Point> before = points(non_manifold),
+                           after = smoothed(surface, non_manifold, 1);
   std::size_t moved = 0;
   for(std::size_t i = 0; i < before.size(); ++i)
     moved += before[i] != after[i];
-  for(const Index i : torn.between[14])
+  for(const Index i : non_manifold.triangles[14])
     EXPECT_EQ(before[i], after[i]);
   EXPECT_GT(moved, 3u);
 }
 
 // Six fixed samples around one in the middle of a square of side 4.
-Input hexagon(const Glued_surface& surface, Point middle)
+Input hexagon(const Array_surface& surface, Point center)
 {
   Triangulation points;
-  points.points.push_back(middle);
+  points.points.push_back(center);
   for(Index k = 0; k < 6; ++k)
   {
     points.points.push_back({2. + std::cos(k * pi / 3.), 2. + std::sin(k * pi / 3.), 0.});
@@ -140,9 +141,9 @@ Input hexagon(const Glued_surface& surface, Point middle)
   return result;
 }
 
-TEST(Smoothing, goes_to_where_it_is_slow)
+TEST(Smoothing, moves_toward_slow_regions)
 {
-  const Glued_surface surface(scaled(square(16), 4.));
+  const Array_surface surface(scaled(square(16), 4.));
   const Input input = hexagon(surface, {2.25, 2.125, 0.});
   // Fifty steps of a half: 1e-15.
   EXPECT_LT(distance(smoothed(surface, input, 50)[0], {2., 2., 0.}), 1e-12);
@@ -155,48 +156,48 @@ TEST(Smoothing, goes_to_where_it_is_slow)
   EXPECT_NEAR(slow[1], 2., 1e-3); // samples on the line between the two speeds are in either
 }
 
-TEST(Smoothing, crosses_no_curve)
+TEST(Smoothing, does_not_cross_features)
 {
-  const Glued_surface surface(scaled(square(16), 4.));
+  const Array_surface surface(scaled(square(16), 4.));
   const Input input = hexagon(surface, {2.45, 2., 0.});
-  std::vector<bool> is_curve(surface.t().corner.size(), false);
-  for(Index side = 0; side < is_curve.size(); ++side)
+  std::vector<bool> is_feature(surface.t().corner.size(), false);
+  for(Index h = 0; h < is_feature.size(); ++h)
   {
-    const Index x = surface.t().corner[side], y = surface.t().corner[next_side(side)];
-    is_curve[side] = surface.point(surface.point_of_site(x))[0] == 2.25 &&
-                     surface.point(surface.point_of_site(y))[0] == 2.25;
+    const Index x = surface.t().corner[h], y = surface.t().corner[next_halfedge(h)];
+    is_feature[h] = surface.point(surface.caller_vertex(x))[0] == 2.25 &&
+                    surface.point(surface.caller_vertex(y))[0] == 2.25;
   }
-  EXPECT_GT(smoothed(surface, input, 20, nullptr, is_curve)[0][0], 2.25);
+  EXPECT_GT(smoothed(surface, input, 20, nullptr, is_feature)[0][0], 2.25);
   EXPECT_LT(smoothed(surface, input, 20)[0][0], 2.01);
 }
 
-TEST(Smoothing, stays_on_the_surface_and_at_its_corners)
+TEST(Smoothing, stays_on_surface_and_at_corners)
 {
   const Triangulation sphere = icosphere(4), coarse = icosphere(2);
-  const Glued_surface surface(sphere);
+  const Array_surface surface(sphere);
   Input input = {{}, triangles_of(coarse), std::vector<bool>(coarse.points.size(), false)};
   // The first points of a finer sphere are those of the coarse one; some of them are shifted.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0., 1.);
   for(Index i = 0; i < coarse.points.size(); ++i)
   {
-    const Index corner = surface.t().star[surface.t().first[surface.site(i)]];
+    const Index corner = surface.t().ring[surface.t().ring_begin[surface.vertex(i)]];
     std::array<double, 3> b = {0., 0., 0.};
     b[corner % 3] = 1. - uniform(random);
     b[(corner + 1) % 3] = 1. - b[corner % 3];
-    input.samples.push_back(cleaned(surface.t(), {corner / 3, none, b}));
+    input.samples.push_back(canonical(surface.t(), {corner / 3, none, b}));
   }
-  const auto least = [&](const std::vector<Point>& points)
+  const auto min_edge_length = [&](const std::vector<Point>& points)
   {
     double result = infinity;
-    for(const auto& f : input.between)
+    for(const auto& f : input.triangles)
       for(int k = 0; k < 3; ++k)
         result = std::min(result, distance(points[f[k]], points[f[(k + 1) % 3]]));
     return result;
   };
   const std::vector<Point> before = smoothed(surface, input, 0),
                            after = smoothed(surface, input, 20);
-  EXPECT_GT(least(after), least(before) + 0.01);
+  EXPECT_GT(min_edge_length(after), min_edge_length(before) + 0.01);
   for(const Point& p : after)
   {
     EXPECT_LT(norm(p), 1. + 1e-14);
@@ -205,7 +206,7 @@ TEST(Smoothing, stays_on_the_surface_and_at_its_corners)
 
   // Around the corner of a cube the normals of three sides sum to 0.58 of their sizes.
   const Triangulation block = blocks(1, 1, 1, [](int, int, int) { return true; });
-  const Glued_surface cube(block);
+  const Array_surface cube(block);
   Input corners = {{}, triangles_of(block), std::vector<bool>(8, false)};
   for(Index i = 0; i < 8; ++i)
     corners.samples.push_back(cube.at(i));

@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "polygons.h"
 
 #include <gtest/gtest.h>
@@ -19,66 +19,71 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // Of sums over some hundred triangles.
-constexpr double rounding = 1e-13;
+constexpr double round_off_tolerance = 1e-13;
 
-std::vector<Index> labels_of(const Glued_surface& surface, const std::vector<Location>& samples)
+std::vector<Index> labels_of(const Array_surface& surface,
+                             const std::vector<Surface_location>& samples)
 {
   Front front(surface.triangles(), Front_kind::euclidean);
-  std::vector<Source> sources;
-  for(const Location& sample : samples)
+  std::vector<Front_source> sources;
+  for(const Surface_location& sample : samples)
     sources.push_back({{sample}, 0., 0});
   front.run(sources);
   std::vector<Index> result;
-  for(Index site = 0; site < surface.size(); ++site)
-    result.push_back(front.source(site));
+  for(Index vertex = 0; vertex < surface.size(); ++vertex)
+    result.push_back(front.source(vertex));
   return result;
 }
 
-std::vector<Location> centroids_of(const Glued_surface& surface, const std::vector<Index>& labels,
-                                   const std::vector<Location>& samples,
-                                   const std::vector<double>* slowness = nullptr, double way = 1.,
-                                   const std::vector<Spatial>& onward = {})
+std::vector<Surface_location> centroids_of(const Array_surface& surface,
+                                           const std::vector<Index>& labels,
+                                           const std::vector<Surface_location>& samples,
+                                           const std::vector<double>* slowness = nullptr,
+                                           double step_factor = 1.,
+                                           const std::vector<Vec3>& momentum = {})
 {
   return centroids(surface.t(), triangle_masses(surface.t(), slowness), labels, samples, slowness,
-                   way, onward);
+                   step_factor, momentum);
 }
 
-Point moved(const Glued_surface& surface, const std::vector<Location>& samples, std::size_t i)
+Point moved(const Array_surface& surface, const std::vector<Surface_location>& samples,
+            std::size_t i)
 {
   return coordinates(surface.t(), centroids_of(surface, labels_of(surface, samples), samples)[i]);
 }
 
-TEST(Centroids, of_a_square_and_of_its_halves)
+TEST(Centroids, are_exact_for_square_and_halves)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
     const Triangulation plane = scaled(square(10, 0.2), scale);
-    const Glued_surface surface(plane);
+    const Array_surface surface(plane);
     EXPECT_LT(distance(moved(surface, {surface.at(0)}, 0), {scale / 2., scale / 2., 0.}),
-              rounding * scale);
+              round_off_tolerance * scale);
     // Divided by the middle, which crosses triangles.
-    const std::vector<Location> two = {surface.at(5 * 11), surface.at(5 * 11 + 10)};
-    EXPECT_LT(distance(moved(surface, two, 0), {scale / 4., scale / 2., 0.}), rounding * scale);
+    const std::vector<Surface_location> two = {surface.at(5 * 11), surface.at(5 * 11 + 10)};
+    EXPECT_LT(distance(moved(surface, two, 0), {scale / 4., scale / 2., 0.}),
+              round_off_tolerance * scale);
     EXPECT_LT(distance(moved(surface, two, 1), {3. * scale / 4., scale / 2., 0.}),
-              rounding * scale);
+              round_off_tolerance * scale);
   }
   // Quarters by both diagonals, which four cells meet in a site of: the centroid of a triangle.
-  const Glued_surface regular(square(10));
-  const std::vector<Location> four = {regular.at(5), regular.at(5 * 11), regular.at(5 * 11 + 10),
-                                      regular.at(115)};
-  EXPECT_LT(distance(moved(regular, four, 0), {0.5, 1. / 6., 0.}), rounding);
+  const Array_surface regular(square(10));
+  const std::vector<Surface_location> four = {regular.at(5), regular.at(5 * 11),
+                                              regular.at(5 * 11 + 10), regular.at(115)};
+  EXPECT_LT(distance(moved(regular, four, 0), {0.5, 1. / 6., 0.}), round_off_tolerance);
 }
 
-TEST(Centroids, divide_a_triangle_among_three)
+TEST(Centroids, split_triangle_among_three_cells)
 {
   const Triangulation one{{{0., 0., 0.}, {1., 0.25, 0.}, {0.25, 0.75, 0.}}, {0, 1, 2}};
-  const Glued_surface surface(one);
+  const Array_surface surface(one);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0.05, 1.);
   for(int i = 0; i < 300; ++i)
   {
-    std::vector<Location> samples;
-    std::vector<Point> places;
+    std::vector<Surface_location> samples;
+    std::vector<Point> positions;
     std::vector<Index> labels(3);
     for(Index k = 0; k < 3; ++k)
     {
@@ -87,42 +92,43 @@ TEST(Centroids, divide_a_triangle_among_three)
       b[k] += i < 150 ? 2. : 0.;
       const double sum = b[0] + b[1] + b[2];
       samples.push_back({0, none, {b[0] / sum, b[1] / sum, b[2] / sum}});
-      places.push_back(coordinates(surface.t(), samples.back()));
+      positions.push_back(coordinates(surface.t(), samples.back()));
       labels[surface.t().corner[k]] = k;
     }
     const std::vector<Point> corners = {coordinates(surface.t(), {0, none, {1., 0., 0.}}),
                                         coordinates(surface.t(), {0, none, {0., 1., 0.}}),
                                         coordinates(surface.t(), {0, none, {0., 0., 1.}})};
-    const std::vector<Location> found = centroids_of(surface, labels, samples);
+    const std::vector<Surface_location> found = centroids_of(surface, labels, samples);
     for(int k = 0; k < 3; ++k)
     {
       const std::vector<Point> cell =
-          nearer(nearer(corners, places[k], places[(k + 1) % 3]), places[k], places[(k + 2) % 3]);
+          clip_to_bisector(clip_to_bisector(corners, positions[k], positions[(k + 1) % 3]),
+                           positions[k], positions[(k + 2) % 3]);
       // What others leave of it to the last one is a difference: small cells have larger roundings.
       EXPECT_LT(distance(coordinates(surface.t(), found[k]), centroid(cell)), 1e-9);
     }
   }
 }
 
-TEST(Centroids, can_be_gone_beyond)
+TEST(Centroids, step_factor_and_momentum_overshoot)
 {
-  const Glued_surface surface(square(10));
+  const Array_surface surface(square(10));
   const std::vector<Index> labels(surface.size(), 0);
-  for(const double way : {0., 0.5, 1.5})
-    EXPECT_LT(distance(coordinates(surface.t(),
-                                   centroids_of(surface, labels, {surface.at(0)}, nullptr, way)[0]),
-                       {0.5 * way, 0.5 * way, 0.}),
-              rounding);
-  const Location found =
+  for(const double step_factor : {0., 0.5, 1.5})
+    EXPECT_LT(distance(coordinates(surface.t(), centroids_of(surface, labels, {surface.at(0)},
+                                                             nullptr, step_factor)[0]),
+                       {0.5 * step_factor, 0.5 * step_factor, 0.}),
+              round_off_tolerance);
+  const Surface_location found =
       centroids_of(surface, labels, {surface.at(0)}, nullptr, 1., {{0.25, -0.125, 0.}})[0];
   const double unit = surface.scale();
   EXPECT_LT(distance(coordinates(surface.t(), found), {0.5 + 0.25 * unit, 0.5 - 0.125 * unit, 0.}),
-            rounding);
+            round_off_tolerance);
 }
 
-TEST(Centroids, lie_where_it_is_dense)
+TEST(Centroids, follow_density)
 {
-  const Glued_surface surface(square(10));
+  const Array_surface surface(square(10));
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
     if(coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.5)
@@ -131,18 +137,19 @@ TEST(Centroids, lie_where_it_is_dense)
   const Point p =
       coordinates(surface.t(), centroids_of(surface, labels, {surface.at(0)}, &slowness)[0]);
   // 16 times as much on the left.
-  EXPECT_NEAR(p[0], (16. * 0.25 + 0.75) / 17., rounding);
-  EXPECT_NEAR(p[1], 0.5, rounding);
+  EXPECT_NEAR(p[0], (16. * 0.25 + 0.75) / 17., round_off_tolerance);
+  EXPECT_NEAR(p[1], 0.5, round_off_tolerance);
 }
 
-TEST(Centroids, are_put_back_on_the_surface)
+TEST(Centroids, lie_on_the_surface)
 {
   const Triangulation sphere = icosphere(3);
-  const Glued_surface surface(sphere);
-  std::vector<Location> samples;
+  const Array_surface surface(sphere);
+  std::vector<Surface_location> samples;
   for(Index i = 0; i < 12; ++i)
     samples.push_back(surface.at(i));
-  const std::vector<Location> found = centroids_of(surface, labels_of(surface, samples), samples);
+  const std::vector<Surface_location> found =
+      centroids_of(surface, labels_of(surface, samples), samples);
   ASSERT_EQ(found.size(), 12u);
   for(Index i = 0; i < 12; ++i)
   {
@@ -153,23 +160,23 @@ TEST(Centroids, are_put_back_on_the_surface)
   }
 }
 
-TEST(Centroids, stay_where_there_is_no_area)
+TEST(Centroids, keep_samples_of_cells_without_area)
 {
   // Two triangles without area beside one with it.
   Triangulation surface{{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0.5, 0., 0.}, {2., 0., 0.}},
                         {0, 1, 2, 1, 0, 3, 3, 4, 1}};
-  const Glued_surface glued(surface);
+  const Array_surface arrays(surface);
   std::vector<Index> labels(5, 0);
-  labels[glued.site(4)] = 1;
-  labels[glued.site(3)] = 1;
-  const std::vector<Location> samples = {glued.at(0), glued.at(4)};
-  const std::vector<Location> found = centroids_of(glued, labels, samples);
-  for(const Location& location : found)
-    for(const double x : coordinates(glued.t(), location))
+  labels[arrays.vertex(4)] = 1;
+  labels[arrays.vertex(3)] = 1;
+  const std::vector<Surface_location> samples = {arrays.at(0), arrays.at(4)};
+  const std::vector<Surface_location> found = centroids_of(arrays, labels, samples);
+  for(const Surface_location& location : found)
+    for(const double x : coordinates(arrays.t(), location))
       EXPECT_TRUE(std::isfinite(x));
   // A cell that comes to no site, and sites of no cell.
-  EXPECT_EQ(centroids_of(glued, std::vector<Index>(5, none), samples)[1].barycentric,
-            cleaned(glued.t(), samples[1]).barycentric);
+  EXPECT_EQ(centroids_of(arrays, std::vector<Index>(5, none), samples)[1].barycentric,
+            canonical(arrays.t(), samples[1]).barycentric);
 }
 
 } // namespace

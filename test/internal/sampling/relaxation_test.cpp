@@ -5,7 +5,7 @@
 #include "sampling/centroids.h"
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -16,40 +16,40 @@ using namespace CGAL::Geodesic_processing::test;
 
 struct Relaxed
 {
-  std::vector<Location> samples;
+  std::vector<Surface_location> samples;
   std::vector<Point> points;
 };
 
-Relaxed relaxed(const Glued_surface& surface, std::vector<Location> samples, int steps,
+Relaxed relaxed(const Array_surface& surface, std::vector<Surface_location> samples, int steps,
                 std::vector<bool> is_fixed = {},
                 std::shared_ptr<const std::vector<double>> slowness = nullptr)
 {
   is_fixed.resize(samples.size());
   Front front(surface.triangles(), Front_kind::euclidean);
-  std::vector<Source> sources;
-  for(const Location& sample : samples)
+  std::vector<Front_source> sources;
+  for(const Surface_location& sample : samples)
     sources.push_back({{sample}, 0., 0});
   Front_limits limits;
   limits.slowness = slowness;
   front.run(sources, limits);
   std::vector<Index> labels;
-  for(Index site = 0; site < surface.size(); ++site)
-    labels.push_back(front.source(site));
+  for(Index vertex = 0; vertex < surface.size(); ++vertex)
+    labels.push_back(front.source(vertex));
   Relaxation relaxation(surface.triangles(), slowness, samples, labels, is_fixed);
   for(int step = 0; step < steps; ++step)
     relaxation.step(step + 1 == steps);
   Relaxed result{relaxation.samples(), {}};
-  for(const Location& sample : result.samples)
+  for(const Surface_location& sample : result.samples)
     result.points.push_back(coordinates(surface.t(), sample));
   return result;
 }
 
-TEST(Relaxation, puts_one_sample_in_the_middle_and_four_in_a_row)
+TEST(Relaxation, converges_on_square_and_strip)
 {
   for(const double scale : {1e-6, 1., 1e6})
   {
     Triangulation plane = scaled(square(20, 0.2), scale);
-    const Glued_surface surface(plane);
+    const Array_surface surface(plane);
     const Relaxed one = relaxed(surface, {surface.at(0)}, 1);
     EXPECT_LT(distance(one.points[0], {scale / 2., scale / 2., 0.}), 1e-13 * scale);
 
@@ -57,7 +57,7 @@ TEST(Relaxation, puts_one_sample_in_the_middle_and_four_in_a_row)
     // of an error, so that sixty leave 1e-4.
     for(Point& p : plane.points)
       p[1] /= 4.;
-    const Glued_surface strip(plane);
+    const Array_surface strip(plane);
     const Relaxed four = relaxed(
         strip, {strip.at(10 * 21), strip.at(10 * 21 + 3), strip.at(10 * 21 + 10), strip.at(440)},
         60);
@@ -67,46 +67,46 @@ TEST(Relaxation, puts_one_sample_in_the_middle_and_four_in_a_row)
   }
 }
 
-TEST(Relaxation, ends_at_the_centroids_of_the_cells)
+TEST(Relaxation, converges_to_cell_centroids)
 {
-  const Glued_surface surface(shaken(icosphere(4), 0.02));
-  std::vector<Location> samples = farthest_points(surface.triangles(), 40);
+  const Array_surface surface(jittered(icosphere(4), 0.02));
+  std::vector<Surface_location> samples = farthest_points(surface.triangles(), 40);
   const Relaxed found = relaxed(surface, samples, 100);
   // The cells that fronts of all of them together find.
   Front front(surface.triangles(), Front_kind::euclidean);
-  std::vector<Source> sources;
-  for(const Location& sample : found.samples)
+  std::vector<Front_source> sources;
+  for(const Surface_location& sample : found.samples)
     sources.push_back({{sample}, 0., 0});
   front.run(sources);
   std::vector<Index> labels;
   double largest = 0.;
-  for(Index site = 0; site < surface.size(); ++site)
+  for(Index vertex = 0; vertex < surface.size(); ++vertex)
   {
-    labels.push_back(front.source(site));
-    largest = std::max(largest, front.distance(site) * surface.scale());
+    labels.push_back(front.source(vertex));
+    largest = std::max(largest, front.distance(vertex) * surface.scale());
   }
-  const std::vector<Location> centres =
+  const std::vector<Surface_location> centers =
       centroids(surface.t(), triangle_masses(surface.t()), labels, found.samples);
   // Sites that change from cell to cell keep moving samples by a part of a side, which is 0.07.
-  for(std::size_t i = 0; i < centres.size(); ++i)
-    EXPECT_LT(distance(coordinates(surface.t(), centres[i]), found.points[i]), 0.01);
+  for(std::size_t i = 0; i < centers.size(); ++i)
+    EXPECT_LT(distance(coordinates(surface.t(), centers[i]), found.points[i]), 0.01);
   // The corners of forty equal hexagons of a sphere are at 0.35 from their middles.
   EXPECT_LT(largest, 0.42);
 }
 
-TEST(Relaxation, leaves_what_is_fixed)
+TEST(Relaxation, keeps_fixed_samples)
 {
-  const Glued_surface surface(square(10, 0.2));
-  const std::vector<Location> samples = {surface.at(0), surface.at(55), surface.at(120)};
+  const Array_surface surface(square(10, 0.2));
+  const std::vector<Surface_location> samples = {surface.at(0), surface.at(55), surface.at(120)};
   const Relaxed found = relaxed(surface, samples, 5, {true, false, true});
   EXPECT_EQ(found.points[0], surface.point(0));
   EXPECT_EQ(found.points[2], surface.point(120));
   EXPECT_NE(found.points[1], surface.point(55));
 }
 
-TEST(Relaxation, keeps_out_of_obstacles)
+TEST(Relaxation, avoids_obstacles)
 {
-  const Glued_surface surface(square(20, 0.2));
+  const Array_surface surface(square(20, 0.2));
   // A wall up to three quarters of the height.
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
@@ -121,17 +121,17 @@ TEST(Relaxation, keeps_out_of_obstacles)
   {
     for(const double x : found.points[i])
       EXPECT_TRUE(std::isfinite(x));
-    const std::vector<Index> around = triangles_at(surface.t(), found.samples[i]);
-    EXPECT_TRUE(
-        std::any_of(around.begin(), around.end(), [&](Index f) { return slowness[f] < infinity; }));
+    const std::vector<Index> incident = triangles_at(surface.t(), found.samples[i]);
+    EXPECT_TRUE(std::any_of(incident.begin(), incident.end(),
+                            [&](Index f) { return slowness[f] < infinity; }));
   }
 }
 
-TEST(Relaxation, takes_samples_that_reach_nothing)
+TEST(Relaxation, accepts_samples_with_empty_cells)
 {
   Triangulation shape = square(4);
   shape.points.push_back({3., 0., 0.});
-  const Glued_surface surface(shape);
+  const Array_surface surface(shape);
   const Relaxed found = relaxed(surface, {surface.at(25), surface.at(0), surface.at(0)}, 4);
   EXPECT_EQ(found.points[0], shape.points[25]);
   EXPECT_TRUE(std::isfinite(found.points[1][0]));

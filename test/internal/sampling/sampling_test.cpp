@@ -3,9 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -19,45 +19,47 @@ using namespace CGAL::Geodesic_processing::test;
 
 using Kind = Front_kind;
 using Slowness = std::shared_ptr<const std::vector<double>>;
-constexpr Kind all_kinds[] = {Kind::arcs, Kind::planar, Kind::euclidean};
+constexpr Kind all_kinds[] = {Kind::dijkstra, Kind::planar, Kind::euclidean};
 
 // Of sums of some hundred lengths.
-constexpr double rounding = 1e-12;
+constexpr double round_off_tolerance = 1e-12;
 
-Sampling sampling(const std::shared_ptr<const Glued_triangles>& triangles,
-                  Kind kind = Kind::euclidean, Sample_place place = Sample_place::triangle,
+Sampling sampling(const std::shared_ptr<const Surface_arrays>& triangles,
+                  Kind kind = Kind::euclidean,
+                  Sample_location sample_location = Sample_location::triangle,
                   const Slowness& slowness = nullptr)
 {
-  return Sampling(triangles, Front(triangles, kind), place, slowness);
+  return Sampling(triangles, Front(triangles, kind), sample_location, slowness);
 }
 
 // The covering radius after each of so many farthest places.
-std::vector<double> spread(Sampling& samples, std::size_t number, unsigned seed = 0)
+std::vector<double> add_samples(Sampling& samples, std::size_t number, unsigned seed = 0)
 {
   std::vector<double> radii;
-  Sampling_goal goal;
-  goal.number = number;
-  goal.seed = seed;
-  EXPECT_TRUE(sample_farthest(samples, goal, [&](double radius) { radii.push_back(radius); }));
+  Sampling_options options;
+  options.number_of_samples = number;
+  options.seed = seed;
+  EXPECT_TRUE(
+      sample_farthest_points(samples, options, [&](double radius) { radii.push_back(radius); }));
   return radii;
 }
 
-Point point_of(const Glued_triangles& t, const Location& sample)
+Point point_of(const Surface_arrays& t, const Surface_location& sample)
 {
   return scaled_coordinates(t, sample);
 }
 
 // What separate fronts over the whole surface say of the same samples.
-std::vector<double> separately(const std::shared_ptr<const Glued_triangles>& triangles, Kind kind,
-                               const Sampling& samples)
+std::vector<double> separate_distances(const std::shared_ptr<const Surface_arrays>& triangles,
+                                       Kind kind, const Sampling& samples)
 {
   Front front(triangles, kind);
-  std::vector<double> result(triangles->number_of_sites(), infinity);
-  for(const Location& sample : samples.samples())
+  std::vector<double> result(triangles->number_of_vertices(), infinity);
+  for(const Surface_location& sample : samples.samples())
   {
     front.run({{{sample}, 0., 0}});
-    for(const Index site : front.reached())
-      result[site] = std::min(result[site], front.distance(site));
+    for(const Index vertex : front.reached())
+      result[vertex] = std::min(result[vertex], front.distance(vertex));
   }
   return result;
 }
@@ -67,49 +69,49 @@ void expect_consistent(const Sampling& samples, const std::vector<double>& radii
   for(std::size_t i = 1; i < radii.size(); ++i)
     EXPECT_LE(radii[i], radii[i - 1]);
   double largest = 0.;
-  for(const Index site : samples.sites())
+  for(const Index vertex : samples.sampled_vertices())
   {
-    largest = std::max(largest, samples.distances()[site]);
-    EXPECT_EQ(samples.labels()[site] == none, samples.distances()[site] == infinity);
-    if(samples.labels()[site] != none)
+    largest = std::max(largest, samples.distances()[vertex]);
+    EXPECT_EQ(samples.labels()[vertex] == none, samples.distances()[vertex] == infinity);
+    if(samples.labels()[vertex] != none)
     {
-      EXPECT_LT(samples.labels()[site], samples.samples().size());
+      EXPECT_LT(samples.labels()[vertex], samples.samples().size());
     }
   }
   ASSERT_FALSE(radii.empty());
   EXPECT_EQ(radii.back(), largest);
 }
 
-TEST(Sampling, begins_with_the_corners_of_a_square_and_its_centre)
+TEST(Sampling, starts_at_square_corners_then_center)
 {
   for(const unsigned seed : {0u, 1u, 2u, 3u})
     for(const Kind kind : {Kind::planar, Kind::euclidean})
     {
       const Triangulation plane = square(20, 0.2, 3);
-      const Glued_surface surface(plane);
+      const Array_surface surface(plane);
       Sampling samples = sampling(surface.triangles(), kind);
-      spread(samples, 5, seed);
+      add_samples(samples, 5, seed);
       std::set<Index> corners;
       for(std::size_t i = 0; i < 4; ++i)
-        corners.insert(samples.samples()[i].site);
-      EXPECT_EQ(corners, (std::set<Index>{surface.site(0), surface.site(20), surface.site(420),
-                                          surface.site(440)}));
+        corners.insert(samples.samples()[i].vertex);
+      EXPECT_EQ(corners, (std::set<Index>{surface.vertex(0), surface.vertex(20),
+                                          surface.vertex(420), surface.vertex(440)}));
       // In a triangle at the centre, or at one of its corners: within two sides of 1/20, and the
       // planar front is wrong by no more than half of one here.
-      const Point centre =
-          0.5 * (surface.t().point[surface.site(0)] + surface.t().point[surface.site(440)]);
-      EXPECT_LT(surface.scale() * distance(point_of(surface.t(), samples.samples()[4]), centre),
+      const Point center =
+          0.5 * (surface.t().point[surface.vertex(0)] + surface.t().point[surface.vertex(440)]);
+      EXPECT_LT(surface.scale() * distance(point_of(surface.t(), samples.samples()[4]), center),
                 0.1);
     }
 }
 
-TEST(Sampling, finds_the_antipode_on_a_sphere)
+TEST(Sampling, second_sample_on_sphere_is_antipodal)
 {
-  const Glued_surface surface(icosphere(4));
+  const Array_surface surface(icosphere(4));
   for(const unsigned seed : {0u, 1u, 2u})
   {
     Sampling samples = sampling(surface.triangles());
-    spread(samples, 2, seed);
+    add_samples(samples, 2, seed);
     const Point p = surface.scale() * point_of(surface.t(), samples.samples()[0]);
     const Point q = surface.scale() * point_of(surface.t(), samples.samples()[1]);
     // A side of this icosphere is at most 0.0812 long.
@@ -118,35 +120,35 @@ TEST(Sampling, finds_the_antipode_on_a_sphere)
 }
 
 // To the nearest of the samples, in a straight line.
-std::vector<double> straight(const Glued_surface& surface, const Sampling& samples)
+std::vector<double> euclidean_distances(const Array_surface& surface, const Sampling& samples)
 {
   std::vector<double> result(surface.size(), infinity);
-  for(const Location& sample : samples.samples())
-    for(Index site = 0; site < surface.size(); ++site)
-      result[site] =
-          std::min(result[site], distance(point_of(surface.t(), sample), surface.t().point[site]));
+  for(const Surface_location& sample : samples.samples())
+    for(Index vertex = 0; vertex < surface.size(); ++vertex)
+      result[vertex] = std::min(result[vertex],
+                                distance(point_of(surface.t(), sample), surface.t().point[vertex]));
   return result;
 }
 
-TEST(Sampling, knows_the_distances_of_the_plane)
+TEST(Sampling, distances_in_plane_are_euclidean)
 {
   for(const unsigned seed : {5u, 6u, 7u})
   {
     const Triangulation plane = square(40, 0.24, seed);
-    const Glued_surface surface(plane);
-    const double side = 1. / 40. / surface.scale();
+    const Array_surface surface(plane);
+    const double edge_length = 1. / 40. / surface.scale();
     Sampling samples = sampling(surface.triangles());
-    expect_consistent(samples, spread(samples, 60));
-    const auto truth = straight(surface, samples);
+    expect_consistent(samples, add_samples(samples, 60));
+    const auto expected = euclidean_distances(surface, samples);
     std::size_t wrong = 0;
-    for(Index site = 0; site < surface.size(); ++site)
+    for(Index vertex = 0; vertex < surface.size(); ++vertex)
     {
-      const double error = samples.distances()[site] - truth[site];
-      EXPECT_GE(error, -rounding * side);
+      const double error = samples.distances()[vertex] - expected[vertex];
+      EXPECT_GE(error, -round_off_tolerance * edge_length);
       // At the edge of a cell the front may come through a triangle of which one corner lies beyond the
       // ring.  What it gives along a side instead is longer by some hundredths of that.
-      EXPECT_LT(error, 0.05 * side);
-      wrong += error > rounding * side;
+      EXPECT_LT(error, 0.05 * edge_length);
+      wrong += error > round_off_tolerance * edge_length;
     }
     EXPECT_LE(wrong, 3u);
 
@@ -154,129 +156,132 @@ TEST(Sampling, knows_the_distances_of_the_plane)
     Front front(surface.triangles(), Kind::euclidean);
     std::vector<double> distances(surface.size(), infinity), known = distances;
     Front_limits limits;
-    limits.known = &known;
-    for(const Location& sample : samples.samples())
+    limits.known_distance = &known;
+    for(const Surface_location& sample : samples.samples())
     {
-      for(Index site = 0; site < surface.size(); ++site)
-        known[site] = distances[site] + side;
+      for(Index vertex = 0; vertex < surface.size(); ++vertex)
+        known[vertex] = distances[vertex] + edge_length;
       front.run({{{sample}, 0., 0}}, limits);
-      for(const Index site : front.reached())
-        distances[site] = std::min(distances[site], front.distance(site));
+      for(const Index vertex : front.reached())
+        distances[vertex] = std::min(distances[vertex], front.distance(vertex));
     }
-    for(Index site = 0; site < surface.size(); ++site)
-      EXPECT_NEAR(distances[site], truth[site], rounding * side);
+    for(Index vertex = 0; vertex < surface.size(); ++vertex)
+      EXPECT_NEAR(distances[vertex], expected[vertex], round_off_tolerance * edge_length);
   }
 }
 
-TEST(Sampling, knows_what_separate_fronts_know)
+TEST(Sampling, distances_match_separate_fronts)
 {
   for(const unsigned seed : {2u, 3u, 4u, 5u})
     for(const Kind kind : all_kinds)
     {
-      const Glued_surface surface(shaken(icosphere(4), 0.01, seed));
+      const Array_surface surface(jittered(icosphere(4), 0.01, seed));
       Sampling samples = sampling(surface.triangles(), kind);
-      const auto radii = spread(samples, 50, 4);
+      const auto radii = add_samples(samples, 50, 4);
       expect_consistent(samples, radii);
-      const auto truth = separately(surface.triangles(), kind, samples);
+      const auto expected = separate_distances(surface.triangles(), kind, samples);
       std::size_t wrong = 0;
-      for(Index site = 0; site < surface.size(); ++site)
+      for(Index vertex = 0; vertex < surface.size(); ++vertex)
       {
         // As in the plane, and where a side gives almost as much as the triangle.
-        EXPECT_NEAR(samples.distances()[site], truth[site], 1e-4 * radii.back());
-        wrong += samples.distances()[site] != truth[site];
+        EXPECT_NEAR(samples.distances()[vertex], expected[vertex], 1e-4 * radii.back());
+        wrong += samples.distances()[vertex] != expected[vertex];
       }
       // Chains of arcs are the same wherever a front ends.
-      EXPECT_LE(wrong, kind == Kind::arcs ? 0u : 2u);
+      EXPECT_LE(wrong, kind == Kind::dijkstra ? 0u : 2u);
     }
 }
 
-TEST(Sampling, packs_what_it_covers)
+TEST(Sampling, samples_are_covering_radius_apart)
 {
-  for(const Sample_place place : {Sample_place::site, Sample_place::triangle})
+  for(const Sample_location sample_location : {Sample_location::vertex, Sample_location::triangle})
   {
     const Triangulation plane = square(30, 0.2, 7);
-    const Glued_surface surface(plane);
-    Sampling samples = sampling(surface.triangles(), Kind::euclidean, place);
-    const auto radii = spread(samples, 100);
+    const Array_surface surface(plane);
+    Sampling samples = sampling(surface.triangles(), Kind::euclidean, sample_location);
+    const auto radii = add_samples(samples, 100);
     expect_consistent(samples, radii);
     // Each sample has been as far from those before it as any site, which may believe to be some
     // thousandths of a side farther than it is, see above.  Of a place beside a site the distances of a
     // triangle's corners tell only about how far it is: ten percent, and a tenth of a side.
-    const double part = place == Sample_place::site ? 1. : 0.9;
-    const double error = (place == Sample_place::site ? 0.01 : 0.1) / 30. / surface.scale();
+    const double ratio = sample_location == Sample_location::vertex ? 1. : 0.9;
+    const double error =
+        (sample_location == Sample_location::vertex ? 0.01 : 0.1) / 30. / surface.scale();
     for(std::size_t i = 2; i < samples.samples().size(); ++i)
       for(std::size_t j = 0; j < i; ++j)
         EXPECT_GE(distance(point_of(surface.t(), samples.samples()[i]),
                            point_of(surface.t(), samples.samples()[j])),
-                  part * radii[i - 1] - error);
+                  ratio * radii[i - 1] - error);
   }
 }
 
-TEST(Sampling, reaches_each_component_first)
+TEST(Sampling, samples_each_component_first)
 {
-  Triangulation surface_points = apart(icosphere(2), apart(square(5), tetrahedron()));
+  Triangulation surface_points =
+      disjoint_union(icosphere(2), disjoint_union(square(5), tetrahedron()));
   const std::size_t isolated = surface_points.points.size();
   surface_points.points.push_back({9., 9., 9.});
-  const Glued_surface surface(surface_points);
+  const Array_surface surface(surface_points);
   for(const unsigned seed : {0u, 1u, 2u, 3u})
   {
     Sampling samples = sampling(surface.triangles());
-    const auto radii = spread(samples, 8, seed);
+    const auto radii = add_samples(samples, 8, seed);
     EXPECT_EQ(radii[0], infinity);
     EXPECT_EQ(radii[1], infinity);
     EXPECT_LT(radii[2], infinity);
     expect_consistent(samples, radii);
-    EXPECT_EQ(samples.labels()[surface.site(Index(isolated))], none);
+    EXPECT_EQ(samples.labels()[surface.vertex(Index(isolated))], none);
     // In each component at its end: in the square, a corner.
     std::size_t corners = 0;
     for(std::size_t i = 0; i < 3; ++i)
       for(const Index corner : {0u, 5u, 30u, 35u})
-        corners += samples.samples()[i].site == surface.site(Index(162 + corner));
+        corners += samples.samples()[i].vertex == surface.vertex(Index(162 + corner));
     EXPECT_EQ(corners, 1u);
   }
 }
 
-TEST(Sampling, ends_when_nothing_is_left)
+TEST(Sampling, stops_when_every_vertex_is_sampled)
 {
   const std::vector<Triangulation> surfaces = {one_triangle(), tetrahedron(), square(3),
                                                square(3, 0.2)};
   for(const Triangulation& triangulation : surfaces)
     for(const Kind kind : all_kinds)
-      for(const Sample_place place : {Sample_place::site, Sample_place::triangle})
+      for(const Sample_location sample_location :
+          {Sample_location::vertex, Sample_location::triangle})
       {
-        const Glued_surface surface(triangulation);
-        Sampling samples = sampling(surface.triangles(), kind, place);
-        const auto radii = spread(samples, 10000);
+        const Array_surface surface(triangulation);
+        Sampling samples = sampling(surface.triangles(), kind, sample_location);
+        const auto radii = add_samples(samples, 10000);
         EXPECT_EQ(radii.back(), 0.);
         expect_consistent(samples, radii);
         // Each site is a sample once, and each triangle holds one at most.
         std::set<std::pair<Index, Index>> seen;
-        for(const Location& sample : samples.samples())
+        for(const Surface_location& sample : samples.samples())
           EXPECT_TRUE(
-              seen.insert({sample.triangle, sample.triangle == none ? sample.site : 0}).second);
-        if(place == Sample_place::site)
+              seen.insert({sample.triangle, sample.triangle == none ? sample.vertex : 0}).second);
+        if(sample_location == Sample_location::vertex)
         {
           EXPECT_EQ(samples.samples().size(), surface.size());
         }
       }
 }
 
-TEST(Sampling, of_nothing_is_empty)
+TEST(Sampling, is_empty_without_triangles)
 {
   Triangulation points;
   points.points = {{0., 0., 0.}, {1., 0., 0.}};
   for(const Triangulation& triangulation : {Triangulation(), points})
   {
-    const Glued_surface surface(triangulation);
+    const Array_surface surface(triangulation);
     Sampling samples = sampling(surface.triangles());
-    EXPECT_TRUE(spread(samples, 5).empty());
+    EXPECT_TRUE(add_samples(samples, 5).empty());
     EXPECT_EQ(samples.covering_radius(), 0.);
   }
 }
 
-TEST(Sampling, takes_places_one_by_one)
+TEST(Sampling, adds_single_locations)
 {
-  const Glued_surface surface(square(10));
+  const Array_surface surface(square(10));
   Sampling samples = sampling(surface.triangles());
   EXPECT_EQ(samples.covering_radius(), infinity);
   EXPECT_TRUE(samples.add(surface.in(77, {0.2, 0.3, 0.5})));
@@ -285,123 +290,124 @@ TEST(Sampling, takes_places_one_by_one)
   // The same place once more changes nothing but roundings.
   const std::vector<double> before = samples.distances();
   EXPECT_TRUE(samples.add(surface.in(77, {0.2, 0.3, 0.5})));
-  for(const Index site : samples.sites())
-    EXPECT_NEAR(samples.distances()[site], before[site], rounding * before[site]);
+  for(const Index vertex : samples.sampled_vertices())
+    EXPECT_NEAR(samples.distances()[vertex], before[vertex], round_off_tolerance * before[vertex]);
   EXPECT_EQ(samples.samples().size(), 2u);
   EXPECT_TRUE(samples.add(surface.at(0)));
   EXPECT_LE(samples.covering_radius(), radius);
-  EXPECT_EQ(samples.labels()[surface.site(0)], 2u);
-  EXPECT_EQ(samples.distances()[surface.site(0)], 0.);
+  EXPECT_EQ(samples.labels()[surface.vertex(0)], 2u);
+  EXPECT_EQ(samples.distances()[surface.vertex(0)], 0.);
 }
 
-TEST(Sampling, is_denser_where_the_front_is_slow)
+TEST(Sampling, density_follows_slowness)
 {
   const Triangulation plane = square(40, 0.2);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   const std::size_t m = surface.t().number_of_triangles();
   const auto count_left = [&](const Sampling& samples)
   {
     std::size_t left = 0;
-    for(const Location& sample : samples.samples())
+    for(const Surface_location& sample : samples.samples())
       left += point_of(surface.t(), sample)[0] < 0.;
     return left;
   };
-  std::vector<double> four(m, 1.);
+  std::vector<double> fourfold(m, 1.);
   for(Index f = 0; f < m; ++f)
     if(point_of(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.)
-      four[f] = 4.;
-  Sampling weighted = sampling(surface.triangles(), Kind::euclidean, Sample_place::triangle,
-                               std::make_shared<const std::vector<double>>(four));
-  expect_consistent(weighted, spread(weighted, 170));
+      fourfold[f] = 4.;
+  Sampling weighted = sampling(surface.triangles(), Kind::euclidean, Sample_location::triangle,
+                               std::make_shared<const std::vector<double>>(fourfold));
+  expect_consistent(weighted, add_samples(weighted, 170));
   // Lengths count four times there: 16 parts of 17 of the area, as a front measures it.  What is at the
   // borders belongs to the slow side on which it is dearer: within a tenth.
   EXPECT_NEAR(double(count_left(weighted)), 160., 16.);
 
   // The same everywhere changes nothing but the unit.
   Sampling plain = sampling(surface.triangles(), Kind::planar),
-           twice = sampling(surface.triangles(), Kind::planar, Sample_place::triangle,
+           twice = sampling(surface.triangles(), Kind::planar, Sample_location::triangle,
                             std::make_shared<const std::vector<double>>(m, 2.));
-  const auto radii = spread(plain, 40), doubled = spread(twice, 40);
+  const auto radii = add_samples(plain, 40), doubled = add_samples(twice, 40);
   for(std::size_t i = 0; i < radii.size(); ++i)
     EXPECT_EQ(doubled[i], 2. * radii[i]);
 }
 
-TEST(Sampling, leaves_obstacles_out)
+TEST(Sampling, avoids_obstacles)
 {
   const Triangulation plane = square(20);
-  const Glued_surface surface(plane);
+  const Array_surface surface(plane);
   // A wall in the middle, three sides wide, inside of which nothing can be reached.
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
     if(std::abs(surface.scale() *
                 point_of(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0]) < 1.5 / 20.)
       slowness[f] = infinity;
-  Sampling samples = sampling(surface.triangles(), Kind::euclidean, Sample_place::triangle,
+  Sampling samples = sampling(surface.triangles(), Kind::euclidean, Sample_location::triangle,
                               std::make_shared<const std::vector<double>>(slowness));
-  const auto radii = spread(samples, 20);
+  const auto radii = add_samples(samples, 20);
   EXPECT_EQ(radii[0], infinity);
   EXPECT_LT(radii[1], infinity);
   expect_consistent(samples, radii);
-  for(const Location& sample : samples.samples())
+  for(const Surface_location& sample : samples.samples())
     if(sample.triangle != none)
     {
       EXPECT_EQ(slowness[sample.triangle], 1.);
     }
 }
 
-TEST(Sampling, does_not_depend_on_scale)
+TEST(Sampling, is_scale_invariant)
 {
   std::vector<std::vector<double>> all;
   for(const double scale : {1., 0x1p-20, 0x1p20})
   {
     const Triangulation plane = scaled(square(20, 0.2), scale);
-    const Glued_surface surface(plane);
+    const Array_surface surface(plane);
     Sampling samples = sampling(surface.triangles());
-    all.push_back(spread(samples, 50));
+    all.push_back(add_samples(samples, 50));
   }
   EXPECT_EQ(all[1], all[0]);
   EXPECT_EQ(all[2], all[0]);
 }
 
-TEST(Sampling, is_the_same_for_a_seed)
+TEST(Sampling, is_deterministic_for_a_seed)
 {
-  const Glued_surface surface(icosphere(3));
+  const Array_surface surface(icosphere(3));
   std::vector<std::vector<double>> all;
   for(const unsigned seed : {5u, 5u, 6u})
   {
     Sampling samples = sampling(surface.triangles());
-    all.push_back(spread(samples, 30, seed));
+    all.push_back(add_samples(samples, 30, seed));
   }
   EXPECT_EQ(all[0], all[1]);
   EXPECT_NE(all[0], all[2]);
 }
 
-TEST(Sampling, stops_at_a_radius_and_when_it_is_cancelled)
+TEST(Sampling, stops_at_covering_radius_and_on_cancel)
 {
-  const Glued_surface surface(square(20));
+  const Array_surface surface(square(20));
   Sampling samples = sampling(surface.triangles());
-  Sampling_goal goal;
-  goal.number = 10000;
-  goal.covering_radius = 0.2 / surface.scale();
+  Sampling_options options;
+  options.number_of_samples = 10000;
+  options.covering_radius = 0.2 / surface.scale();
   std::vector<double> radii;
-  EXPECT_TRUE(sample_farthest(samples, goal, [&](double radius) { radii.push_back(radius); }));
-  EXPECT_LE(radii.back(), goal.covering_radius);
-  EXPECT_GT(radii[radii.size() - 2], goal.covering_radius);
+  EXPECT_TRUE(
+      sample_farthest_points(samples, options, [&](double radius) { radii.push_back(radius); }));
+  EXPECT_LE(radii.back(), options.covering_radius);
+  EXPECT_GT(radii[radii.size() - 2], options.covering_radius);
 
   Sampling cancelled = sampling(surface.triangles());
-  goal.covering_radius = 0.;
+  options.covering_radius = 0.;
   double last = 0.;
-  goal.callback = [&](double done)
+  options.callback = [&](double done)
   {
     EXPECT_GE(done, last);
     last = done;
     return done < 0.002;
   };
-  EXPECT_FALSE(sample_farthest(cancelled, goal, [](double) {}));
+  EXPECT_FALSE(sample_farthest_points(cancelled, options, [](double) {}));
   EXPECT_EQ(cancelled.samples().size(), 20u);
 }
 
-TEST(Sampling, of_a_cloud_is_of_surfels)
+TEST(Sampling, samples_surfels_of_a_cloud)
 {
   const Triangulation sphere = icosphere(3);
   for(const Kind kind : all_kinds)
@@ -412,33 +418,33 @@ TEST(Sampling, of_a_cloud_is_of_surfels)
     normals.push_back(normals[7]);
     points.push_back({50., 0., 0.});
     normals.push_back({1., 0., 0.});
-    const auto glued =
-        std::make_shared<const Glued_surfels>(glue_surfels(std::move(points), std::move(normals)));
-    const std::shared_ptr<const Glued_triangles> triangles(glued, &glued->triangles);
+    const auto cloud_arrays = std::make_shared<const Surfel_arrays>(
+        build_surfel_arrays(std::move(points), std::move(normals)));
+    const std::shared_ptr<const Surface_arrays> triangles(cloud_arrays, &cloud_arrays->arrays);
     Sampling samples = sampling(triangles, kind);
-    const auto radii = spread(samples, 40, 3);
+    const auto radii = add_samples(samples, 40, 3);
     expect_consistent(samples, radii);
-    const auto truth = separately(triangles, kind, samples);
+    const auto expected = separate_distances(triangles, kind, samples);
     double worst = 0.;
-    for(Index site = 0; site < truth.size(); ++site)
-      if(truth[site] < infinity)
-        worst = std::max(worst, std::abs(truth[site] - samples.distances()[site]));
-    EXPECT_LE(worst, kind == Kind::arcs ? rounding : 0.05 * radii.back());
-    for(const Location& sample : samples.samples())
+    for(Index vertex = 0; vertex < expected.size(); ++vertex)
+      if(expected[vertex] < infinity)
+        worst = std::max(worst, std::abs(expected[vertex] - samples.distances()[vertex]));
+    EXPECT_LE(worst, kind == Kind::dijkstra ? round_off_tolerance : 0.05 * radii.back());
+    for(const Surface_location& sample : samples.samples())
       EXPECT_EQ(sample.triangle, none);
   }
 }
 
-TEST(Sampling, bears_needles)
+TEST(Sampling, handles_needles)
 {
-  const Glued_surface surface(grid(
+  const Array_surface surface(grid(
       30, 30,
       [](double u, double v) {
         return Point{u, 1e-3 * v, 0.};
       },
       0.24, 3));
   Sampling samples = sampling(surface.triangles());
-  expect_consistent(samples, spread(samples, 200));
+  expect_consistent(samples, add_samples(samples, 200));
 }
 
 } // namespace

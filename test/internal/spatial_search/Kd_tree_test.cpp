@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <gtest/gtest.h>
 
@@ -12,18 +12,18 @@
 namespace CGAL::Geodesic_processing::internal {
 namespace {
 
-std::vector<Spatial> random_points(std::size_t n, unsigned seed, double step)
+std::vector<Vec3> random_points(std::size_t n, unsigned seed, double step)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> coordinate(-1., 1.);
-  std::vector<Spatial> points(n);
-  for(Spatial& p : points)
+  std::vector<Vec3> points(n);
+  for(Vec3& p : points)
     for(double& x : p)
       x = step > 0. ? step * std::round(coordinate(random) / step) : coordinate(random);
   return points;
 }
 
-std::vector<Kd_tree::Neighbor> by_distance(const std::vector<Spatial>& points, const Spatial& query)
+std::vector<Kd_tree::Neighbor> by_distance(const std::vector<Vec3>& points, const Vec3& query)
 {
   std::vector<Kd_tree::Neighbor> all(points.size());
   for(Index i = 0; i < points.size(); ++i)
@@ -32,10 +32,10 @@ std::vector<Kd_tree::Neighbor> by_distance(const std::vector<Spatial>& points, c
   return all;
 }
 
-TEST(Kd_tree, orders_the_points)
+TEST(Kd_tree, returns_permutation_of_points)
 {
-  const std::vector<Spatial> input = random_points(1000, 1, 0.);
-  std::vector<Spatial> points = input;
+  const std::vector<Vec3> input = random_points(1000, 1, 0.);
+  std::vector<Vec3> points = input;
   std::vector<Index> order;
   const Kd_tree tree(points, order);
   EXPECT_EQ(tree.size(), input.size());
@@ -47,16 +47,16 @@ TEST(Kd_tree, orders_the_points)
 }
 
 // Points on a coarse grid: many ties, many of them coincident.
-TEST(Kd_tree, finds_the_nearest_points_in_order_whatever_the_ties)
+TEST(Kd_tree, nearest_points_are_sorted_with_ties_by_index)
 {
   for(const double step : {0., 0.25})
     for(const std::size_t n : {1, 2, 12, 13, 100, 777})
     {
-      std::vector<Spatial> points = random_points(n, 2, step);
+      std::vector<Vec3> points = random_points(n, 2, step);
       std::vector<Index> order;
       const Kd_tree tree(points, order);
       std::vector<Kd_tree::Neighbor> found;
-      for(const Spatial& query : random_points(50, 3, step))
+      for(const Vec3& query : random_points(50, 3, step))
       {
         const auto all = by_distance(points, query);
         for(const std::size_t k : {1, 5, 30})
@@ -87,17 +87,17 @@ TEST(Kd_tree, finds_the_nearest_points_in_order_whatever_the_ties)
     }
 }
 
-TEST(Kd_tree, follows_points_that_are_scaled)
+TEST(Kd_tree, scaling_keeps_queries)
 {
-  std::vector<Spatial> points = random_points(500, 6, 0.);
+  std::vector<Vec3> points = random_points(500, 6, 0.);
   std::vector<Index> order;
   Kd_tree tree(points, order);
-  const std::vector<Spatial> queries = random_points(50, 7, 0.);
+  const std::vector<Vec3> queries = random_points(50, 7, 0.);
   std::vector<Index> before;
-  for(const Spatial& query : queries)
+  for(const Vec3& query : queries)
     before.push_back(tree.nearest(points, query));
   tree.scale(32.);
-  for(Spatial& p : points)
+  for(Vec3& p : points)
     p = 32. * p;
   for(std::size_t i = 0; i < queries.size(); ++i)
     EXPECT_EQ(tree.nearest(points, 32. * queries[i]), before[i]);
@@ -105,7 +105,7 @@ TEST(Kd_tree, follows_points_that_are_scaled)
 
 TEST(Kd_tree, is_empty_without_points)
 {
-  std::vector<Spatial> points;
+  std::vector<Vec3> points;
   std::vector<Index> order;
   const Kd_tree tree(points, order);
   std::vector<Kd_tree::Neighbor> found;
@@ -114,14 +114,14 @@ TEST(Kd_tree, is_empty_without_points)
   EXPECT_EQ(tree.nearest(points, {0., 0., 0.}), none);
 }
 
-TEST(Kd_tree, its_order_depends_neither_on_the_order_of_the_input_nor_on_threads)
+TEST(Kd_tree, order_is_independent_of_input_order_and_threads)
 {
   for(const double step : {0., 0.05})
   {
-    std::vector<Spatial> points = random_points(5000, 4, step);
+    std::vector<Vec3> points = random_points(5000, 4, step);
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    std::vector<Spatial> shuffled = points;
+    std::vector<Vec3> shuffled = points;
     std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(5));
     std::vector<Index> order;
     const Kd_tree one(points, order, 1), many(shuffled, order, 3);

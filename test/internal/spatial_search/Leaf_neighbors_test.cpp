@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/spatial_search/Leaf_neighbors.h>
 
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 
 // As the tree finds them one by one, to the last digit.
-void expect_as_one_by_one(std::vector<Spatial> points, std::size_t k)
+void expect_same_as_tree(std::vector<Vec3> points, std::size_t k)
 {
   std::vector<Index> order;
   const Kd_tree tree(points, order);
@@ -44,62 +44,62 @@ void expect_as_one_by_one(std::vector<Spatial> points, std::size_t k)
   EXPECT_EQ(seen, points.size());
 }
 
-std::vector<Spatial> sphere(std::size_t n, unsigned seed, double size = 1.)
+std::vector<Vec3> sphere(std::size_t n, unsigned seed, double size = 1.)
 {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  std::vector<Spatial> result(n);
-  for(Spatial& p : result)
-    p = size * unit(Spatial{normal(random), normal(random), normal(random)});
+  std::vector<Vec3> result(n);
+  for(Vec3& p : result)
+    p = size * unit(Vec3{normal(random), normal(random), normal(random)});
   return result;
 }
 
-TEST(Leaf_neighbors, are_those_of_the_tree)
+TEST(Leaf_neighbors, agree_with_tree_queries)
 {
   for(const std::size_t n : {0, 1, 2, 12, 13, 30, 100, 3000})
     for(const std::size_t k : {0, 1, 2, 7, 21, 60, 200})
-      expect_as_one_by_one(sphere(n, 1), k);
+      expect_same_as_tree(sphere(n, 1), k);
   for(const double size :
       {1e-150, 1e-6, 1e6, 1e150}) // squares down to the smallest and up to the largest
-    expect_as_one_by_one(sphere(1000, 2, size), 21);
+    expect_same_as_tree(sphere(1000, 2, size), 21);
 }
 
-TEST(Leaf_neighbors, are_the_first_of_equal_ones)
+TEST(Leaf_neighbors, ties_are_resolved_by_index)
 {
-  std::vector<Spatial> lattice;
+  std::vector<Vec3> lattice;
   for(int i = 0; i < 40; ++i)
     for(int j = 0; j < 40; ++j)
       lattice.push_back({0.5 * i, 0.5 * j, 0.});
-  expect_as_one_by_one(lattice, 21);
-  std::vector<Spatial> twice = lattice;
-  twice.insert(twice.end(), lattice.begin(), lattice.end());
-  expect_as_one_by_one(twice, 21);
-  expect_as_one_by_one(std::vector<Spatial>(500, {1., 2., 3.}),
-                       9); // more than are gone through at once
+  expect_same_as_tree(lattice, 21);
+  std::vector<Vec3> doubled_lattice = lattice;
+  doubled_lattice.insert(doubled_lattice.end(), lattice.begin(), lattice.end());
+  expect_same_as_tree(doubled_lattice, 21);
+  expect_same_as_tree(std::vector<Vec3>(500, {1., 2., 3.}),
+                      9); // more than are gone through at once
 }
 
-TEST(Leaf_neighbors, are_found_beside_points_far_away)
+TEST(Leaf_neighbors, outliers_do_not_change_neighbors)
 {
-  std::vector<Spatial> points = sphere(3000, 3);
-  const std::vector<Spatial> far = sphere(300, 4, 1000.);
+  std::vector<Vec3> points = sphere(3000, 3);
+  const std::vector<Vec3> far = sphere(300, 4, 1000.);
   points.insert(points.end(), far.begin(), far.end());
   points.push_back({1e12, 0., 0.});
-  expect_as_one_by_one(points, 21);
+  expect_same_as_tree(points, 21);
 }
 
-TEST(Leaf_neighbors, are_found_for_a_part_of_a_leaf)
+TEST(Leaf_neighbors, partial_leaf_query_agrees_with_full)
 {
-  std::vector<Spatial> points = sphere(100, 5);
+  std::vector<Vec3> points = sphere(100, 5);
   std::vector<Index> order;
   const Kd_tree tree(points, order);
   Leaf_neighbors neighbors(points, tree, 5);
   const Index end = neighbors.leaf_end(0);
   ASSERT_GT(end, 2);
-  const std::vector<Kd_tree::Neighbor> whole = neighbors.find(0, end);
-  const std::vector<Kd_tree::Neighbor>& part = neighbors.find(1, 2);
-  ASSERT_EQ(part.size(), 5);
+  const std::vector<Kd_tree::Neighbor> full_leaf = neighbors.find(0, end);
+  const std::vector<Kd_tree::Neighbor>& subset = neighbors.find(1, 2);
+  ASSERT_EQ(subset.size(), 5);
   for(std::size_t m = 0; m < 5; ++m)
-    EXPECT_EQ(part[m].point, whole[5 + m].point);
+    EXPECT_EQ(subset[m].point, full_leaf[5 + m].point);
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-TEST(Triangle_tree, finds_points_of_the_surface)
+TEST(Triangle_tree, locates_points_on_surface)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.03));
+  const Array_surface surface(jittered(icosphere(3), 0.03));
   const Triangle_tree tree(surface.triangles());
   std::mt19937 random(1);
   for(int i = 0; i < 300; ++i)
@@ -30,9 +30,9 @@ TEST(Triangle_tree, finds_points_of_the_surface)
   }
 }
 
-TEST(Triangle_tree, finds_what_no_sample_of_the_surface_beats)
+TEST(Triangle_tree, is_at_most_as_far_as_any_sample)
 {
-  const Glued_surface surface(shaken(icosphere(2), 0.1));
+  const Array_surface surface(jittered(icosphere(2), 0.1));
   const Triangle_tree tree(surface.triangles());
   std::mt19937 random(2);
   std::uniform_real_distribution<double> coordinate(-2., 2.);
@@ -43,7 +43,7 @@ TEST(Triangle_tree, finds_what_no_sample_of_the_surface_beats)
   for(int i = 0; i < 100; ++i)
   {
     const Point p = {coordinate(random), coordinate(random), coordinate(random)};
-    const Location found = tree.nearest(p);
+    const Surface_location found = tree.nearest(p);
     double sum = 0.;
     for(const double b : found.barycentric)
     {
@@ -51,15 +51,15 @@ TEST(Triangle_tree, finds_what_no_sample_of_the_surface_beats)
       sum += b;
     }
     EXPECT_NEAR(sum, 1., 4e-16);
-    const double least = distance(p, point_at(*surface.triangles(), found));
+    const double smallest = distance(p, point_at(*surface.triangles(), found));
     for(const Point& sample : samples)
-      EXPECT_LE(least, distance(p, sample) * (1. + 1e-14));
+      EXPECT_LE(smallest, distance(p, sample) * (1. + 1e-14));
   }
 }
 
-TEST(Triangle_tree, finds_the_foot_on_a_plane_and_its_border)
+TEST(Triangle_tree, projects_onto_plane_and_boundary)
 {
-  const Glued_surface surface(square(5, 0.24));
+  const Array_surface surface(square(5, 0.24));
   const Triangle_tree tree(surface.triangles());
   const auto found = [&](const Point& p)
   { return point_at(*surface.triangles(), tree.nearest(p)); };
@@ -68,61 +68,61 @@ TEST(Triangle_tree, finds_the_foot_on_a_plane_and_its_border)
   EXPECT_LT(distance(found({2., 3., -1.}), {1., 1., 0.}), 1e-14);
 }
 
-TEST(Triangle_tree, answers_from_very_far)
+TEST(Triangle_tree, handles_far_query_points)
 {
-  const Glued_surface surface(square(5));
+  const Array_surface surface(square(5));
   const Triangle_tree tree(surface.triangles());
   for(const double far : {1e20, 1e150, 1e300})
   {
-    const Location location = tree.nearest({far, far, 0.});
+    const Surface_location location = tree.nearest({far, far, 0.});
     // Distances of that size tell points of the square apart no more.
     for(const double b : location.barycentric)
       EXPECT_TRUE(b >= 0. && b <= 1.);
   }
 }
 
-TEST(Triangle_tree, leaves_out_triangles_without_area)
+TEST(Triangle_tree, ignores_degenerate_triangles)
 {
   Triangulation surface = square(4);
   for(Index i = 6; i < 9; ++i)
     surface.points[i] = surface.points[6];
-  const Glued_surface glued_surface(surface);
-  const Triangle_tree tree(glued_surface.triangles());
+  const Array_surface array_surface(surface);
+  const Triangle_tree tree(array_surface.triangles());
   for(const Point& p : surface.points)
-    EXPECT_LT(distance(p, point_at(*glued_surface.triangles(), tree.nearest(p))), 1e-15);
+    EXPECT_LT(distance(p, point_at(*array_surface.triangles(), tree.nearest(p))), 1e-15);
 }
 
-TEST(Triangle_tree, finds_sites_where_there_are_no_triangles)
+TEST(Triangle_tree, returns_vertex_without_triangles)
 {
-  const Glued_surface surface({{{0., 0., 0.}, {1., 0., 0.}, {5., 5., 5.}}, {}});
-  const Location found = Triangle_tree(surface.triangles()).nearest({4., 4., 6.});
+  const Array_surface surface({{{0., 0., 0.}, {1., 0., 0.}, {5., 5., 5.}}, {}});
+  const Surface_location found = Triangle_tree(surface.triangles()).nearest({4., 4., 6.});
   EXPECT_EQ(found.triangle, none);
-  EXPECT_EQ(found.site, surface.site(2));
+  EXPECT_EQ(found.vertex, surface.vertex(2));
 }
 
-TEST(Triangle_tree, refuses_what_is_not_finite_and_empty_surfaces)
+TEST(Triangle_tree, throws_on_nonfinite_points_and_empty_surfaces)
 {
-  const Triangle_tree tree(Glued_surface(square(2)).triangles());
+  const Triangle_tree tree(Array_surface(square(2)).triangles());
   EXPECT_THROW(tree.nearest({0., infinity, 0.}), Invalid_argument_error);
   EXPECT_THROW(tree.nearest({std::numeric_limits<double>::quiet_NaN(), 0., 0.}),
                Invalid_argument_error);
-  EXPECT_THROW(Triangle_tree(Glued_surface({}).triangles()).nearest({0., 0., 0.}),
+  EXPECT_THROW(Triangle_tree(Array_surface({}).triangles()).nearest({0., 0., 0.}),
                Invalid_argument_error);
 }
 
-TEST(Triangle_tree, can_be_asked_from_threads)
+TEST(Triangle_tree, queries_are_thread_safe)
 {
-  const Glued_surface surface(icosphere(3));
+  const Array_surface surface(icosphere(3));
   const Triangle_tree tree(surface.triangles());
-  std::vector<Location> answers[2];
-  const auto ask = [&](int k)
+  std::vector<Surface_location> answers[2];
+  const auto query = [&](int k)
   {
     const Triangle_tree copy = tree;
     for(const Index i : {0u, 5u, 77u, 300u})
       answers[k].push_back(copy.nearest(surface.point(i)));
   };
-  std::thread other(ask, 1);
-  ask(0);
+  std::thread other(query, 1);
+  query(0);
   other.join();
   for(std::size_t i = 0; i < 4; ++i)
   {

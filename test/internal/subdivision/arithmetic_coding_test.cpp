@@ -38,45 +38,45 @@ Bits random_bits(std::size_t number, double probability, unsigned seed)
 }
 
 // How many bits come back right before the decoder gives up.
-std::size_t right_bits(const Bits& of, std::size_t bytes, bool is_whole)
+std::size_t count_decoded_bits(const Bits& bits_and_bytes, std::size_t bytes, bool is_complete)
 {
-  Bit_decoder decoder(of.bytes.data(), bytes, is_whole);
+  Bit_decoder decoder(bits_and_bytes.bytes.data(), bytes, is_complete);
   Bit_model models[3];
-  for(std::size_t i = 0; i < of.bits.size(); ++i)
+  for(std::size_t i = 0; i < bits_and_bytes.bits.size(); ++i)
   {
     const bool bit = i % 5 == 4 ? decoder.get() : decoder.get(models[i % 3]);
     if(decoder.is_exhausted())
       return i;
-    EXPECT_EQ(bit, of.bits[i]);
+    EXPECT_EQ(bit, bits_and_bytes.bits[i]);
   }
-  return of.bits.size();
+  return bits_and_bytes.bits.size();
 }
 
-TEST(Arithmetic_coding, gives_back_what_was_put)
+TEST(Arithmetic_coding, decodes_encoded_bits)
 {
   for(const double probability : {0., 0.001, 0.2, 0.5, 0.97, 1.})
     for(const std::size_t number : {0u, 1u, 7u, 100u, 20000u})
     {
       const Bits bits = random_bits(number, probability, unsigned(number));
-      EXPECT_EQ(right_bits(bits, bits.bytes.size(), true), number);
+      EXPECT_EQ(count_decoded_bits(bits, bits.bytes.size(), true), number);
     }
 }
 
 // Of a prefix no wrong bit, and more of a longer one.
-TEST(Arithmetic_coding, prefixes_tell_what_they_can)
+TEST(Arithmetic_coding, prefixes_decode_without_wrong_bits)
 {
   const Bits bits = random_bits(2000, 0.2, 1);
   std::size_t last = 0;
   for(std::size_t size = 0; size <= bits.bytes.size(); ++size)
   {
-    const std::size_t known = right_bits(bits, size, false);
-    EXPECT_GE(known, last);
-    last = known;
+    const std::size_t number_of_decoded_bits = count_decoded_bits(bits, size, false);
+    EXPECT_GE(number_of_decoded_bits, last);
+    last = number_of_decoded_bits;
   }
   EXPECT_GT(last, 1900u); // all but what the interval's last bytes hold
 }
 
-TEST(Arithmetic_coding, takes_little_more_than_the_entropy)
+TEST(Arithmetic_coding, size_is_close_to_entropy)
 {
   for(const double p : {0.01, 0.1, 0.3})
   {
@@ -93,7 +93,7 @@ TEST(Arithmetic_coding, takes_little_more_than_the_entropy)
   }
 }
 
-TEST(Arithmetic_coding, bounds_what_foreign_bytes_say)
+TEST(Arithmetic_coding, terminates_on_random_bytes)
 {
   std::mt19937 random(1);
   for(int i = 0; i < 100; ++i)
@@ -103,10 +103,10 @@ TEST(Arithmetic_coding, bounds_what_foreign_bytes_say)
       bytes.push_back(std::uint8_t(random()));
     Bit_decoder decoder(bytes.data(), bytes.size(), false);
     Bit_model model;
-    std::size_t known = 0;
-    for(; !decoder.is_exhausted() && known < 100000; ++known)
+    std::size_t number_of_decoded_bits = 0;
+    for(; !decoder.is_exhausted() && number_of_decoded_bits < 100000; ++number_of_decoded_bits)
       decoder.get(model);
-    EXPECT_LT(known, 100000u);
+    EXPECT_LT(number_of_decoded_bits, 100000u);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "subdivided.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ std::set<Triangle> as_set(const std::vector<Triangle>& triangles)
   return result;
 }
 
-TEST(Hierarchy, of_a_subdivision_is_the_same_numbers)
+TEST(Hierarchy, recovers_subdivision_with_same_indices)
 {
   for(const Triangulation& surface :
       {icosphere(0), square(3), annulus(5, 2, 1., 2.), tetrahedron()})
@@ -42,25 +42,25 @@ TEST(Hierarchy, of_a_subdivision_is_the_same_numbers)
     for(std::size_t j = 0; j < 4; ++j)
       EXPECT_EQ(h.subdivision->levels[j].triangles, s.levels[j].triangles);
     for(Index v = 0; v < s.number_of_vertices(); ++v)
-      EXPECT_EQ(h.vertex[v], v);
+      EXPECT_EQ(h.input_vertex[v], v);
   }
 }
 
-TEST(Hierarchy, is_found_in_any_order)
+TEST(Hierarchy, does_not_depend_on_order)
 {
   std::mt19937 random(1);
   for(const Triangulation& surface : {icosphere(0), square(3), annulus(5, 2, 1., 2.)})
   {
     const Subdivision s = subdivided(surface, 2);
-    std::vector<Index> number(s.number_of_vertices());
-    std::iota(number.begin(), number.end(), 0u);
-    std::shuffle(number.begin(), number.end(), random);
+    std::vector<Index> permutation(s.number_of_vertices());
+    std::iota(permutation.begin(), permutation.end(), 0u);
+    std::shuffle(permutation.begin(), permutation.end(), random);
     std::vector<Triangle> triangles = s.finest().triangles;
     std::shuffle(triangles.begin(), triangles.end(), random);
     for(Triangle& t : triangles)
     {
       for(Index& v : t)
-        v = number[v];
+        v = permutation[v];
       std::rotate(t.begin(), t.begin() + random() % 3, t.end());
     }
     const Hierarchy h = recover_hierarchy(triangles, s.number_of_vertices(), 2);
@@ -68,30 +68,30 @@ TEST(Hierarchy, is_found_in_any_order)
     std::vector<Triangle> found = h.subdivision->finest().triangles;
     for(Triangle& t : found)
       for(Index& v : t)
-        v = h.vertex[v];
+        v = h.input_vertex[v];
     EXPECT_EQ(as_set(found), as_set(triangles));
-    std::vector<Index> each = h.vertex;
-    std::sort(each.begin(), each.end());
-    for(Index v = 0; v < each.size(); ++v)
-      EXPECT_EQ(each[v], v);
+    std::vector<Index> sorted = h.input_vertex;
+    std::sort(sorted.begin(), sorted.end());
+    for(Index v = 0; v < sorted.size(); ++v)
+      EXPECT_EQ(sorted[v], v);
   }
 }
 
-TEST(Hierarchy, goes_as_far_as_asked_and_as_there_is)
+TEST(Hierarchy, respects_max_number_of_levels)
 {
   const Subdivision s = subdivided(icosphere(0), 3);
-  for(const unsigned most : {0u, 1u, 2u, 3u, 9u})
-    EXPECT_EQ(recover_hierarchy(s.finest().triangles, s.number_of_vertices(), most)
+  for(const unsigned max_levels : {0u, 1u, 2u, 3u, 9u})
+    EXPECT_EQ(recover_hierarchy(s.finest().triangles, s.number_of_vertices(), max_levels)
                   .subdivision->levels.size(),
-              1u + std::min(most, 3u));
+              1u + std::min(max_levels, 3u));
   // The octahedron is no subdivision, though its faces can be taken in fours: a corner would be a midpoint.
   const std::vector<Triangle> octahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1},
                                             {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}};
   EXPECT_EQ(recover_hierarchy(octahedron, 6, 9).subdivision->levels.size(), 1u);
-  EXPECT_EQ(recover_hierarchy({}, 6, 9).vertex.size(), 6u);
+  EXPECT_EQ(recover_hierarchy({}, 6, 9).input_vertex.size(), 6u);
 }
 
-TEST(Hierarchy, of_several_pieces_ends_with_the_first_of_them)
+TEST(Hierarchy, is_limited_by_component_with_fewest_levels)
 {
   // An icosphere of two levels beside one of one level, and a vertex alone.
   const Subdivision a = subdivided(icosphere(0), 2), b = subdivided(icosphere(0), 1);
@@ -105,18 +105,18 @@ TEST(Hierarchy, of_several_pieces_ends_with_the_first_of_them)
   const Index n = a.number_of_vertices() + b.number_of_vertices() + 1;
   const Hierarchy h = recover_hierarchy(triangles, n, 9);
   EXPECT_EQ(h.subdivision->levels.size(), 2u);
-  EXPECT_EQ(h.vertex.size(), n);
+  EXPECT_EQ(h.input_vertex.size(), n);
 }
 
-TEST(Hierarchy, is_lost_by_one_flip)
+TEST(Hierarchy, edge_flip_destroys_hierarchy)
 {
   // The two triangles at one edge, joined the other way.
   const Subdivision s = subdivided(icosphere(0), 2);
   std::vector<Triangle> triangles = s.finest().triangles;
-  const Index side = 3 * 17, twin = s.finest().twin[side];
-  const auto [a, b] = ends(s.finest(), side);
-  const Index c = opposite(s.finest(), side), d = opposite(s.finest(), twin);
-  triangles[side / 3] = {c, a, d};
+  const Index h = 3 * 17, twin = s.finest().twin[h];
+  const auto [a, b] = edge_vertices(s.finest(), h);
+  const Index c = opposite_vertex(s.finest(), h), d = opposite_vertex(s.finest(), twin);
+  triangles[h / 3] = {c, a, d};
   triangles[twin / 3] = {d, b, c};
   EXPECT_EQ(recover_hierarchy(triangles, s.number_of_vertices(), 9).subdivision->levels.size(), 1u);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/subdivision/lifting.h>
 
-#include "subdivided.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -24,10 +24,10 @@ struct Model
 };
 
 Model model(const Triangulation& surface, unsigned times,
-            const std::function<Point(const Point&)>& carry = as_it_is)
+            const std::function<Point(const Point&)>& map_point = identity)
 {
   const auto s = std::make_shared<Subdivision>(subdivided(surface, times));
-  return {s, flat(places(*s, surface.points, carry))};
+  return {s, flattened(subdivided_points(*s, surface.points, map_point))};
 }
 
 std::vector<Model> models()
@@ -35,12 +35,12 @@ std::vector<Model> models()
   const auto wave = [](const Point& p) {
     return Point{p[0], p[1], 0.1 * std::sin(7. * p[0] + p[1])};
   };
-  return {model(icosphere(0), 3, onto_bumps), model(square(4, 0.2), 2, wave),
-          model(annulus(5, 1, 1., 2.), 2, wave), model(tetrahedron(), 4, onto_bumps),
+  return {model(icosphere(0), 3, onto_bumpy_sphere), model(square(4, 0.2), 2, wave),
+          model(annulus(5, 1, 1., 2.), 2, wave), model(tetrahedron(), 4, onto_bumpy_sphere),
           model(one_triangle(), 4, wave)};
 }
 
-double largest(const std::vector<double>& values)
+double max_magnitude(const std::vector<double>& values)
 {
   double result = 0.;
   for(const double x : values)
@@ -52,11 +52,11 @@ TEST(Lifting, synthesis_is_the_inverse_of_analysis)
 {
   for(const Model& m : models())
     for(const Prediction prediction : {Prediction::linear, Prediction::butterfly})
-      for(const bool is_updating : {false, true})
+      for(const bool use_update : {false, true})
         for(const bool is_in_frames : {false, true})
           for(const double scale : {1e-6, 1., 1e6})
           {
-            const Lifting lifting(m.subdivision, prediction, is_updating);
+            const Lifting lifting(m.subdivision, prediction, use_update);
             std::vector<double> values = m.values;
             for(double& x : values)
               x *= scale;
@@ -65,12 +65,12 @@ TEST(Lifting, synthesis_is_the_inverse_of_analysis)
             EXPECT_GT(root_mean_square(values, before), 0.01 * scale);
             lifting.synthesize(values, 3, is_in_frames);
             for(std::size_t i = 0; i < values.size(); ++i)
-              ASSERT_NEAR(values[i], before[i], 1e-12 * largest(before)); // the promise
+              ASSERT_NEAR(values[i], before[i], 1e-12 * max_magnitude(before)); // the promise
           }
 }
 
 // Noise of the size of the model, and places that are all the same: nothing to take frames from.
-TEST(Lifting, inverts_whatever_the_values)
+TEST(Lifting, inverts_arbitrary_values)
 {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
@@ -84,13 +84,13 @@ TEST(Lifting, inverts_whatever_the_values)
     lifting.analyze(values, 3, true);
     lifting.synthesize(values, 3, true);
     for(std::size_t i = 0; i < values.size(); ++i)
-      ASSERT_NEAR(values[i], m.values[i], 1e-12 * largest(m.values));
+      ASSERT_NEAR(values[i], m.values[i], 1e-12 * max_magnitude(m.values));
   }
 }
 
-TEST(Lifting, takes_any_number_of_channels)
+TEST(Lifting, supports_any_number_of_channels)
 {
-  const Model m = model(icosphere(0), 2, onto_bumps);
+  const Model m = model(icosphere(0), 2, onto_bumpy_sphere);
   const Lifting lifting(m.subdivision, Prediction::butterfly, true);
   std::vector<double> three = m.values;
   lifting.analyze(three, 3, false);
@@ -105,7 +105,7 @@ TEST(Lifting, takes_any_number_of_channels)
   }
 }
 
-TEST(Lifting, keeps_the_sum)
+TEST(Lifting, preserves_weighted_sum)
 {
   for(const Model& m : models())
     for(const Prediction prediction : {Prediction::linear, Prediction::butterfly})
@@ -121,22 +121,22 @@ TEST(Lifting, keeps_the_sum)
         const auto& weights = lifting.weights(0);
         for(Index v = 0; v < weights.size(); ++v)
           coarse += weights[v] * values[3 * v + c];
-        EXPECT_NEAR(coarse, fine, 1e-12 * double(m.values.size()) * largest(m.values));
+        EXPECT_NEAR(coarse, fine, 1e-12 * double(m.values.size()) * max_magnitude(m.values));
       }
     }
 }
 
 // Constant values everywhere; the plane's own where triangles are regular, at borders too.
-TEST(Stencils, meet_constants_and_regular_planes)
+TEST(Prediction_stencils, reproduce_constants_and_planes)
 {
   for(const Model& m : models())
     for(const Prediction prediction : {Prediction::linear, Prediction::butterfly})
       for(std::size_t level = 0; level + 1 < m.subdivision->levels.size(); ++level)
       {
-        const Stencils rows = stencils(*m.subdivision, level, prediction);
-        for(std::size_t row = 0; row + 1 < rows.first.size(); ++row)
-          EXPECT_NEAR(std::accumulate(rows.weight.begin() + rows.first[row],
-                                      rows.weight.begin() + rows.first[row + 1], 0.),
+        const Prediction_stencils rows = prediction_stencils(*m.subdivision, level, prediction);
+        for(std::size_t row = 0; row + 1 < rows.begin.size(); ++row)
+          EXPECT_NEAR(std::accumulate(rows.weight.begin() + rows.begin[row],
+                                      rows.weight.begin() + rows.begin[row + 1], 0.),
                       1., 1e-14); // of ten weights
       }
   const Model plane = model(square(4), 2);
@@ -160,24 +160,24 @@ TEST(Stencils, meet_constants_and_regular_planes)
 }
 
 // Zorin, Schröder and Sweldens 1996: figure 2 and section 3, by hand.
-TEST(Stencils, are_those_of_the_modified_butterfly)
+TEST(Prediction_stencils, match_modified_butterfly)
 {
   // Valence 5 everywhere: both rings, and each with weights of K = 5.
   const Subdivision s = subdivided(icosphere(0), 2);
-  const Stencils rows = stencils(s, 0, Prediction::butterfly);
+  const Prediction_stencils rows = prediction_stencils(s, 0, Prediction::butterfly);
   const auto [a, b] = s.parents[12];
   std::map<Index, double> weight;
-  for(Index i = rows.first[0]; i < rows.first[1]; ++i)
+  for(Index i = rows.begin[0]; i < rows.begin[1]; ++i)
     weight[rows.vertex[i]] += rows.weight[i];
-  const double at_end = (0.25 + 1. + 0.5) / 5.;
-  EXPECT_NEAR(weight[a], 0.5 * (0.75 + at_end), 1e-15);
-  EXPECT_NEAR(weight[b], 0.5 * (0.75 + at_end), 1e-15);
+  const double end_weight = (0.25 + 1. + 0.5) / 5.;
+  EXPECT_NEAR(weight[a], 0.5 * (0.75 + end_weight), 1e-15);
+  EXPECT_NEAR(weight[b], 0.5 * (0.75 + end_weight), 1e-15);
 
   // Inside a face of level 1 all is regular or one step from the corner.
-  const Stencils finer = stencils(s, 1, Prediction::butterfly);
+  const Prediction_stencils finer = prediction_stencils(s, 1, Prediction::butterfly);
   std::map<std::size_t, int> sizes;
-  for(std::size_t row = 0; row + 1 < finer.first.size(); ++row)
-    ++sizes[finer.first[row + 1] - finer.first[row]];
+  for(std::size_t row = 0; row + 1 < finer.begin.size(); ++row)
+    ++sizes[finer.begin[row + 1] - finer.begin[row]];
   EXPECT_EQ(sizes[6], 60); // edges at the 12 corners: their rings and themselves
   EXPECT_EQ(sizes[8], 60); // the others
 }
@@ -200,15 +200,15 @@ TEST(Lifting, smooth_values_have_small_details)
           v < m.subdivision->levels[j + 1].number_of_vertices; ++v)
         if(std::abs(m.values[3 * v] - 0.5) < 0.2 && std::abs(m.values[3 * v + 1] - 0.5) < 0.2)
           size[j] = std::max(size[j], std::abs(values[v]));
-    const double gain = size[3] / size[4], expected = prediction == Prediction::linear ? 4. : 16.;
-    EXPECT_GT(gain, 0.8 * expected); // the steps are small, not infinitely so
-    EXPECT_LT(gain, 1.2 * expected);
+    const double ratio = size[3] / size[4], expected = prediction == Prediction::linear ? 4. : 16.;
+    EXPECT_GT(ratio, 0.8 * expected); // the steps are small, not infinitely so
+    EXPECT_LT(ratio, 1.2 * expected);
   }
 }
 
-TEST(Lifting, ten_percent_are_three_times_as_good_as_samples)
+TEST(Lifting, ten_percent_of_details_beat_subsampling)
 {
-  for(const Model& m : {model(icosphere(0), 5, onto_bumps)})
+  for(const Model& m : {model(icosphere(0), 5, onto_bumpy_sphere)})
   {
     const Subdivision& s = *m.subdivision;
     const std::size_t n = s.number_of_vertices(), number = n / 10;
@@ -216,10 +216,10 @@ TEST(Lifting, ten_percent_are_three_times_as_good_as_samples)
     std::vector<double> values = m.values;
     lifting.analyze(values, 3, true);
     keep_largest(values, 3, s, number - s.levels[0].number_of_vertices);
-    std::size_t left = 0;
+    std::size_t number_kept = 0;
     for(std::size_t v = 0; v < n; ++v)
-      left += values[3 * v] != 0. || values[3 * v + 1] != 0. || values[3 * v + 2] != 0.;
-    EXPECT_LE(left, number);
+      number_kept += values[3 * v] != 0. || values[3 * v + 1] != 0. || values[3 * v + 2] != 0.;
+    EXPECT_LE(number_kept, number);
     lifting.synthesize(values, 3, true);
 
     std::vector<double> samples = m.values;
@@ -231,13 +231,13 @@ TEST(Lifting, ten_percent_are_three_times_as_good_as_samples)
   }
 }
 
-TEST(Lifting, keeps_the_largest)
+TEST(Lifting, keeps_largest_details)
 {
-  const Model m = model(icosphere(0), 2, onto_bumps);
+  const Model m = model(icosphere(0), 2, onto_bumpy_sphere);
   const std::vector<double> norms = detail_norms(*m.subdivision);
   std::vector<double> values = m.values;
   keep_largest(values, 3, *m.subdivision, 50);
-  double least_kept = infinity, most_lost = 0.;
+  double smallest_kept = infinity, largest_dropped = 0.;
   std::size_t kept = 0;
   for(std::size_t v = 12; v < norms.size(); ++v)
   {
@@ -245,17 +245,17 @@ TEST(Lifting, keeps_the_largest)
         norms[v] * std::hypot(m.values[3 * v], m.values[3 * v + 1], m.values[3 * v + 2]);
     const bool is_kept = values[3 * v] != 0. || values[3 * v + 1] != 0. || values[3 * v + 2] != 0.;
     kept += is_kept;
-    (is_kept ? least_kept : most_lost) =
-        is_kept ? std::min(least_kept, size) : std::max(most_lost, size);
+    (is_kept ? smallest_kept : largest_dropped) =
+        is_kept ? std::min(smallest_kept, size) : std::max(largest_dropped, size);
   }
   EXPECT_EQ(kept, 50u);
-  EXPECT_GE(least_kept, most_lost);
+  EXPECT_GE(smallest_kept, largest_dropped);
   keep_largest(values, 3, *m.subdivision, 0);
   for(std::size_t i = 0; i < values.size(); ++i)
     EXPECT_EQ(values[i], i < 36 ? m.values[i] : 0.);
 }
 
-TEST(Lifting, of_one_level_changes_nothing)
+TEST(Lifting, single_level_is_identity)
 {
   const Model m = model(icosphere(0), 0);
   const Lifting lifting(m.subdivision, Prediction::butterfly, true);

@@ -3,9 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 
-#include "subdivided.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ std::vector<Index> corners_of(const std::vector<Triangle>& triangles)
   return result;
 }
 
-TEST(Subdivision, numbers_a_triangle_as_drawn)
+TEST(Subdivision, numbers_vertices_and_triangles_as_documented)
 {
   // Both levels by hand: midpoints of sides 0, 1, 2 are 3, 4, 5.
   const Subdivision s = subdivided(one_triangle(), 1);
@@ -53,7 +53,7 @@ TEST(Subdivision, numbers_a_triangle_as_drawn)
             (std::vector<std::array<Index, 2>>{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}));
 }
 
-TEST(Subdivision, counts_are_eulers)
+TEST(Subdivision, counts_match_euler_characteristic)
 {
   for(const Triangulation& surface : surfaces())
   {
@@ -62,8 +62,8 @@ TEST(Subdivision, counts_are_eulers)
     {
       const Subdivision::Level &level = s.levels[j], &next = s.levels[j + 1];
       std::size_t edges = 0;
-      for(Index side = 0; side < level.twin.size(); ++side)
-        edges += is_first_of_edge(level, side);
+      for(Index h = 0; h < level.twin.size(); ++h)
+        edges += is_edge_representative(level, h);
       EXPECT_EQ(next.triangles.size(), 4 * level.triangles.size());
       EXPECT_EQ(next.number_of_vertices, level.number_of_vertices + edges);
     }
@@ -72,7 +72,7 @@ TEST(Subdivision, counts_are_eulers)
 }
 
 // The gluing by rules is the one that a soup of the same triangles gets.
-TEST(Subdivision, twins_are_those_of_the_soup)
+TEST(Subdivision, twins_match_triangle_soup)
 {
   for(const Triangulation& surface : surfaces())
   {
@@ -82,7 +82,7 @@ TEST(Subdivision, twins_are_those_of_the_soup)
   }
 }
 
-TEST(Subdivision, levels_are_prefixes_and_midpoints_lie_between_their_parents)
+TEST(Subdivision, levels_are_prefixes_and_parents_are_edge_vertices)
 {
   for(const Triangulation& surface : surfaces())
   {
@@ -94,15 +94,15 @@ TEST(Subdivision, levels_are_prefixes_and_midpoints_lie_between_their_parents)
         EXPECT_LT(v, level.number_of_vertices);
       if(j + 1 == s.levels.size())
         break;
-      for(Index side = 0; side < level.twin.size(); ++side)
+      for(Index h = 0; h < level.twin.size(); ++h)
       {
-        const Index m = level.midpoint[side];
+        const Index m = level.midpoint[h];
         EXPECT_GE(m, level.number_of_vertices);
         EXPECT_LT(m, s.levels[j + 1].number_of_vertices);
-        auto parents = s.parents[m], sides_ends = ends(level, side);
+        auto parents = s.parents[m], expected_parents = edge_vertices(level, h);
         std::sort(parents.begin(), parents.end());
-        std::sort(sides_ends.begin(), sides_ends.end());
-        EXPECT_EQ(parents, sides_ends);
+        std::sort(expected_parents.begin(), expected_parents.end());
+        EXPECT_EQ(parents, expected_parents);
       }
       // Corner k of triangle f stays corner k of triangle 4f+k; child 3 is the middle.
       for(Index f = 0; f < level.triangles.size(); ++f)
@@ -116,7 +116,7 @@ TEST(Subdivision, levels_are_prefixes_and_midpoints_lie_between_their_parents)
 }
 
 // A vertex has the same place whether it comes from its parents or from its base triangle.
-TEST(Subdivision, places_are_where_halving_leads)
+TEST(Subdivision, coarse_locations_match_midpoints)
 {
   for(const Triangulation& surface : surfaces())
   {
@@ -128,52 +128,53 @@ TEST(Subdivision, places_are_where_halving_leads)
       const Point &a = points[s.parents[v][0]], &b = points[s.parents[v][1]];
       points.push_back({(a[0] + b[0]) / 2., (a[1] + b[1]) / 2., (a[2] + b[2]) / 2.});
     }
-    const std::vector<Base_place> places = base_places(s);
+    const std::vector<Coarse_location> locations = coarse_locations(s);
     std::vector<bool> is_used(s.number_of_vertices(), false);
     for(const Index v : corners_of(s.finest().triangles))
       is_used[v] = true;
     for(Index v = 0; v < s.number_of_vertices(); ++v)
     {
-      ASSERT_EQ(places[v].triangle != none, is_used[v]);
+      ASSERT_EQ(locations[v].triangle != none, is_used[v]);
       if(!is_used[v])
         continue;
-      const auto& c = places[v].coordinates;
+      const auto& c = locations[v].coordinates;
       EXPECT_EQ(c[0] + c[1] + c[2], Index(1) << times);
       for(int x = 0; x < 3; ++x)
       {
-        double at = 0.;
+        double coordinate = 0.;
         for(int k = 0; k < 3; ++k)
-          at += c[k] / 16. * surface.points[s.levels[0].triangles[places[v].triangle][k]][x];
+          coordinate +=
+              c[k] / 16. * surface.points[s.levels[0].triangles[locations[v].triangle][k]][x];
         // Coordinates of at most 2: some roundings of sums of three.
-        EXPECT_NEAR(at, points[v][x], 1e-14);
+        EXPECT_NEAR(coordinate, points[v][x], 1e-14);
       }
     }
   }
 }
 
-TEST(Subdivision, refuses_what_is_no_surface)
+TEST(Subdivision, throws_on_invalid_surface)
 {
-  const auto refuses = [](const std::vector<Triangle>& triangles, Index n, unsigned times = 1)
+  const auto expect_throws = [](const std::vector<Triangle>& triangles, Index n, unsigned times = 1)
   {
     EXPECT_THROW(subdivide(triangles, n, times), Invalid_argument_error);
     EXPECT_THROW(subdivide_into_quads(triangles, n, times + 1), Invalid_argument_error);
   };
-  refuses({{0, 1, 1}}, 2);
-  refuses({{0, 1, 3}}, 3);
-  refuses({{0, 1, 2}, {0, 1, 3}}, 4);            // not oriented alike
-  refuses({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5); // three at an edge
-  refuses({{0, 1, 2}}, 3, 15);
-  refuses({}, 3, 40);
+  expect_throws({{0, 1, 1}}, 2);
+  expect_throws({{0, 1, 3}}, 3);
+  expect_throws({{0, 1, 2}, {0, 1, 3}}, 4);            // not oriented alike
+  expect_throws({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5); // three at an edge
+  expect_throws({{0, 1, 2}}, 3, 15);
+  expect_throws({}, 3, 40);
   EXPECT_THROW(subdivide_into_quads({{0, 1, 2}}, 3, 0), Invalid_argument_error);
   EXPECT_EQ(subdivide({}, 3, 2).number_of_vertices(), 3u);
   EXPECT_EQ(subdivide({{0, 1, 2}, {0, 2, 1}}, 3, 2).finest().triangles.size(), 32u); // a pillow
 }
 
-TEST(Subdivision, is_a_mesh_unless_it_pinches_inside)
+TEST(Subdivision, is_halfedge_mesh_unless_interior_vertex_is_pinched)
 {
   for(const Triangulation& surface : surfaces())
-    EXPECT_TRUE(is_mesh(subdivided(surface, 1).finest()));
-  EXPECT_TRUE(is_mesh(subdivide({{0, 1, 2}, {0, 3, 4}}, 5, 0).finest())); // two fans at 0
+    EXPECT_TRUE(is_halfedge_mesh(subdivided(surface, 1).finest()));
+  EXPECT_TRUE(is_halfedge_mesh(subdivide({{0, 1, 2}, {0, 3, 4}}, 5, 0).finest())); // two fans at 0
   // Two tetrahedra, and a tetrahedron and a triangle, with vertex 0 in common.
   const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   std::vector<Triangle> two = tetrahedron;
@@ -183,13 +184,13 @@ TEST(Subdivision, is_a_mesh_unless_it_pinches_inside)
       v += v > 0 ? 3 : 0;
     two.push_back(t);
   }
-  EXPECT_FALSE(is_mesh(subdivide(two, 7, 0).finest()));
+  EXPECT_FALSE(is_halfedge_mesh(subdivide(two, 7, 0).finest()));
   std::vector<Triangle> kite = tetrahedron;
   kite.push_back({0, 4, 5});
-  EXPECT_FALSE(is_mesh(subdivide(kite, 6, 1).finest()));
+  EXPECT_FALSE(is_halfedge_mesh(subdivide(kite, 6, 1).finest()));
 }
 
-TEST(Subdivision_into_quads, counts_are_eulers_and_sides_meet_in_pairs)
+TEST(Subdivision_into_quads, counts_match_euler_characteristic_and_halfedges_are_unique)
 {
   for(const Triangulation& surface : surfaces())
   {
@@ -201,27 +202,27 @@ TEST(Subdivision_into_quads, counts_are_eulers_and_sides_meet_in_pairs)
     for(std::size_t j = 0; j < 3; ++j)
     {
       EXPECT_EQ(q.levels[j].size(), triangles.size() * 3 << (2 * j));
-      std::map<std::array<Index, 2>, int> sides;
+      std::map<std::array<Index, 2>, int> halfedges;
       for(const Quad& quad : q.levels[j])
         for(int k = 0; k < 4; ++k)
         {
           EXPECT_LT(quad[k], q.number_of_vertices[j]);
-          EXPECT_EQ((++sides[{quad[k], quad[(k + 1) % 4]}]), 1); // one orientation
+          EXPECT_EQ((++halfedges[{quad[k], quad[(k + 1) % 4]}]), 1); // one orientation
         }
       std::set<std::array<Index, 2>> edges;
-      for(const auto& [side, number] : sides)
-        edges.insert({std::min(side[0], side[1]), std::max(side[0], side[1])});
+      for(const auto& [h, number] : halfedges)
+        edges.insert({std::min(h[0], h[1]), std::max(h[0], h[1])});
       if(j == 2)
         break;
       EXPECT_EQ(q.number_of_vertices[j + 1],
                 q.number_of_vertices[j] + edges.size() + q.levels[j].size());
     }
-    EXPECT_EQ(q.places.size(), q.number_of_vertices.back());
+    EXPECT_EQ(q.locations.size(), q.number_of_vertices.back());
     EXPECT_EQ(q.parents.size(), q.number_of_vertices.back());
   }
 }
 
-TEST(Subdivision_into_quads, places_are_where_centres_lead)
+TEST(Subdivision_into_quads, coarse_locations_match_centroids)
 {
   for(const Triangulation& surface : surfaces())
   {
@@ -239,16 +240,17 @@ TEST(Subdivision_into_quads, places_are_where_centres_lead)
     }
     for(Index v = 0; v < q.parents.size(); ++v)
     {
-      if(q.places[v].triangle == none)
+      if(q.locations[v].triangle == none)
         continue;
-      const auto& c = q.places[v].coordinates;
+      const auto& c = q.locations[v].coordinates;
       EXPECT_EQ(c[0] + c[1] + c[2], Index(denominator));
       for(int x = 0; x < 3; ++x)
       {
-        double at = 0.;
+        double coordinate = 0.;
         for(int k = 0; k < 3; ++k)
-          at += c[k] / denominator * surface.points[triangles[q.places[v].triangle][k]][x];
-        EXPECT_NEAR(at, points[v][x], 1e-14); // as above
+          coordinate +=
+              c[k] / denominator * surface.points[triangles[q.locations[v].triangle][k]][x];
+        EXPECT_NEAR(coordinate, points[v][x], 1e-14); // as above
       }
     }
   }

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "subdivided.h"
+#include "subdivided_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -23,26 +23,26 @@ constexpr std::size_t no_limit = 1000000;
 struct Model
 {
   std::shared_ptr<const Subdivision> subdivision;
-  std::vector<double> places;
+  std::vector<double> points;
   Wavelet_signal signal;
 };
 
 Model model(const Triangulation& surface, unsigned times,
-            const std::function<Point(const Point&)>& carry, bool is_in_frames = true,
+            const std::function<Point(const Point&)>& map_point, bool is_in_frames = true,
             double scale = 1.)
 {
   Model result;
   result.subdivision = std::make_shared<Subdivision>(subdivided(surface, times));
-  result.places = flat(places(*result.subdivision, surface.points, carry));
-  for(double& x : result.places)
+  result.points = flattened(subdivided_points(*result.subdivision, surface.points, map_point));
+  for(double& x : result.points)
     x *= scale;
-  result.signal = {3, Prediction::butterfly, true, is_in_frames, result.places};
+  result.signal = {3, Prediction::butterfly, true, is_in_frames, result.points};
   Lifting(result.subdivision, Prediction::butterfly, true)
       .analyze(result.signal.values, 3, is_in_frames);
   return result;
 }
 
-Decoding decoded(const std::vector<std::uint8_t>& bytes)
+Decoded_wavelets decoded(const std::vector<std::uint8_t>& bytes)
 {
   return decode(bytes.data(), bytes.size(), no_limit);
 }
@@ -57,36 +57,36 @@ std::size_t size_of_base(const std::vector<std::uint8_t>& bytes)
   return header + 8 + length;
 }
 
-TEST(Zerotree, gives_back_numbers_to_the_last_plane)
+TEST(Zerotree, decodes_to_precision_of_last_plane)
 {
   const auto wave = [](const Point& p) {
     return Point{p[0], p[1], 0.1 * std::sin(7. * p[0] + p[1])};
   };
   for(const double scale : {1e-6, 1., 1e6})
     for(const bool is_in_frames : {false, true})
-      for(const Model& m : {model(icosphere(0), 3, onto_bumps, is_in_frames, scale),
+      for(const Model& m : {model(icosphere(0), 3, onto_bumpy_sphere, is_in_frames, scale),
                             model(annulus(5, 1, 1., 2.), 3, wave, is_in_frames, scale)})
       {
         const unsigned planes = 30;
-        const Decoding d = decoded(encode(*m.subdivision, m.signal, planes, 0));
+        const Decoded_wavelets d = decoded(encode(*m.subdivision, m.signal, planes, 0));
         EXPECT_EQ(d.planes, planes);
         EXPECT_FALSE(d.is_damaged);
         EXPECT_EQ(d.subdivision->finest().triangles, m.subdivision->finest().triangles);
         EXPECT_EQ(d.signal.is_in_frames, is_in_frames);
         const std::vector<double> norms = detail_norms(*m.subdivision);
-        double most = 0.;
+        double max_magnitude = 0.;
         for(std::size_t i = 0; i < m.signal.values.size(); ++i)
-          most = std::max(most, norms[i / 3] * std::abs(m.signal.values[i]));
+          max_magnitude = std::max(max_magnitude, norms[i / 3] * std::abs(m.signal.values[i]));
         // What is left of a number below the last plane, of which the first is above half of the largest.
         for(std::size_t i = 0; i < m.signal.values.size(); ++i)
           ASSERT_NEAR(norms[i / 3] * d.signal.values[i], norms[i / 3] * m.signal.values[i],
-                      2. * most * std::ldexp(1., -int(planes)) * (1. + 1e-6));
+                      2. * max_magnitude * std::ldexp(1., -int(planes)) * (1. + 1e-6));
       }
 }
 
-TEST(Zerotree, every_prefix_is_a_surface_and_longer_ones_are_better)
+TEST(Zerotree, every_prefix_decodes_and_error_decreases)
 {
-  const Model m = model(icosphere(0), 3, onto_bumps);
+  const Model m = model(icosphere(0), 3, onto_bumpy_sphere);
   const std::vector<std::uint8_t> bytes = encode(*m.subdivision, m.signal, 16);
   const std::size_t base = size_of_base(bytes);
   double best = infinity, last = 0.;
@@ -98,12 +98,12 @@ TEST(Zerotree, every_prefix_is_a_surface_and_longer_ones_are_better)
       EXPECT_THROW(decoded(prefix), Invalid_argument_error);
       continue;
     }
-    const Decoding d = decoded(prefix);
+    const Decoded_wavelets d = decoded(prefix);
     EXPECT_FALSE(d.is_damaged);
     EXPECT_EQ(d.planes == 16, size == bytes.size());
     if(size % 40 != 0 && size != bytes.size())
       continue;
-    last = root_mean_square(synthesis(d), m.places);
+    last = root_mean_square(decoded_values(d), m.points);
     EXPECT_LT(last, 1.05 * best); // frames of a surface that is not there yet: hardly ever worse
     best = std::min(best, last);
   }
@@ -111,12 +111,12 @@ TEST(Zerotree, every_prefix_is_a_surface_and_longer_ones_are_better)
 }
 
 // A bit turned anywhere: an error where there is no base mesh without it, else what stood before.
-TEST(Zerotree, damage_is_noticed)
+TEST(Zerotree, detects_damage)
 {
-  const Model m = model(tetrahedron(), 2, onto_bumps);
+  const Model m = model(tetrahedron(), 2, onto_bumpy_sphere);
   const std::vector<std::uint8_t> bytes = encode(*m.subdivision, m.signal, 8);
   const std::size_t base = size_of_base(bytes);
-  const Decoding whole = decoded(bytes);
+  const Decoded_wavelets whole = decoded(bytes);
   for(std::size_t i = 0; i < bytes.size(); ++i)
     for(int bit = 0; bit < 8; ++bit)
     {
@@ -127,39 +127,39 @@ TEST(Zerotree, damage_is_noticed)
         EXPECT_THROW(decoded(damaged), Invalid_argument_error);
         continue;
       }
-      const Decoding d = decoded(damaged);
+      const Decoded_wavelets d = decoded(damaged);
       EXPECT_LT(d.planes, whole.planes);
-      for(const double x : synthesis(d))
+      for(const double x : decoded_values(d))
         ASSERT_TRUE(std::isfinite(x));
     }
 }
 
-TEST(Zerotree, ends_where_it_is_told)
+TEST(Zerotree, respects_max_number_of_bytes)
 {
-  const Model m = model(icosphere(0), 3, onto_bumps);
+  const Model m = model(icosphere(0), 3, onto_bumpy_sphere);
   const std::vector<std::uint8_t> all = encode(*m.subdivision, m.signal, 16);
-  for(const std::size_t most : {std::size_t(0), all.size() / 3, all.size(), 2 * all.size()})
+  for(const std::size_t max_size : {std::size_t(0), all.size() / 3, all.size(), 2 * all.size()})
   {
-    const auto some = encode(*m.subdivision, m.signal, 16, 2, most);
-    EXPECT_EQ(some.size(), std::min(most, all.size()));
-    EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
+    const auto truncated = encode(*m.subdivision, m.signal, 16, 2, max_size);
+    EXPECT_EQ(truncated.size(), std::min(max_size, all.size()));
+    EXPECT_TRUE(std::equal(truncated.begin(), truncated.end(), all.begin()));
   }
 }
 
 // Six bits for each vertex.  As two for each coordinate, which ranges over 2 at least, they would leave an error of
 // 2 / 4 / sqrt(12) in each; trees of zeros are a hundred times as good.
-TEST(Zerotree, few_bits_for_smooth_surfaces)
+TEST(Zerotree, compresses_smooth_surfaces)
 {
-  const Model m = model(icosphere(0), 5, onto_bumps);
+  const Model m = model(icosphere(0), 5, onto_bumpy_sphere);
   const std::size_t n = m.subdivision->number_of_vertices();
   const auto bytes = encode(*m.subdivision, m.signal, 24, 2, 6 * n / 8);
-  EXPECT_LT(100. * root_mean_square(synthesis(decoded(bytes)), m.places),
+  EXPECT_LT(100. * root_mean_square(decoded_values(decoded(bytes)), m.points),
             std::sqrt(3.) * 2. / 4. / std::sqrt(12.));
 }
 
-TEST(Zerotree, refuses_what_cannot_be)
+TEST(Zerotree, throws_on_invalid_input)
 {
-  Model m = model(tetrahedron(), 1, onto_bumps);
+  Model m = model(tetrahedron(), 1, onto_bumpy_sphere);
   const auto encode_it = [&](unsigned planes) { return encode(*m.subdivision, m.signal, planes); };
   const auto bytes = encode_it(8);
   EXPECT_THROW(encode_it(0), Invalid_argument_error);
@@ -175,9 +175,9 @@ TEST(Zerotree, refuses_what_cannot_be)
     }
 }
 
-TEST(Zerotree, zeros_stay_zeros)
+TEST(Zerotree, preserves_zeros)
 {
-  Model m = model(tetrahedron(), 2, onto_bumps);
+  Model m = model(tetrahedron(), 2, onto_bumpy_sphere);
   std::fill(m.signal.values.begin(), m.signal.values.end(), 0.);
   for(const double x : decoded(encode(*m.subdivision, m.signal, 8)).signal.values)
     EXPECT_EQ(x, 0.);

@@ -19,25 +19,25 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-std::set<std::pair<Index, Index>> arcs(const Surfel_cloud& cloud)
+std::set<std::pair<Index, Index>> edges(const Surfel_cloud& cloud)
 {
   std::set<std::pair<Index, Index>> result;
-  for(Index i = 0; i < cloud.number_of_sites(); ++i)
-    for(Index arc = cloud.graph.first[i]; arc < cloud.graph.first[i + 1]; ++arc)
-      EXPECT_TRUE(result.emplace(i, cloud.graph.target[arc]).second) << "an arc comes twice";
+  for(Index i = 0; i < cloud.number_of_vertices(); ++i)
+    for(Index e = cloud.graph.begin[i]; e < cloud.graph.begin[i + 1]; ++e)
+      EXPECT_TRUE(result.emplace(i, cloud.graph.target[e]).second) << "an arc comes twice";
   return result;
 }
 
-TEST(Surfel_cloud, has_symmetric_arcs)
+TEST(Surfel_cloud, graph_is_symmetric)
 {
   const Cloud torus = torus_cloud(1000, 0.4);
   for(const Surfel_graph graph :
       {Surfel_graph::extended_spheres, Surfel_graph::spheres, Surfel_graph::nearest})
   {
-    Cloud_options options;
+    Surfel_cloud_options options;
     options.graph = graph;
     const Surfel_cloud cloud = make_cloud(torus.points, torus.normals, {}, options);
-    const auto all = arcs(cloud);
+    const auto all = edges(cloud);
     for(const auto& [a, b] : all)
     {
       EXPECT_NE(a, b);
@@ -46,50 +46,51 @@ TEST(Surfel_cloud, has_symmetric_arcs)
   }
 }
 
-TEST(Surfel_cloud, joins_spheres_that_meet)
+TEST(Surfel_cloud, connects_intersecting_spheres)
 {
   // By the definition, from all pairs.
   const Cloud sphere = ellipsoid_cloud(300, {1., 0.9, 0.7});
-  Cloud_options options;
+  Surfel_cloud_options options;
   options.neighbors = 299;
   const Surfel_cloud cloud = make_cloud(sphere.points, sphere.normals, {}, options);
-  const auto found = arcs(cloud);
+  const auto found = edges(cloud);
   for(Index i = 0; i < 300; ++i)
     for(Index j = 0; j < 300; ++j)
     {
       const double distance = norm(cloud.point[i] - cloud.point[j]);
-      const double reach = options.influence * (cloud.radius[i] + cloud.radius[j]);
+      const double max_distance = options.influence_ratio * (cloud.radius[i] + cloud.radius[j]);
       // Normals of near surfels agree here.
-      if(i != j && std::abs(distance - reach) > 1e-9)
+      if(i != j && std::abs(distance - max_distance) > 1e-9)
       {
-        EXPECT_EQ(found.count({i, j}) > 0, distance < reach);
+        EXPECT_EQ(found.count({i, j}) > 0, distance < max_distance);
       }
     }
   options.graph = Surfel_graph::spheres;
-  const Surfel_cloud canonical = make_cloud(sphere.points, sphere.normals, {}, options);
+  const Surfel_cloud canonical_cloud = make_cloud(sphere.points, sphere.normals, {}, options);
   std::vector<double> nearest(300, infinity);
   for(Index i = 0; i < 300; ++i)
     for(Index j = 0; j < 300; ++j)
       if(i != j)
-        nearest[i] = std::min(nearest[i], norm(canonical.point[i] - canonical.point[j]));
-  const auto met = arcs(canonical);
+        nearest[i] =
+            std::min(nearest[i], norm(canonical_cloud.point[i] - canonical_cloud.point[j]));
+  const auto intersecting = edges(canonical_cloud);
   for(Index i = 0; i < 300; ++i)
     for(Index j = 0; j < 300; ++j)
-      if(const double distance = norm(canonical.point[i] - canonical.point[j]);
+      if(const double distance = norm(canonical_cloud.point[i] - canonical_cloud.point[j]);
          i != j && std::abs(distance - nearest[i] - nearest[j]) > 1e-9)
       {
-        EXPECT_EQ(met.count({i, j}) > 0, distance < nearest[i] + nearest[j]);
+        EXPECT_EQ(intersecting.count({i, j}) > 0, distance < nearest[i] + nearest[j]);
       }
 }
 
-TEST(Surfel_cloud, keeps_sheets_apart_by_normals)
+TEST(Surfel_cloud, separates_sheets_by_normals)
 {
   // Two sheets half a spacing apart, seen from outside.
   Cloud sheets = square_cloud(20);
   for(std::size_t i = 0; i < 400; ++i)
-    sheets.add(sheets.points[i] - Spatial{0., 0., 0.5 / 19.}, {0., 0., -1.});
+    sheets.add(sheets.points[i] - Vec3{0., 0., 0.5 / 19.}, {0., 0., -1.});
   EXPECT_EQ(make_cloud(sheets.points, sheets.normals).number_of_components, 2u);
-  Cloud_options options;
+  Surfel_cloud_options options;
   options.graph = Surfel_graph::nearest;
   const Surfel_cloud joined = make_cloud(sheets.points, sheets.normals, {}, options);
   EXPECT_EQ(joined.number_of_components, 1u); // what normals are good for
@@ -99,40 +100,41 @@ TEST(Surfel_cloud, labels_components)
 {
   Cloud two = square_cloud(6);
   for(std::size_t i = 0; i < 36; ++i)
-    two.add(two.points[i] + Spatial{7., 0., 0.}, two.normals[i]);
+    two.add(two.points[i] + Vec3{7., 0., 0.}, two.normals[i]);
   const Surfel_cloud cloud = make_cloud(two.points, two.normals);
   ASSERT_EQ(cloud.number_of_components, 2u);
   for(std::size_t i = 0; i < 72; ++i)
-    EXPECT_EQ(cloud.component[cloud.site_of_surfel[i]] == cloud.component[cloud.site_of_surfel[0]],
+    EXPECT_EQ(cloud.component[cloud.internal_vertex[i]] ==
+                  cloud.component[cloud.internal_vertex[0]],
               i < 36);
 }
 
-TEST(Surfel_cloud, takes_surfels_at_one_point_for_one)
+TEST(Surfel_cloud, merges_coincident_surfels)
 {
   Cloud twice = square_cloud(5);
   for(std::size_t i = 0; i < 25; ++i)
     twice.add(twice.points[i], twice.normals[i]);
   const Surfel_cloud cloud = make_cloud(twice.points, twice.normals);
-  EXPECT_EQ(cloud.number_of_sites(), 25u);
+  EXPECT_EQ(cloud.number_of_vertices(), 25u);
   for(std::size_t i = 0; i < 25; ++i)
   {
-    EXPECT_EQ(cloud.site_of_surfel[i], cloud.site_of_surfel[25 + i]);
-    EXPECT_EQ(cloud.surfel_of_site[cloud.site_of_surfel[i]], i);
+    EXPECT_EQ(cloud.internal_vertex[i], cloud.internal_vertex[25 + i]);
+    EXPECT_EQ(cloud.caller_vertex[cloud.internal_vertex[i]], i);
   }
 }
 
-TEST(Surfel_cloud, is_the_same_for_any_number_of_threads)
+TEST(Surfel_cloud, does_not_depend_on_number_of_threads)
 {
   const Cloud torus = torus_cloud(9000, 0.4);
-  Cloud_options options;
+  Surfel_cloud_options options;
   const Surfel_cloud one = make_cloud(torus.points, torus.normals, {}, options);
   options.threads = 3;
   const Surfel_cloud three = make_cloud(torus.points, torus.normals, {}, options);
-  EXPECT_EQ(one.graph.first, three.graph.first);
+  EXPECT_EQ(one.graph.begin, three.graph.begin);
   EXPECT_EQ(one.graph.target, three.graph.target);
 }
 
-TEST(Surfel_cloud, takes_few_surfels)
+TEST(Surfel_cloud, handles_few_surfels)
 {
   EXPECT_EQ(make_cloud({}, {}).number_of_components, 0u);
   const Surfel_cloud one = make_cloud({{1., 2., 3.}}, {{0., 0., 5.}});
@@ -140,14 +142,14 @@ TEST(Surfel_cloud, takes_few_surfels)
   EXPECT_EQ(one.radius[0], 0.);
 }
 
-TEST(Surfel_cloud, refuses_what_are_no_surfels)
+TEST(Surfel_cloud, throws_on_invalid_surfels)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(make_cloud({{0., 0., 0.}}, {}), Invalid_argument_error);
   EXPECT_THROW(make_cloud({{0., nan, 0.}}, {{0., 0., 1.}}), Invalid_argument_error);
   EXPECT_THROW(make_cloud({{0., 0., 0.}}, {{0., 0., 0.}}), Invalid_argument_error);
   EXPECT_THROW(make_cloud({{0., 0., 0.}}, {{0., 0., 1.}}, {-1.}), Invalid_argument_error);
-  Cloud_options options;
+  Surfel_cloud_options options;
   options.neighbors = 0;
   EXPECT_THROW(make_cloud({}, {}, {}, options), Invalid_argument_error);
 }

@@ -21,16 +21,16 @@ Surfel_cloud cloud_of(const Cloud& cloud) { return make_cloud(cloud.points, clou
 struct Surface
 {
   Surface(const Surfel_cloud& cloud, Surfel_fit fit)
-      : vicinity(cloud), surface(cloud, fit, vicinity, home)
+      : coverage(cloud), surface(cloud, fit, coverage, original_vertex)
   {}
-  Foot foot(const Spatial& point, Index near) const { return surface.foot(point, near); }
+  Projection project(const Vec3& point, Index near) const { return surface.project(point, near); }
 
-  Surfel_vicinity vicinity;
-  std::vector<Index> home;
+  Surfel_coverage coverage;
+  std::vector<Index> original_vertex;
   Surfel_surface surface;
 };
 
-TEST(Surfel_surface, is_a_sphere_where_surfels_are)
+TEST(Surfel_surface, reproduces_spheres)
 {
   const Cloud sphere = octahedron_sphere(4);
   const Surfel_cloud cloud = cloud_of(sphere);
@@ -42,13 +42,13 @@ TEST(Surfel_surface, is_a_sphere_where_surfels_are)
     std::uniform_real_distribution<double> offset(-0.03, 0.03);
     for(int i = 0; i < 200; ++i)
     {
-      const Index site = Index(random() % sphere.size());
-      const Spatial p = cloud.point[site] + Spatial{offset(random), offset(random), offset(random)};
-      const Foot foot = surface.foot(p, site);
-      const Spatial centre = (-1. / cloud.frame.scale) * cloud.frame.origin;
-      const Spatial way = p - centre, expected = 1. / cloud.frame.scale * unit(way);
-      EXPECT_LT(norm(foot.point - centre - expected), 1e-13); // rounding of sums of twenty
-      EXPECT_NEAR(std::abs(dot(foot.normal, unit(way))), 1., 1e-13);
+      const Index vertex = Index(random() % sphere.size());
+      const Vec3 p = cloud.point[vertex] + Vec3{offset(random), offset(random), offset(random)};
+      const Projection projection = surface.project(p, vertex);
+      const Vec3 center = (-1. / cloud.frame.scale) * cloud.frame.origin;
+      const Vec3 radial = p - center, expected = 1. / cloud.frame.scale * unit(radial);
+      EXPECT_LT(norm(projection.point - center - expected), 1e-13); // rounding of sums of twenty
+      EXPECT_NEAR(std::abs(dot(projection.normal, unit(radial))), 1., 1e-13);
     }
   }
 }
@@ -60,22 +60,22 @@ double error_on_torus(std::size_t n, Surfel_fit fit)
   const Surface surface(cloud, fit);
   double sum = 0.;
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> share(0., 1.);
+  std::uniform_real_distribution<double> uniform(0., 1.);
   for(int i = 0; i < 500; ++i)
   {
-    const Index a = Index(random() % cloud.number_of_sites());
-    const Index arc =
-        cloud.graph.first[a] + Index(random() % (cloud.graph.first[a + 1] - cloud.graph.first[a]));
-    const double t = share(random);
-    const Spatial p = (1. - t) * cloud.point[a] + t * cloud.point[cloud.graph.target[arc]];
-    const Spatial q = cloud.frame.origin + cloud.frame.scale * surface.foot(p, a).point;
+    const Index a = Index(random() % cloud.number_of_vertices());
+    const Index e =
+        cloud.graph.begin[a] + Index(random() % (cloud.graph.begin[a + 1] - cloud.graph.begin[a]));
+    const double t = uniform(random);
+    const Vec3 p = (1. - t) * cloud.point[a] + t * cloud.point[cloud.graph.target[e]];
+    const Vec3 q = cloud.frame.origin + cloud.frame.scale * surface.project(p, a).point;
     const double d = std::hypot(std::hypot(q[0], q[1]) - 1., q[2]) - 0.4;
     sum += d * d;
   }
   return std::sqrt(sum / 500.);
 }
 
-TEST(Surfel_surface, comes_nearer_to_a_torus_with_more_surfels)
+TEST(Surfel_surface, converges_on_a_torus)
 {
   // Four times as many surfels, half of the spacing: second order for disks, planes and spheres, up to
   // fourth for quadrics.
@@ -86,75 +86,75 @@ TEST(Surfel_surface, comes_nearer_to_a_torus_with_more_surfels)
 }
 
 // The root mean squared distance from the unit sphere, in radii, of the feet of `places` on it.
-double error_on_sphere(const Cloud& cloud, const Cloud& places, double radius, Surfel_fit fit)
+double error_on_sphere(const Cloud& cloud, const Cloud& samples, double radius, Surfel_fit fit)
 {
   const Surfel_cloud c = cloud_of(cloud);
   const Surface surface(c, fit);
   double sum = 0.;
-  for(std::size_t i = 0; i < places.size(); ++i)
+  for(std::size_t i = 0; i < samples.size(); ++i)
   {
-    const Spatial p = 1. / c.frame.scale * (places.points[i] - c.frame.origin);
-    const Foot foot = surface.foot(p, c.site_of_surfel[i]);
-    sum += std::pow(norm(c.frame.origin + c.frame.scale * foot.point) - 1., 2);
+    const Vec3 p = 1. / c.frame.scale * (samples.points[i] - c.frame.origin);
+    const Projection projection = surface.project(p, c.internal_vertex[i]);
+    sum += std::pow(norm(c.frame.origin + c.frame.scale * projection.point) - 1., 2);
   }
-  return std::sqrt(sum / double(places.size())) / radius;
+  return std::sqrt(sum / double(samples.size())) / radius;
 }
 
-TEST(Surfel_surface, bears_outliers_by_robust_weights)
+TEST(Surfel_surface, robust_weights_reject_outliers)
 {
   const Cloud sphere = octahedron_sphere(4);
-  const Surfel_cloud given = cloud_of(sphere);
+  const Surfel_cloud clean = cloud_of(sphere);
   std::vector<double> radii;
-  for(const Index site : given.site_of_surfel)
-    radii.push_back(given.frame.scale * given.radius[site]);
+  for(const Index vertex : clean.internal_vertex)
+    radii.push_back(clean.frame.scale * clean.radius[vertex]);
   const auto errors = [&](double level, Surfel_fit fit)
   {
     const Cloud noisy = level > 0. ? with_noise(sphere, radii, level, 1) : sphere;
-    const Cloud worse = with_outliers(noisy, sphere, radii, 0.05, 2., 2);
+    const Cloud noisy_with_outliers = with_outliers(noisy, sphere, radii, 0.05, 2., 2);
     return std::pair(error_on_sphere(noisy, sphere, radii[0], fit),
-                     error_on_sphere(worse, sphere, radii[0], fit));
+                     error_on_sphere(noisy_with_outliers, sphere, radii[0], fit));
   };
   for(const double level : {0.5, 1.})
   {
-    const auto [plain, plain_worse] = errors(level, Surfel_fit::spheres);
-    const auto [robust, robust_worse] = errors(level, Surfel_fit::robust_spheres);
+    const auto [plain, plain_with_outliers] = errors(level, Surfel_fit::spheres);
+    const auto [robust, robust_with_outliers] = errors(level, Surfel_fit::robust_spheres);
     // With the weights that heights between 0 and where they do not count have in the mean, outliers
     // add one or two percent to the variance, half as much to the error; the rest is chance.
-    EXPECT_LT(robust_worse, 1.05 * robust);
+    EXPECT_LT(robust_with_outliers, 1.05 * robust);
     // Plain weights see the few surfels that arcs join to the nearest one, which lie as high as it does.
     EXPECT_LT(robust, 0.6 * plain);
-    EXPECT_LT(robust_worse, 0.6 * plain_worse);
+    EXPECT_LT(robust_with_outliers, 0.6 * plain_with_outliers);
   }
   // Without noise those outliers count that are no higher than a twentieth of the spacing: one in fifty.
-  const auto [plain, plain_worse] = errors(0., Surfel_fit::spheres);
-  const auto [robust, robust_worse] = errors(0., Surfel_fit::robust_spheres);
+  const auto [plain, plain_with_outliers] = errors(0., Surfel_fit::spheres);
+  const auto [robust, robust_with_outliers] = errors(0., Surfel_fit::robust_spheres);
   EXPECT_LT(plain, 1e-13); // rounding of sums of twenty, in radii
   EXPECT_LT(robust, 1e-13);
-  EXPECT_LT(robust_worse, 0.1 * plain_worse);
+  EXPECT_LT(robust_with_outliers, 0.1 * plain_with_outliers);
 }
 
-TEST(Surfel_surface, has_disks)
+TEST(Surfel_surface, projects_to_disks)
 {
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
   const Surface surface(cloud, Surfel_fit::disks);
   // Above the inside the nearest point of the plane; beyond the border that of the last disk, whose
   // neighbours are smaller than it is at the corner.
-  const Foot inside = surface.foot(cloud.point[60] + Spatial{0.01, 0.02, 0.05}, 60);
-  EXPECT_LT(norm(inside.point - cloud.point[60] - Spatial{0.01, 0.02, 0.}), 1e-15);
+  const Projection inside = surface.project(cloud.point[60] + Vec3{0.01, 0.02, 0.05}, 60);
+  EXPECT_LT(norm(inside.point - cloud.point[60] - Vec3{0.01, 0.02, 0.}), 1e-15);
   Index corner = 0;
   for(Index i = 0; i < 121; ++i)
     if(cloud.point[i][0] + cloud.point[i][1] > cloud.point[corner][0] + cloud.point[corner][1])
       corner = i;
-  const Spatial away = unit({1., 1., 0.});
-  const Foot outside = surface.foot(cloud.point[corner] + 5. * away, corner);
+  const Vec3 away = unit({1., 1., 0.});
+  const Projection outside = surface.project(cloud.point[corner] + 5. * away, corner);
   double sum = cloud.radius[corner], number = 1.;
-  for(Index arc = cloud.graph.first[corner]; arc < cloud.graph.first[corner + 1]; ++arc, ++number)
-    sum += cloud.radius[cloud.graph.target[arc]];
+  for(Index e = cloud.graph.begin[corner]; e < cloud.graph.begin[corner + 1]; ++e, ++number)
+    sum += cloud.radius[cloud.graph.target[e]];
   EXPECT_LT(sum / number, cloud.radius[corner]);
   EXPECT_LT(norm(outside.point - cloud.point[corner] - sum / number * away), 1e-14);
 }
 
-TEST(Surfel_surface, ends_with_its_surfels)
+TEST(Surfel_surface, ends_at_boundary)
 {
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
   const Surface surface(cloud, Surfel_fit::quadrics);
@@ -162,14 +162,14 @@ TEST(Surfel_surface, ends_with_its_surfels)
     if(std::abs(cloud.point[i][0]) > 0.99 * std::abs(cloud.point[0][0]))
     {
       const double side = cloud.point[i][0] > 0. ? 1. : -1.;
-      const Foot foot = surface.foot(cloud.point[i] + Spatial{side, 0., 0.01}, i);
-      EXPECT_LE(norm(foot.point - cloud.point[i]), 1.5 * cloud.radius[i] * (1. + 1e-12));
-      EXPECT_NEAR(dot(foot.rim, {side, 0., 0.}), 1., 1e-12);
-      EXPECT_NEAR(foot.point[2], 0., 1e-14);
+      const Projection projection = surface.project(cloud.point[i] + Vec3{side, 0., 0.01}, i);
+      EXPECT_LE(norm(projection.point - cloud.point[i]), 1.5 * cloud.radius[i] * (1. + 1e-12));
+      EXPECT_NEAR(dot(projection.conormal, {side, 0., 0.}), 1., 1e-12);
+      EXPECT_NEAR(projection.point[2], 0., 1e-14);
     }
 }
 
-TEST(Surfel_surface, leaves_a_hole_open_around_a_surfel_alone_in_it)
+TEST(Surfel_surface, keeps_hole_open_around_isolated_surfel)
 {
   // A square lattice, without what is nearer than six steps to its middle.
   Cloud square;
@@ -180,20 +180,21 @@ TEST(Surfel_surface, leaves_a_hole_open_around_a_surfel_alone_in_it)
   const Surfel_cloud cloud = cloud_of(square);
   const Surface surface(cloud, Surfel_fit::quadrics);
   Index middle = 0;
-  for(Index site = 0; site < cloud.number_of_sites(); ++site)
-    if(cloud.radius[site] > cloud.radius[middle])
-      middle = site;
-  double around = 0.;
-  const Site_graph& graph = cloud.graph;
-  for(Index arc = graph.first[middle]; arc < graph.first[middle + 1]; ++arc)
-    around = std::max(around, cloud.radius[graph.target[arc]]);
-  EXPECT_LT(2. * around, cloud.radius[middle]);
-  const Foot foot = surface.foot(cloud.point[middle] + Spatial{2. * around, 0., 0.}, middle);
-  EXPECT_EQ(foot.site, middle);
-  EXPECT_LE(norm(foot.point - cloud.point[middle]), 1.3 * around * (1. + 1e-12));
+  for(Index vertex = 0; vertex < cloud.number_of_vertices(); ++vertex)
+    if(cloud.radius[vertex] > cloud.radius[middle])
+      middle = vertex;
+  double max_neighbor_radius = 0.;
+  const Proximity_graph& graph = cloud.graph;
+  for(Index e = graph.begin[middle]; e < graph.begin[middle + 1]; ++e)
+    max_neighbor_radius = std::max(max_neighbor_radius, cloud.radius[graph.target[e]]);
+  EXPECT_LT(2. * max_neighbor_radius, cloud.radius[middle]);
+  const Projection projection =
+      surface.project(cloud.point[middle] + Vec3{2. * max_neighbor_radius, 0., 0.}, middle);
+  EXPECT_EQ(projection.vertex, middle);
+  EXPECT_LE(norm(projection.point - cloud.point[middle]), 1.3 * max_neighbor_radius * (1. + 1e-12));
 }
 
-TEST(Surfel_surface, ends_where_surfels_are_no_longer_near)
+TEST(Surfel_surface, stays_inside_coverage)
 {
   // Two rows of surfels far apart, of radii that reach over the gap.
   Cloud rows;
@@ -207,45 +208,47 @@ TEST(Surfel_surface, ends_where_surfels_are_no_longer_near)
                               Surfel_fit::robust_spheres, Surfel_fit::quadrics})
   {
     const Surface surface(cloud, fit);
-    for(Index site = 0; site < cloud.number_of_sites(); ++site)
-      for(const double out : {0.5, 2., 3.})
+    for(Index vertex = 0; vertex < cloud.number_of_vertices(); ++vertex)
+      for(const double distance : {0.5, 2., 3.})
       {
-        const double side = cloud.point[site][1] < 0. ? 1. : -1.;
-        const Foot foot =
-            surface.foot(cloud.point[site] + Spatial{0., side * out / cloud.frame.scale, 0.}, site);
-        EXPECT_TRUE(surface.vicinity.is_near(foot.point, foot.site));
-        EXPECT_EQ(surface.surface.drawn_near(foot.point, foot.site), foot.point);
+        const double side = cloud.point[vertex][1] < 0. ? 1. : -1.;
+        const Projection projection = surface.project(
+            cloud.point[vertex] + Vec3{0., side * distance / cloud.frame.scale, 0.}, vertex);
+        EXPECT_TRUE(surface.coverage.is_covered(projection.point, projection.vertex));
+        EXPECT_EQ(surface.surface.clamped_to_coverage(projection.point, projection.vertex),
+                  projection.point);
       }
   }
 }
 
-TEST(Surfel_surface, walks_over_arcs)
+TEST(Surfel_surface, walk_length_follows_graph)
 {
   // A square with a cut from one side to its middle: of 5 steps, which no arc bridges.
-  const Cloud square = part_of(square_cloud(41), [](const Spatial& p)
+  const Cloud square = part_of(square_cloud(41), [](const Vec3& p)
                                { return std::abs(p[0] - 0.5) > 0.06 || p[1] > 0.5; });
   const Surfel_cloud cloud = cloud_of(square);
   const Surface surface(cloud, Surfel_fit::quadrics);
-  const auto site = [&](double x, double y)
+  const auto nearest_vertex = [&](double x, double y)
   {
     Index best = 0;
-    const Spatial p = 1. / cloud.frame.scale * (Spatial{x, y, 0.} - cloud.frame.origin);
-    for(Index i = 0; i < cloud.number_of_sites(); ++i)
+    const Vec3 p = 1. / cloud.frame.scale * (Vec3{x, y, 0.} - cloud.frame.origin);
+    for(Index i = 0; i < cloud.number_of_vertices(); ++i)
       if(norm(cloud.point[i] - p) < norm(cloud.point[best] - p))
         best = i;
     return best;
   };
-  const auto walk = [&](Index from, Index to)
-  { return cloud.frame.scale * surface.surface.walk(from, to); };
-  EXPECT_EQ(walk(site(0.1, 0.1), site(0.1, 0.1)), 0.);
+  const auto walk_length = [&](Index from, Index to)
+  { return cloud.frame.scale * surface.surface.walk_length(from, to); };
+  EXPECT_EQ(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.1, 0.1)), 0.);
   // At most by steps along both sides of the square's cells.
-  EXPECT_GE(walk(site(0.1, 0.1), site(0.4, 0.3)), std::hypot(0.3, 0.2) - 1e-9);
-  EXPECT_LE(walk(site(0.1, 0.1), site(0.4, 0.3)), 0.5 + 1e-9);
-  EXPECT_NEAR(walk(site(0.4, 0.7), site(0.6, 0.7)), 0.2, 1e-9);
-  EXPECT_EQ(walk(site(0.4, 0.1), site(0.6, 0.1)), infinity);
+  EXPECT_GE(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.4, 0.3)),
+            std::hypot(0.3, 0.2) - 1e-9);
+  EXPECT_LE(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.4, 0.3)), 0.5 + 1e-9);
+  EXPECT_NEAR(walk_length(nearest_vertex(0.4, 0.7), nearest_vertex(0.6, 0.7)), 0.2, 1e-9);
+  EXPECT_EQ(walk_length(nearest_vertex(0.4, 0.1), nearest_vertex(0.6, 0.1)), infinity);
 }
 
-TEST(Surfel_surface, has_sharp_edges)
+TEST(Surfel_surface, preserves_sharp_edges)
 {
   const Cloud cube = cube_cloud(10);
   const Surfel_cloud cloud = cloud_of(cube);
@@ -254,13 +257,13 @@ TEST(Surfel_surface, has_sharp_edges)
       {Surfel_fit::planes, Surfel_fit::spheres, Surfel_fit::robust_spheres, Surfel_fit::quadrics})
   {
     const Surface surface(cloud, fit);
-    for(Index i = 0; i < cloud.number_of_sites(); ++i)
+    for(Index i = 0; i < cloud.number_of_vertices(); ++i)
     {
       // Where the nearest surfel is on this side, the foot is in its plane.
       const auto [u, v] = tangent_frame(cloud.normal[i]);
-      const Foot foot =
-          surface.foot(cloud.point[i] + 0.02 * u + 0.01 * v + 0.01 * cloud.normal[i], i);
-      EXPECT_NEAR(std::abs(dot(foot.point, cloud.normal[foot.site])), half, 1e-14);
+      const Projection projection =
+          surface.project(cloud.point[i] + 0.02 * u + 0.01 * v + 0.01 * cloud.normal[i], i);
+      EXPECT_NEAR(std::abs(dot(projection.point, cloud.normal[projection.vertex])), half, 1e-14);
     }
   }
 }

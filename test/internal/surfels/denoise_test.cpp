@@ -21,7 +21,7 @@ template <typename Distance>
 double deviation(const Cloud& cloud, const Distance& distance)
 {
   double sum = 0.;
-  for(const Spatial& p : cloud.points)
+  for(const Vec3& p : cloud.points)
     sum += std::pow(distance(p), 2);
   return std::sqrt(sum / double(cloud.size()));
 }
@@ -32,15 +32,15 @@ Cloud denoised(Cloud cloud, unsigned threads = 1)
   return cloud;
 }
 
-TEST(denoise, finds_no_noise_in_samples_of_smooth_surfaces)
+TEST(denoise, noise_level_of_smooth_surfaces_is_small)
 {
   for(const Cloud& cloud :
       {square_cloud(20), octahedron_sphere(3), cylinder_cloud(40, 20, 1., 3.),
        torus_cloud(1000, 0.4), ellipsoid_cloud(1000, {1., 0.7, 0.5}), cube_cloud(10)})
-    EXPECT_LT(noise_level(cloud.points, cloud.normals), noise_that_matters);
+    EXPECT_LT(noise_level(cloud.points, cloud.normals), significant_noise_level);
 }
 
-TEST(denoise, finds_as_much_noise_as_there_is)
+TEST(denoise, noise_level_is_proportional_to_noise)
 {
   const Cloud square = square_cloud(40);
   for(const double level : {0.1, 0.5, 1.})
@@ -58,60 +58,61 @@ TEST(denoise, flattens_planes)
 {
   const Cloud square = square_cloud(60);
   const Cloud noisy = with_noise(square, std::vector<double>(3600, 1. / 59.), 1., 1);
-  const auto height = [](const Spatial& p) { return p[2]; };
+  const auto height = [](const Vec3& p) { return p[2]; };
   const double before = deviation(noisy, height), after = deviation(denoised(noisy), height);
   // As a plane through all surfels would, which the widest fits nearly are, to a factor: noise over the
   // square root of a quarter of the surfels.
   EXPECT_LT(after, 2. * before / std::sqrt(3600. / 4.));
 }
 
-TEST(denoise, keeps_curved_surfaces)
+TEST(denoise, preserves_spheres_and_cylinders)
 {
   const Cloud sphere = octahedron_sphere(5), cylinder = cylinder_cloud(100, 32, 1., 2.);
   const Cloud noisy_sphere = with_noise(sphere, std::vector<double>(sphere.size(), 0.055), 0.5, 1),
               noisy_cylinder =
                   with_noise(cylinder, std::vector<double>(cylinder.size(), 0.063), 0.5, 1);
-  const auto from_sphere = [](const Spatial& p) { return norm(p) - 1.; };
-  const auto from_cylinder = [](const Spatial& p) { return std::hypot(p[0], p[1]) - 1.; };
+  const auto sphere_distance = [](const Vec3& p) { return norm(p) - 1.; };
+  const auto cylinder_distance = [](const Vec3& p) { return std::hypot(p[0], p[1]) - 1.; };
   // Both bend evenly as far as normals agree, up to 60 degrees: about a thousand surfels.  A fit of
   // second order to so many leaves 2 / sqrt(1000) of the noise at its middle; fits differ by half of that.
-  EXPECT_LT(deviation(denoised(noisy_sphere), from_sphere),
-            0.1 * deviation(noisy_sphere, from_sphere));
-  EXPECT_LT(deviation(denoised(noisy_cylinder), from_cylinder),
-            0.1 * deviation(noisy_cylinder, from_cylinder));
+  EXPECT_LT(deviation(denoised(noisy_sphere), sphere_distance),
+            0.1 * deviation(noisy_sphere, sphere_distance));
+  EXPECT_LT(deviation(denoised(noisy_cylinder), cylinder_distance),
+            0.1 * deviation(noisy_cylinder, cylinder_distance));
 }
 
-TEST(denoise, keeps_what_bends_in_more_than_one_way)
+TEST(denoise, preserves_tori)
 {
   const Cloud torus = torus_cloud(5000, 0.4);
   const Cloud noisy = with_noise(torus, std::vector<double>(torus.size(), 0.05), 1., 1);
-  const auto from_torus = [](const Spatial& p)
+  const auto torus_distance = [](const Vec3& p)
   { return std::hypot(std::hypot(p[0], p[1]) - 1., p[2]) - 0.4; };
   // A tenth of the noise is left; a seventh where fits of second order have to do.
-  EXPECT_LT(deviation(denoised(noisy), from_torus), 0.12 * deviation(noisy, from_torus));
+  EXPECT_LT(deviation(denoised(noisy), torus_distance), 0.12 * deviation(noisy, torus_distance));
 }
 
-TEST(denoise, keeps_sharp_edges)
+TEST(denoise, preserves_sharp_edges)
 {
   const Cloud cube = cube_cloud(20);
   const Cloud noisy = with_noise(cube, std::vector<double>(cube.size(), 0.05), 0.3, 1);
-  const auto from_cube = [](const Spatial& p) {
+  const auto cube_distance = [](const Vec3& p) {
     return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}) - 0.5;
   };
-  EXPECT_LT(deviation(denoised(noisy), from_cube), 0.3 * deviation(noisy, from_cube));
+  EXPECT_LT(deviation(denoised(noisy), cube_distance), 0.3 * deviation(noisy, cube_distance));
 }
 
-TEST(denoise, bears_outliers)
+TEST(denoise, is_robust_to_outliers)
 {
   const Cloud square = square_cloud(60);
   const std::vector<double> radii(3600, 1. / 59.);
   const Cloud noisy = with_noise(square, radii, 0.5, 1);
-  Cloud worse = with_outliers(noisy, square, radii, 0.05, 2., 2);
-  const auto height = [](const Spatial& p) { return p[2]; };
-  EXPECT_LT(deviation(denoised(worse), height), 2. * deviation(denoised(noisy), height));
+  Cloud noisy_with_outliers = with_outliers(noisy, square, radii, 0.05, 2., 2);
+  const auto height = [](const Vec3& p) { return p[2]; };
+  EXPECT_LT(deviation(denoised(noisy_with_outliers), height),
+            2. * deviation(denoised(noisy), height));
 }
 
-TEST(denoise, is_the_same_for_any_number_of_threads)
+TEST(denoise, does_not_depend_on_number_of_threads)
 {
   const Cloud noisy = with_noise(torus_cloud(5000, 0.4), std::vector<double>(5200, 0.05), 0.5, 1);
   const Cloud one = denoised(noisy, 1), three = denoised(noisy, 3);
@@ -119,15 +120,15 @@ TEST(denoise, is_the_same_for_any_number_of_threads)
   EXPECT_EQ(one.normals, three.normals);
 }
 
-TEST(denoise, takes_few_surfels)
+TEST(denoise, handles_few_surfels)
 {
-  std::vector<Spatial> points, normals;
+  std::vector<Vec3> points, normals;
   denoise(points, normals);
   EXPECT_EQ(noise_level(points, normals), 0.);
   points = {{1., 2., 3.}, {1., 2., 3.}, {2., 2., 3.}};
   normals = {{0., 0., 2.}, {0., 0., 1.}, {0., 0., 1.}};
   denoise(points, normals);
-  EXPECT_EQ(points, (std::vector<Spatial>{{1., 2., 3.}, {1., 2., 3.}, {2., 2., 3.}}));
+  EXPECT_EQ(points, (std::vector<Vec3>{{1., 2., 3.}, {1., 2., 3.}, {2., 2., 3.}}));
   normals.pop_back();
   EXPECT_THROW(denoise(points, normals), Invalid_argument_error);
 }

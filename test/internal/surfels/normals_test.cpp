@@ -17,13 +17,13 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-TEST(normals, are_those_of_a_torus)
+TEST(normals, converge_on_a_torus)
 {
   double error[2];
   for(const std::size_t n : {1000u, 4000u})
   {
     const Cloud cloud = torus_cloud(n, 0.4);
-    const std::vector<Spatial> normals = estimate_normals(cloud.points, 18, true);
+    const std::vector<Vec3> normals = estimate_normals(cloud.points, 18, true);
     double& largest = error[n == 4000u];
     largest = 0.;
     for(std::size_t i = 0; i < normals.size(); ++i)
@@ -34,53 +34,53 @@ TEST(normals, are_those_of_a_torus)
   EXPECT_LT(error[1], 0.35 * error[0]);
 }
 
-TEST(normals, look_to_one_side_of_each_part)
+TEST(normals, are_oriented_consistently_in_each_component)
 {
   // Spheres too far apart for any neighbour in common: the highest point of each looks up, and so outwards.
   const Cloud sphere = ellipsoid_cloud(500, {1., 1., 1.});
-  std::vector<Spatial> points;
-  for(const double place : {-10., 0., 10.})
-    for(const Spatial& p : sphere.points)
-      points.push_back(p + Spatial{place, 0., 0.5 * place});
-  const std::vector<Spatial> normals = estimate_normals(points, 18, true);
+  std::vector<Vec3> points;
+  for(const double offset : {-10., 0., 10.})
+    for(const Vec3& p : sphere.points)
+      points.push_back(p + Vec3{offset, 0., 0.5 * offset});
+  const std::vector<Vec3> normals = estimate_normals(points, 18, true);
   for(std::size_t i = 0; i < points.size(); ++i)
     EXPECT_GT(dot(normals[i], sphere.normals[i % 500]), 0.99) << i; // errors are those of the fit
 }
 
-TEST(normals, of_equal_points_are_equal)
+TEST(normals, are_equal_at_coincident_points)
 {
-  std::vector<Spatial> points = torus_cloud(500, 0.4).points;
-  const std::vector<Spatial> once = estimate_normals(points, 18, true);
+  std::vector<Vec3> points = torus_cloud(500, 0.4).points;
+  const std::vector<Vec3> once = estimate_normals(points, 18, true);
   points.insert(points.end(), 40, points[7]);
-  const std::vector<Spatial> often = estimate_normals(points, 18, true);
+  const std::vector<Vec3> often = estimate_normals(points, 18, true);
   for(std::size_t i = 0; i < points.size(); ++i)
     EXPECT_EQ(often[i], once[i < once.size() ? i : 7]) << i;
 }
 
-TEST(normals, are_unit_vectors_where_points_span_nothing)
+TEST(normals, are_unit_vectors_for_degenerate_input)
 {
-  const std::vector<std::vector<Spatial>> clouds = {
+  const std::vector<std::vector<Vec3>> clouds = {
       {},
       {{1., 2., 3.}},
       {{0., 0., 0.}, {1., 1., 1.}},
-      std::vector<Spatial>(50, {1e8, 0., 0.}),
+      std::vector<Vec3>(50, {1e8, 0., 0.}),
       {{0., 0., 0.}, {1., 0., 0.}, {2., 0., 0.}, {3., 0., 0.}, {1e300, 0., 0.}}};
-  for(const std::vector<Spatial>& points : clouds)
+  for(const std::vector<Vec3>& points : clouds)
   {
-    const std::vector<Spatial> normals = estimate_normals(points, 18, true);
+    const std::vector<Vec3> normals = estimate_normals(points, 18, true);
     EXPECT_EQ(normals.size(), points.size());
-    for(const Spatial& normal : normals)
+    for(const Vec3& normal : normals)
       EXPECT_NEAR(norm(normal), 1., 1e-14);
   }
 }
 
-TEST(normals, are_the_same_for_any_number_of_threads)
+TEST(normals, do_not_depend_on_number_of_threads)
 {
-  const std::vector<Spatial> points = torus_cloud(3000, 0.4).points;
+  const std::vector<Vec3> points = torus_cloud(3000, 0.4).points;
   EXPECT_EQ(estimate_normals(points, 18, true, 1), estimate_normals(points, 18, true, 3));
 }
 
-TEST(normals, refuse_what_is_not_finite)
+TEST(normals, throws_on_non_finite_points)
 {
   EXPECT_THROW(estimate_normals({{0., 0., NAN}}, 18, true), Invalid_argument_error);
 }

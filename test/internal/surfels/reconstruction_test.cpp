@@ -4,9 +4,9 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "topology.h"
 
 #include <gtest/gtest.h>
@@ -19,81 +19,79 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // The points of a triangulation with the means of its triangles' normals.
-Glued_surfels surfels_of(const Triangulation& surface)
+Surfel_arrays surfels_of(const Triangulation& surface)
 {
-  std::vector<Spatial> normals(surface.points.size(), Spatial{0., 0., 0.});
+  std::vector<Vec3> normals(surface.points.size(), Vec3{0., 0., 0.});
   for(std::size_t f = 0; f < surface.corners.size(); f += 3)
   {
-    const Spatial &p = surface.points[surface.corners[f]],
-                  &q = surface.points[surface.corners[f + 1]],
-                  &r = surface.points[surface.corners[f + 2]];
+    const Vec3 &p = surface.points[surface.corners[f]], &q = surface.points[surface.corners[f + 1]],
+               &r = surface.points[surface.corners[f + 2]];
     for(int k = 0; k < 3; ++k)
     {
-      Spatial& normal = normals[surface.corners[f + k]];
+      Vec3& normal = normals[surface.corners[f + k]];
       normal = normal + cross(q - p, r - p);
     }
   }
-  return glue_surfels(surface.points, normals);
+  return build_surfel_arrays(surface.points, normals);
 }
 
-TEST(Reconstruction, finds_the_surface_of_a_clean_cloud)
+TEST(Reconstruction, reconstructs_clean_clouds)
 {
   Triangulation ball = icosphere(3);
   for(Point& p : ball.points)
     p[2] += 2.;
   for(const Triangulation& surface :
       {icosphere(4), torus(80, 40), square(20, 0.2), cylinder(60, 20, 1., 2.),
-       apart(ball, torus(60, 30)), annulus(60, 10, 0.5, 1.)})
+       disjoint_union(ball, torus(60, 30)), annulus(60, 10, 0.5, 1.)})
     for(const double scale : {1e-6, 1., 1e6})
     {
-      const Glued_surfels surfels = surfels_of(scaled(surface, scale));
-      const Glued_mesh found = reconstruction(surfels);
-      EXPECT_EQ(topology(found.triangles.corner), topology(surface.corners));
-      ASSERT_EQ(found.site_of_vertex.size(), surface.points.size());
+      const Surfel_arrays surfels = surfels_of(scaled(surface, scale));
+      const Mesh_arrays found = reconstruct_surface(surfels);
+      EXPECT_EQ(topology(found.arrays.corner), topology(surface.corners));
+      ASSERT_EQ(found.internal_vertex.size(), surface.points.size());
       // As the normals are, and at the surfels.
-      for(Index f = 0; f < found.triangles.number_of_triangles(); ++f)
+      for(Index f = 0; f < found.arrays.number_of_triangles(); ++f)
       {
         const auto corner = [&](Index k)
-        { return found.vertex_of_site[found.triangles.corner[3 * f + k]]; };
-        const auto& t = surfels.triangles;
-        const Spatial normal =
+        { return found.caller_vertex[found.arrays.corner[3 * f + k]]; };
+        const auto& t = surfels.arrays;
+        const Vec3 normal =
             cross(t.point[corner(1)] - t.point[corner(0)], t.point[corner(2)] - t.point[corner(0)]);
         EXPECT_GT(dot(normal, t.normal[corner(0)]), 0.);
-        EXPECT_LT(
-            distance(coordinates(t, {none, corner(0), {}}),
-                     coordinates(found.triangles, {none, found.site_of_vertex[corner(0)], {}})),
-            1e-12 * scale); // roundings of coordinates up to four
+        EXPECT_LT(distance(coordinates(t, {none, corner(0), {}}),
+                           coordinates(found.arrays, {none, found.internal_vertex[corner(0)], {}})),
+                  1e-12 * scale); // roundings of coordinates up to four
       }
     }
 }
 
 // Random places of a torus, as many for each area, with its normals.
-Glued_surfels random_torus(std::size_t number, unsigned seed)
+Surfel_arrays random_torus(std::size_t number, unsigned seed)
 {
   std::mt19937 random(seed);
-  const auto part = [&] { return double(random()) / 0x1p32; };
-  std::vector<Spatial> points, normals;
+  const auto uniform = [&] { return double(random()) / 0x1p32; };
+  std::vector<Vec3> points, normals;
   while(points.size() < number)
   {
-    const double u = 2. * pi * part(), v = 2. * pi * part();
-    if(1.4 * part() > 1. + 0.4 * std::cos(v))
+    const double u = 2. * pi * uniform(), v = 2. * pi * uniform();
+    if(1.4 * uniform() > 1. + 0.4 * std::cos(v))
       continue;
-    const Spatial out = {std::cos(u), std::sin(u), 0.};
-    normals.push_back(std::cos(v) * out + std::sin(v) * Spatial{0., 0., 1.});
-    points.push_back(out + 0.4 * normals.back());
+    const Vec3 radial = {std::cos(u), std::sin(u), 0.};
+    normals.push_back(std::cos(v) * radial + std::sin(v) * Vec3{0., 0., 1.});
+    points.push_back(radial + 0.4 * normals.back());
   }
-  return glue_surfels(points, normals);
+  return build_surfel_arrays(points, normals);
 }
 
-TEST(Reconstruction, has_no_holes_where_samples_are_random)
+TEST(Reconstruction, random_samples_leave_no_holes)
 {
   // Two of the first 24 seeds, where a ring of four surfels is left that no small triangles fill.
   for(const unsigned seed : {5u, 23u})
-    EXPECT_EQ(topology(reconstruction(random_torus(10000, seed)).triangles.corner),
+    EXPECT_EQ(topology(reconstruct_surface(random_torus(10000, seed)).arrays.corner),
               (Topology{true, {{0, 0}}}));
 }
 
-TEST(Reconstruction, leaves_gaps_open_and_sheets_apart)
+TEST(Reconstruction, keeps_gaps_open_and_sheets_separate)
 {
   // A disc is missing, some twelve times as wide as triangles are.
   Triangulation sheet = square(30, 0.2);
@@ -101,8 +99,8 @@ TEST(Reconstruction, leaves_gaps_open_and_sheets_apart)
   const auto is_in_gap = [](const Point& p) { return std::hypot(p[0] - 0.5, p[1] - 0.5) < 0.2; };
   sheet.points.erase(std::remove_if(sheet.points.begin(), sheet.points.end(), is_in_gap),
                      sheet.points.end());
-  std::vector<Spatial> points = sheet.points, normals(points.size(), {0., 0., 1.});
-  EXPECT_EQ(topology(reconstruction(glue_surfels(points, normals)).triangles.corner),
+  std::vector<Vec3> points = sheet.points, normals(points.size(), {0., 0., 1.});
+  EXPECT_EQ(topology(reconstruct_surface(build_surfel_arrays(points, normals)).arrays.corner),
             (Topology{true, {{0, 2}}}));
   // The other side of a thin plate, one and a half times as far as surfels from each other.
   for(const Point& p : sheet.points)
@@ -110,31 +108,31 @@ TEST(Reconstruction, leaves_gaps_open_and_sheets_apart)
     points.push_back({p[0], p[1], -0.05});
     normals.push_back({0., 0., -1.});
   }
-  EXPECT_EQ(topology(reconstruction(glue_surfels(points, normals)).triangles.corner),
+  EXPECT_EQ(topology(reconstruct_surface(build_surfel_arrays(points, normals)).arrays.corner),
             (Topology{true, {{0, 2}, {0, 2}}}));
 }
 
-TEST(Reconstruction, of_what_is_no_surface_is_empty)
+TEST(Reconstruction, degenerate_input_has_no_triangles)
 {
   for(const std::size_t number : {0u, 1u, 2u, 5u, 100u})
   {
-    std::vector<Spatial> line, place(number, {1., 2., 3.}), normals(number, {0., 0., 1.});
+    std::vector<Vec3> line, coincident(number, {1., 2., 3.}), normals(number, {0., 0., 1.});
     for(std::size_t i = 0; i < number; ++i)
       line.push_back({double(i), 0., 0.});
-    for(const auto& points : {line, place})
+    for(const auto& points : {line, coincident})
     {
-      const Glued_mesh found = reconstruction(glue_surfels(points, normals));
-      EXPECT_EQ(found.triangles.number_of_triangles(), 0u);
-      EXPECT_EQ(found.triangles.number_of_sites(), number);
+      const Mesh_arrays found = reconstruct_surface(build_surfel_arrays(points, normals));
+      EXPECT_EQ(found.arrays.number_of_triangles(), 0u);
+      EXPECT_EQ(found.arrays.number_of_vertices(), number);
     }
   }
 }
 
-std::pair<std::vector<Spatial>, std::vector<Spatial>> noise(std::size_t number)
+std::pair<std::vector<Vec3>, std::vector<Vec3>> noise(std::size_t number)
 {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
-  std::vector<Spatial> points, normals;
+  std::vector<Vec3> points, normals;
   for(std::size_t i = 0; i < number; ++i)
   {
     points.push_back({normal(random), normal(random), normal(random)});
@@ -143,23 +141,23 @@ std::pair<std::vector<Spatial>, std::vector<Spatial>> noise(std::size_t number)
   return {points, normals};
 }
 
-TEST(Reconstruction, of_a_little_noise_is_a_surface)
+TEST(Reconstruction, little_noise_gives_a_manifold)
 {
   const auto [points, normals] = noise(500);
-  const Glued_mesh found = reconstruction(glue_surfels(points, normals));
-  for(Index side = 0; side < found.triangles.corner.size(); ++side)
-    if(const Index twin = found.triangles.twin[side]; twin != none)
+  const Mesh_arrays found = reconstruct_surface(build_surfel_arrays(points, normals));
+  for(Index h = 0; h < found.arrays.corner.size(); ++h)
+    if(const Index twin = found.arrays.twin[h]; twin != none)
     {
-      EXPECT_EQ(found.triangles.corner[twin], found.triangles.corner[next_side(side)]);
-      EXPECT_EQ(found.triangles.corner[next_side(twin)], found.triangles.corner[side]);
+      EXPECT_EQ(found.arrays.corner[twin], found.arrays.corner[next_halfedge(h)]);
+      EXPECT_EQ(found.arrays.corner[next_halfedge(twin)], found.arrays.corner[h]);
     }
-  EXPECT_GT(found.triangles.number_of_triangles(), 0u);
+  EXPECT_GT(found.arrays.number_of_triangles(), 0u);
 }
 
-TEST(Reconstruction, refuses_much_noise)
+TEST(Reconstruction, throws_on_noisy_cloud)
 {
   const auto [points, normals] = noise(6000);
-  EXPECT_THROW(reconstruction(glue_surfels(points, normals)),
+  EXPECT_THROW(reconstruct_surface(build_surfel_arrays(points, normals)),
                CGAL::Geodesic_processing::Unsupported_surface_error);
 }
 

@@ -16,9 +16,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-TEST(surfel_estimation, is_the_same_for_any_number_of_threads)
+TEST(surfel_estimation, does_not_depend_on_number_of_threads)
 {
-  const std::vector<Spatial> points = torus_cloud(3000, 0.4).points;
+  const std::vector<Vec3> points = torus_cloud(3000, 0.4).points;
   const Estimated_surfels one = estimate_surfels(points, 18, 1., 1);
   EXPECT_EQ(one.removed.size(), 30u);
   const Estimated_surfels three = estimate_surfels(points, 18, 1., 3);
@@ -27,14 +27,14 @@ TEST(surfel_estimation, is_the_same_for_any_number_of_threads)
   EXPECT_EQ(one.removed, three.removed);
 }
 
-TEST(surfel_estimation, grows_and_shrinks_with_the_points)
+TEST(surfel_estimation, scales_with_input)
 {
   const Cloud cloud = torus_cloud(1000, 0.4);
   const Estimated_surfels unit = estimate_surfels(cloud.points, 18, 0.);
   for(const double scale : {0x1p-20, 0x1p20}) // powers of two: nothing is rounded
   {
-    std::vector<Spatial> points = cloud.points;
-    for(Spatial& p : points)
+    std::vector<Vec3> points = cloud.points;
+    for(Vec3& p : points)
       p = scale * p;
     const Estimated_surfels found = estimate_surfels(points, 18, 0.);
     for(std::size_t i = 0; i < points.size(); ++i)
@@ -45,17 +45,17 @@ TEST(surfel_estimation, grows_and_shrinks_with_the_points)
   }
 }
 
-TEST(surfel_estimation, gives_coincident_points_a_normal)
+TEST(surfel_estimation, handles_coincident_points)
 {
-  std::vector<Spatial> points(40, {1., 2., 3.});
+  std::vector<Vec3> points(40, {1., 2., 3.});
   for(int i = 0; i < 40; ++i)
     points.push_back({i % 7 - 3., i / 7 - 3., 0.});
   for(const double percentage : {0., 10.})
-    for(const Spatial& normal : estimate_surfels(points, 18, percentage).normals)
+    for(const Vec3& normal : estimate_surfels(points, 18, percentage).normals)
       EXPECT_NEAR(norm(normal), 1., 1e-14);
 }
 
-TEST(surfel_estimation, refuses_too_few_points)
+TEST(surfel_estimation, throws_on_too_few_points)
 {
   EXPECT_THROW(estimate_surfels({}, 18, 0.), Unsupported_surface_error);
   EXPECT_THROW(estimate_surfels({{0., 0., 0.}}, 5, 0.), Invalid_argument_error);

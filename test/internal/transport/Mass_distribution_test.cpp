@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -18,23 +18,23 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // Of sums of some hundred numbers.
-constexpr double rounding = 1e-12;
+constexpr double round_off = 1e-12;
 
 struct Plane
 {
-  Glued_surface surface{square(6, 0.24)};
+  Array_surface surface{square(6, 0.24)};
   std::vector<double> area = operators(surface.t()).area;
 
   Vector function(double (*f)(double, double)) const
   {
     Vector result(surface.size());
     for(Index i = 0; i < surface.size(); ++i)
-      result[surface.site(i)] = f(surface.point(i)[0], surface.point(i)[1]);
+      result[surface.vertex(i)] = f(surface.point(i)[0], surface.point(i)[1]);
     return result;
   }
-  Vector at_sites(const Mass_distribution& masses) const
+  Vector at_vertices(const Mass_distribution& masses) const
   {
-    return masses_at_sites(surface.t(), area, masses);
+    return masses_at_vertices(surface.t(), area, masses);
   }
   Mass_distribution difference(const Mass_distribution& from, const Mass_distribution& to,
                                bool do_normalize = false) const
@@ -43,7 +43,7 @@ struct Plane
   }
 };
 
-Mass_distribution at(const Location& location, double mass)
+Mass_distribution at(const Surface_location& location, double mass)
 {
   Mass_distribution result;
   result.at_locations = {{location, mass}};
@@ -54,59 +54,59 @@ double x(double x, double) { return x; }
 double y(double, double y) { return y; }
 double one(double, double) { return 1.; }
 
-TEST(Mass_distribution, keeps_integrals_of_linear_functions)
+TEST(Mass_distribution, preserves_integrals_of_linear_functions)
 {
   const Plane plane;
   const Vector along_x = plane.function(x), along_y = plane.function(y);
-  const Location place = plane.surface.in(17, {0.2, 0.5, 0.3});
-  const Vector point = plane.at_sites(at(place, 2.));
-  EXPECT_NEAR(point.sum(), 2., rounding);
-  const Index* corner = &plane.surface.t().corner[3 * place.triangle];
+  const Surface_location location = plane.surface.in(17, {0.2, 0.5, 0.3});
+  const Vector point = plane.at_vertices(at(location, 2.));
+  EXPECT_NEAR(point.sum(), 2., round_off);
+  const Index* corner = &plane.surface.t().corner[3 * location.triangle];
   for(const Vector& f : {along_x, along_y})
     EXPECT_NEAR(point.dot(f), 2. * (0.2 * f[corner[0]] + 0.5 * f[corner[1]] + 0.3 * f[corner[2]]),
-                rounding);
+                round_off);
 
   // Over the square x sums to a half, its square to a third, x y to a fourth.
-  Mass_distribution ramp;
-  ramp.density = along_x;
-  const Vector masses = plane.at_sites(ramp);
-  EXPECT_NEAR(masses.sum(), 0.5, rounding);
-  EXPECT_NEAR(masses.dot(along_x), 1. / 3., rounding);
-  EXPECT_NEAR(masses.dot(along_y), 0.25, rounding);
+  Mass_distribution linear;
+  linear.density = along_x;
+  const Vector masses = plane.at_vertices(linear);
+  EXPECT_NEAR(masses.sum(), 0.5, round_off);
+  EXPECT_NEAR(masses.dot(along_x), 1. / 3., round_off);
+  EXPECT_NEAR(masses.dot(along_y), 0.25, round_off);
 }
 
-TEST(Mass_distribution, adds_its_kinds)
+TEST(Mass_distribution, sums_all_kinds)
 {
   const Plane plane;
   Mass_distribution all = at(plane.surface.at(3), 2.);
-  all.at_sites = plane.function(x);
+  all.at_vertices = plane.function(x);
   all.density = plane.function(one);
-  const Vector masses = plane.at_sites(all);
-  EXPECT_NEAR(masses.sum(), 2. + all.at_sites.sum() + 1., rounding);
+  const Vector masses = plane.at_vertices(all);
+  EXPECT_NEAR(masses.sum(), 2. + all.at_vertices.sum() + 1., round_off);
 }
 
-TEST(Mass_distribution, moves_what_differs)
+TEST(Mass_distribution, difference_is_target_minus_source)
 {
   const Plane plane;
   const Mass_distribution from = at(plane.surface.at(3), 2.);
   Mass_distribution to;
-  to.at_sites = Vector::Zero(plane.surface.size());
-  to.at_sites[plane.surface.site(5)] = 2.;
+  to.at_vertices = Vector::Zero(plane.surface.size());
+  to.at_vertices[plane.surface.vertex(5)] = 2.;
   for(const bool do_normalize : {false, true})
   {
-    const Vector moved = plane.at_sites(plane.difference(from, to, do_normalize));
+    const Vector moved = plane.at_vertices(plane.difference(from, to, do_normalize));
     const double mass = do_normalize ? 1. : 2.;
-    EXPECT_EQ(moved[plane.surface.site(3)], -mass);
-    EXPECT_EQ(moved[plane.surface.site(5)], mass);
+    EXPECT_EQ(moved[plane.surface.vertex(3)], -mass);
+    EXPECT_EQ(moved[plane.surface.vertex(5)], mass);
     EXPECT_EQ(moved.lpNorm<1>(), 2. * mass);
   }
   // Scaled, densities are too.
-  Mass_distribution even;
-  even.density = 5. * plane.function(one);
-  EXPECT_NEAR(plane.at_sites(plane.difference(from, even, true)).sum(), 0., rounding);
+  Mass_distribution uniform;
+  uniform.density = 5. * plane.function(one);
+  EXPECT_NEAR(plane.at_vertices(plane.difference(from, uniform, true)).sum(), 0., round_off);
 }
 
-TEST(Mass_distribution, refuses_what_cannot_be_moved)
+TEST(Mass_distribution, throws_on_invalid_masses)
 {
   const Plane plane;
   const Mass_distribution two = at(plane.surface.at(3), 2.), three = at(plane.surface.at(4), 3.);
@@ -116,7 +116,7 @@ TEST(Mass_distribution, refuses_what_cannot_be_moved)
   EXPECT_THROW(plane.difference(two, at(plane.surface.at(4), infinity)), Invalid_argument_error);
   EXPECT_THROW(plane.difference(two, at(plane.surface.at(4), -1.), true), Invalid_argument_error);
   EXPECT_THROW(plane.difference({}, {}, true), Invalid_argument_error);
-  EXPECT_EQ(plane.at_sites(plane.difference({}, {})).norm(), 0.);
+  EXPECT_EQ(plane.at_vertices(plane.difference({}, {})).norm(), 0.);
 }
 
 } // namespace

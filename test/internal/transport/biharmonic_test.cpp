@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // A unit of mass at each site.
-Masses units(Index n)
+Masses unit_masses(Index n)
 {
   Masses result(n, n);
   result.setIdentity();
@@ -25,7 +25,7 @@ Masses units(Index n)
 
 // By all functions and values of the Laplacian with nothing flowing through the border, as the paper
 // has it: the sum of (difference of a function / its value)^2.
-Matrix by_spectrum(const Operators& o)
+Matrix spectral_distances(const Operators& o)
 {
   const Matrix laplacian(Sparse_matrix(Laplacian(o).matrix(o).selfadjointView<Eigen::Lower>()));
   const Matrix mass = lumped_mass(o).asDiagonal();
@@ -42,51 +42,51 @@ Matrix by_spectrum(const Operators& o)
   return result.cwiseSqrt();
 }
 
-TEST(Biharmonic, is_what_the_spectrum_says)
+TEST(Biharmonic_distances, matches_spectral_definition)
 {
   for(const Triangulation& shape :
-      {shaken(icosphere(2), 0.03), square(8, 0.24), cylinder(9, 5, 1., 2.), torus(12, 8)})
+      {jittered(icosphere(2), 0.03), square(8, 0.24), cylinder(9, 5, 1., 2.), torus(12, 8)})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     const Biharmonic_distances distances(surface.t());
-    const Matrix expected = by_spectrum(operators(surface.t()));
-    const Matrix pairs = distances.all_pairs(units(surface.size()));
+    const Matrix expected = spectral_distances(operators(surface.t()));
+    const Matrix pairs = distances.all_pairs(unit_masses(surface.size()));
     // Roots of differences of numbers of the order of one.
     EXPECT_LT((pairs - expected).cwiseAbs().maxCoeff(), 1e-6);
     EXPECT_EQ(pairs, Matrix(pairs.transpose()));
     for(const Index from : {0u, 17u})
     {
-      const Vector all = distances.one_to_all(units(surface.size()).middleCols(from, 1), 1);
+      const Vector all = distances.one_to_all(unit_masses(surface.size()).middleCols(from, 1), 1);
       EXPECT_LT((all - expected.col(from)).cwiseAbs().maxCoeff(), 1e-6);
     }
   }
 }
 
-TEST(Biharmonic, is_infinite_between_components)
+TEST(Biharmonic_distances, is_infinite_between_components)
 {
-  const Glued_surface surface(apart(icosphere(1), torus(9, 6)));
-  const Index ball = surface.site(0), ring = surface.site(50);
+  const Array_surface surface(disjoint_union(icosphere(1), torus(9, 6)));
+  const Index ball = surface.vertex(0), ring = surface.vertex(50);
   const Biharmonic_distances distances(surface.t());
-  const Matrix pairs = distances.all_pairs(units(surface.size()));
+  const Matrix pairs = distances.all_pairs(unit_masses(surface.size()));
   EXPECT_EQ(pairs(ball, ring), infinity);
-  EXPECT_LT(pairs(ball, surface.site(1)), 1.);
-  const Vector all = distances.one_to_all(units(surface.size()).middleCols(ring, 1), 1);
+  EXPECT_LT(pairs(ball, surface.vertex(1)), 1.);
+  const Vector all = distances.one_to_all(unit_masses(surface.size()).middleCols(ring, 1), 1);
   EXPECT_EQ(all[ball], infinity);
   EXPECT_EQ(all[ring], 0.);
-  EXPECT_NEAR(all[surface.site(51)], pairs(ring, surface.site(51)), 1e-6);
+  EXPECT_NEAR(all[surface.vertex(51)], pairs(ring, surface.vertex(51)), 1e-6);
 }
 
-TEST(Biharmonic, does_not_depend_on_threads)
+TEST(Biharmonic_distances, is_independent_of_threads)
 {
-  const Glued_surface surface(shaken(icosphere(3), 0.02));
-  const Masses source = units(surface.size()).middleCols(5, 1);
+  const Array_surface surface(jittered(icosphere(3), 0.02));
+  const Masses source = unit_masses(surface.size()).middleCols(5, 1);
   EXPECT_EQ(Biharmonic_distances(surface.t()).one_to_all(source, 1),
             Biharmonic_distances(surface.t()).one_to_all(source, 3));
 }
 
-TEST(Biharmonic, needs_an_area)
+TEST(Biharmonic_distances, throws_on_empty_surface)
 {
-  const Glued_triangles nothing;
+  const Surface_arrays nothing;
   EXPECT_THROW(Biharmonic_distances{nothing}, Unsupported_surface_error);
 }
 

@@ -4,7 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -18,69 +18,68 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-Triangulation lumpy_ball() { return shaken(icosphere(2), 0.1); }
-Triangulation bent_blocks() // an L of cubes: neither convex nor shaken
+Triangulation perturbed_sphere() { return jittered(icosphere(2), 0.1); }
+Triangulation l_shaped_blocks() // an L of cubes: neither convex nor shaken
 {
   return blocks(3, 1, 3, [](int x, int, int z) { return x == 0 || z == 0; });
 }
 
-Spatial random_point(std::mt19937& random, double size)
+Vec3 random_point(std::mt19937& random, double size)
 {
   std::uniform_real_distribution<double> coordinate(-size, size);
   return {coordinate(random), coordinate(random), coordinate(random)};
 }
 
 // How far the points times coordinates are from the point itself.
-double linear_error(const Glued_surface& surface, const Vector& coordinates, const Spatial& point)
+double linear_error(const Array_surface& surface, const Vector& coordinates, const Vec3& point)
 {
-  Spatial sum = {0., 0., 0.};
+  Vec3 sum = {0., 0., 0.};
   for(Index i = 0; i < surface.size(); ++i)
-    sum = sum + coordinates[surface.site(i)] * surface.point(i);
+    sum = sum + coordinates[surface.vertex(i)] * surface.point(i);
   return norm(sum - point);
 }
 
 // The definition, as an integral over the triangles in place of directions, by the middles of 4^level parts
 // of each, extrapolated once.
-Vector by_quadrature(const Glued_surface& surface, const Triangulation& shape, const Spatial& point,
-                     int parts)
+Vector by_quadrature(const Array_surface& surface, const Triangulation& shape, const Vec3& point,
+                     int subdivisions)
 {
   Vector result = Vector::Zero(Eigen::Index(surface.size()));
   for(std::size_t f = 0; f < shape.corners.size(); f += 3)
   {
-    const Spatial a = shape.points[shape.corners[f]], b = shape.points[shape.corners[f + 1]],
-                  c = shape.points[shape.corners[f + 2]];
-    const Spatial part = 0.5 / (parts * parts) * cross(b - a, c - a);
+    const Vec3 a = shape.points[shape.corners[f]], b = shape.points[shape.corners[f + 1]],
+               c = shape.points[shape.corners[f + 2]];
+    const Vec3 area_vector = 0.5 / (subdivisions * subdivisions) * cross(b - a, c - a);
     const auto add = [&](double v, double w)
     {
-      const std::array<double, 3> share = {1. - v - w, v, w};
-      const Spatial way = share[0] * a + share[1] * b + share[2] * c - point;
+      const std::array<double, 3> barycentric = {1. - v - w, v, w};
+      const Vec3 offset = barycentric[0] * a + barycentric[1] * b + barycentric[2] * c - point;
       for(std::size_t k = 0; k < 3; ++k)
-        result[surface.site(shape.corners[f + k])] +=
-            share[k] * dot(part, way) / std::pow(dot(way, way), 2);
+        result[surface.vertex(shape.corners[f + k])] +=
+            barycentric[k] * dot(area_vector, offset) / std::pow(dot(offset, offset), 2);
     };
-    for(int i = 0; i < parts; ++i)
-      for(int j = 0; i + j < parts; ++j)
+    for(int i = 0; i < subdivisions; ++i)
+      for(int j = 0; i + j < subdivisions; ++j)
       {
-        add((i + 1. / 3.) / parts, (j + 1. / 3.) / parts);
-        if(i + j + 1 < parts)
-          add((i + 2. / 3.) / parts, (j + 2. / 3.) / parts);
+        add((i + 1. / 3.) / subdivisions, (j + 1. / 3.) / subdivisions);
+        if(i + j + 1 < subdivisions)
+          add((i + 2. / 3.) / subdivisions, (j + 2. / 3.) / subdivisions);
       }
   }
   return result / result.sum();
 }
 
-TEST(mean_value, is_what_its_definition_says)
+TEST(mean_value, matches_quadrature)
 {
-  for(const Triangulation& shape : {lumpy_ball(), bent_blocks()})
+  for(const Triangulation& shape : {perturbed_sphere(), l_shaped_blocks()})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     const Mean_value_coordinates coordinates(surface.triangles());
-    for(const Spatial& point :
-        {Spatial{0.4, 0.3, 0.35}, Spatial{-1.2, 0.4, 0.5}, Spatial{1.5, 1.4, 1.6}})
+    for(const Vec3& point : {Vec3{0.4, 0.3, 0.35}, Vec3{-1.2, 0.4, 0.5}, Vec3{1.5, 1.4, 1.6}})
     {
-      const int parts = 24;
-      const Vector coarse = by_quadrature(surface, shape, point, parts);
-      const Vector fine = by_quadrature(surface, shape, point, 2 * parts);
+      const int subdivisions = 24;
+      const Vector coarse = by_quadrature(surface, shape, point, subdivisions);
+      const Vector fine = by_quadrature(surface, shape, point, 2 * subdivisions);
       const Vector estimate = (4. * fine - coarse) / 3.; // the rule's order is two
       // What the extrapolation leaves is far below what it took away.
       const double error = 0.02 * (fine - coarse).lpNorm<Eigen::Infinity>() + 1e-9;
@@ -93,40 +92,40 @@ TEST(mean_value, is_what_its_definition_says)
 // Four points leave no choice, inside and outside.
 TEST(mean_value, is_barycentric_on_a_tetrahedron)
 {
-  const Glued_surface surface(tetrahedron());
+  const Array_surface surface(tetrahedron());
   const Mean_value_coordinates coordinates(surface.triangles());
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
   {
-    const Spatial point = random_point(random, 4.);
+    const Vec3 point = random_point(random, 4.);
     const Vector found = coordinates(point);
     for(Index k = 0; k < 4; ++k)
     {
       // Corners are of ones and minus ones, and sum to zero.
       const double expected = 0.25 + 0.25 * dot(point, surface.point(k));
-      EXPECT_NEAR(found[surface.site(k)], expected, 1e-12);
+      EXPECT_NEAR(found[surface.vertex(k)], expected, 1e-12);
     }
   }
 }
 
-TEST(mean_value, is_even_in_the_middle)
+TEST(mean_value, is_uniform_at_center)
 {
-  const Glued_surface surface(icosphere(0));
+  const Array_surface surface(icosphere(0));
   const Vector found = Mean_value_coordinates(surface.triangles())({0., 0., 0.});
   for(const double coordinate : found)
     EXPECT_NEAR(coordinate, 1. / 12., 1e-15);
 }
 
 // Also in planes of its faces, on lines of its sides, and wherever rounding may hurt.
-TEST(mean_value, is_precise_for_linear_functions)
+TEST(mean_value, reproduces_linear_functions)
 {
-  for(const Triangulation& unit : {lumpy_ball(), bent_blocks()})
+  for(const Triangulation& unit : {perturbed_sphere(), l_shaped_blocks()})
     for(const double scale : {1e-6, 1., 1e6})
     {
-      const Glued_surface surface(scaled(unit, scale));
+      const Array_surface surface(scaled(unit, scale));
       const Mean_value_coordinates coordinates(surface.triangles());
       std::mt19937 random(2);
-      const auto check = [&](const Spatial& point)
+      const auto check = [&](const Vec3& point)
       {
         const Vector found = coordinates(point);
         EXPECT_NEAR(found.sum(), 1., 1e-12);
@@ -136,44 +135,44 @@ TEST(mean_value, is_precise_for_linear_functions)
       for(int i = 0; i < 50; ++i)
       {
         check(scale * random_point(random, 4.));
-        Spatial in_plane = scale * random_point(random, 4.);
-        in_plane[i % 3] = scale * (i % 2);
-        check(in_plane);
-        Spatial on_line = in_plane;
-        on_line[(i + 1) % 3] = scale;
-        check(on_line);
-        const Location place = random_location(surface.t(), random);
-        const Spatial way = random_point(random, 1.);
-        for(double near = 1.; near > 1e-16; near *= 0.1)
-          check(point_at(surface.t(), place) + near * scale * way);
+        Vec3 point_in_plane = scale * random_point(random, 4.);
+        point_in_plane[i % 3] = scale * (i % 2);
+        check(point_in_plane);
+        Vec3 point_on_line = point_in_plane;
+        point_on_line[(i + 1) % 3] = scale;
+        check(point_on_line);
+        const Surface_location location = random_location(surface.t(), random);
+        const Vec3 offset = random_point(random, 1.);
+        for(double step = 1.; step > 1e-16; step *= 0.1)
+          check(point_at(surface.t(), location) + step * scale * offset);
       }
     }
 }
 
 TEST(mean_value, is_barycentric_on_the_surface)
 {
-  for(const Triangulation& shape : {lumpy_ball(), bent_blocks()})
+  for(const Triangulation& shape : {perturbed_sphere(), l_shaped_blocks()})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     const Mean_value_coordinates coordinates(surface.triangles());
     for(Index i = 0; i < surface.size(); ++i)
     {
       const Vector found = coordinates(surface.point(i));
-      EXPECT_EQ(found[surface.site(i)], 1.);
+      EXPECT_EQ(found[surface.vertex(i)], 1.);
       EXPECT_EQ(found.cwiseAbs().sum(), 1.);
     }
     std::mt19937 random(3);
     for(int i = 0; i < 100; ++i)
     {
-      Location place = random_location(surface.t(), random);
+      Surface_location location = random_location(surface.t(), random);
       if(i % 2 == 0) // on a side
       {
-        place.barycentric[2] = 0.;
-        place.barycentric[0] = 1. - place.barycentric[1];
+        location.barycentric[2] = 0.;
+        location.barycentric[0] = 1. - location.barycentric[1];
       }
-      Vector found = coordinates(point_at(surface.t(), place));
+      Vector found = coordinates(point_at(surface.t(), location));
       for(std::size_t k = 0; k < 3; ++k)
-        found[surface.t().corner[3 * place.triangle + k]] -= place.barycentric[k];
+        found[surface.t().corner[3 * location.triangle + k]] -= location.barycentric[k];
       // Of a coordinate near one, over sides of a tenth at least.
       EXPECT_LT(found.lpNorm<Eigen::Infinity>(), 1e-14);
     }
@@ -184,31 +183,31 @@ TEST(mean_value, is_barycentric_on_the_surface)
 // coordinates change by some tens of the way.
 TEST(mean_value, is_continuous)
 {
-  for(const Triangulation& shape : {lumpy_ball(), bent_blocks()})
+  for(const Triangulation& shape : {perturbed_sphere(), l_shaped_blocks()})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     const Mean_value_coordinates coordinates(surface.triangles());
     std::mt19937 random(4);
     for(int i = 0; i < 60; ++i)
     {
-      Location place = random_location(surface.t(), random);
+      Surface_location location = random_location(surface.t(), random);
       if(i % 3 > 0)
-        place.barycentric = {0.6, 0.4, 0.};
+        location.barycentric = {0.6, 0.4, 0.};
       if(i % 3 > 1)
-        place.barycentric = {1., 0., 0.};
-      const Spatial on = point_at(surface.t(), place), way = random_point(random, 1.);
-      const Vector found = coordinates(on);
-      for(const double near : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13})
-        for(const double side : {-near, near})
-          EXPECT_LT((coordinates(on + side * way) - found).lpNorm<Eigen::Infinity>(),
-                    200. * near + 1e-9);
+        location.barycentric = {1., 0., 0.};
+      const Vec3 surface_point = point_at(surface.t(), location), offset = random_point(random, 1.);
+      const Vector found = coordinates(surface_point);
+      for(const double step : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13})
+        for(const double side : {-step, step})
+          EXPECT_LT((coordinates(surface_point + side * offset) - found).lpNorm<Eigen::Infinity>(),
+                    200. * step + 1e-9);
     }
   }
 }
 
-TEST(mean_value, is_positive_inside_of_convex_meshes)
+TEST(mean_value, is_positive_inside_convex_meshes)
 {
-  const Glued_surface surface(icosphere(2));
+  const Array_surface surface(icosphere(2));
   const Mean_value_coordinates coordinates(surface.triangles());
   std::mt19937 random(5);
   for(int i = 0; i < 50; ++i)
@@ -217,34 +216,35 @@ TEST(mean_value, is_positive_inside_of_convex_meshes)
 }
 
 // Neither faces that look inside nor triangles without area make a difference.
-TEST(mean_value, does_not_ask_which_side_is_out)
+TEST(mean_value, is_independent_of_orientation)
 {
-  const Triangulation shape = lumpy_ball();
-  Triangulation turned = shape;
-  for(std::size_t f = 0; f < turned.corners.size(); f += 3)
-    std::swap(turned.corners[f], turned.corners[f + 1]);
-  const Glued_surface surface(shape), other(turned);
-  const Mean_value_coordinates coordinates(surface.triangles()), others(other.triangles());
+  const Triangulation shape = perturbed_sphere();
+  Triangulation inverted = shape;
+  for(std::size_t f = 0; f < inverted.corners.size(); f += 3)
+    std::swap(inverted.corners[f], inverted.corners[f + 1]);
+  const Array_surface surface(shape), inverted_surface(inverted);
+  const Mean_value_coordinates coordinates(surface.triangles()),
+      inverted_coordinates(inverted_surface.triangles());
   std::mt19937 random(6);
   for(int i = 0; i < 20; ++i)
   {
-    const Spatial point = random_point(random, 2.);
-    const Vector a = coordinates(point), b = others(point);
+    const Vec3 point = random_point(random, 2.);
+    const Vector a = coordinates(point), b = inverted_coordinates(point);
     for(Index k = 0; k < surface.size(); ++k)
-      EXPECT_NEAR(a[surface.site(k)], b[other.site(k)], 1e-12);
+      EXPECT_NEAR(a[surface.vertex(k)], b[inverted_surface.vertex(k)], 1e-12);
   }
 }
 
-TEST(mean_value, takes_triangles_without_area)
+TEST(mean_value, handles_degenerate_triangles)
 {
-  Triangulation shape = bent_blocks();
+  Triangulation shape = l_shaped_blocks();
   shape.points[1] = shape.points[0]; // a side of length zero
-  const Glued_surface surface(shape);
+  const Array_surface surface(shape);
   const Mean_value_coordinates coordinates(surface.triangles());
   std::mt19937 random(7);
   for(int i = 0; i < 50; ++i)
   {
-    const Spatial point = random_point(random, 3.);
+    const Vec3 point = random_point(random, 3.);
     const Vector found = coordinates(point);
     EXPECT_TRUE(found.allFinite());
     EXPECT_LT(linear_error(surface, found, point), 1e-11);
@@ -252,13 +252,13 @@ TEST(mean_value, takes_triangles_without_area)
   EXPECT_LT(linear_error(surface, coordinates(shape.points[0]), shape.points[0]), 1e-15);
 }
 
-TEST(mean_value, refuses_what_encloses_nothing)
+TEST(mean_value, throws_on_open_or_flat_meshes)
 {
-  EXPECT_THROW(Mean_value_coordinates(Glued_surface(square(3)).triangles()),
+  EXPECT_THROW(Mean_value_coordinates(Array_surface(square(3)).triangles()),
                Unsupported_surface_error);
-  EXPECT_THROW(Mean_value_coordinates(Glued_surface({{{0., 0., 0.}}, {}}).triangles()),
+  EXPECT_THROW(Mean_value_coordinates(Array_surface({{{0., 0., 0.}}, {}}).triangles()),
                Unsupported_surface_error);
-  const Glued_surface surface(lumpy_ball());
+  const Array_surface surface(perturbed_sphere());
   const Mean_value_coordinates coordinates(surface.triangles());
   EXPECT_THROW(coordinates({0., infinity, 0.}), Invalid_argument_error);
   EXPECT_THROW(coordinates({std::numeric_limits<double>::quiet_NaN(), 0., 0.}),
@@ -266,7 +266,7 @@ TEST(mean_value, refuses_what_encloses_nothing)
   EXPECT_THROW(coordinates({1e12, 0., 0.}), Unsupported_surface_error);
   EXPECT_THROW(coordinates({1e300, 1e300, 0.}), Unsupported_surface_error);
   // Two triangles, back to back.
-  const Glued_surface flat({{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {0, 1, 2, 0, 2, 1}});
+  const Array_surface flat({{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {0, 1, 2, 0, 2, 1}});
   EXPECT_THROW(Mean_value_coordinates(flat.triangles())({0.3, 0.3, 1.}), Unsupported_surface_error);
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/transport/streamlines.h>
 
-#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 #include "core/unfold.h"
 
-#include "Glued_surface.h"
+#include "Array_surface.h"
 #include "clouds.h"
 #include "path_checks.h"
 
@@ -25,153 +25,155 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 // Of some hundred steps.
-constexpr double rounding = 1e-12;
+constexpr double round_off = 1e-12;
 
 // What flows out of the triangles of a flat surface by a field that is linear, of divergence `gain`.
-Continuous_flow flow_of(const Glued_surface& surface, const std::function<Planar(Planar)>& field,
-                        double gain)
+Continuous_flow linear_flow(const Array_surface& surface, const std::function<Vec2(Vec2)>& field,
+                            double source_density)
 {
-  const Glued_triangles& t = surface.t();
+  const Surface_arrays& t = surface.t();
   Continuous_flow result;
-  result.outward.resize(t.corner.size());
-  result.missing.resize(t.number_of_triangles());
-  for(Index side = 0; side < t.corner.size(); ++side)
+  result.outward_flux.resize(t.corner.size());
+  result.absorbed_mass.resize(t.number_of_triangles());
+  for(Index h = 0; h < t.corner.size(); ++h)
   {
-    const Point &p = surface.point(surface.point_of_site(t.corner[side])),
-                &q = surface.point(surface.point_of_site(t.corner[next_side(side)]));
-    const Planar vector = field({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])});
-    result.outward[side] = cross(vector, Planar{q[0] - p[0], q[1] - p[1]});
+    const Point &p = surface.point(surface.caller_vertex(t.corner[h])),
+                &q = surface.point(surface.caller_vertex(t.corner[next_halfedge(h)]));
+    const Vec2 vector = field({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])});
+    result.outward_flux[h] = cross(vector, Vec2{q[0] - p[0], q[1] - p[1]});
   }
   const std::vector<double> area = operators(t).area;
   for(std::size_t f = 0; f < area.size(); ++f)
-    result.missing[f] = -gain * surface.scale() * surface.scale() * area[f];
+    result.absorbed_mass[f] = -source_density * surface.scale() * surface.scale() * area[f];
   return result;
 }
 
-Moved_masses density(const Glued_surface& surface, double before)
+Moved_masses uniform_masses(const Array_surface& surface, double before)
 {
   Moved_masses result;
-  result.before = before * surface.scale() * surface.scale() * lumped_mass(operators(surface.t()));
-  result.after = result.before;
+  result.source_masses =
+      before * surface.scale() * surface.scale() * lumped_mass(operators(surface.t()));
+  result.target_masses = result.source_masses;
   return result;
 }
 
-Planar plane(const Glued_surface& surface, const Location& location)
+Vec2 planar_position(const Array_surface& surface, const Surface_location& location)
 {
   const auto p = coordinates(surface.t(), location);
   return {p[0], p[1]};
 }
 
-void expect_near(const Planar& p, const Planar& q)
+void expect_near(const Vec2& p, const Vec2& q)
 {
-  EXPECT_NEAR(p[0], q[0], rounding);
-  EXPECT_NEAR(p[1], q[1], rounding);
+  EXPECT_NEAR(p[0], q[0], round_off);
+  EXPECT_NEAR(p[1], q[1], round_off);
 }
 
-Streamline checked_line(const Streamlines& streamlines, const Glued_surface& surface,
-                        const Grain& grain)
+Streamline checked_line(const Streamlines& streamlines, const Array_surface& surface,
+                        const Streamline_seed& seed)
 {
-  const Streamline result = streamlines(grain);
+  const Streamline result = streamlines(seed);
   expect_path_on_surface(surface.t(), result.locations, result.locations.front(),
                          result.locations.back());
   return result;
 }
 
 // An even mass moves by as much as flows, all along.
-TEST(streamlines, move_an_even_mass_straight_on)
+TEST(streamlines, uniform_flow_moves_mass_straight)
 {
-  const Glued_surface surface(square(12, 0.24));
-  const Planar way = {0.3, 0.1};
+  const Array_surface surface(square(12, 0.24));
+  const Vec2 displacement = {0.3, 0.1};
   const Streamlines streamlines(surface.triangles(),
-                                flow_of(
-                                    surface, [&](Planar) { return 2. * way; }, 0.),
-                                density(surface, 2.));
+                                linear_flow(
+                                    surface, [&](Vec2) { return 2. * displacement; }, 0.),
+                                uniform_masses(surface, 2.));
   std::size_t inside = 0;
-  for(const Grain& grain : streamlines.grains(50))
+  for(const Streamline_seed& seed : streamlines.seeds(50))
   {
-    const Streamline line = checked_line(streamlines, surface, grain);
-    const Planar from = plane(surface, line.locations.front());
-    for(const Location& location : line.locations)
-      EXPECT_NEAR(cross(plane(surface, location) - from, way), 0., rounding);
+    const Streamline line = checked_line(streamlines, surface, seed);
+    const Vec2 from = planar_position(surface, line.locations.front());
+    for(const Surface_location& location : line.locations)
+      EXPECT_NEAR(cross(planar_position(surface, location) - from, displacement), 0., round_off);
     if(from[0] > 0.69 || from[1] > 0.89)
       continue;
     ++inside;
     EXPECT_TRUE(line.has_arrived);
-    expect_near(plane(surface, line.locations.back()), from + way);
+    expect_near(planar_position(surface, line.locations.back()), from + displacement);
   }
   EXPECT_GT(inside, 25u);
 }
 
 // Towards a point an even mass gathers: areas shrink as the density grows.
-TEST(streamlines, follow_a_mass_that_gathers)
+TEST(streamlines, follows_contracting_flow)
 {
-  const Glued_surface surface(square(12, 0.24));
-  const Planar middle = {0.45, 0.55};
+  const Array_surface surface(square(12, 0.24));
+  const Vec2 center = {0.45, 0.55};
   // The divergence is -2: a density of 1 becomes 3.
   const Streamlines streamlines(surface.triangles(),
-                                flow_of(
-                                    surface, [&](Planar p) { return middle - p; }, -2.),
-                                density(surface, 1.));
-  for(const Grain& grain : streamlines.grains(50))
+                                linear_flow(
+                                    surface, [&](Vec2 p) { return center - p; }, -2.),
+                                uniform_masses(surface, 1.));
+  for(const Streamline_seed& seed : streamlines.seeds(50))
   {
-    const Streamline line = checked_line(streamlines, surface, grain);
-    const Planar from = plane(surface, line.locations.front());
+    const Streamline line = checked_line(streamlines, surface, seed);
+    const Vec2 from = planar_position(surface, line.locations.front());
     EXPECT_TRUE(line.has_arrived);
-    expect_near(plane(surface, line.locations.back()),
-                middle + std::sqrt(1. / 3.) * (from - middle));
+    expect_near(planar_position(surface, line.locations.back()),
+                center + std::sqrt(1. / 3.) * (from - center));
   }
 }
 
 // From where nothing is a line goes as far as the flow does.
-TEST(streamlines, lead_to_where_all_flows)
+TEST(streamlines, zero_mass_follows_flow_to_sink)
 {
-  const Glued_surface surface(square(12, 0.24));
-  const Planar middle = {0.45, 0.55};
+  const Array_surface surface(square(12, 0.24));
+  const Vec2 center = {0.45, 0.55};
   const Streamlines streamlines(surface.triangles(),
-                                flow_of(
-                                    surface, [&](Planar p) { return middle - p; }, -2.),
-                                density(surface, 0.));
+                                linear_flow(
+                                    surface, [&](Vec2 p) { return center - p; }, -2.),
+                                uniform_masses(surface, 0.));
   const Streamline line = checked_line(streamlines, surface, {surface.in(7, {0.2, 0.3, 0.5})});
   EXPECT_TRUE(line.has_arrived);
-  expect_near(plane(surface, line.locations.back()), middle);
+  expect_near(planar_position(surface, line.locations.back()), center);
 }
 
-TEST(streamlines, end_where_the_flow_turns_in_circles_or_rests)
+TEST(streamlines, ends_in_closed_or_zero_flow)
 {
-  const Glued_surface surface(square(12, 0.24));
-  const Streamlines circles(surface.triangles(),
-                            flow_of(
+  const Array_surface surface(square(12, 0.24));
+  const Streamlines rotating(surface.triangles(),
+                             linear_flow(
+                                 surface,
+                                 [&](Vec2 p) {
+                                   return Vec2{0.5 - p[1], p[0] - 0.5};
+                                 },
+                                 0.),
+                             uniform_masses(surface, 0.));
+  const Surface_location from = surface.in(100, {0.2, 0.3, 0.5});
+  EXPECT_FALSE(rotating({from}).has_arrived);
+  // That flow is no field of Raviart and Thomas; still it leads around the middle.
+  EXPECT_GT(rotating({from}).locations.size(), 10u);
+  const Streamlines resting(surface.triangles(),
+                            linear_flow(
                                 surface,
-                                [&](Planar p) {
-                                  return Planar{0.5 - p[1], p[0] - 0.5};
+                                [](Vec2) {
+                                  return Vec2{0., 0.};
                                 },
                                 0.),
-                            density(surface, 0.));
-  const Location from = surface.in(100, {0.2, 0.3, 0.5});
-  EXPECT_FALSE(circles({from}).has_arrived);
-  // That flow is no field of Raviart and Thomas; still it leads around the middle.
-  EXPECT_GT(circles({from}).locations.size(), 10u);
-  const Streamlines rest(surface.triangles(),
-                         flow_of(
-                             surface,
-                             [](Planar) {
-                               return Planar{0., 0.};
-                             },
-                             0.),
-                         density(surface, 0.));
-  EXPECT_FALSE(rest({from}).has_arrived);
-  EXPECT_EQ(rest({from}).locations.size(), 1u);
+                            uniform_masses(surface, 0.));
+  EXPECT_FALSE(resting({from}).has_arrived);
+  EXPECT_EQ(resting({from}).locations.size(), 1u);
 }
 
 // From one point to two others, on meshes and on a cloud: as many lines arrive as there is mass.
-struct Parting
+struct Two_target_flow
 {
-  Earth_movers kernel;
+  Multilevel_transport_solver solver;
   Mass_distribution from, to;
   std::vector<Index> targets;
 
-  Parting(const std::shared_ptr<const Glued_triangles>& t, Index source, Index first, Index second)
-      : kernel(t), targets({first, second})
+  Two_target_flow(const std::shared_ptr<const Surface_arrays>& t, Index source, Index first,
+                  Index second)
+      : solver(t), targets({first, second})
   {
     from.at_locations = {{{none, source, {}}, 1.}};
     to.at_locations = {{{none, first, {}}, 0.3}, {{none, second, {}}, 0.7}};
@@ -179,133 +181,136 @@ struct Parting
 
   // Calls f with each line, of a hundred.
   template <typename Function>
-  void check(const Glued_triangles& t, Function f)
+  void check(const Surface_arrays& t, Function f)
   {
-    Earth_movers_options options;
+    Multilevel_transport_options options;
     options.transport.tolerance = 1e-5;
-    const Streamlines streamlines = kernel.streamlines(kernel.solve(from, to, options));
-    std::vector<int> arrived(2, 0);
-    for(const Grain& grain : streamlines.grains(100))
+    const Streamlines streamlines = solver.streamlines(solver.solve(from, to, options));
+    std::vector<int> number_arrived(2, 0);
+    for(const Streamline_seed& seed : streamlines.seeds(100))
     {
-      const Streamline line = streamlines(grain);
+      const Streamline line = streamlines(seed);
       ASSERT_TRUE(line.has_arrived);
-      EXPECT_EQ(site_of(t, line.locations.front()), from.at_locations[0].first.site);
+      EXPECT_EQ(vertex_of(t, line.locations.front()), from.at_locations[0].first.vertex);
       for(std::size_t i = 0; i < 2; ++i)
-        arrived[i] += site_of(t, line.locations.back()) == targets[i];
+        number_arrived[i] += vertex_of(t, line.locations.back()) == targets[i];
       f(line);
     }
     // Each triangle around the source, or each arc, may have one grain too many or too few.
-    EXPECT_NEAR(arrived[0], 30, 4);
-    EXPECT_EQ(arrived[0] + arrived[1], 100);
+    EXPECT_NEAR(number_arrived[0], 30, 4);
+    EXPECT_EQ(number_arrived[0] + number_arrived[1], 100);
   }
 };
 
-TEST(streamlines, arrive_as_masses_do)
+TEST(streamlines, arrivals_match_masses)
 {
   for(const Triangulation& shape :
-      {shaken(icosphere(3), 0.02), cylinder(24, 8, 1., 2.), torus(40, 16), square(16, 0.24)})
+      {jittered(icosphere(3), 0.02), cylinder(24, 8, 1., 2.), torus(40, 16), square(16, 0.24)})
   {
-    const Glued_surface surface(shape);
+    const Array_surface surface(shape);
     const Index n = surface.size();
-    Parting parting(surface.triangles(), surface.site(n / 2), surface.site(3), surface.site(n - 5));
-    parting.check(surface.t(),
-                  [&](const Streamline& line) {
-                    expect_path_on_surface(surface.t(), line.locations, surface.at(n / 2),
-                                           line.locations.back());
-                  });
+    Two_target_flow two_target_flow(surface.triangles(), surface.vertex(n / 2), surface.vertex(3),
+                                    surface.vertex(n - 5));
+    two_target_flow.check(surface.t(),
+                          [&](const Streamline& line) {
+                            expect_path_on_surface(surface.t(), line.locations, surface.at(n / 2),
+                                                   line.locations.back());
+                          });
   }
 }
 
-TEST(streamlines, arrive_on_clouds)
+TEST(streamlines, arrivals_match_masses_on_clouds)
 {
   const Cloud cloud = octahedron_sphere(3);
-  const Glued_surfels surfels = glue_surfels(cloud.points, cloud.normals);
-  const auto t = std::make_shared<const Glued_triangles>(surfels.triangles);
-  Parting parting(t, surfels.site_of_surfel[0], surfels.site_of_surfel[100],
-                  surfels.site_of_surfel[230]);
-  parting.check(
+  const Surfel_arrays surfels = build_surfel_arrays(cloud.points, cloud.normals);
+  const auto t = std::make_shared<const Surface_arrays>(surfels.arrays);
+  Two_target_flow two_target_flow(t, surfels.internal_vertex[0], surfels.internal_vertex[100],
+                                  surfels.internal_vertex[230]);
+  two_target_flow.check(
       *t,
       [&](const Streamline& line)
       {
         // Each step is a side of a triangle, and no site comes twice.
-        std::vector<Index> sites;
-        for(const Location& location : line.locations)
-          sites.push_back(site_of(*t, location));
-        for(std::size_t i = 0; i + 1 < sites.size(); ++i)
+        std::vector<Index> vertices;
+        for(const Surface_location& location : line.locations)
+          vertices.push_back(vertex_of(*t, location));
+        for(std::size_t i = 0; i + 1 < vertices.size(); ++i)
         {
-          bool is_side = false;
-          for(Index side = 0; side < t->corner.size(); ++side)
-            is_side = is_side ||
-                      (t->corner[side] == sites[i] && t->corner[next_side(side)] == sites[i + 1]) ||
-                      (t->corner[side] == sites[i + 1] && t->corner[next_side(side)] == sites[i]);
-          EXPECT_TRUE(is_side);
+          bool is_edge = false;
+          for(Index h = 0; h < t->corner.size(); ++h)
+            is_edge =
+                is_edge ||
+                (t->corner[h] == vertices[i] && t->corner[next_halfedge(h)] == vertices[i + 1]) ||
+                (t->corner[h] == vertices[i + 1] && t->corner[next_halfedge(h)] == vertices[i]);
+          EXPECT_TRUE(is_edge);
         }
-        std::sort(sites.begin(), sites.end());
-        EXPECT_EQ(std::adjacent_find(sites.begin(), sites.end()), sites.end());
+        std::sort(vertices.begin(), vertices.end());
+        EXPECT_EQ(std::adjacent_find(vertices.begin(), vertices.end()), vertices.end());
       });
 }
 
 // Masses in triangles are reached where they are.
-TEST(streamlines, begin_and_end_within_triangles)
+TEST(streamlines, begins_and_ends_inside_triangles)
 {
-  const Glued_surface surface(shaken(icosphere(2), 0.03));
-  const Earth_movers kernel(surface.triangles());
-  const Location from = surface.in(3, {0.2, 0.5, 0.3}), to = surface.in(250, {0.1, 0.1, 0.8});
+  const Array_surface surface(jittered(icosphere(2), 0.03));
+  const Multilevel_transport_solver solver(surface.triangles());
+  const Surface_location from = surface.in(3, {0.2, 0.5, 0.3}),
+                         to = surface.in(250, {0.1, 0.1, 0.8});
   Mass_distribution before, after;
   before.at_locations = {{from, 2.}};
   after.at_locations = {{to, 2.}};
-  const Streamlines streamlines = kernel.streamlines(kernel.solve(before, after));
-  for(const Grain& grain : streamlines.grains(20))
-    expect_path_on_surface(surface.t(), streamlines(grain).locations, from, to);
+  const Streamlines streamlines = solver.streamlines(solver.solve(before, after));
+  for(const Streamline_seed& seed : streamlines.seeds(20))
+    expect_path_on_surface(surface.t(), streamlines(seed).locations, from, to);
 }
 
 // A wall has no line through it.
-TEST(streamlines, go_around_obstacles)
+TEST(streamlines, avoids_obstacles)
 {
-  const Glued_surface surface(grid(20, 10,
+  const Array_surface surface(grid(20, 10,
                                    [](double x, double y) -> Point {
                                      return {2. * x, y, 0.};
                                    }));
-  std::vector<Tensor> measure(surface.t().number_of_triangles(), {1., 0., 1.});
-  for(Index f = 0; f < measure.size(); ++f)
+  std::vector<Metric_tensor> metric(surface.t().number_of_triangles(), {1., 0., 1.});
+  for(Index f = 0; f < metric.size(); ++f)
   {
     const auto p = coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}});
     if(p[0] > 1. && p[0] < 1.2 && p[1] < 0.8)
-      measure[f] = {infinity, 0., infinity};
+      metric[f] = {infinity, 0., infinity};
   }
-  const Earth_movers kernel(surface.triangles(), 0, measure);
-  EXPECT_TRUE(kernel.has_own_lengths());
+  const Multilevel_transport_solver solver(surface.triangles(), 0, metric);
+  EXPECT_TRUE(solver.has_surface_metric());
   Mass_distribution before, after;
   before.at_locations = {{surface.at(3), 1.}};
   after.at_locations = {{surface.at(18), 1.}};
-  const Streamlines streamlines = kernel.streamlines(kernel.solve(before, after));
-  for(const Grain& grain : streamlines.grains(20))
+  const Streamlines streamlines = solver.streamlines(solver.solve(before, after));
+  for(const Streamline_seed& seed : streamlines.seeds(20))
   {
-    const Streamline line = streamlines(grain);
+    const Streamline line = streamlines(seed);
     EXPECT_TRUE(line.has_arrived);
-    for(const Location& location : line.locations)
+    for(const Surface_location& location : line.locations)
     {
-      const Planar p = plane(surface, location);
-      EXPECT_FALSE(p[0] > 1. + rounding && p[0] < 1.2 - rounding && p[1] < 0.8 - rounding);
+      const Vec2 p = planar_position(surface, location);
+      EXPECT_FALSE(p[0] > 1. + round_off && p[0] < 1.2 - round_off && p[1] < 0.8 - round_off);
     }
   }
 }
 
 // Around a cylinder, the longer way: it is pulled taut, unless no path is known to be as long.
-TEST(streamlines, give_way_to_shorter_paths)
+TEST(streamlines, is_replaced_by_shorter_path)
 {
-  const Glued_surface surface(cylinder(24, 4, 1., 1.));
-  std::vector<Index> around;
+  const Array_surface surface(cylinder(24, 4, 1., 1.));
+  std::vector<Index> around_vertices;
   for(Index i = 0; i <= 14; ++i)
-    around.push_back(48 + i);
-  const std::vector<Location> line = surface.along(around);
-  const double side = 2. * std::sin(pi / 24.), scale = surface.scale();
-  Line_shortener shorten(surface.triangles());
-  EXPECT_NEAR(scale * path_length(surface.t(), shorten(line, 14. * side / scale)), 14. * side,
-              rounding);
-  const std::vector<Location> other = shorten(line, 10. * side / scale);
-  EXPECT_NEAR(scale * path_length(surface.t(), other), 10. * side, rounding);
-  expect_path_on_surface(surface.t(), other, line.front(), line.back());
+    around_vertices.push_back(48 + i);
+  const std::vector<Surface_location> line = surface.along(around_vertices);
+  const double h = 2. * std::sin(pi / 24.), scale = surface.scale();
+  Line_shortener shortener(surface.triangles());
+  EXPECT_NEAR(scale * path_length(surface.t(), shortener(line, 14. * h / scale)), 14. * h,
+              round_off);
+  const std::vector<Surface_location> shortened = shortener(line, 10. * h / scale);
+  EXPECT_NEAR(scale * path_length(surface.t(), shortened), 10. * h, round_off);
+  expect_path_on_surface(surface.t(), shortened, line.front(), line.back());
 }
 
 } // namespace

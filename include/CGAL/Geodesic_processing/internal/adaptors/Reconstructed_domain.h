@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTED_DOMAIN_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTED_DOMAIN_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_RECONSTRUCTED_DOMAIN_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_RECONSTRUCTED_DOMAIN_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/surfels/reconstruction.h>
@@ -22,13 +22,13 @@ class Reconstructed_domain
 
 public:
   using Surface = SurfelRange;
-  using Site = typename Cloud::Site;
+  using Vertex = typename Cloud::Vertex;
   using Location = typename Cloud::Location;
 
   // Throws Unsupported_surface_error when there is no surface.
   explicit Reconstructed_domain(const Cloud& cloud)
-      : m_cloud(cloud), m_cloud_locator(cloud), m_mesh(reconstruction(cloud.surfels())),
-        m_triangles(std::make_shared<const Glued_triangles>(std::move(m_mesh.triangles))),
+      : m_cloud(cloud), m_cloud_locator(cloud), m_mesh(reconstruct_surface(cloud.surfels())),
+        m_triangles(std::make_shared<const Surface_arrays>(std::move(m_mesh.arrays))),
         m_tree(m_triangles)
   {
     if(m_triangles->number_of_triangles() == 0)
@@ -36,19 +36,19 @@ public:
           "No surface can be laid through the surfels: no three of them are near enough.");
   }
 
-  const std::shared_ptr<const Glued_triangles>& triangles() const { return m_triangles; }
+  const std::shared_ptr<const Surface_arrays>& triangles() const { return m_triangles; }
 
   // The nearest place on the surface, which takes not every surfel.
-  internal::Location inner(const Location& location) const
+  internal::Surface_location inner(const Location& location) const
   {
     const auto p = m_cloud.point(m_cloud.inner(location));
     return m_tree.nearest({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
   }
-  internal::Location inner_site(Site surfel) const
+  internal::Surface_location inner_vertex(Vertex surfel) const
   {
-    return inner(m_cloud.outer(m_cloud.inner_site(surfel)));
+    return inner(m_cloud.outer(m_cloud.inner_vertex(surfel)));
   }
-  Location outer(const internal::Location& location) const
+  Location outer(const internal::Surface_location& location) const
   {
     const auto p = coordinates(*m_triangles, location);
     return m_cloud_locator(typename Cloud::Point_3(p[0], p[1], p[2]));
@@ -57,32 +57,32 @@ public:
   template <typename SpeedMap>
   std::vector<double> slowness(SpeedMap speed) const
   {
-    std::vector<double> values(m_mesh.site_of_vertex.size());
-    for(Index site = 0; site < values.size(); ++site)
-      values[m_mesh.site_of_vertex[site]] = get(speed, m_cloud.site(site));
-    return mean_of_corners(*m_triangles, slowness_of(std::move(values)));
+    std::vector<double> values(m_mesh.internal_vertex.size());
+    for(Index vertex = 0; vertex < values.size(); ++vertex)
+      values[m_mesh.internal_vertex[vertex]] = get(speed, m_cloud.vertex(vertex));
+    return mean_over_corners(*m_triangles, slowness_of(std::move(values)));
   }
 
 private:
   Cloud m_cloud;
   Surface_locator<Surface> m_cloud_locator;
-  Glued_mesh m_mesh; // its vertices are the cloud's sites; without its triangles
-  std::shared_ptr<const Glued_triangles> m_triangles;
+  Mesh_arrays m_mesh; // its vertices are the cloud's sites; without its triangles
+  std::shared_ptr<const Surface_arrays> m_triangles;
   Triangle_tree m_tree;
 };
 
 // A domain whose triangles form a surface.
 template <typename TriangleMesh>
-const Mesh_domain<TriangleMesh>& manifold(const Mesh_domain<TriangleMesh>& domain)
+const Mesh_domain<TriangleMesh>& manifold_domain(const Mesh_domain<TriangleMesh>& domain)
 {
   return domain;
 }
 template <typename SurfelRange>
-Reconstructed_domain<SurfelRange> manifold(const Surfel_domain<SurfelRange>& domain)
+Reconstructed_domain<SurfelRange> manifold_domain(const Surfel_domain<SurfelRange>& domain)
 {
   return Reconstructed_domain<SurfelRange>(domain);
 }
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTED_DOMAIN_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_RECONSTRUCTED_DOMAIN_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADD_FACES_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADD_FACES_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_ADD_FACES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_ADD_FACES_H
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>
@@ -49,4 +49,4 @@ auto add_faces(
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADD_FACES_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_ADD_FACES_H

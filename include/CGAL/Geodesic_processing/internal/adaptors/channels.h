@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CHANNELS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_CHANNELS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_CHANNELS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_CHANNELS_H
 
 #include <CGAL/number_utils.h>
 
@@ -22,7 +22,7 @@ struct Is_array<std::array<T, N>> : std::true_type
 {};
 
 template <typename Value>
-constexpr std::size_t channels_of()
+constexpr std::size_t channel_count()
 {
   if constexpr(std::is_arithmetic_v<Value>)
     return 1;
@@ -33,7 +33,7 @@ constexpr std::size_t channels_of()
 }
 
 template <typename Value>
-inline constexpr std::size_t number_of_channels = channels_of<Value>();
+inline constexpr std::size_t number_of_channels = channel_count<Value>();
 
 template <typename Value>
 void append_channels(std::vector<double>& values, const Value& value)
@@ -63,4 +63,4 @@ Value from_channels(const double* values)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CHANNELS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_CHANNELS_H

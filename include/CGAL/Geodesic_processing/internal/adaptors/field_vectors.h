@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_FIELD_VECTORS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_FIELD_VECTORS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_FIELD_VECTORS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_FIELD_VECTORS_H
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <array>
 
@@ -13,21 +13,21 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // The axes of a triangle's plane; zero where it has no side or no height.
-inline std::array<Spatial, 2> axes(const Glued_triangles& t, Index triangle)
+inline std::array<Vec3, 2> axes(const Surface_arrays& t, Index triangle)
 {
   const Index* corner = &t.corner[3 * std::size_t(triangle)];
-  const Spatial first = unit(t.point[corner[1]] - t.point[corner[0]]);
-  const Spatial side = t.point[corner[2]] - t.point[corner[0]];
-  return {first, unit(side - dot(side, first) * first)};
+  const Vec3 first = unit(t.point[corner[1]] - t.point[corner[0]]);
+  const Vec3 edge = t.point[corner[2]] - t.point[corner[0]];
+  return {first, unit(edge - dot(edge, first) * first)};
 }
 
-inline Spatial in_space(const Glued_triangles& t, Index triangle, const Planar& vector)
+inline Vec3 in_space(const Surface_arrays& t, Index triangle, const Vec2& vector)
 {
   const auto [u, v] = axes(t, triangle);
   return vector[0] * u + vector[1] * v;
 }
 
-inline Planar in_plane(const Glued_triangles& t, Index triangle, const Spatial& vector)
+inline Vec2 in_plane(const Surface_arrays& t, Index triangle, const Vec3& vector)
 {
   const auto [u, v] = axes(t, triangle);
   return {dot(vector, u), dot(vector, v)};
@@ -38,19 +38,19 @@ template <typename Domain, typename VectorMap>
 void write_vectors(const Domain& domain, const Field& field, VectorMap map)
 {
   using Vector_3 = typename Domain::Vector_3;
-  const Glued_triangles& t = *domain.triangles();
-  const auto outer = [](const Spatial& v) { return Vector_3(v[0], v[1], v[2]); };
+  const Surface_arrays& t = *domain.triangles();
+  const auto outer = [](const Vec3& v) { return Vector_3(v[0], v[1], v[2]); };
   if constexpr(!Is_cloud<typename Domain::Surface>::value)
     for(Index f = 0; f < t.number_of_triangles(); ++f)
       put(map, domain.face(f), outer(in_space(t, f, field[f])));
   else
     domain.write(
-        [&](Index site)
+        [&](Index v)
         {
-          Spatial sum = {0., 0., 0.};
-          const Index begin = t.first[site], end = t.first[site + 1];
+          Vec3 sum = {0., 0., 0.};
+          const Index begin = t.ring_begin[v], end = t.ring_begin[v + 1];
           for(Index i = begin; i < end; ++i)
-            sum = sum + in_space(t, t.star[i] / 3, field[t.star[i] / 3]);
+            sum = sum + in_space(t, t.ring[i] / 3, field[t.ring[i] / 3]);
           return outer(end > begin ? (1. / double(end - begin)) * sum : sum);
         },
         map);
@@ -58,4 +58,4 @@ void write_vectors(const Domain& domain, const Field& field, VectorMap map)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_FIELD_VECTORS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_FIELD_VECTORS_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_FLATTENING_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_FLATTENING_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
@@ -27,68 +27,69 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Spreads the base points that named parameters ask for, or a usual number, over a surface of one piece.
 template <typename Domain, typename NamedParameters>
-void spread(const Domain& domain, const NamedParameters& np, std::size_t usual, Sampling& sampling)
+void sample_base_points(const Domain& domain, const NamedParameters& np, std::size_t default_number,
+                        Sampling& sampling)
 {
-  const auto check_is_one_piece = [&]
+  const auto check_is_connected = [&]
   {
     if(!(sampling.covering_radius() < infinity))
       throw Unsupported_surface_error("The surface is not one piece.");
   };
   if constexpr(has_parameter<NamedParameters, internal_np::base_points_t>)
   {
-    std::vector<bool> is_taken(domain.number_of_sites(), false);
-    for(const auto& place : parameter(np, internal_np::base_points, none))
+    std::vector<bool> is_taken(domain.number_of_vertices(), false);
+    for(const auto& vertex : parameter(np, internal_np::base_points, none))
     {
-      const Location site = domain.inner_site(place);
-      if(is_taken[site.site])
+      const Surface_location location = domain.inner_vertex(vertex);
+      if(is_taken[location.vertex])
         throw Invalid_argument_error("A base point comes twice.");
-      is_taken[site.site] = true;
-      sampling.add(site);
-      check_is_one_piece();
+      is_taken[location.vertex] = true;
+      sampling.add(location);
+      check_is_connected();
     }
   }
   else
   {
-    Sampling_goal goal;
-    goal.number = parameter(np, internal_np::number_of_base_points, usual);
-    goal.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
-    if(goal.number <= most_base_points)
-      sample_farthest(sampling, goal, [&](double) { check_is_one_piece(); });
+    Sampling_options options;
+    options.number_of_samples = parameter(np, internal_np::number_of_base_points, default_number);
+    options.seed = static_cast<unsigned>(parameter(np, CGAL::internal_np::random_seed, 0u));
+    if(options.number_of_samples <= max_number_of_base_points)
+      sample_farthest_points(sampling, options, [&](double) { check_is_connected(); });
     else
-      goal.number = 0;
+      options.number_of_samples = 0;
   }
   const std::size_t number = sampling.samples().size();
-  if(number < 3 || number > most_base_points)
+  if(number < 3 || number > max_number_of_base_points)
     throw Invalid_argument_error("The number of base points is not between 3 and " +
-                                 std::to_string(most_base_points) + ".");
+                                 std::to_string(max_number_of_base_points) + ".");
 }
 
 // Spreads base points, maps all sites by them, and writes where they go.
 //
 // map(triangles, sampling, front, callback): nothing when the callback cancelled it
 template <typename Method, typename Domain, typename UVMap, typename NamedParameters, typename Map>
-auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, std::size_t usual,
-             const Map& map)
+auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np,
+             std::size_t default_number, const Map& map)
 {
   static_assert(std::is_base_of_v<Front, Engine<Method>>,
                 "Base points are joined by fronts: Euclidean_front, Fast_marching or Dijkstra.");
   using Value = typename boost::property_traits<UVMap>::value_type;
-  const Glued_triangles& triangles = *domain.triangles();
+  const Surface_arrays& triangles = *domain.triangles();
   const Engine<Method> front(domain.triangles());
-  Sampling sampling(domain.triangles(), front, Sample_place::site);
-  spread(domain, np, usual, sampling);
+  Sampling sampling(domain.triangles(), front, Sample_location::vertex);
+  sample_base_points(domain, np, default_number, sampling);
 
-  std::vector<typename Domain::Site> base_points;
-  const std::vector<Planar> image =
+  std::vector<typename Domain::Vertex> base_points;
+  const std::vector<Vec2> image =
       map(triangles, sampling, front,
           parameter(np, CGAL::internal_np::callback, std::function<bool(double)>()));
   if(image.empty())
     return base_points;
-  for(const Location& sample : sampling.samples())
-    base_points.push_back(domain.site(sample.site));
+  for(const Surface_location& sample : sampling.samples())
+    base_points.push_back(domain.vertex(sample.vertex));
   std::vector<bool> is_known(image.size(), false);
-  for(const Index site : sampling.sites())
-    is_known[site] = true;
+  for(const Index vertex : sampling.sampled_vertices())
+    is_known[vertex] = true;
   domain.write(
       [&](Index i)
       {
@@ -103,4 +104,4 @@ auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np, std:
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_FLATTENING_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_FLATTENING_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LIMITS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_LIMITS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_LIMITS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_LIMITS_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
@@ -49,4 +49,4 @@ unsigned threads(const NamedParameters& np)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LIMITS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_LIMITS_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MASSES_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_MASSES_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_MASSES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_MASSES_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/transport/Earth_movers.h>
+#include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
@@ -60,11 +60,11 @@ struct Is_property_map<T, std::void_t<typename boost::property_traits<T>::catego
 
 // A value for each site, in the domain's order.
 template <typename Domain, typename PropertyMap>
-Vector values_at_sites(const Domain& domain, const PropertyMap& map)
+Vector vertex_values(const Domain& domain, const PropertyMap& map)
 {
-  Vector result(Eigen::Index(domain.number_of_sites()));
-  for(Index i = 0; i < domain.number_of_sites(); ++i)
-    result[i] = to_double(get(map, domain.site(i)));
+  Vector result(Eigen::Index(domain.number_of_vertices()));
+  for(Index i = 0; i < domain.number_of_vertices(); ++i)
+    result[i] = to_double(get(map, domain.vertex(i)));
   return result;
 }
 
@@ -73,25 +73,25 @@ template <typename Domain, typename From>
 Mass_distribution masses(const Domain& domain, const From& from)
 {
   Mass_distribution result;
-  if constexpr(is_place<Domain, From>)
+  if constexpr(is_vertex_or_location<Domain, From>)
     result.at_locations.emplace_back(location(domain, from), 1.);
   else if constexpr(Is_density<From>::value)
-    result.density = values_at_sites(domain, from.map);
+    result.density = vertex_values(domain, from.map);
   else if constexpr(Is_property_map<From>::value)
-    result.at_sites = values_at_sites(domain, from);
+    result.at_vertices = vertex_values(domain, from);
   else
   {
-    const std::vector<Location> places = locations(domain, from);
-    if(places.empty())
+    const std::vector<Surface_location> located = locations(domain, from);
+    if(located.empty())
       throw Invalid_argument_error("There is no place where a mass could be.");
-    for(const Location& place : places)
-      result.at_locations.emplace_back(place, 1. / double(places.size()));
+    for(const Surface_location& point : located)
+      result.at_locations.emplace_back(point, 1. / double(located.size()));
   }
   return result;
 }
 
 // The root of a symmetric positive definite tensor.
-inline Tensor root(const Tensor& a)
+inline Metric_tensor square_root(const Metric_tensor& a)
 {
   const double determinant = std::sqrt(a[0] * a[2] - a[1] * a[1]);
   const double factor = 1. / std::sqrt(a[0] + a[2] + 2. * determinant);
@@ -100,14 +100,14 @@ inline Tensor root(const Tensor& a)
 
 // A map's tensor of a face, or the mean of those of its vertices.
 template <typename Domain, typename MetricMap>
-Eigen::Matrix3d metric(const Domain& domain, const MetricMap& map, Index triangle)
+Eigen::Matrix3d face_metric(const Domain& domain, const MetricMap& map, Index triangle)
 {
   using Key = typename boost::property_traits<MetricMap>::key_type;
-  if constexpr(std::is_convertible_v<typename Domain::Site, Key>)
+  if constexpr(std::is_convertible_v<typename Domain::Vertex, Key>)
   {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for(std::size_t k = 0; k < 3; ++k)
-      sum += get(map, domain.site(domain.triangles()->corner[3 * std::size_t(triangle) + k]));
+      sum += get(map, domain.vertex(domain.triangles()->corner[3 * std::size_t(triangle) + k]));
     return sum / 3.;
   }
   else
@@ -116,10 +116,10 @@ Eigen::Matrix3d metric(const Domain& domain, const MetricMap& map, Index triangl
 
 // What named parameters say about lengths, as the kernel knows it: a speed, or a metric in space.
 template <typename Domain, typename NamedParameters>
-std::vector<Tensor> measure(const Domain& domain, const NamedParameters& np)
+std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParameters& np)
 {
-  const Glued_triangles& t = *domain.triangles();
-  std::vector<Tensor> result;
+  const Surface_arrays& t = *domain.triangles();
+  std::vector<Metric_tensor> result;
   if constexpr(has_parameter<NamedParameters, internal_np::speed_map_t>)
     for(const double slowness : domain.slowness(parameter(np, internal_np::speed_map, none)))
       result.push_back({slowness, 0., slowness});
@@ -130,20 +130,20 @@ std::vector<Tensor> measure(const Domain& domain, const NamedParameters& np)
     for(Index f = 0; f < t.number_of_triangles(); ++f)
     {
       const auto [u, v] = axes(t, f);
-      if(v == Spatial{0., 0., 0.})
+      if(v == Vec3{0., 0., 0.})
         continue;
-      const Eigen::Matrix3d tensor = metric(domain, map, f);
-      const auto product = [&tensor](const Spatial& a, const Spatial& b)
+      const Eigen::Matrix3d tensor = face_metric(domain, map, f);
+      const auto product = [&tensor](const Vec3& a, const Vec3& b)
       {
         using Eigen_vector = Eigen::Map<const Eigen::Vector3d>;
         return Eigen_vector(a.data()).dot(tensor * Eigen_vector(b.data()));
       };
-      const Tensor squared = {product(u, u), product(u, v), product(v, v)};
+      const Metric_tensor squared = {product(u, u), product(u, v), product(v, v)};
       if(!(squared[0] > 0. && squared[0] * squared[2] > squared[1] * squared[1]) ||
          !std::isfinite(squared[0] + squared[2]))
         throw Invalid_argument_error("A metric is not positive definite.");
       const double slowness = result[f][0];
-      result[f] = root(squared);
+      result[f] = square_root(squared);
       for(double& entry : result[f])
         entry *= slowness;
     }
@@ -154,4 +154,4 @@ std::vector<Tensor> measure(const Domain& domain, const NamedParameters& np)
 } // namespace internal
 } // namespace CGAL::Geodesic_processing
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MASSES_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_MASSES_H

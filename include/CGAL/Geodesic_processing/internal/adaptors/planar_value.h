@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PLANAR_VALUE_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_PLANAR_VALUE_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_PLANAR_VALUE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_PLANAR_VALUE_H
 
 #include <type_traits>
 
@@ -19,4 +19,4 @@ Value planar_value(double u, double v)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PLANAR_VALUE_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_PLANAR_VALUE_H

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_READ_SURFELS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_READ_SURFELS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_READ_SURFELS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_READ_SURFELS_H
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -20,71 +20,72 @@ namespace CGAL::Geodesic_processing::internal {
 
 template <typename SurfelRange>
 inline constexpr bool is_point_set =
-    !std::is_same_v<typename Surface_traits<SurfelRange>::Site, std::size_t>;
+    !std::is_same_v<typename Surface_traits<SurfelRange>::Vertex, std::size_t>;
 
 // The descriptors of a range's surfels, and their places in it.
 template <typename SurfelRange>
-class Surfel_sites
+class Surfel_descriptors
 {
 public:
-  using Site = typename Surface_traits<SurfelRange>::Site;
+  using Vertex = typename Surface_traits<SurfelRange>::Vertex;
 
-  Surfel_sites() = default;
-  explicit Surfel_sites(const SurfelRange& range)
+  Surfel_descriptors() = default;
+  explicit Surfel_descriptors(const SurfelRange& range)
   {
     for(const auto& element : range)
       if constexpr(is_point_set<SurfelRange>)
       {
         const std::size_t index = element;
-        if(index >= m_place_of_index.size())
-          m_place_of_index.resize(index + 1, none);
-        m_place_of_index[index] = static_cast<Index>(m_sites.size());
-        m_sites.push_back(element);
+        if(index >= m_position_of_index.size())
+          m_position_of_index.resize(index + 1, none);
+        m_position_of_index[index] = static_cast<Index>(m_descriptors.size());
+        m_descriptors.push_back(element);
       }
       else
       {
         (void)element;
-        m_sites.push_back(m_sites.size());
+        m_descriptors.push_back(m_descriptors.size());
       }
   }
 
-  std::size_t size() const { return m_sites.size(); }
-  Site operator[](std::size_t place) const { return m_sites[place]; }
-  std::size_t place(Site site) const
+  std::size_t size() const { return m_descriptors.size(); }
+  Vertex operator[](std::size_t position) const { return m_descriptors[position]; }
+  std::size_t position(Vertex descriptor) const
   {
     if constexpr(is_point_set<SurfelRange>)
-      return m_place_of_index[site];
+      return m_position_of_index[descriptor];
     else
-      return site;
+      return descriptor;
   }
   // Throws Invalid_argument_error when there is no such surfel.
-  void check(Site site) const
+  void check_descriptor(Vertex descriptor) const
   {
-    bool is_ours = std::size_t(site) < m_sites.size();
+    bool is_of_range = std::size_t(descriptor) < m_descriptors.size();
     if constexpr(is_point_set<SurfelRange>)
-      is_ours = std::size_t(site) < m_place_of_index.size() && m_place_of_index[site] != none;
-    if(!is_ours)
+      is_of_range = std::size_t(descriptor) < m_position_of_index.size() &&
+                    m_position_of_index[descriptor] != none;
+    if(!is_of_range)
       throw Invalid_argument_error("A surfel is none of the cloud's.");
   }
 
 private:
-  std::vector<Site> m_sites;           // #surfels, in the order of the range
-  std::vector<Index> m_place_of_index; // of Point_set_3: the place of an index in it
+  std::vector<Vertex> m_descriptors;      // #surfels, in the order of the range
+  std::vector<Index> m_position_of_index; // of Point_set_3: the place of an index in it
 };
 
-struct Surfel_arrays
+struct Surfel_input
 {
-  std::vector<Spatial> points, normals; // #surfels
-  std::vector<double> radii;            // #surfels, or empty
+  std::vector<Vec3> points, normals; // #surfels
+  std::vector<double> radii;         // #surfels, or empty
 };
 
 // The surfels of a range, by the maps of named parameters or its own.
 // Throws Unsupported_surface_error when there are no normals.
 template <typename SurfelRange, typename NamedParameters>
-Surfel_arrays read_surfels(const SurfelRange& range, const NamedParameters& np)
+Surfel_input read_surfels(const SurfelRange& range, const NamedParameters& np)
 {
-  Surfel_arrays result;
-  const auto coordinates = [](const auto& p) -> Spatial {
+  Surfel_input result;
+  const auto coordinates = [](const auto& p) -> Vec3 {
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   };
   const auto read = [&](const auto& point_map, const auto& normal_map)
@@ -126,4 +127,4 @@ Surfel_arrays read_surfels(const SurfelRange& range, const NamedParameters& np)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_READ_SURFELS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_READ_SURFELS_H

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SOURCES_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SOURCES_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_SOURCES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_SOURCES_H
 
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 
 #include <cmath>
@@ -16,51 +16,51 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // A site, or a location, as the kernels know it.
-template <typename Domain, typename Place>
-Location location(const Domain& domain, const Place& place)
+template <typename Domain, typename VertexOrLocation>
+Surface_location location(const Domain& domain, const VertexOrLocation& element)
 {
-  if constexpr(std::is_same_v<Place, typename Domain::Location>)
-    return domain.inner(place);
+  if constexpr(std::is_same_v<VertexOrLocation, typename Domain::Location>)
+    return domain.inner(element);
   else
-    return domain.inner_site(place);
+    return domain.inner_vertex(element);
 }
 
 template <typename Domain, typename T>
-inline constexpr bool is_place = std::is_same_v<T, typename Domain::Location> ||
-                                 std::is_same_v<T, typename Domain::Site> ||
-                                 (std::is_integral_v<T> &&
-                                  std::is_convertible_v<T, typename Domain::Site>);
+inline constexpr bool is_vertex_or_location = std::is_same_v<T, typename Domain::Location> ||
+                                              std::is_same_v<T, typename Domain::Vertex> ||
+                                              (std::is_integral_v<T> &&
+                                               std::is_convertible_v<T, typename Domain::Vertex>);
 
 // A site, a location, or a range of one of them.
-template <typename Domain, typename Places>
-std::vector<Location> locations(const Domain& domain, const Places& places)
+template <typename Domain, typename Range>
+std::vector<Surface_location> locations(const Domain& domain, const Range& range)
 {
-  std::vector<Location> result;
-  if constexpr(is_place<Domain, Places>)
-    result.push_back(location(domain, places));
+  std::vector<Surface_location> result;
+  if constexpr(is_vertex_or_location<Domain, Range>)
+    result.push_back(location(domain, range));
   else
-    for(const auto& place : places)
-      result.push_back(location(domain, place));
+    for(const auto& element : range)
+      result.push_back(location(domain, element));
   return result;
 }
 
 // A source as the kernels know it, with lengths in the domain's scale.
 template <typename Domain>
-internal::Source source(const Domain& domain,
-                        const Geodesic_processing::Source<typename Domain::Surface>& from,
-                        std::size_t position)
+internal::Front_source source(const Domain& domain,
+                              const Geodesic_processing::Source<typename Domain::Surface>& input,
+                              std::size_t position)
 {
-  using Site = typename Domain::Site;
-  internal::Source result;
-  if(!std::isfinite(from.offset()))
+  using Vertex = typename Domain::Vertex;
+  internal::Front_source result;
+  if(!std::isfinite(input.offset()))
     throw Invalid_argument_error("The offset of a source is not finite.");
-  result.offset = from.offset() / domain.triangles()->scale;
+  result.offset = input.offset() / domain.triangles()->scale;
   result.label = static_cast<Index>(position);
-  if(const Site* site = std::get_if<Site>(&from.place()))
-    result.polyline.push_back(domain.inner_site(*site));
+  if(const Vertex* vertex = std::get_if<Vertex>(&input.location()))
+    result.polyline.push_back(domain.inner_vertex(*vertex));
   else
-    for(const auto& place : std::get<1>(from.place()))
-      result.polyline.push_back(domain.inner(place));
+    for(const auto& element : std::get<1>(input.location()))
+      result.polyline.push_back(domain.inner(element));
   if(result.polyline.empty())
     throw Invalid_argument_error("A source is an empty polyline.");
   for(std::size_t i = 1; i < result.polyline.size(); ++i)
@@ -72,22 +72,22 @@ internal::Source source(const Domain& domain,
 
 // A site, a location, a source, or a range of one of them; labels receives one label for each.
 template <typename Domain, typename Sources>
-std::vector<internal::Source> sources(const Domain& domain, const Sources& from,
-                                      std::vector<std::size_t>& labels)
+std::vector<internal::Front_source> sources(const Domain& domain, const Sources& input,
+                                            std::vector<std::size_t>& labels)
 {
   using Source = Geodesic_processing::Source<typename Domain::Surface>;
-  std::vector<internal::Source> result;
-  const auto add = [&](const Source& one)
+  std::vector<internal::Front_source> result;
+  const auto add = [&](const Source& item)
   {
     const std::size_t position = labels.size();
-    result.push_back(source(domain, one, position));
-    labels.push_back(one.label(position));
+    result.push_back(source(domain, item, position));
+    labels.push_back(item.label(position));
   };
-  if constexpr(is_place<Domain, Sources> || std::is_same_v<Sources, Source>)
-    add(Source(from));
+  if constexpr(is_vertex_or_location<Domain, Sources> || std::is_same_v<Sources, Source>)
+    add(Source(input));
   else
-    for(const auto& one : from)
-      add(Source(one));
+    for(const auto& item : input)
+      add(Source(item));
   if(result.empty())
     throw Invalid_argument_error("There is no source.");
   return result;
@@ -95,4 +95,4 @@ std::vector<internal::Source> sources(const Domain& domain, const Sources& from,
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SOURCES_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_SOURCES_H

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_WEIGHTS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_WEIGHTS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_WEIGHTS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_WEIGHTS_H
 
-#include <CGAL/Geodesic_processing/internal/transport/barycenter.h>
+#include <CGAL/Geodesic_processing/internal/transport/Barycenter_solver.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -29,4 +29,4 @@ std::vector<double> weights(const NamedParameters& np, std::size_t number)
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_WEIGHTS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ADAPTORS_WEIGHTS_H

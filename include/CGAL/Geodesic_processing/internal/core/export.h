@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_EXPORT_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_EXPORT_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EXPORT_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EXPORT_H
 
 // Shared builds hide every symbol that does not carry this macro.
 #if defined(_WIN32) && defined(CGAL_GEODESIC_PROCESSING_SHARED)
@@ -16,4 +16,4 @@
 #  define CGAL_GEODESIC_PROCESSING_EXPORT
 #endif
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_EXPORT_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EXPORT_H

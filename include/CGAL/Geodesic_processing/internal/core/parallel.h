@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARALLEL_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_PARALLEL_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PARALLEL_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PARALLEL_H
 
 #include <algorithm>
 #include <atomic>
@@ -18,33 +18,33 @@ namespace CGAL::Geodesic_processing::internal {
 template <typename Body>
 void for_each_block(std::size_t size, std::size_t block_size, unsigned threads, const Body& body)
 {
-  const std::size_t blocks = (size + block_size - 1) / block_size;
-  std::atomic<std::size_t> next{0};
-  const auto work = [&]
+  const std::size_t number_of_blocks = (size + block_size - 1) / block_size;
+  std::atomic<std::size_t> next_block{0};
+  const auto process_blocks = [&]
   {
-    for(std::size_t block; (block = next++) < blocks;)
+    for(std::size_t block; (block = next_block++) < number_of_blocks;)
       body(block, block * block_size, std::min(size, (block + 1) * block_size));
   };
-  const std::size_t helpers = std::min<std::size_t>(threads, blocks);
-  if(helpers < 2)
-    return work();
-  std::vector<std::exception_ptr> errors(helpers);
-  const auto guarded = [&](std::size_t thread)
+  const std::size_t number_of_threads = std::min<std::size_t>(threads, number_of_blocks);
+  if(number_of_threads < 2)
+    return process_blocks();
+  std::vector<std::exception_ptr> errors(number_of_threads);
+  const auto process_guarded = [&](std::size_t thread)
   {
     try
     {
-      work();
+      process_blocks();
     }
     catch(...)
     {
       errors[thread] = std::current_exception();
-      next = blocks;
+      next_block = number_of_blocks;
     }
   };
   std::vector<std::thread> pool;
-  for(std::size_t thread = 1; thread < helpers; ++thread)
-    pool.emplace_back(guarded, thread);
-  guarded(0);
+  for(std::size_t thread = 1; thread < number_of_threads; ++thread)
+    pool.emplace_back(process_guarded, thread);
+  process_guarded(0);
   for(std::thread& thread : pool)
     thread.join();
   for(const std::exception_ptr& error : errors)
@@ -54,4 +54,4 @@ void for_each_block(std::size_t size, std::size_t block_size, unsigned threads, 
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PARALLEL_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_PARALLEL_H

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SLOWNESS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SLOWNESS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_SLOWNESS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_SLOWNESS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <vector>
 
@@ -16,9 +16,9 @@ std::vector<double> slowness_of(std::vector<double> speed);
 
 // #triangles: the mean of the slownesses of the corners.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<double> mean_of_corners(const Glued_triangles& triangles,
-                                    const std::vector<double>& slowness_of_site);
+std::vector<double> mean_over_corners(const Surface_arrays& triangles,
+                                      const std::vector<double>& vertex_slowness);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SLOWNESS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_SLOWNESS_H

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_WINDOW_PROPAGATION_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_WINDOW_PROPAGATION_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/core/Queue.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <array>
 #include <cmath>
@@ -24,8 +24,8 @@ namespace CGAL::Geodesic_processing::internal {
 // How the shortest path to a place leaves its source: the exact logarithmic map.
 struct Departure
 {
-  Location from, next; // where on the source, and where the path's first segment ends
-  double angle = 0.;   // in the plane of the triangle of `from`, as straightest() takes it
+  Surface_location from, next; // where on the source, and where the path's first segment ends
+  double angle = 0.;           // in the plane of the triangle of `from`, as straightest() takes it
   // Counterclockwise: around a site from the side that leaves the first corner of its star, on a side
   // from that of the two that comes first; elsewhere the angle.
   double polar_angle = 0.;
@@ -48,71 +48,72 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagation
 {
 public:
   // Throws Unsupported_surface_error on a cloud.
-  explicit Window_propagation(std::shared_ptr<const Glued_triangles> triangles);
+  explicit Window_propagation(std::shared_ptr<const Surface_arrays> triangles);
 
   // As Front::run().  Throws Unsupported_surface_error when there is a slowness.
-  bool run(const std::vector<Source>& sources, const Front_limits& limits = {});
+  bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // All of the last run, in the domain's scale, as of a Front.
-  double distance(Index site) const { return m_sites[site].distance + m_lowest_offset; }
-  Index source(Index site) const { return m_sites[site].source; }
-  Index predecessor(Index site) const;
+  double distance(Index vertex) const { return m_vertices[vertex].distance + m_min_offset; }
+  Index source(Index vertex) const { return m_vertices[vertex].source; }
+  Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const { return m_reached; }
   // Anywhere else windows are sent back until they meet a source or a site through which a shortest
   // path leads; only those that can be on one go on.
-  double distance(const Location& location) const;
+  double distance(const Surface_location& location) const;
   // The shortest path from a location to the nearest source, as straighten() leaves it.  Empty where
   // no source reaches, or where triangles without area let it lose its way.
-  std::vector<Location> path(const Location& from) const;
+  std::vector<Surface_location> path(const Surface_location& from) const;
   // All paths from there that are not longer than the shortest by more than this part of it, which is
   // far smaller than a side; at most 64.
-  std::vector<std::vector<Location>> paths(const Location& from, double tolerance) const;
+  std::vector<std::vector<Surface_location>> paths(const Surface_location& from,
+                                                   double tolerance) const;
   // How the shortest path leaves the source, the other way.
-  Departure departure(const Location& to) const;
+  Departure departure(const Surface_location& to) const;
   // The polar angle alone, for sites, more than ten times as fast: of the path only the straight line next
   // to the source is followed.  Zero at the source.
-  double polar_angle_of_departure(Index site) const;
+  double polar_angle_of_departure(Index vertex) const;
 
 private:
   struct Window
   {
     // Where the side begins at the origin and runs along the first axis, with the triangle to be
     // crossed above it.  Of a straight front, a unit vector back.
-    Planar source;
+    Vec2 source;
     double offset;     // distance at the source; of a straight front, at the origin
     double begin, end; // along the side
     Index origin;      // the site that is the source, or #sites + the piece of a source
     float weight;      // 1, or 0 of a straight front: source / weight in homogeneous coordinates
 
-    double distance(double place) const
+    double distance(double position) const
     {
       if(weight == 0.f)
-        return offset - place * source[0];
-      const double x = place - source[0];
+        return offset - position * source[0];
+      const double x = position - source[0];
       return offset + std::sqrt(x * x + source[1] * source[1]);
     }
   };
   // How a path comes to a site.
   struct Arrival
   {
-    double distance = infinity;  // above the lowest offset
-    Planar direction = {1., 0.}; // unit vector back to the source, in the plane of the triangle of
-    Index corner = none;         //   this corner, whose side lies on the first axis
-    Index origin = none;         // of the window that came, or the site at the other end of a side
+    double distance = infinity; // above the lowest offset
+    Vec2 direction = {1., 0.};  // unit vector back to the source, in the plane of the triangle of
+    Index corner = none;        //   this corner, whose side lies on the first axis
+    Index origin = none;        // of the window that came, or the site at the other end of a side
   };
-  struct Site : Arrival
+  struct Vertex_data : Arrival
   {
     Index source = none;
     Index state = 0;
   };
   // Windows next to each other, sorted along a side.
-  struct List
+  struct Window_list
   {
-    Index place = 0, size = 0;
-    Index room = 0; // logarithm of how many fit
+    Index position = 0, size = 0;
+    Index capacity_log2 = 0; // logarithm of how many fit
   };
   // The part of a source that lies in a triangle.
-  struct Piece
+  struct Source_piece
   {
     Index triangle;
     Index source;
@@ -124,97 +125,99 @@ private:
   struct Meeting
   {
     double distance = infinity;
-    Index site = none;
+    Index vertex = none;
     // Otherwise a place of a source, and where it is seen from, in the layout of its triangle.
-    Location place;
-    Planar way = {0., 0.};
+    Surface_location location;
+    Vec2 direction = {0., 0.};
     double length = 0.;
     Index origin = none;
   };
   // Where windows are sent back; a copy begins with none.
-  struct Search
+  struct Reverse_search
   {
-    Search() = default;
-    Search(const Search&) {}
-    Search& operator=(const Search&) { return *this; }
+    Reverse_search() = default;
+    Reverse_search(const Reverse_search&) {}
+    Reverse_search& operator=(const Reverse_search&) { return *this; }
 
     std::mutex mutex;
     std::shared_ptr<Window_propagation> windows;
   };
 
-  Window_propagation(std::shared_ptr<const Glued_triangles> triangles,
+  Window_propagation(std::shared_ptr<const Surface_arrays> triangles,
                      std::shared_ptr<const std::vector<bool>> is_pseudo_source);
-  const Meeting& search(const Window_propagation& goal, const Location& from);
-  void search_all(const Window_propagation& goal, const Location& from, double maximum);
-  void send_back(const Window_propagation& goal, const Location& from);
-  Window_propagation& back() const;
-  void meet_sources(Index triangle, const Planar& place, Index origin);
-  void meet_sources_behind(Index side);
-  void meet(const Piece& piece, const Planar& place, const Planar& from, double distance,
+  const Meeting& find_shortest(const Window_propagation& forward, const Surface_location& from);
+  void find_all(const Window_propagation& forward, const Surface_location& from, double maximum);
+  void propagate_back(const Window_propagation& forward, const Surface_location& from);
+  Window_propagation& reverse_propagation() const;
+  void meet_sources(Index triangle, const Vec2& position, Index origin);
+  void meet_sources_behind(Index h);
+  void meet(const Source_piece& piece, const Vec2& position, const Vec2& from, double distance,
             Index origin);
-  double append_chain(Index site, std::vector<Location>& path) const;
-  void branch(Index site, const std::vector<Location>& path,
-              std::vector<std::vector<Location>>& paths) const;
-  std::optional<Location> point_of(Index origin) const;
-  double gain(const Arrival& arrival) const;
-  double append_arrival(const Arrival& arrival, std::vector<Location>& path) const;
-  double append_line(const Location& from, const Planar& way, double length, Index origin,
-                     std::vector<Location>& path) const;
+  double append_chain(Index vertex, std::vector<Surface_location>& path) const;
+  void collect_paths(Index vertex, const std::vector<Surface_location>& path,
+                     std::vector<std::vector<Surface_location>>& paths) const;
+  std::optional<Surface_location> source_point(Index origin) const;
+  double line_length(const Arrival& arrival) const;
+  double append_arrival(const Arrival& arrival, std::vector<Surface_location>& path) const;
+  double append_line(const Surface_location& from, const Vec2& direction, double length,
+                     Index origin, std::vector<Surface_location>& path) const;
 
   void clear();
-  void start(const std::vector<Source>& sources);
-  void start_at_point(const Location& location, Index source, double offset);
-  void start_along(const Piece& piece);
-  bool offer(Index site, const Arrival& arrival, Index source);
-  void keep(Index site, const Arrival& arrival);
-  void keep_targets_only(const std::vector<Location>& targets);
+  void start(const std::vector<Front_source>& sources);
+  void start_at_point(const Surface_location& location, Index source, double offset);
+  void start_along(const Source_piece& piece);
+  bool relax(Index vertex, const Arrival& arrival, Index source);
+  void keep_arrival(Index vertex, const Arrival& arrival);
+  void limit_to_targets(const std::vector<Surface_location>& targets);
 
-  void leave(Index site);
-  void offer_along_side(Index corner, bool arriving);
-  void shine(Index site);
-  void emit(Index corner, double from, double to);
+  void finalize_vertex(Index vertex);
+  void relax_along_edge(Index corner, bool is_incoming);
+  void create_pseudosource_windows(Index vertex);
+  void emit_window(Index corner, double from, double to);
 
-  void cross(Index side);
-  void gather(Index side);
-  void drop_repeated(Index side);
-  double most(Index site) const;
-  bool is_late(const Window& window, double most_by_begin, double most_by_end) const;
+  void cross_triangle(Index h);
+  void collect_windows(Index h);
+  void drop_dominated(Index h);
+  double max_useful_distance(Index vertex) const;
+  bool is_too_long(const Window& window, double max_by_begin, double max_by_end) const;
 
-  List allocate(std::size_t size);
-  void release(List& list);
-  void put(Index side, int part, List list);
-  void put(Index side, const Window& window);
+  Window_list allocate(std::size_t size);
+  void release(Window_list& list);
+  void enqueue(Index h, int part, Window_list list);
+  void enqueue(Index h, const Window& window);
 
-  std::shared_ptr<const Glued_triangles> m_triangles;
+  std::shared_ptr<const Surface_arrays> m_triangles;
   std::shared_ptr<const std::vector<bool>> m_is_pseudo_source; // #sites: paths may bend here
-  double m_longest = 0.;                                       // side
+  double m_max_edge_length = 0.;                               // side
 
-  std::vector<Site> m_sites;
+  std::vector<Vertex_data> m_vertices;
   std::vector<Index> m_reached;
-  Queue m_queue; // sides, and behind them sites
+  Vertex_queue m_queue; // sides, and behind them sites
 
   // The windows that wait at each side: those through the side that shares its begin, and its end.
-  std::vector<List> m_waiting; // 2 #sides
+  std::vector<Window_list> m_waiting; // 2 #sides
   std::vector<Window> m_pool;
-  std::vector<std::vector<Index>> m_free; // by the logarithm of their room, places in the pool
-  std::vector<std::uint8_t> m_crossed;    // #sides: how often windows have crossed each
-  std::vector<Index> m_crossed_sides;
-  std::unordered_map<Index, std::vector<Window>> m_known; // what has crossed sides crossed often
-  std::vector<Window> m_windows;                          // that cross now
+  std::vector<std::vector<Index>>
+      m_free_lists; // by the logarithm of their room, places in the pool
+  std::vector<std::uint8_t> m_number_of_crossings; // #sides: how often windows have crossed each
+  std::vector<Index> m_crossed_halfedges;
+  std::unordered_map<Index, std::vector<Window>>
+      m_known_windows;           // what has crossed sides crossed often
+  std::vector<Window> m_windows; // that cross now
 
   // Of the last query
-  std::vector<Piece> m_pieces;
-  double m_lowest_offset = 0.;
-  double m_maximum = infinity;                      // above it
-  std::vector<std::pair<Index, Index>> m_pieces_of; // triangle, piece; sorted
-  const Window_propagation* m_goal = nullptr;       // of windows that are sent back
+  std::vector<Source_piece> m_source_pieces;
+  double m_min_offset = 0.;
+  double m_max_distance = infinity;                          // above it
+  std::vector<std::pair<Index, Index>> m_pieces_by_triangle; // triangle, piece; sorted
+  const Window_propagation* m_forward = nullptr;             // of windows that are sent back
   Meeting m_meeting;
-  bool m_keeps_all = false; // ways back, as far as the meeting's distance:
+  bool m_collects_all = false; // ways back, as far as the meeting's distance:
   std::vector<Meeting> m_meetings;
   std::unordered_map<Index, std::vector<Arrival>> m_arrivals; // by site
-  mutable Search m_search;
+  mutable Reverse_search m_reverse_search;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_WINDOW_PROPAGATION_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_HEAT_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_HEAT_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_HEAT_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_HEAT_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 
 #include <memory>
@@ -22,27 +22,27 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Heat_solver
 {
 public:
   // Two sparse factorizations.
-  explicit Heat_solver(std::shared_ptr<const Glued_triangles> triangles);
+  explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles);
 
   // As Front::run(); labels, predecessors and what is reached are those of the shortest arcs.
   // Throws Unsupported_surface_error when the limits ask for speeds.
-  bool run(const std::vector<Source>& sources, const Front_limits& limits = {});
+  bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
-  double distance(Index site) const { return m_distance[site]; }
-  double distance(const Location& location) const;
-  Index source(Index site) const { return m_arcs.source(site); }
-  Index predecessor(Index site) const;
+  double distance(Index vertex) const { return m_distance[vertex]; }
+  double distance(const Surface_location& location) const;
+  Index source(Index vertex) const { return m_dijkstra.source(vertex); }
+  Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const { return m_reached; }
 
 private:
   struct Systems;
-  std::shared_ptr<const Glued_triangles> m_triangles;
+  std::shared_ptr<const Surface_arrays> m_triangles;
   std::shared_ptr<const Systems> m_systems;
-  Front m_arcs;
+  Front m_dijkstra;
   std::vector<double> m_distance; // #sites
   std::vector<Index> m_reached;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_HEAT_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_HEAT_H

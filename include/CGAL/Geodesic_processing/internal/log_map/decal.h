@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DECAL_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_DECAL_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_MAP_DECAL_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_MAP_DECAL_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <array>
 #include <cstddef>
@@ -14,20 +14,20 @@ namespace CGAL::Geodesic_processing::internal {
 
 // The longest side of the triangles that hold a location.
 CGAL_GEODESIC_PROCESSING_EXPORT
-double longest_side_around(const Glued_triangles& triangles, const Location& at);
+double longest_edge_at(const Surface_arrays& triangles, const Surface_location& location);
 
 // A triangle with the images of its corners.
 struct Triangle_image
 {
   Index triangle;
-  std::array<Planar, 3> corners;
+  std::array<Vec2, 3> corners;
 };
 
 // The triangles that a rectangle around the base of a map to the plane lies on.
 struct Decal_triangles
 {
-  std::vector<Triangle_image> inside; // all corners of which have an image
-  double longest_side = 0.; // of those that have not; zero when all of the rectangle is inside
+  std::vector<Triangle_image> covered; // all corners of which have an image
+  double longest_edge = 0.; // of those that have not; zero when all of the rectangle is inside
 };
 
 // One that is cut has the image that its longest side that is not gives it, as long as that is there: so
@@ -40,16 +40,16 @@ struct Decal_triangles
 // reached  sites; coordinates  #sites, those of the others are not a number
 // half     of the width and of the height of the rectangle
 CGAL_GEODESIC_PROCESSING_EXPORT
-Decal_triangles triangles_of_decal(const Glued_triangles& triangles,
-                                   const std::vector<Index>& reached,
-                                   const std::vector<Planar>& coordinates, const Planar& half);
+Decal_triangles find_decal_triangles(const Surface_arrays& triangles,
+                                     const std::vector<Index>& reached,
+                                     const std::vector<Vec2>& coordinates, const Vec2& half_size);
 
 // Red, green, blue and opacity in [0, 1]; the colours are not multiplied by the opacity.
 using Rgba = std::array<double, 4>;
 
 // What is seen of a colour through another one in front of it (Porter and Duff 1984, "over").
 CGAL_GEODESIC_PROCESSING_EXPORT
-Rgba over(const Rgba& front, const Rgba& back);
+Rgba blend_over(const Rgba& front, const Rgba& back);
 
 // Where triangles lie in a texture of square texels: two in each square cell, their corners in the
 // middle of texels.  Around each triangle texels are its own as far as interpolation between the middles
@@ -65,7 +65,7 @@ public:
   std::size_t height() const { return m_rows * cell_size(); }
 
   // The corners of a triangle, in [0, 1] x [0, 1] from the lower left corner of the texture.
-  std::array<Planar, 3> corners(std::size_t triangle) const;
+  std::array<Vec2, 3> corners(std::size_t triangle) const;
 
   // Calls f(texel, barycentric coordinates of its middle) for all texels that belong to a triangle;
   // coordinates are negative outside.  Texels are counted in rows from the lowest one up.
@@ -79,10 +79,10 @@ public:
       for(std::size_t i = 0; i < size; ++i)
         if((i + j > m_segments + 3) == is_upper)
         {
-          const Planar place = is_upper ? Planar{double(m_segments + 3) - double(i),
-                                                 double(m_segments + 3) - double(j)}
-                                        : Planar{double(i) - 1., double(j) - 1.};
-          const double b = step * place[0], c = step * place[1];
+          const Vec2 local_position = is_upper ? Vec2{double(m_segments + 3) - double(i),
+                                                      double(m_segments + 3) - double(j)}
+                                               : Vec2{double(i) - 1., double(j) - 1.};
+          const double b = step * local_position[0], c = step * local_position[1];
           f(begin + j * width() + i, std::array<double, 3>{1. - b - c, b, c});
         }
   }
@@ -102,4 +102,4 @@ private:
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DECAL_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_MAP_DECAL_H

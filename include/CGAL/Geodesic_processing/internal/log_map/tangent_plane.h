@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TANGENT_PLANE_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_TANGENT_PLANE_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_MAP_TANGENT_PLANE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_MAP_TANGENT_PLANE_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
-#include <CGAL/Geodesic_processing/internal/paths/straightest.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include <CGAL/Geodesic_processing/internal/paths/trace_straightest.h>
 
 #include <cmath>
 #include <utility>
@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing::internal {
 // The unit normal of a site: the surfel's own, or on a mesh that of the triangles around, weighted by their
 // areas; zero where these have none.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Spatial site_normal(const Glued_triangles& triangles, Index site);
+Vec3 vertex_normal(const Surface_arrays& triangles, Index vertex);
 
 // The directions in which a surface leaves a place.
 //
@@ -33,45 +33,45 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Tangent_plane
 public:
   // The triangles stay with the caller.
   // Throws Invalid_argument_error at a site without triangles.
-  Tangent_plane(const Glued_triangles& triangles, const Location& at);
+  Tangent_plane(const Surface_arrays& triangles, const Surface_location& location);
 
   // The place, in a triangle, and where it is, scaled.
-  const Location& location() const { return m_at; }
-  const Spatial& point() const { return m_point; }
+  const Surface_location& location() const { return m_location; }
+  const Vec3& point() const { return m_point; }
 
   // The unit vectors in space at the tangent angles 0 and pi / 2; around a site that is no plane, such
   // that its sides are at their own angles in the mean.
-  const Spatial& x() const { return m_x; }
-  const Spatial& y() const { return m_y; }
-  Spatial normal() const { return cross(m_x, m_y); }
-  Spatial direction(double tangent_angle) const
+  const Vec3& x() const { return m_x; }
+  const Vec3& y() const { return m_y; }
+  Vec3 normal() const { return cross(m_x, m_y); }
+  Vec3 direction(double tangent_angle) const
   {
     return std::cos(tangent_angle) * m_x + std::sin(tangent_angle) * m_y;
   }
 
   // Up to which tangent angle there is a surface: 2 pi but at a border.
-  double opening() const { return m_stretch * m_whole; }
+  double total_angle() const { return m_angle_scale * m_total_polar_angle; }
 
   // Of a polar angle, and of the part of a direction in space that lies in the plane.
   // The second throws Invalid_argument_error when there is none.
-  double tangent_angle(double polar_angle) const { return m_stretch * polar_angle; }
-  double tangent_angle(const Spatial& direction) const;
+  double tangent_angle(double polar_angle) const { return m_angle_scale * polar_angle; }
+  double tangent_angle(const Vec3& direction) const;
 
   // The straightest path in a direction; on a mesh.
-  Straightest_path straight(double tangent_angle, double length) const;
+  Straightest_path straightest_path(double tangent_angle, double length) const;
 
 private:
-  void set_axes(const std::vector<std::pair<double, Spatial>>& sides, const Spatial& normal);
+  void set_axes(const std::vector<std::pair<double, Vec3>>& directions, const Vec3& normal);
 
-  const Glued_triangles& m_triangles;
-  Location m_at;
-  Spatial m_point, m_x, m_y;
-  double m_whole = 2. * pi, m_stretch = 1.;
+  const Surface_arrays& m_triangles;
+  Surface_location m_location;
+  Vec3 m_point, m_x, m_y;
+  double m_total_polar_angle = 2. * pi, m_angle_scale = 1.;
   // Where each triangle around begins: a side that leaves the place, or has it inside, and its polar
   // angle; empty inside of a triangle.
-  std::vector<std::pair<Index, double>> m_sides;
+  std::vector<std::pair<Index, double>> m_sectors;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TANGENT_PLANE_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LOG_MAP_TANGENT_PLANE_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SPARSE_SOLVER_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SPARSE_SOLVER_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_SPARSE_SOLVER_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_SPARSE_SOLVER_H
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
@@ -17,10 +17,10 @@ using Vector = Eigen::VectorXd;
 
 // In which order unknowns are eliminated: `quick` is found fast, `sparse` leaves fewer entries, which
 // pays where one pattern is factorized again and again.
-enum class Elimination
+enum class Elimination_order
 {
-  quick,
-  sparse
+  fast,
+  low_fill
 };
 
 // The factorization of a symmetric positive definite matrix, of which the lower triangle is read: by
@@ -34,7 +34,8 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Sparse_solver
 {
 public:
   // Throws Unsupported_surface_error when the matrix is not definite.
-  explicit Sparse_solver(const Sparse_matrix& matrix, Elimination elimination = Elimination::quick);
+  explicit Sparse_solver(const Sparse_matrix& matrix,
+                         Elimination_order order = Elimination_order::fast);
   Sparse_solver(const Sparse_solver& other);
   ~Sparse_solver();
 
@@ -42,7 +43,7 @@ public:
   bool factorize(const Sparse_matrix& matrix);
 
   // May be called by several threads at once.
-  Vector solve(const Vector& right) const;
+  Vector solve(const Vector& rhs) const;
 
   // Each column is a right side, and becomes the solution: thirty-two at once, in a fraction of their
   // time one by one, and sooner where they have few entries near each other.
@@ -55,4 +56,4 @@ private:
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SPARSE_SOLVER_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_SPARSE_SOLVER_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DENSE_PRODUCT_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_DENSE_PRODUCT_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_DENSE_PRODUCT_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_DENSE_PRODUCT_H
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
@@ -16,20 +16,20 @@ using Matrix = Eigen::MatrixXd;
 using Float_matrix = Eigen::MatrixXf;
 
 // Some columns of a matrix, or all.
-using Columns = Eigen::Ref<const Matrix>;
-using Float_columns = Eigen::Ref<const Float_matrix>;
+using Matrix_ref = Eigen::Ref<const Matrix>;
+using Float_matrix_ref = Eigen::Ref<const Float_matrix>;
 
 CGAL_GEODESIC_PROCESSING_EXPORT
-void product(const Columns& a, const Columns& b, Matrix& result);
+void product(const Matrix_ref& a, const Matrix_ref& b, Matrix& result);
 CGAL_GEODESIC_PROCESSING_EXPORT
-void product(const Float_columns& a, const Float_columns& b, Float_matrix& result);
+void product(const Float_matrix_ref& a, const Float_matrix_ref& b, Float_matrix& result);
 
 // Of the transpose of `a` with `b`.
 CGAL_GEODESIC_PROCESSING_EXPORT
-void transposed_product(const Columns& a, const Columns& b, Matrix& result);
+void transposed_product(const Matrix_ref& a, const Matrix_ref& b, Matrix& result);
 CGAL_GEODESIC_PROCESSING_EXPORT
-void transposed_product(const Float_columns& a, const Float_columns& b, Float_matrix& result);
+void transposed_product(const Float_matrix_ref& a, const Float_matrix_ref& b, Float_matrix& result);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DENSE_PRODUCT_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_NUMERICS_DENSE_PRODUCT_H

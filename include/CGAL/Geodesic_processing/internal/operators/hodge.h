@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_HODGE_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_HODGE_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HODGE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HODGE_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
 #include <memory>
@@ -14,11 +14,11 @@ namespace CGAL::Geodesic_processing::internal {
 // Raviart 1973), with one value for all the border: the same operators, where a "corner" is a side and
 // its hat is 1 in its middle and 0 in those of the two others.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Operators operators_of_sides(const Glued_triangles& triangles, const Operators& operators);
+Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators);
 
 // What a field is the sum of, orthogonal to each other, #triangles each: a gradient, the quarter turn of
 // the gradient of a function of sides, and a rest, which is spanned by harmonic_fields().
-struct Hodge_parts
+struct Hodge_components
 {
   Field gradient;
   Field rotation;
@@ -32,15 +32,15 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Hodge_solver
 {
 public:
   // Two factorizations.  Throws Unsupported_surface_error on a cloud, where nothing is glued.
-  Hodge_solver(const Glued_triangles& triangles, Operators operators);
+  Hodge_solver(const Surface_arrays& triangles, Operators operators);
 
-  Hodge_parts decompose(const Field& field) const;
+  Hodge_components decompose(const Field& field) const;
 
 private:
-  Operators m_operators, m_operators_of_sides;
-  std::unique_ptr<Sparse_solver> m_sites, m_sides;
+  Operators m_operators, m_edge_operators;
+  std::unique_ptr<Sparse_solver> m_vertex_solver, m_edge_solver;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_HODGE_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HODGE_H

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_OPERATORS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_OPERATORS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/Sparse_solver.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <array>
 #include <cmath>
@@ -17,17 +17,17 @@ namespace CGAL::Geodesic_processing::internal {
 // A vector for each triangle, in the plane where unfolded() lays it out: the first corner at the
 // origin, side 0 along the first axis.  Functions are given by a value for each site, and are linear
 // in each triangle.
-using Field = std::vector<Planar>;
+using Field = std::vector<Vec2>;
 
 // A symmetric tensor of a triangle's plane: xx, xy, yy.
-using Tensor = std::array<double, 3>;
+using Metric_tensor = std::array<double, 3>;
 
-inline Planar product(const Tensor& tensor, const Planar& p)
+inline Vec2 product(const Metric_tensor& tensor, const Vec2& p)
 {
   return {tensor[0] * p[0] + tensor[1] * p[1], tensor[1] * p[0] + tensor[2] * p[1]};
 }
 
-inline Tensor inverse(const Tensor& a)
+inline Metric_tensor inverse(const Metric_tensor& a)
 {
   const double determinant = a[0] * a[2] - a[1] * a[1];
   return {a[2] / determinant, -a[1] / determinant, a[0] / determinant};
@@ -37,37 +37,41 @@ inline Tensor inverse(const Tensor& a)
 // area zero, and no function has a gradient there; or raised to that height, so that what lies on both
 // sides of them stays joined.  (Corners on one line have lengths that pretend a height of up to 1e-8, the
 // root of rounding; a needle whose short side is tiny is kept, as it joins sites.)
-enum class Flat_triangles
+enum class Degenerate_triangles
 {
-  left_out,
-  raised
+  skipped,
+  thickened
 };
 
 // What gradient, divergence and Laplacian are made of, on a mesh as on the overlapping triangles of a
 // cloud.
 struct Operators
 {
-  std::vector<Index> corner;       // 3 #triangles: the site at each corner
-  std::vector<double> area;        // #triangles: times the weight, or zero
-  Field hat;                       // 3 #triangles: gradient of what is 1 at the corner and linear
-  std::size_t number_of_sites = 0; // also those of no triangle
+  std::vector<Index> corner; // 3 #triangles: the site at each corner
+  std::vector<double> area;  // #triangles: times the weight, or zero
+  Field hat_gradient;        // 3 #triangles: gradient of what is 1 at the corner and linear
+  std::size_t number_of_vertices = 0; // also those of no triangle
 
   std::size_t number_of_triangles() const { return area.size(); }
 };
 
 CGAL_GEODESIC_PROCESSING_EXPORT
-Operators operators(const Glued_triangles& triangles,
-                    Flat_triangles flat = Flat_triangles::left_out);
+Operators operators(const Surface_arrays& triangles,
+                    Degenerate_triangles degenerate = Degenerate_triangles::skipped);
 
 // Whether nothing may pass where lengths are measured so.
-inline bool is_blocked(const Tensor& measure) { return !std::isfinite(measure[0] + measure[2]); }
+inline bool is_blocked(const Metric_tensor& metric)
+{
+  return !std::isfinite(metric[0] + metric[2]);
+}
 
 // Where the length of a vector is that of its product with a tensor A, those of the field that is measured,
 // A J: its divergence is that of J, and the length of a function's gradient what it changes by per
 // measured length.  Triangles through which nothing may pass have no area; flat ones are raised.
 // measure: #triangles, or empty: lengths as they are
 CGAL_GEODESIC_PROCESSING_EXPORT
-Operators measured_operators(const Glued_triangles& triangles, const std::vector<Tensor>& measure);
+Operators metric_operators(const Surface_arrays& triangles,
+                           const std::vector<Metric_tensor>& metric);
 
 // G: #sites to #triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -79,11 +83,11 @@ Field gradient(const Operators& operators, const Vector& function);
 // site's hat function, which is minus the divergence, integrated.  #triangles to #sites; the sum over
 // each component is zero, and no field flows through a border.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Vector divergence(const Operators& operators, const Field& field);
+Vector minus_divergence(const Operators& operators, const Field& field);
 
 // R: a quarter turn to the left in each triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Field turned_left(Field field);
+Field rotated_left(Field field);
 
 // The integral of the product of two fields.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -95,7 +99,7 @@ Vector lumped_mass(const Operators& operators);
 
 // At each site the mean of the lengths of a field's vectors, weighted by areas; zero at sites of no triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Vector mean_lengths(const Glued_triangles& triangles, const Field& field);
+Vector mean_magnitudes(const Surface_arrays& triangles, const Field& field);
 
 // Sites joined by triangles that have area: a label for each site, and how many labels there are.
 // Between components nothing flows.  Sites of no such triangle are components of their own.
@@ -114,21 +118,22 @@ public:
   Sparse_matrix matrix(const Operators& operators) const;
 
   // Overwrites the entries of such a matrix.  O(n)
-  void assemble(const Operators& operators, const std::vector<Tensor>& tensors,
+  void assemble(const Operators& operators, const std::vector<Metric_tensor>& tensors,
                 Sparse_matrix& matrix) const;
 
   // Makes it definite: it does not see the constants of a component.  Solutions vanish at one site of
   // each then, and solve the system as it was, when the right side sums to zero on each component.
   //
   // is_definite: of the first components, which need not be held
-  void hold(Sparse_matrix& matrix, const std::vector<bool>& is_definite = {}) const;
+  void pin(Sparse_matrix& matrix, const std::vector<bool>& is_definite = {}) const;
 
 private:
-  Sparse_matrix m_pattern;                   // all entries zero
-  std::vector<std::array<Index, 6>> m_place; // #triangles: entries of corners 0, 1, 2 and of sides
-  std::vector<Index> m_held;                 // #components: the entry of a site
+  Sparse_matrix m_pattern; // all entries zero
+  std::vector<std::array<Index, 6>>
+      m_entries;               // #triangles: entries of corners 0, 1, 2 and of sides
+  std::vector<Index> m_pinned; // #components: the entry of a site
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_OPERATORS_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ATLAS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_ATLAS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_ATLAS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_ATLAS_H
 
 #include <CGAL/Geodesic_processing/internal/parameterization/charts.h>
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
@@ -28,7 +28,7 @@ struct Atlas
 {
   std::size_t number_of_charts = 0;
   std::vector<Index> chart;           // #triangles
-  std::vector<Planar> coordinates;    // 3 #triangles: of corners
+  std::vector<Vec2> coordinates;      // 3 #triangles: of corners
   std::size_t number_of_flips = 0;    // triangles that do not turn left there
   std::size_t number_of_overlaps = 0; // charts whose border meets itself there
   double coverage = 0.;               // the area of all charts
@@ -41,9 +41,9 @@ struct Atlas
 // front, slowness: as for tessellate()
 // Throws Invalid_argument_error where the texture has no room for the charts.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Atlas make_atlas(std::shared_ptr<const Glued_triangles> triangles, const Front& front,
+Atlas make_atlas(std::shared_ptr<const Surface_arrays> triangles, const Front& front,
                  std::shared_ptr<const std::vector<double>> slowness, const Atlas_options& options);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ATLAS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_ATLAS_H

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CHARTS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_CHARTS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_CHARTS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_CHARTS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/outline.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <cstddef>
 #include <functional>
@@ -17,18 +17,18 @@ namespace CGAL::Geodesic_processing::internal {
 struct Chart
 {
   std::vector<Index> triangles; // of the mesh, those of the shape in their order
-  Glued_triangles shape;        // lengths in the scale of the mesh
-  std::vector<Planar> image;    // #sites of the shape; empty until it is known
+  Surface_arrays surface;       // lengths in the scale of the mesh
+  std::vector<Vec2> image;      // #sites of the shape; empty until it is known
 };
 
 // Cuts out patches, which must be discs, and keeps those that are not empty.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Chart> cut_out(const Glued_triangles& triangles, const std::vector<Index>& patch,
-                           Index number_of_patches);
+std::vector<Chart> extract_charts(const Surface_arrays& triangles, const std::vector<Index>& patch,
+                                  Index number_of_patches);
 
 // The image of the border of a disc, and on request its sides.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Outline outline(const Chart& chart, std::vector<Index>* sides = nullptr);
+Outline outline(const Chart& chart, std::vector<Index>* halfedges = nullptr);
 
 // How many triangles of an image do not turn left.  Exact.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -41,8 +41,8 @@ bool is_injective(const Chart& chart);
 
 struct Chart_options
 {
-  std::size_t most_steps = 20;  // of Newton's method
-  double least_progress = 1e-3; // of a step, of the energy
+  std::size_t max_steps = 20;     // of Newton's method
+  double energy_tolerance = 1e-3; // of a step, of the energy
   unsigned threads = 1;
   std::function<bool(double)> callback; // told the fraction done; false cancels
 };
@@ -53,10 +53,10 @@ struct Chart_options
 //
 // Nothing when the callback cancelled it.  Each chart on its own: threads change nothing.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Chart> injective_charts(const Glued_triangles& triangles,
+std::vector<Chart> injective_charts(const Surface_arrays& triangles,
                                     const std::vector<Index>& patch, Index number_of_patches,
                                     const Chart_options& options = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CHARTS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_CHARTS_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LLE_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_LLE_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_LLE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_LLE_H
 
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <Eigen/Core>
 
@@ -18,7 +18,7 @@ namespace CGAL::Geodesic_processing::internal {
 // How many of its nearest base points each site has to know, for so many neighbours: their distances from each
 // other are measured where fronts meet, which lies somewhat outside now and then.  With half as many more instead of a
 // quarter maps take a seventh longer, and differ where they turn faces round anyway.
-constexpr std::size_t nearest_for(std::size_t neighbors)
+constexpr std::size_t number_of_nearest_for(std::size_t neighbors)
 {
   return neighbors + (neighbors + 2) / 4 + 1;
 }
@@ -35,14 +35,14 @@ Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 //
 // Empty where these are still apart, or the points less than three.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Planar> embedded(const Base_points& base, std::size_t neighbors);
+std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors);
 
 // Where every site goes, one without base points to what is not a number.  Continuous; a base point is where its
 // image is, and a piece of the plane is mapped linearly.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Planar> extended(const Base_points& base, const std::vector<Planar>& images,
-                             std::size_t neighbors);
+std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Vec2>& images,
+                                   std::size_t neighbors);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LLE_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_LLE_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MDS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_MDS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_MDS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_MDS_H
 
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
-#include <CGAL/Geodesic_processing/internal/core/planar.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <functional>
 #include <vector>
@@ -17,10 +17,10 @@ namespace CGAL::Geodesic_processing::internal {
 //
 // Nothing when the callback cancelled it.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Planar> scaled(const Glued_triangles& triangles, Front front,
-                           const std::vector<Index>& base_points,
-                           const std::function<bool(double)>& callback = {});
+std::vector<Vec2> landmark_mds(const Surface_arrays& triangles, Front front,
+                               const std::vector<Index>& base_points,
+                               const std::function<bool(double)>& callback = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MDS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_MDS_H

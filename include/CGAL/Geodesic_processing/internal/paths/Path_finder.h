@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PATH_FINDER_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_PATH_FINDER_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_PATH_FINDER_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_PATH_FINDER_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
-#include <CGAL/Geodesic_processing/internal/core/Queue.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 
 #include <array>
 #include <cstddef>
@@ -28,74 +28,76 @@ namespace CGAL::Geodesic_processing::internal {
 class CGAL_GEODESIC_PROCESSING_EXPORT Path_finder
 {
 public:
-  explicit Path_finder(std::shared_ptr<const Glued_triangles> triangles);
+  explicit Path_finder(std::shared_ptr<const Surface_arrays> triangles);
 
   // Sharpens the lower bound by distances from `number` sites far from each other (Goldberg and
   // Harrelson 2005): on scans a query visits 2 to 4 times fewer sites.  Takes as many times as long
   // as a front over the whole domain, and 4 bytes a site.
-  void add_landmarks(unsigned number);
+  void add_landmarks(unsigned number_of_landmarks);
 
   // A chain of sites from one location to the other, with the points where hops cross sides;
   // consecutive locations are joined by an arc or lie in a common triangle.  One location when the
   // two are the same, none when they are not connected.  The path is not yet straight.
-  std::vector<Location> operator()(const Location& from, const Location& to);
+  std::vector<Surface_location> operator()(const Surface_location& from,
+                                           const Surface_location& to);
 
   // How many sites the last search has visited.
-  std::size_t visited() const { return m_visited; }
+  std::size_t number_of_visited_vertices() const { return m_number_of_visited_vertices; }
 
 private:
-  enum class Way : std::uint8_t
+  enum class Step : std::uint8_t
   {
     start,    // from the location itself
-    arc,      // along a side, or an arc of a cloud
+    edge,     // along a side, or an arc of a cloud
     across,   // over the opposite side of `corner`
     to_right, // and then over the side that leaves its right end
     to_left   // and then over the side that arrives at its left end
   };
-  struct Site
+  struct Vertex
   {
-    double distance, bound; // from the begin, and at least to the end
-    Index from;             // the corner that the way came from; on a cloud, the site
-    Index run = 0;          // the search that it belongs to, plus one when it is final
-    Index goal;             // its place among the goals, or none
-    Way way;
+    double distance, heuristic; // from the begin, and at least to the end
+    Index predecessor;          // the corner that the way came from; on a cloud, the site
+    Index stamp = 0;            // the search that it belongs to, plus one when it is final
+    Index goal_link;            // its place among the goals, or none
+    Step step;
   };
   // The straight way between a location and a site near it.
   struct Link
   {
-    Index site;
+    Index vertex;
     double length;
-    Location crossing; // where it passes a side; triangle == none when it passes none
+    Surface_location crossing; // where it passes a side; triangle == none when it passes none
   };
-  struct Hops
+  struct Shortcuts
   {
     float across = -1.f, to_right, to_left; // -1: not yet known; infinite: not straight
   };
 
-  std::vector<Link> links(const Location& location) const;
-  const Hops& hops(Index corner);
+  std::vector<Link> links(const Surface_location& location) const;
+  const Shortcuts& shortcuts(Index corner);
   template <typename Function>
-  void for_each_way(Index site, Function f);
-  void spread(Index site);
-  void reach(Index site, double distance, Index from, Way way);
-  double bound(Index site) const;
-  void run_everywhere(Index site, std::vector<double>& distance);
+  void for_each_step(Index vertex, Function f);
+  void expand(Index vertex);
+  void relax(Index vertex, double distance, Index from, Step step);
+  double heuristic(Index vertex) const;
+  void compute_all_distances(Index vertex, std::vector<double>& distance);
 
-  std::shared_ptr<const Glued_triangles> m_triangles;
-  std::vector<Hops> m_hops; // #corners, on meshes
-  std::vector<Site> m_sites;
-  Queue m_queue;
+  std::shared_ptr<const Surface_arrays> m_triangles;
+  std::vector<Shortcuts> m_shortcuts; // #corners, on meshes
+  std::vector<Vertex> m_vertices;
+  Vertex_queue m_queue;
   unsigned m_number_of_landmarks = 0;
   std::vector<float> m_landmarks; // #sites times #landmarks: distances; NaN where not reached
-  Index m_run = 0;
-  std::size_t m_visited = 0;
+  Index m_stamp = 0;
+  std::size_t m_number_of_visited_vertices = 0;
 
   // Of the running search
   std::array<double, 3> m_goal_point;
-  std::vector<std::array<double, 2>> m_goal_range; // #landmarks: of the goal's distance from it
-  bool m_has_goal = false;
+  std::vector<std::array<double, 2>>
+      m_goal_distance_range; // #landmarks: of the goal's distance from it
+  bool m_uses_heuristic = false;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PATH_FINDER_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_PATH_FINDER_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PATH_ENERGY_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_PATH_ENERGY_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_PATH_ENERGY_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_PATH_ENERGY_H
 
 #include <CGAL/Geodesic_processing/internal/core/Path_surface.h>
 #include <CGAL/Geodesic_processing/internal/core/export.h>
@@ -14,7 +14,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // What holds the nodes of a path on a surface.
-enum class Path_hold
+enum class Path_constraint
 {
   projected, // each node is a foot
   energy     // squared distances are part of the energy
@@ -22,13 +22,13 @@ enum class Path_hold
 
 struct Path_options
 {
-  Path_hold hold = Path_hold::projected;
-  double alpha = 0.7, beta = 0.7;  // weights of the distances of nodes and of middles of segments
-  std::size_t control_points = 75; // at most
-  double tolerance = 1e-11;        // relative decrease of the energy at which a level ends
+  Path_constraint constraint = Path_constraint::projected;
+  double alpha = 0.7, beta = 0.7; // weights of the distances of nodes and of middles of segments
+  std::size_t number_of_control_points = 75; // at most
+  double tolerance = 1e-11; // relative decrease of the energy at which a level ends
   // At each level at most: the kitten's paths, which need a hundred, get shorter by 1e-6 after these.
-  std::size_t iterations = 40;
-  double spacing = 0.; // control points need not be nearer to each other
+  std::size_t max_iterations = 40;
+  double min_spacing = 0.; // control points need not be nearer to each other
 };
 
 // The energy of a path v_0 .. v_(n+1) (Ruggeri, Darom, Saupe and Kiryati 2006, Eq. 1-4)
@@ -44,7 +44,7 @@ struct Path_options
 struct Path_energy
 {
   double value = 0.;
-  std::vector<Spatial> gradient; // #nodes; zero at the ends
+  std::vector<Vec3> gradient; // #nodes; zero at the ends
 };
 
 // At points, which move to their feet where nodes are projected.
@@ -52,21 +52,23 @@ struct Path_energy
 // share  #segments; feet, middles  of the nodes and of the middles of segments; those given tell
 // where to look.
 CGAL_GEODESIC_PROCESSING_EXPORT
-void evaluate(const Path_surface& surface, const Path_options& options,
-              const std::vector<double>& share, double mean_length, std::vector<Spatial>& points,
-              std::vector<Foot>& feet, std::vector<Foot>& middles, Path_energy& energy);
+void evaluate_energy(const Path_surface& surface, const Path_options& options,
+                     const std::vector<double>& relative_length, double mean_length,
+                     std::vector<Vec3>& points, std::vector<Projection>& feet,
+                     std::vector<Projection>& midpoint_feet, Path_energy& energy);
 
 // A minimum of the energy near to a path, whose ends stay: Polak-Ribiere conjugate gradients,
 // preconditioned by the first sum's own matrix, which is tridiagonal, with a line search that
 // interpolates and never goes up.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Path_energy_level minimize(const Path_surface& surface, const Path_options& options,
-                           const std::vector<double>& share, std::vector<Foot>& path);
+Path_energy_level minimize_energy(const Path_surface& surface, const Path_options& options,
+                                  const std::vector<double>& relative_length,
+                                  std::vector<Projection>& path);
 
 struct Shortened_path
 {
-  std::vector<Foot> points; // the curve, finer than its control points; both ends
-  std::size_t control_points = 0;
+  std::vector<Projection> points; // the curve, finer than its control points; both ends
+  std::size_t number_of_control_points = 0;
   double length = 0.; // along arcs through the points
   double polyline_length = 0.;
   std::vector<Path_energy_level> levels;
@@ -75,36 +77,37 @@ struct Shortened_path
 // Straightens a chain of feet, from few control points to many, by twice as many at each level; then
 // more where a segment leaves the surface, as at a sharp edge or a border.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Shortened_path shortened(const Path_surface& surface, const Path_options& options,
-                         const std::vector<Foot>& chain);
+Shortened_path shorten_path(const Path_surface& surface, const Path_options& options,
+                            const std::vector<Projection>& chain);
 
 // The same of a chain of points near a surface that is known by squared distances alone: nodes are
 // held by the energy.
 // Throws Invalid_argument_error when there are fewer than two points, or one of them or a squared
 // distance is not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Shortened_path shortened(const std::function<double(const Spatial&)>& squared_distance,
-                         Path_options options, const std::vector<Spatial>& chain);
+Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_distance,
+                            Path_options options, const std::vector<Vec3>& chain);
 
 // Sets the points and the lengths of a path to those of a smooth curve through nodes on a surface,
 // with three more points on each segment.
 CGAL_GEODESIC_PROCESSING_EXPORT
-void draw_curve(const Path_surface& surface, const std::vector<Foot>& nodes, Shortened_path& path);
+void fit_curve(const Path_surface& surface, const std::vector<Projection>& nodes,
+               Shortened_path& path);
 
 CGAL_GEODESIC_PROCESSING_EXPORT
-double polyline_length(const std::vector<Foot>& points);
+double polyline_length(const std::vector<Projection>& points);
 
 // Along the arc of a circle between two points that makes the angles with their normals that their
 // chord makes in the mean, or around the edge of their tangent planes where the normals differ by more
 // than 40 degrees: what a chord cuts short counts.
 CGAL_GEODESIC_PROCESSING_EXPORT
-double length_of_arc(const Foot& from, const Foot& to);
+double arc_length(const Projection& from, const Projection& to);
 
 // Of a smooth curve through points: the circle through three consecutive ones says by how much an
 // arc is longer than its chord.  Where they turn by more than 30 degrees there is a corner.
 CGAL_GEODESIC_PROCESSING_EXPORT
-double length_along_arcs(const std::vector<Foot>& points);
+double curve_length(const std::vector<Projection>& points);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PATH_ENERGY_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PATHS_PATH_ENERGY_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MAP_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MAP_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_BASE_MAP_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_BASE_MAP_H
 
 #include <CGAL/Geodesic_processing/internal/remeshing/base_mesh.h>
 
@@ -40,7 +40,7 @@ public:
   // Geodesic distances are exact, in the triangles around each base vertex (Peyré and Cohen 2003,
   // section 4.2).  Off flat places they do not divide edges by length: what they are wrong by there is
   // taken off at all sites, in proportion to their distance from the opposite corner.
-  Base_map(std::shared_ptr<const Base_mesh> base, Base_coordinates kind, bool repairs = true);
+  Base_map(std::shared_ptr<const Base_mesh> base, Base_coordinates kind, bool does_repair = true);
 
   const Base_mesh& base() const { return *m_base; }
   // 3 #triangles of the fine mesh: of each corner, in the base triangle of the region.  On edges the
@@ -48,24 +48,24 @@ public:
   const std::vector<std::array<double, 3>>& coordinates() const { return m_coordinates; }
 
   // How many triangles are folded, and how many regions have been repaired.
-  std::size_t folds() const { return m_folds; }
-  std::size_t repaired() const { return m_repaired; }
+  std::size_t folds() const { return m_number_of_folds; }
+  std::size_t number_of_repaired_regions() const { return m_number_of_repaired_regions; }
 
   // Where a place of the mesh, clean, is on the base.
-  Base_location operator()(const Location& location) const;
+  Base_location operator()(const Surface_location& location) const;
   // The other way; proportional to the triangles of the region.
-  Location inverse(const Base_location& location) const;
+  Surface_location inverse(const Base_location& location) const;
 
 private:
   class Builder;
 
   std::shared_ptr<const Base_mesh> m_base;
   std::vector<std::array<double, 3>> m_coordinates;
-  std::size_t m_folds = 0, m_repaired = 0;
+  std::size_t m_number_of_folds = 0, m_number_of_repaired_regions = 0;
   // Triangles of the fine mesh by the one of the mesh, and of the base, that they are a part of.
-  std::vector<Index> m_first_part, m_part, m_first_of_region, m_of_region;
+  std::vector<Index> m_parent_begin, m_triangles_by_parent, m_region_begin, m_triangles_by_region;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MAP_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_BASE_MAP_H

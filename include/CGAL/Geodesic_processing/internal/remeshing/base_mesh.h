@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MESH_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MESH_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_BASE_MESH_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_BASE_MESH_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/remeshing/remeshing.h>
 
 #include <array>
@@ -19,18 +19,18 @@ struct Base_mesh
 {
   bool is_finished = true; // else there is nothing: a callback cancelled it
   // The base vertices, clean: samples, of which those next to a side or a site have gone there.
-  std::vector<Location> samples;
+  std::vector<Surface_location> samples;
   std::vector<std::array<Index, 3>> triangles; // of base vertices, counterclockwise
   std::vector<Index> twin;                     // 3 #triangles: the opposite side, or none
   std::vector<Index> edge;                     // 3 #triangles: which edge each side is
-  std::vector<Index> side;                     // #edges: the first of its sides
+  std::vector<Index> halfedge;                 // #edges: the first of its sides
   std::vector<std::vector<Index>> path; // #edges: the fine mesh's sites along it, as `side` runs
-  std::vector<Index> site;              // #base vertices: where they are in the fine mesh
+  std::vector<Index> vertex;            // #base vertices: where they are in the fine mesh
 
-  Glued_triangles fine;            // the mesh's sites, and then new ones; with points
-  std::vector<Index> whole;        // #triangles of `fine`: the triangle of the mesh it is a part of
-  std::vector<Index> region;       // #triangles of `fine`: the triangle of the base
-  std::vector<Index> edge_of_side; // #sides of `fine`: the edge that it is a part of, or none
+  Surface_arrays fine;       // the mesh's sites, and then new ones; with points
+  std::vector<Index> parent; // #triangles of `fine`: the triangle of the mesh it is a part of
+  std::vector<Index> region; // #triangles of `fine`: the triangle of the base
+  std::vector<Index> edge_of_halfedge; // #sides of `fine`: the edge that it is a part of, or none
   std::vector<std::array<double, 3>> barycentric; // 3 #triangles of `fine`: of corners, in `whole`
 };
 
@@ -46,17 +46,17 @@ struct Base_mesh
 // coarse     with points
 // samples    of the base, clean, at different places; those on curves lie on their sides
 // triangles  of samples, counterclockwise: a surface with the topology of the mesh
-// is_curve   #sides of the mesh, twins alike: the border, and what else base edges are to follow
+// is_feature   #sides of the mesh, twins alike: the border, and what else base edges are to follow
 //
 // Nothing where an edge finds no way between those before it, as a short path can lead around the wrong
 // side of a handle, or where triangles are so thin that each edge makes the next ones cross many more of
 // them.
 // Near-linear in the size of the mesh and the paths.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
-                                   const std::vector<Location>& samples,
-                                   const std::vector<std::array<Index, 3>>& triangles,
-                                   const std::vector<bool>& is_curve);
+std::optional<Base_mesh> build_base_mesh(const Surface_arrays& coarse,
+                                         const std::vector<Surface_location>& samples,
+                                         const std::vector<std::array<Index, 3>>& triangles,
+                                         const std::vector<bool>& is_feature);
 
 // The same for the samples and triangles of a remeshing.  Where these edges find no way, it has those
 // between cells before any was flipped, and each is drawn within the cells of its ends on the finer
@@ -65,9 +65,9 @@ std::optional<Base_mesh> base_mesh(const Glued_triangles& coarse,
 // Throws Unsupported_surface_error where even so one finds no way, which nothing is known to cause, and
 // what remeshing() throws.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Base_mesh base_mesh(const std::shared_ptr<const Glued_triangles>& triangles,
-                    const Remeshing_goal& goal);
+Base_mesh build_base_mesh(const std::shared_ptr<const Surface_arrays>& triangles,
+                          const Remeshing_options& options);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_BASE_MESH_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_BASE_MESH_H

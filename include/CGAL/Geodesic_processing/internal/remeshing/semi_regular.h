@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SEMI_REGULAR_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SEMI_REGULAR_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_SEMI_REGULAR_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_SEMI_REGULAR_H
 
 #include <CGAL/Geodesic_processing/internal/remeshing/base_map.h>
 #include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
@@ -12,7 +12,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // A base, cut again and again, whose vertices lie on the mesh.
-struct Semi_regular
+struct Semi_regular_mesh
 {
   std::vector<std::array<double, 3>> points; // in the caller's coordinates, level by level
   std::vector<Index> number_of_vertices;     // #levels
@@ -26,13 +26,14 @@ struct Semi_regular
 // farther than this, in the domain's scale, from what is at their places, and at most so many times.
 // coarse: the mesh that the map is of.  Proportional to the result and to the triangles of regions.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Semi_regular semi_regular(const Base_map& map, const Glued_triangles& coarse, unsigned times,
-                          double maximum_deviation = 0.);
+Semi_regular_mesh build_semi_regular_mesh(const Base_map& map, const Surface_arrays& coarse,
+                                          unsigned number_of_levels, double maximum_deviation = 0.);
 
 // The triangles of the base cut into three quads, and these into four, so many times.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Semi_regular semi_regular_quads(const Base_map& map, const Glued_triangles& coarse, unsigned times);
+Semi_regular_mesh build_semi_regular_quads(const Base_map& map, const Surface_arrays& coarse,
+                                           unsigned number_of_levels);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SEMI_REGULAR_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_REMESHING_SEMI_REGULAR_H

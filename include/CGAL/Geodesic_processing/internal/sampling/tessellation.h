@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TESSELLATION_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_TESSELLATION_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SAMPLING_TESSELLATION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SAMPLING_TESSELLATION_H
 
 #include <CGAL/Geodesic_processing/internal/distances/front.h>
 
@@ -14,10 +14,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Tessellation_options
 {
-  std::size_t number = 1; // of cells
-  unsigned most_steps = 20;
-  double least_gain = 1e-3; // of a step, relative: with less the energy stalls
-  bool makes_discs = false; // of the patches of a mesh, by more cells than asked for
+  std::size_t number_of_cells = 1; // of cells
+  unsigned max_steps = 20;
+  double energy_tolerance = 1e-3; // of a step, relative: with less the energy stalls
+  bool does_make_disks = false;   // of the patches of a mesh, by more cells than asked for
   unsigned seed = 0;
   unsigned threads = 1;
   std::function<bool(double)> callback; // told the fraction done; false cancels
@@ -25,7 +25,7 @@ struct Tessellation_options
 
 struct Tessellation
 {
-  std::vector<Location> centers; // one for each cell
+  std::vector<Surface_location> centers; // one for each cell
   std::vector<Index>
       labels; // of each triangle, on a cloud of each site; none where no centre reaches
   std::vector<double>
@@ -41,10 +41,10 @@ struct Tessellation
 // front: Euclidean on a cloud; slowness: as in Front_limits: distances are times then, and areas those of the
 // metric that measures them
 CGAL_GEODESIC_PROCESSING_EXPORT
-Tessellation tessellate(std::shared_ptr<const Glued_triangles> triangles, const Front& front,
+Tessellation tessellate(std::shared_ptr<const Surface_arrays> triangles, const Front& front,
                         std::shared_ptr<const std::vector<double>> slowness,
                         const Tessellation_options& options);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TESSELLATION_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SAMPLING_TESSELLATION_H

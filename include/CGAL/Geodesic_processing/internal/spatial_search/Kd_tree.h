@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_KD_TREE_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_KD_TREE_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_KD_TREE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_KD_TREE_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <array>
 #include <cstddef>
@@ -71,7 +71,7 @@ public:
   // follow each other.  False when these have more than `most` points in all.
   CGAL_GEODESIC_PROCESSING_EXPORT
   bool leaves_near(const std::vector<Point>& points, Index first, Index last,
-                   double squared_distance, std::size_t most,
+                   double squared_distance, std::size_t max_number,
                    std::vector<std::pair<Index, Index>>& result) const;
 
 private:
@@ -96,4 +96,4 @@ private:
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_KD_TREE_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_KD_TREE_H

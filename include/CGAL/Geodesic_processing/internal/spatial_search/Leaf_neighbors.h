@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LEAF_NEIGHBORS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_LEAF_NEIGHBORS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_LEAF_NEIGHBORS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_LEAF_NEIGHBORS_H
 
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
 
@@ -36,27 +36,27 @@ public:
 
 private:
   // Arrays of coordinates, and the place of each.
-  struct Gathered
+  struct Gathered_points
   {
     std::vector<double> x, y, z;
-    std::vector<Index> place;
+    std::vector<Index> index;
 
     void clear();
-    void fill_up();
+    void pad();
     void append(const std::vector<Kd_tree::Point>& points, std::pair<Index, Index> range);
   };
 
   const std::vector<Kd_tree::Point>& m_points;
   const Kd_tree& m_tree;
   std::size_t m_size;
-  Gathered m_around;
+  Gathered_points m_gathered;
   std::vector<std::pair<Index, Index>> m_leaves;
-  std::vector<double> m_kept;
-  std::vector<Index> m_kept_place;
+  std::vector<double> m_candidate_distances;
+  std::vector<Index> m_candidate_indices;
   std::vector<unsigned char> m_is_taken;
   std::vector<Neighbor> m_rows, m_row;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LEAF_NEIGHBORS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_LEAF_NEIGHBORS_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_HIERARCHY_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_HIERARCHY_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_HIERARCHY_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_HIERARCHY_H
 
 #include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
 
@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 struct Hierarchy
 {
   std::shared_ptr<const Subdivision> subdivision;
-  std::vector<Index> vertex; // #vertices of the subdivision: which it is among those given
+  std::vector<Index> input_vertex; // #vertices of the subdivision: which it is among those given
 };
 
 // Finds coarser levels as long as there are any, by tiles of four triangles (Taubin 2002): a middle one decides
@@ -25,8 +25,8 @@ struct Hierarchy
 // Throws as subdivide() does.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number_of_vertices,
-                            unsigned most_levels);
+                            unsigned max_number_of_levels);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_HIERARCHY_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_HIERARCHY_H

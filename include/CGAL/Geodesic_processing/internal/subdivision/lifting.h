@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_LIFTING_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_LIFTING_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_LIFTING_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_LIFTING_H
 
 #include <CGAL/Geodesic_processing/internal/subdivision/subdivision.h>
 
@@ -21,16 +21,17 @@ enum class Prediction
 };
 
 // Weights of vertices of a level, for each midpoint a row.
-struct Stencils
+struct Prediction_stencils
 {
-  std::vector<Index> first; // #midpoints + 1
+  std::vector<Index> begin; // #midpoints + 1
   std::vector<Index> vertex;
   std::vector<double> weight; // those of a row sum up to one
 };
 
 // The rows of all midpoints of a level, in their order.  O(n) for bounded valence.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Stencils stencils(const Subdivision& subdivision, std::size_t level, Prediction prediction);
+Prediction_stencils prediction_stencils(const Subdivision& subdivision, std::size_t level,
+                                        Prediction prediction);
 
 // Wavelets over a subdivision by lifting (Sweldens 1998; Schröder and Sweldens 1995): a level's midpoints become
 // details, what their prediction lacks; then, on request, the other vertices are updated by them so that the
@@ -40,7 +41,7 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Lifting
 {
 public:
   // Every vertex of the finest level weighs one.
-  Lifting(std::shared_ptr<const Subdivision> subdivision, Prediction prediction, bool is_updating);
+  Lifting(std::shared_ptr<const Subdivision> subdivision, Prediction prediction, bool use_update);
 
   const Subdivision& subdivision() const { return *m_subdivision; }
 
@@ -58,12 +59,12 @@ private:
               double sign) const;
   void predict(std::vector<double>& values, std::size_t channels, std::size_t level,
                double sign) const;
-  void turn(std::vector<double>& values, std::size_t level, bool is_into_frames) const;
+  void rotate_details(std::vector<double>& values, std::size_t level, bool is_forward) const;
 
   std::shared_ptr<const Subdivision> m_subdivision;
-  std::vector<Stencils> m_stencils; // of each level but the last
+  std::vector<Prediction_stencils> m_stencils; // of each level but the last
   std::vector<std::vector<double>> m_weights;
-  bool m_is_updating;
+  bool m_use_update;
 };
 
 // By what the details of each vertex are to be multiplied such that equal numbers change the sum of the squares of
@@ -79,4 +80,4 @@ void keep_largest(std::vector<double>& values, std::size_t channels, const Subdi
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_LIFTING_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_LIFTING_H

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_SUBDIVISION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_SUBDIVISION_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 
 #include <array>
 #include <vector>
@@ -42,31 +42,31 @@ struct Subdivision
   Index number_of_vertices() const { return levels.back().number_of_vertices; }
 };
 
-inline Index corner(const Subdivision::Level& level, Index side)
+inline Index source_vertex(const Subdivision::Level& level, Index h)
 {
-  return level.triangles[side / 3][side % 3];
+  return level.triangles[h / 3][h % 3];
 }
 
-inline std::array<Index, 2> ends(const Subdivision::Level& level, Index side)
+inline std::array<Index, 2> edge_vertices(const Subdivision::Level& level, Index h)
 {
-  return {corner(level, side), corner(level, next_side(side))};
+  return {source_vertex(level, h), source_vertex(level, next_halfedge(h))};
 }
 
 // The vertex opposite to a side in its triangle.
-inline Index opposite(const Subdivision::Level& level, Index side)
+inline Index opposite_vertex(const Subdivision::Level& level, Index h)
 {
-  return corner(level, previous_side(side));
+  return source_vertex(level, previous_halfedge(h));
 }
 
 // True for one of a side and its twin.
-inline bool is_first_of_edge(const Subdivision::Level& level, Index side)
+inline bool is_edge_representative(const Subdivision::Level& level, Index h)
 {
-  return level.twin[side] == none || side < level.twin[side];
+  return level.twin[h] == none || h < level.twin[h];
 }
 
 // Whether a half-edge structure can hold it: a vertex with triangles all around has no others.
 CGAL_GEODESIC_PROCESSING_EXPORT
-bool is_mesh(const Subdivision::Level& level);
+bool is_halfedge_mesh(const Subdivision::Level& level);
 
 // Cuts triangles `times` times.  O(size of the result), 60 bytes for each of its triangles.
 //
@@ -83,7 +83,7 @@ void subdivide(Subdivision& subdivision);
 
 // A place in a triangle of the coarsest level: the shares of its corners times a common denominator, so
 // that sums and comparisons are exact.
-struct Base_place
+struct Coarse_location
 {
   Index triangle = none;                     // none of a vertex that no triangle names
   std::array<Index, 3> coordinates{0, 0, 0}; // their sum is the denominator
@@ -91,16 +91,16 @@ struct Base_place
 
 // #vertices: where each lies, in the first triangle that it belongs to.  The denominator is 2^times.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Base_place> base_places(const Subdivision& subdivision);
+std::vector<Coarse_location> coarse_locations(const Subdivision& subdivision);
 
 // The quads of the second scheme of the paper (Peyré and Cohen 2003, figure 19): each triangle is cut into
 // three quads, corner k, the middle of side k, the centre, the middle of side k-1; these then into four, again and
 // again, child k at corner k.
 struct Quad_subdivision
 {
-  std::vector<std::vector<Quad>> levels; // the first holds the three quads of each triangle
-  std::vector<Index> number_of_vertices; // of each level, with those of the triangles
-  std::vector<Base_place> places;        // #vertices
+  std::vector<std::vector<Quad>> levels;  // the first holds the three quads of each triangle
+  std::vector<Index> number_of_vertices;  // of each level, with those of the triangles
+  std::vector<Coarse_location> locations; // #vertices
   std::vector<std::vector<Index>>
       parents; // #vertices: those of whose level each is the centre: of a side two,
                //   of a triangle three, of a quad four; of others none
@@ -114,4 +114,4 @@ Quad_subdivision subdivide_into_quads(const std::vector<Triangle>& triangles,
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_SUBDIVISION_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_ZEROTREE_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_ZEROTREE_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_ZEROTREE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_ZEROTREE_H
 
 #include <CGAL/Geodesic_processing/internal/subdivision/lifting.h>
 
@@ -29,38 +29,39 @@ struct Wavelet_signal
 {
   std::size_t channels = 0;
   Prediction prediction = Prediction::butterfly;
-  bool is_updating = true, is_in_frames = false;
+  bool use_update = true, is_in_frames = false;
   std::vector<double> values; // #vertices * channels, after analysis
 };
 
 // planes: bits of the largest number, 1 to 48
-// tangent_planes: how many planes later details along the surface come than those along its normal
-// most_bytes: the stream ends there, within the last plane
+// tangent_shift: how many planes later details along the surface come than those along its normal
+// max_number_of_bytes: the stream ends there, within the last plane
 // Throws Invalid_argument_error when the surface has no vertices, or values are not finite.
 // O(size of the stream + planes * n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::uint8_t> encode(const Subdivision& subdivision, const Wavelet_signal& signal,
-                                 unsigned planes, unsigned tangent_planes = 2,
-                                 std::size_t most_bytes = static_cast<std::size_t>(-1));
+                                 unsigned planes, unsigned tangent_shift = 2,
+                                 std::size_t max_number_of_bytes = static_cast<std::size_t>(-1));
 
-struct Decoding
+struct Decoded_wavelets
 {
   std::shared_ptr<const Subdivision> subdivision;
   Wavelet_signal signal;
-  std::size_t planes = 0;        // read as a whole
-  std::size_t planes_in_all = 0; // that the encoder has begun with
+  std::size_t planes = 0;       // read as a whole
+  std::size_t total_planes = 0; // that the encoder has begun with
   bool is_damaged = false; // bytes are not what the encoder wrote: only those before them are used
 };
 
 // Throws Invalid_argument_error where not even the base mesh can be read, or where the surface would have more
-// vertices than `most_vertices`.
+// vertices than `max_number_of_vertices`.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Decoding decode(const std::uint8_t* bytes, std::size_t size, std::size_t most_vertices);
+Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,
+                        std::size_t max_number_of_vertices);
 
 // The values that a stream stands for.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<double> synthesis(const Decoding& decoding);
+std::vector<double> decoded_values(const Decoded_wavelets& decoding);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_ZEROTREE_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SUBDIVISION_ZEROTREE_H

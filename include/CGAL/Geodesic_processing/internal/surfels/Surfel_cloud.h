@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_CLOUD_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_CLOUD_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_CLOUD_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_CLOUD_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
-#include <CGAL/Geodesic_processing/internal/mesh/locality.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
 #include <CGAL/Geodesic_processing/surfel_variants.h>
 
@@ -14,7 +14,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-struct Cloud_options
+struct Surfel_cloud_options
 {
   Surfel_graph graph = Surfel_graph::extended_spheres;
   std::size_t neighbors = 20; // how many of its nearest surfels each looks at, or is joined to
@@ -25,21 +25,21 @@ struct Cloud_options
   std::size_t rank = 8;
   // Of the spheres of influence, in radii: those of a lattice then meet in sixteen directions, in which
   // chains are 2.7 % too long at most; with 1 in eight, 8 %.
-  double influence = 1.4142135623730951;
+  double influence_ratio = 1.4142135623730951;
   unsigned threads = 1; // changes nothing but the time
 };
 
 // Surfels in the order of their kd-tree, and a proximity graph: what paths on a cloud need.
 struct Surfel_cloud : Sorted_surfels
 {
-  std::vector<double> radius;   // #sites
-  std::vector<double> spacing;  // #sites: the distance to the sixth nearest site
-  std::vector<double> seen;     // #sites: that up to which all sites have been looked at
-  Site_graph graph;             // symmetric; without lengths
-  std::vector<Index> component; // #sites: 0 .. number_of_components - 1
+  std::vector<double> radius;        // #sites
+  std::vector<double> spacing;       // #sites: the distance to the sixth nearest site
+  std::vector<double> search_radius; // #sites: that up to which all sites have been looked at
+  Proximity_graph graph;             // symmetric; without lengths
+  std::vector<Index> component;      // #sites: 0 .. number_of_components - 1
   Index number_of_components = 0;
 
-  std::size_t number_of_sites() const { return point.size(); }
+  std::size_t number_of_vertices() const { return point.size(); }
 };
 
 // Reads a cloud.
@@ -56,12 +56,12 @@ struct Surfel_cloud : Sorted_surfels
 //
 // A frame may be given, of a cloud that is hardly another one, to have both in one.
 //
-// Throws as glue_surfels().  O(n log n).
+// Throws as build_surfel_arrays().  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
-Surfel_cloud make_cloud(std::vector<Spatial> points, std::vector<Spatial> normals,
-                        const std::vector<double>& radii = {}, const Cloud_options& options = {},
-                        const Frame* frame = nullptr);
+Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
+                        const std::vector<double>& radii = {},
+                        const Surfel_cloud_options& options = {}, const Frame* frame = nullptr);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_CLOUD_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_CLOUD_H

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_SURFACE_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_SURFACE_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_SURFACE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_SURFACE_H
 
 #include <CGAL/Geodesic_processing/internal/core/Path_surface.h>
 #include <CGAL/Geodesic_processing/internal/surfels/Surfel_cloud.h>
-#include <CGAL/Geodesic_processing/internal/surfels/Surfel_vicinity.h>
+#include <CGAL/Geodesic_processing/internal/surfels/Surfel_coverage.h>
 
 #include <vector>
 
@@ -37,7 +37,7 @@ enum class Surfel_fit
 // neighbours' where that is less, because next to a gap a surfel's neighbours are farther away.  One
 // radius would leave holes of 2 % of the area in random samples, 1.5 of 0.01 %.  Nor is it farther than
 // 1.1 times the radius that one in ten of the neighbours exceeds: a surfel beside denser ones, alone in
-// a hole of a scan, does not close that.  And all feet are as near to surfels as Surfel_vicinity wants,
+// a hole of a scan, does not close that.  And all feet are as near to surfels as Surfel_coverage wants,
 // as the site and its neighbours know it: a foot farther away is drawn to the ball that it misses least.
 class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
 {
@@ -46,38 +46,42 @@ public:
   //
   // home  #sites, or empty where both have the same: the site of the vicinity's cloud, in the same
   //       frame, that each comes from
-  Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit, const Surfel_vicinity& vicinity,
-                 const std::vector<Index>& home);
+  Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit, const Surfel_coverage& coverage,
+                 const std::vector<Index>& original_vertex);
 
   // `near` is a site.
-  Foot foot(const Spatial& point, Index near) const override;
-  Spatial drawn_near(const Spatial& point, Index near) const override;
+  Projection project(const Vec3& point, Index near_vertex) const override;
+  Vec3 clamped_to_coverage(const Vec3& point, Index near_vertex) const override;
 
   // The length of a walk over arcs from one site to another, nearer to it with each; infinite where it
   // does not arrive.
-  double walk(Index from, Index to) const;
+  double walk_length(Index from, Index to) const;
 
   const Surfel_cloud& cloud() const { return m_cloud; }
 
 private:
-  Index nearest(const Spatial& point, Index near) const;
-  Index home(Index site) const { return m_home.empty() ? site : m_home[site]; }
-  Foot free_foot(const Spatial& point, Index near) const;
-  bool holds(const Spatial& point, Index site) const;
-  Foot on_disk(const Spatial& point, Index site) const;
-  bool step(Foot& foot) const;
+  Index nearest(const Vec3& point, Index near_vertex) const;
+  Index original_vertex(Index vertex) const
+  {
+    return m_original_vertex.empty() ? vertex : m_original_vertex[vertex];
+  }
+  Projection project_unclamped(const Vec3& point, Index near_vertex) const;
+  bool is_covered(const Vec3& point, Index vertex) const;
+  Projection project_to_disk(const Vec3& point, Index vertex) const;
+  bool project_step(Projection& projection) const;
   template <typename Visit>
-  void visit(const Spatial& point, Index site, Visit v) const;
-  void correct(const Foot& from, double curvature, Foot& foot) const;
+  void visit_neighbors(const Vec3& point, Index vertex, Visit v) const;
+  void add_quadric_correction(const Projection& from, double curvature,
+                              Projection& projection) const;
 
   const Surfel_cloud& m_cloud;
   Surfel_fit m_fit;
-  const Surfel_vicinity& m_vicinity;
-  const std::vector<Index>& m_home;
-  std::vector<double> m_squared_support, m_disk, m_reach; // #sites
-  std::vector<double> m_factor;                           // #sites: of robust weights, else none
+  const Surfel_coverage& m_coverage;
+  const std::vector<Index>& m_original_vertex;
+  std::vector<double> m_squared_support, m_disk_radius, m_extent; // #sites
+  std::vector<double> m_robust_weight; // #sites: of robust weights, else none
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_SURFACE_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_SURFACE_H

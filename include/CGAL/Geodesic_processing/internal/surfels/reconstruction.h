@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTION_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTION_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_RECONSTRUCTION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_RECONSTRUCTION_H
 
-#include <CGAL/Geodesic_processing/internal/mesh/glue.h>
-#include <CGAL/Geodesic_processing/internal/surfels/surfels.h>
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_arrays.h>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -14,8 +14,8 @@ namespace CGAL::Geodesic_processing::internal {
 // Throws Unsupported_surface_error when the cloud is not clean: noise makes a surface of many parts.
 // O(n log n), and O(n) for each part.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Glued_mesh reconstruction(const Glued_surfels& surfels);
+Mesh_arrays reconstruct_surface(const Surfel_arrays& surfels);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_RECONSTRUCTION_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_RECONSTRUCTION_H

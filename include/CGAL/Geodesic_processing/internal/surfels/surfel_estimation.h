@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_ESTIMATION_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_ESTIMATION_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_ESTIMATION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_ESTIMATION_H
 
 #include <CGAL/Geodesic_processing/internal/core/export.h>
-#include <CGAL/Geodesic_processing/internal/core/spatial.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Estimated_surfels
 {
-  std::vector<Spatial> normals;     // #points
+  std::vector<Vec3> normals;        // #points
   std::vector<double> radii;        // #points
   std::vector<std::size_t> removed; // outliers, which have no radius
 };
@@ -25,9 +25,9 @@ struct Estimated_surfels
 // Throws Invalid_argument_error when a coordinate is not finite or a number makes no sense, and
 // Unsupported_surface_error when there are fewer points than neighbours.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
-Estimated_surfels estimate_surfels(const std::vector<Spatial>& points, unsigned neighbors,
+Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned number_of_neighbors,
                                    double outlier_percentage, unsigned threads = 1);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFEL_ESTIMATION_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_SURFELS_SURFEL_ESTIMATION_H

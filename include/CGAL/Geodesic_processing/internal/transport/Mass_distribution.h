@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MASS_DISTRIBUTION_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_MASS_DISTRIBUTION_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_MASS_DISTRIBUTION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_MASS_DISTRIBUTION_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/Sparse_solver.h>
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
@@ -15,8 +15,8 @@ namespace CGAL::Geodesic_processing::internal {
 // A sum of any of these.
 struct Mass_distribution
 {
-  Vector at_sites; // #sites, or empty
-  std::vector<std::pair<Location, double>>
+  Vector at_vertices; // #sites, or empty
+  std::vector<std::pair<Surface_location, double>>
       at_locations; // no matter whether at sites or in triangles
   Vector density;   // #sites, or empty: linear in each triangle, per square of the caller's unit
 };
@@ -25,21 +25,21 @@ struct Mass_distribution
 // a triangle is shared by its corners as its barycentric coordinates are.  The areas are those of
 // operators().
 CGAL_GEODESIC_PROCESSING_EXPORT
-Vector masses_at_sites(const Glued_triangles& triangles, const std::vector<double>& area,
-                       const Mass_distribution& masses);
+Vector masses_at_vertices(const Surface_arrays& triangles, const std::vector<double>& area,
+                          const Mass_distribution& masses);
 
 // The same masses on triangles that were divided in four.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Mass_distribution refined(const Glued_triangles& coarse, const Glued_triangles& fine,
+Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                           const Mass_distribution& masses);
 
 // What is to be moved: `to` less `from`, each scaled to a sum of one on request.  Throws
 // Invalid_argument_error when a mass is not finite, the sums differ, or nothing can be scaled.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Mass_distribution difference(const Glued_triangles& triangles, const std::vector<double>& area,
+Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,
                              const Mass_distribution& from, const Mass_distribution& to,
                              bool do_normalize);
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MASS_DISTRIBUTION_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_MASS_DISTRIBUTION_H

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_BIHARMONIC_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_BIHARMONIC_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_BIHARMONIC_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_BIHARMONIC_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/dense_product.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 #include <CGAL/Geodesic_processing/internal/transport/particular_fields.h>
@@ -21,7 +21,7 @@ class CGAL_GEODESIC_PROCESSING_EXPORT Biharmonic_distances
 {
 public:
   // Throws Unsupported_surface_error when there is no triangle with an area.
-  explicit Biharmonic_distances(const Glued_triangles& triangles);
+  explicit Biharmonic_distances(const Surface_arrays& triangles);
 
   // Of all pairs of columns of masses, which are one in all; infinite between components.  Symmetric.
   Matrix all_pairs(const Masses& masses) const;
@@ -33,12 +33,13 @@ public:
 private:
   Operators m_operators;
   std::vector<Index> m_component; // #sites
-  std::size_t m_components = 0;
+  std::size_t m_number_of_components = 0;
   Vector m_mass;           // #sites
   Vector m_component_mass; // #components
   std::unique_ptr<Sparse_solver> m_solver;
-  mutable std::once_flag m_is_known;
-  mutable Vector m_square; // #sites: of the distance to the site of the component that is held
+  mutable std::once_flag m_squares_computed;
+  mutable Vector
+      m_squared_distances; // #sites: of the distance to the site of the component that is held
 
   Matrix green_functions(const Masses& masses) const;
   Matrix component_masses(const Masses& masses) const;
@@ -46,4 +47,4 @@ private:
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_BIHARMONIC_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_BIHARMONIC_H

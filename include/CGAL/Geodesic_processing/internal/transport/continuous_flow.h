@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CONTINUOUS_FLOW_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_CONTINUOUS_FLOW_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_CONTINUOUS_FLOW_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_CONTINUOUS_FLOW_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
 #include <vector>
@@ -15,9 +15,10 @@ namespace CGAL::Geodesic_processing::internal {
 // (1977): its divergence is constant there.
 struct Continuous_flow
 {
-  std::vector<double> outward; // #sides: what flows out of the triangle there, zero at a border
-  std::vector<double> missing; // #triangles: what stays there
-  double cost = 0.;            // never less than that of the best way, spreading included
+  std::vector<double>
+      outward_flux; // #sides: what flows out of the triangle there, zero at a border
+  std::vector<double> absorbed_mass; // #triangles: what stays there
+  double cost = 0.;                  // never less than that of the best way, spreading included
 };
 
 // The one near a field that may start and end within triangles' sides, shortened along all fields that
@@ -28,9 +29,9 @@ struct Continuous_flow
 //
 // Of meshes only.  Two factorizations and some hundred solutions.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Continuous_flow continuous_flow(const Glued_triangles& triangles, const Operators& operators,
-                                const Field& flow, const std::vector<Tensor>& measure = {});
+Continuous_flow continuous_flow(const Surface_arrays& triangles, const Operators& operators,
+                                const Field& flow, const std::vector<Metric_tensor>& metric = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CONTINUOUS_FLOW_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_CONTINUOUS_FLOW_H

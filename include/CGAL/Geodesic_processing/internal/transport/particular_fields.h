@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARTICULAR_FIELDS_H
-#define CGAL_GEODESIC_PROCESSING_INTERNAL_PARTICULAR_FIELDS_H
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_PARTICULAR_FIELDS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_PARTICULAR_FIELDS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Glued_triangles.h>
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/dense_product.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
@@ -31,7 +31,7 @@ using Masses = Eigen::SparseMatrix<double>;
 // A unit of mass at each location, shared by the corners of its triangle as its barycentric coordinates
 // are.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Masses masses_at(const Glued_triangles& triangles, const std::vector<Location>& locations);
+Masses masses_at(const Surface_arrays& triangles, const std::vector<Surface_location>& locations);
 
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector as_column(const Operators& operators, const Field& field);
@@ -49,7 +49,7 @@ public:
   // falls apart into pieces that meet at sites alone.  Gradients are orthogonal to harmonic fields
   // anyway: then these are found only on request.  Throws Unsupported_surface_error when they would take
   // more than 2 GB.
-  Particular_fields(const Glued_triangles& triangles, const Operators& operators,
+  Particular_fields(const Surface_arrays& triangles, const Operators& operators,
                     Particular_field kind, bool with_harmonic_fields = true);
   ~Particular_fields();
 
@@ -80,20 +80,20 @@ public:
 private:
   struct Tree;
 
-  const Glued_triangles& m_triangles;
+  const Surface_arrays& m_triangles;
   const Operators& m_operators;
   Particular_field m_kind;
   std::vector<Index> m_component;
-  std::unique_ptr<Sparse_solver> m_poisson; // of all sites
-  std::unique_ptr<Sparse_solver> m_inner;   // of functions that vanish on the border
-  std::vector<bool> m_is_border;            // #sites
+  std::unique_ptr<Sparse_solver> m_poisson_solver; // of all sites
+  std::unique_ptr<Sparse_solver> m_inner_solver;   // of functions that vanish on the border
+  std::vector<bool> m_is_border;                   // #sites
   std::unique_ptr<Tree> m_tree;
-  std::vector<std::array<Planar, 2>>
-      m_slope;   // #triangles: gradients of corners 1 and 2, as columns
-  Vector m_star; // #sites: the area of the triangles around each
+  std::vector<std::array<Vec2, 2>>
+      m_hat_gradients; // #triangles: gradients of corners 1 and 2, as columns
+  Vector m_ring_area;  // #sites: the area of the triangles around each
   Matrix m_harmonic;
 };
 
 } // namespace CGAL::Geodesic_processing::internal
 
-#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_PARTICULAR_FIELDS_H
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_PARTICULAR_FIELDS_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where are masses at six places in the mean, at the least sum of squared distances?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Map = Mesh::Property_map<Vertex, double>;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || mesh.number_of_vertices() < 7)
+    return std::cerr << "usage: barycenter_of_six_masses MESH RESULT.ply\n", EXIT_FAILURE;
+
+  // A round heap at each of six tips, which are far from each other.
+  std::vector<Vertex> tips = {Vertex(0)}; // not one of them
+  auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
+  while(tips.size() < 7)
+  {
+    GP::geodesic_distances(mesh, tips, distance);
+    tips.push_back(*std::max_element(mesh.vertices().begin(), mesh.vertices().end(),
+                                     [&](Vertex v, Vertex w)
+                                     { return distance[v] < distance[w]; }));
+  }
+  tips.erase(tips.begin());
+  const GP::Geodesic_distance_solver<Mesh> prepared_solver(mesh);
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double width = 0.04 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  auto heap_density = mesh.add_property_map<Vertex, double>("v:density", 0.).first;
+  std::vector<GP::Mass_density<Map>> masses;
+  for(Vertex tip : tips)
+  {
+    const std::string name = "v:heap " + std::to_string(masses.size());
+    masses.push_back(GP::mass_density(mesh.add_property_map<Vertex, double>(name).first));
+    GP::Geodesic_distance_solver<Mesh> solver = prepared_solver;
+    solver.compute(tip);
+    for(Vertex v : mesh.vertices())
+    {
+      masses.back().map[v] = std::exp(-std::pow(solver.distance(v) / width, 2));
+      heap_density[v] += masses.back().map[v];
+    }
+  }
+
+  GP::Transport_barycenter_solver<Mesh> solver(mesh);
+  const auto cost = solver.compute(masses, GP::parameters::do_normalize(true));
+  const auto point = GP::geodesic_barycenter(mesh, tips);
+  std::cout << "From heaps at six tips squared distances sum to " << cost.lower
+            << " at least, and to " << cost.upper << " from what is shown in yellow.\n"
+            << "From the best vertex to the tips they sum to " << point.value << ".\n";
+
+  // Heaps are negative, their barycenter positive; beside it the same from behind.
+  auto mean = mesh.add_property_map<Vertex, double>("v:mean").first;
+  solver.write_density(mean);
+  const double highest = *std::max_element(mean.begin(), mean.end());
+  for(Vertex v : mesh.vertices())
+    heap_density[v] = std::sqrt(mean[v] / highest) - heap_density[v];
+  Mesh back_view = mesh;
+  for(Vertex v : back_view.vertices())
+    back_view.point(v) = {box.xmin() + box.xmax() + 1.1 * box.x_span() - back_view.point(v).x(),
+                          back_view.point(v).y(), box.zmin() + box.zmax() - back_view.point(v).z()};
+  mesh += back_view;
+  return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where on a base is each place of a mesh? Lines of equal share of the nearest corner, across base edges as well.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(argc != 4 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+  {
+    std::cerr << "usage: barycentric_isolines MESH NUMBER RESULT.ply\n";
+    return EXIT_FAILURE;
+  }
+
+  const GP::Base_parameterization<Mesh> base(mesh, std::stoul(argv[2]));
+
+  // One at base vertices, a third in the middle of base faces; vertices without faces have none.
+  const auto max_coordinate =
+      mesh.add_property_map<Mesh::Vertex_index, double>("v:share", 0.).first;
+  for(const auto v : mesh.vertices())
+    if(!mesh.is_isolated(v))
+    {
+      const auto coordinates = base(v).barycentric;
+      max_coordinate[v] = *std::max_element(coordinates.begin(), coordinates.end());
+    }
+
+  // From the nearest base vertex.
+  std::vector<GP::Base_parameterization<Mesh>::Location> corners;
+  for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
+    corners.push_back(base.base_vertex(i));
+  const auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
+  GP::geodesic_distances(mesh, corners, distance);
+  std::cout << base.number_of_base_faces() << " base faces, of which " << base.repaired_faces()
+            << " have mean value coordinates; " << base.folds() << " folds.\n";
+  return CGAL::IO::write_polygon_mesh(argv[3], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How much better do samples describe a surface when creases attract them?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || is_empty(mesh))
+  {
+    std::cerr << "usage: curvature_adapted_sampling MESH RESULT.ply\n";
+    return EXIT_FAILURE;
+  }
+
+  auto speed = mesh.add_property_map<Vertex, double>("v:speed", 1.).first;
+  auto nearest = mesh.add_property_map<Vertex, std::size_t>("v:nearest").first;
+  std::vector<GP::Location<Mesh>> samples;
+  const auto print_error = [&](const char* description)
+  {
+    samples.clear();
+    GP::farthest_point_sampling(mesh, 1000, std::back_inserter(samples),
+                                GP::parameters::speed_map(speed).source_label_map(nearest));
+    // How far is a vertex from the plane of its sample's face?
+    double sum = 0.;
+    for(Vertex v : mesh.vertices())
+      if(nearest[v] < samples.size())
+      {
+        const auto& sample = samples[nearest[v]];
+        const auto normal = PMP::compute_face_normal(sample.first, mesh);
+        sum += std::abs(normal * (mesh.point(v) - PMP::construct_point(sample, mesh)));
+      }
+    std::cout << "Planes at 1000 samples, " << description << ", leave "
+              << sum / double(mesh.number_of_vertices()) << ".\n";
+  };
+  print_error("spread evenly");
+  GP::curvature_speeds<GP::Edge_repulsive>(mesh, speed);
+  print_error("driven away from creases");
+  GP::curvature_speeds<GP::Edge_attractive>(mesh, speed);
+  print_error("drawn to creases");
+  GP::geodesic_distances(mesh, samples, mesh.add_property_map<Vertex, double>("v:distance").first);
+  return CGAL::IO::write_polygon_mesh(argv[2], mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Over which places would the way between two others be shorter than their distance?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Distances = std::vector<double>;
+
+namespace GP = CGAL::Geodesic_processing;
+
+// What a detour takes more than the distance, over that; negative where the triangle inequality fails.
+Distances compute_detours(const char* name, const Distances& p, const Distances& q,
+                          std::size_t p_index, std::size_t q_index)
+{
+  const double there = p[q_index], back = q[p_index], distance = 0.5 * (there + back);
+  Distances result;
+  std::size_t number_of_violations = 0;
+  for(std::size_t v = 0; v < p.size(); ++v)
+  {
+    result.push_back((p[v] + q[v]) / distance - 1.);
+    number_of_violations += result.back() < -1e-6; // beyond rounding
+  }
+  std::cout << name << ": over " << number_of_violations << " of " << p.size() << " vertices, by "
+            << 100. * (std::max)(0., -*std::min_element(result.begin(), result.end()))
+            << " % at most; there " << there << ", back " << back << '\n';
+  return result;
+}
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(argc != 5 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || is_empty(mesh))
+    return std::cerr << "usage: detour_cost MESH VERTEX VERTEX RESULT.ply\n", EXIT_FAILURE;
+  const Vertex p(Mesh::size_type(std::stoul(argv[2]))), q(Mesh::size_type(std::stoul(argv[3])));
+  auto map = mesh.add_property_map<Vertex, double>("v:detour", 0.).first;
+  const auto domain = GP::make_domain(mesh);
+  const auto compute_distances = [&](Vertex from, const auto& write)
+  {
+    write(from);
+    Distances result;
+    for(Vertex v : mesh.vertices())
+      result.push_back(map[v]);
+    return result;
+  };
+  const GP::Transport_metric<Mesh> metric(domain);
+  const auto spectral = [&](Vertex from) { metric.write_distances<CGAL::Parallel_tag>(from, map); };
+  const auto heat = [&](Vertex from) { GP::geodesic_distances<GP::Heat>(domain, from, map); };
+  const Distances by_transport = compute_detours(
+      "Spectral distances", compute_distances(p, spectral), compute_distances(q, spectral), p, q);
+  const Distances by_heat =
+      compute_detours("By heat", compute_distances(p, heat), compute_distances(q, heat), p, q);
+
+  // Side by side, turned around; where the way is too short it is as dark as can be.
+  Mesh output;
+  output.add_property_map<Vertex, double>("v:detour", 0.);
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const Kernel::Vector_3 step(1.1 * (box.xmax() - box.xmin()), 0., 0.);
+  for(const Distances* detour : {&by_heat, &by_transport})
+  {
+    for(Vertex v : mesh.vertices())
+    {
+      map[v] = (*detour)[v] < -1e-6 ? -0.4 : (std::min)(0.4, (*detour)[v]);
+      const auto& x = mesh.point(v);
+      mesh.point(v) = detour == &by_heat ? Kernel::Point_3(-x.x(), x.y(), -x.z()) : x + step;
+    }
+    output += mesh;
+  }
+  return CGAL::IO::write_polygon_mesh(argv[4], output) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

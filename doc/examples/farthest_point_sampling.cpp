@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Samples such that no vertex is farther than a given distance from the nearest one.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+namespace GP = CGAL::Geodesic_processing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+int main()
+{
+  // A sheet of 40 by 30.
+  Mesh mesh;
+  CGAL::make_grid(
+      40, 30, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
+
+  std::vector<GP::Location<Mesh>> samples;
+  std::vector<double> radii;
+  GP::farthest_point_sampling(
+      mesh, std::numeric_limits<std::size_t>::max(), std::back_inserter(samples),
+      GP::parameters::covering_radius(5.).covering_radius_output(std::back_inserter(radii)));
+
+  std::cout << samples.size() << " samples, the first four at\n";
+  for(std::size_t i = 0; i < 4; ++i)
+    std::cout << PMP::construct_point(samples[i], mesh) << '\n';
+
+  // Farthest from any vertex is a corner; and radii never grow.
+  const Point first = PMP::construct_point(samples[0], mesh);
+  const bool is_corner =
+      (first.x() == 0. || first.x() == 40.) && (first.y() == 0. || first.y() == 30.);
+  const bool is_correct = is_corner && radii.back() <= 5. && radii.size() == samples.size() &&
+                          std::is_sorted(radii.rbegin(), radii.rend());
+  return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;
+}

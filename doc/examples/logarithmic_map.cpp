@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The north of a globe on a flat map that keeps directions and distances from the pole.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Point_2 = Kernel::Point_2;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // A side of a cube, blown up to a unit sphere.
+  Mesh mesh;
+  const auto to_sphere = [](int i, int j)
+  {
+    const double x = i / 30. - 1., y = j / 30. - 1., radius = std::sqrt(x * x + y * y + 1.);
+    return Point(x / radius, y / radius, 1. / radius);
+  };
+  CGAL::make_grid(60, 60, mesh, to_sphere, true);
+  const Vertex pole(30 + 61 * 30);
+
+  auto uv = mesh.add_property_map<Vertex, Point_2>("v:uv").first;
+  // A long stencil, as a globe is smooth all over.
+  GP::logarithmic_map(mesh, pole, uv,
+                      GP::parameters::up_direction(Kernel::Vector_3(0, 1, 0)).stencil_length(0.2));
+
+  double largest = 0.;
+  for(Vertex v : mesh.vertices())
+  {
+    const Point& p = mesh.point(v);
+    const double radius = std::hypot(p.x(), p.y()), angle = std::atan2(radius, p.z());
+    if(v != pole)
+      largest = std::max(largest, std::hypot(uv[v].x() - angle * p.x() / radius,
+                                             uv[v].y() - angle * p.y() / radius));
+  }
+  const auto stretch = GP::mesh_distortion(mesh, uv, &GP::Face_distortion::mips);
+  std::cout << "Places on the map are off by " << largest << " at most; angles are stretched by "
+            << stretch.mean() << " in the mean and by " << stretch.worst << " at the rim.\n";
+
+  // Circles around the pole are longer on the map, as an angle is than its sine.
+  const double boundary_angle = std::atan(std::sqrt(2.));
+  return largest < 2e-3 &&
+                 std::abs(stretch.worst - boundary_angle / std::sin(boundary_angle)) < 0.05
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
+}

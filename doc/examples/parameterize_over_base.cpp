@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A base of few triangles, where a vertex is on it, and a mesh of the same pattern everywhere.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // A sheet of 40 by 30, with a hill.
+  Mesh mesh;
+  CGAL::make_grid(
+      40, 30, mesh,
+      [](int i, int j)
+      { return Point(i, j, 200. / (20. + (i - 20.) * (i - 20.) + (j - 15.) * (j - 15.))); },
+      true);
+
+  const auto locations =
+      mesh.add_property_map<Mesh::Vertex_index, GP::Base_location>("v:place").first;
+  const auto base = GP::parameterize_over_base(mesh, 20, locations);
+  const Mesh::Vertex_index v(500);
+  std::cout << "vertex 500 is in base face " << locations[v].face << " of "
+            << base.number_of_base_faces() << ", " << base.folds() << " triangles are folded\n";
+
+  Mesh semi_regular;
+  const auto result = GP::semi_regular_remeshing(mesh, 20, 3, semi_regular);
+  std::cout << "each of " << result.base_faces
+            << " faces is cut into 64: " << semi_regular.number_of_faces() << '\n';
+
+  // And back.
+  const bool is_correct = base.folds() == 0 &&
+                          CGAL::squared_distance(base.point(locations[v]), mesh.point(v)) < 1e-12 &&
+                          semi_regular.number_of_faces() == 64 * result.base_faces;
+  return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Principal curvatures of a bent sheet: one around it, none along it.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // Half a pipe of radius 2 along the y axis.
+  Mesh mesh;
+  CGAL::make_grid(
+      60, 60, mesh,
+      [](int i, int j)
+      {
+        const double angle = 0.05 * (30 - i);
+        return Point(2. * std::sin(-angle), 0.1 * j, 2. * std::cos(angle));
+      },
+      true);
+
+  auto curvatures =
+      mesh.add_property_map<Vertex, GP::Principal_curvatures<Mesh>>("v:curvatures").first;
+  GP::principal_curvatures(mesh, curvatures);
+
+  const auto& center_curvatures = curvatures[Vertex(30 + 61 * 30)];
+  std::cout << "The least curvature is " << center_curvatures.min_curvature << " along "
+            << center_curvatures.min_direction << ", the largest "
+            << center_curvatures.max_curvature << " along " << center_curvatures.max_direction
+            << ".\n";
+  const bool is_correct = std::abs(center_curvatures.max_curvature - 0.5) < 0.05 &&
+                          std::abs(center_curvatures.min_curvature) < 0.02 &&
+                          std::abs(center_curvatures.min_direction.y()) > 0.99;
+  return is_correct ? EXIT_SUCCESS : EXIT_FAILURE;
+}

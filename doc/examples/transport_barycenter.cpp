@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where between three houses a well, or water in many places, is the nearest to all.
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // A field of 1 by 1.
+  const int n = 30;
+  Mesh field;
+  CGAL::make_grid(
+      n, n, field, [](int i, int j) { return Point(double(i) / n, double(j) / n, 0.); }, true);
+  const auto vertex_at = [&](double x, double y)
+  {
+    return *std::find_if(
+        field.vertices().begin(), field.vertices().end(),
+        [&](Vertex v) { return CGAL::squared_distance(field.point(v), Point(x, y, 0.)) < 1e-12; });
+  };
+  const std::vector<Vertex> houses = {vertex_at(0., 0.), vertex_at(1., 0.), vertex_at(0.5, 0.9)};
+
+  // The point with the least sum of squared distances: the centroid, where the field is open.
+  const auto well = GP::geodesic_barycenter(field, houses);
+  std::cout << "The well is at " << field.point(well.vertex) << ", squared distances sum to "
+            << well.value << ".\n";
+  bool is_correct = CGAL::squared_distance(field.point(well.vertex), Point(0.5, 0.3, 0.)) < 1e-12;
+
+  // Nothing that is spread over many places does better there.
+  auto water = field.add_property_map<Vertex, double>("v:water").first;
+  const GP::Transport_barycenter_cost cost = GP::transport_barycenter(field, houses, water);
+  std::cout << "Water in many places costs " << cost.lower << " to " << cost.upper << ".\n";
+  is_correct = is_correct && cost.converged && cost.lower < well.value + 1e-9 &&
+               cost.upper > well.value - 1e-9;
+
+  // The third house has as many people as the two others.
+  const std::vector<double> people = {1., 1., 2.};
+  const auto weighted = GP::geodesic_barycenter(field, houses, GP::parameters::weights(people));
+  std::cout << "For all people alike it is at " << field.point(weighted.vertex) << ".\n";
+  const double middle = field.point(weighted.vertex).y(); // 0.45, between two rows
+  return is_correct && std::abs(middle - 0.45) < 0.51 / n ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which grain of a heap goes where?
+#include <CGAL/Geodesic_processing.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+namespace GP = CGAL::Geodesic_processing;
+
+int main()
+{
+  // A sheet, bent to three quarters of a cylinder: 4.7 by 2, when it is unrolled.
+  const double pi = std::acos(-1.);
+  const int n = 40;
+  Mesh sheet;
+  CGAL::make_grid(
+      2 * n, n, sheet,
+      [&](int i, int j)
+      {
+        const double angle = 1.5 * pi * i / (2 * n);
+        return Point(std::cos(angle), std::sin(angle), 2. * j / n);
+      },
+      true);
+
+  // A heap of sand at one end, to be spread around a place near the other.
+  const Vertex p(Mesh::size_type(10 * (2 * n + 1) + 10)), q(Mesh::size_type(30 * (2 * n + 1) + 65));
+  const auto gaussian_mass = [&](Vertex middle, double width)
+  {
+    const auto density = [&sheet, middle, width](Vertex v)
+    {
+      return std::exp(-0.5 * CGAL::squared_distance(sheet.point(v), sheet.point(middle)) /
+                      (width * width));
+    };
+    return GP::mass_density(boost::make_function_property_map<Vertex>(density));
+  };
+  GP::Earth_movers_solver<Mesh> solver(sheet);
+  const GP::Earth_movers_cost cost = solver.compute(gaussian_mass(p, 0.15), gaussian_mass(q, 0.3),
+                                                    GP::parameters::do_normalize(true));
+
+  // Two hundred grains: the lines along which they go are straight when the sheet is unrolled.
+  std::vector<GP::Streamline<Mesh>> lines;
+  solver.streamlines()(200, std::back_inserter(lines));
+  double mean_length = 0.;
+  for(const auto& line : lines)
+    mean_length += line.length / double(lines.size());
+  std::cout << "A grain goes " << mean_length << " in the mean; the least is " << cost.value
+            << ".\n";
+
+  // How likely do shortest ways between the two places pass between them?
+  auto likelihood = sheet.add_property_map<Vertex, double>("v:likelihood").first;
+  GP::fuzzy_geodesic(sheet, p, q, likelihood, GP::parameters::width(0.15));
+  const Vertex between(Mesh::size_type(20 * (2 * n + 1) + 38)), outside(Mesh::size_type(38));
+  std::cout << "The likelihood is " << likelihood[between] << " between them, and "
+            << likelihood[outside] << " beside.\n";
+  return std::abs(mean_length - cost.value) < 0.02 * cost.value && likelihood[between] > 0.5 &&
+                 likelihood[outside] < 0.05
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
+}

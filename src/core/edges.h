@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EDGES_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EDGES_H
+
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Calls reach(target, length) for each arc of the graph that leaves a site, on a cloud; slowness: as in
+// Front_limits, or null.  A speed belongs to triangles: of arcs that are no sides of one, those from a
+// surfel to its copies need none.
+template <typename Visitor>
+void for_each_graph_edge(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex,
+                         const Visitor& visit)
+{
+  if(t.is_cloud())
+    for(Index i = t.graph.begin[vertex]; i < t.graph.begin[vertex + 1]; ++i)
+      if(!slowness || t.graph.length[i] == 0.)
+        visit(t.graph.target[i], t.graph.length[i]);
+}
+
+// The same for all arcs that leave a site, most of them twice where they are sides of triangles.
+template <typename Visitor>
+void for_each_edge(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex,
+                   const Visitor& visit)
+{
+  for_each_graph_edge(t, slowness, vertex, visit);
+  if(t.is_cloud() && !slowness)
+    return;
+  for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+  {
+    const Index corner = t.ring[i], previous_h = previous_halfedge(corner);
+    const double triangle_slowness = slowness ? (*slowness)[corner / 3] : 1.;
+    if(!(triangle_slowness < infinity))
+      continue;
+    visit(t.corner[next_halfedge(corner)], triangle_slowness * t.length[corner]);
+    visit(t.corner[previous_h], triangle_slowness * t.length[previous_h]);
+  }
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_EDGES_H

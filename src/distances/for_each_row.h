@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FOR_EACH_ROW_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FOR_EACH_ROW_H
+
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/core/parallel.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Calls row(i, engine, limits) for each row, on several threads, each with an engine of its own: a row
+// that lets it run within the limits and writes only what is its own gives the same for any number of
+// threads.  The callback of the limits is told the part of the rows that are done, by one thread at a
+// time.  False when it cancelled.
+template <typename Engine, typename Row>
+bool for_each_row(const Engine& engine, std::size_t number_of_rows, Front_limits limits,
+                  unsigned threads, const Row& row)
+{
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Engine>> idle_engines; // engines that wait for a row
+  std::size_t number_done = 0;
+  std::atomic<bool> is_cancelled{false};
+  const std::function<bool(double)> callback = std::exchange(limits.callback, nullptr);
+  if(callback)
+    limits.callback = [&](double) { return !is_cancelled; };
+
+  for_each_block(number_of_rows, 1, threads,
+                 [&](std::size_t i, std::size_t, std::size_t)
+                 {
+                   std::unique_ptr<Engine> thread_engine;
+                   {
+                     const std::lock_guard lock(mutex);
+                     if(callback && !is_cancelled)
+                       is_cancelled = !callback(double(number_done) / double(number_of_rows));
+                     if(is_cancelled)
+                       return;
+                     if(!idle_engines.empty())
+                     {
+                       thread_engine = std::move(idle_engines.back());
+                       idle_engines.pop_back();
+                     }
+                   }
+                   if(!thread_engine)
+                     thread_engine = std::make_unique<Engine>(engine);
+                   row(i, *thread_engine, std::as_const(limits));
+                   const std::lock_guard lock(mutex);
+                   idle_engines.push_back(std::move(thread_engine));
+                   ++number_done;
+                 });
+  return !is_cancelled;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FOR_EACH_ROW_H

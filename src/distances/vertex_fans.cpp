@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/distances/vertex_fans.h>
+
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include "core/unfold.h"
+
+#include <cmath>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// An obtuse corner and the site behind the opposite side that splits it.
+struct Splitting_vertex
+{
+  Index corner;
+  Index vertex;  // none where no site within reach splits the corner
+  double length; // from the corner to that site
+  Vec2 base;     // from that site to the corner's two neighbours, the one that the corner's side
+                 //   runs to first
+};
+
+Splitting_vertex find_splitting_vertex(const Surface_arrays& t, Index corner, const Vec2& angle)
+{
+  constexpr int max_steps = 20;
+  const Vec2 a = {t.length[corner], 0.}, b = t.length[previous_halfedge(corner)] * angle;
+  // The side to look behind, from `left` to `right` as seen from the corner.
+  Index h = next_halfedge(corner);
+  Vec2 left_end = a, right_end = b;
+  for(int step = 0; step < max_steps; ++step)
+  {
+    h = t.twin[h]; // runs from end to begin
+    if(h == none)
+      break;
+    const double length = t.length[h];
+    if(length <= 0.)
+      break;
+    const Vec2 direction = (1. / length) * (left_end - right_end);
+    const Vec2 position = right_end + rotated(apex(t, h), direction);
+    const bool is_acute_to_a = dot(a, position) > 0., is_acute_to_b = dot(b, position) > 0.;
+    if(is_acute_to_a && is_acute_to_b && cross(a, position) > 0. && cross(position, b) > 0.)
+      return {corner,
+              t.corner[previous_halfedge(h)],
+              norm(position),
+              {norm(a - position), norm(b - position)}};
+    if(is_acute_to_a)
+    {
+      // Too close to a: the cone passes between w and end.
+      left_end = position;
+      h = previous_halfedge(h);
+      // previous_halfedge runs from w to end
+    }
+    else
+    {
+      right_end = position;
+      h = next_halfedge(h);
+    }
+  }
+  return {corner, none, 0., {0., 0.}};
+}
+
+// Angles around a site add up to 2 pi within this: coordinates of single precision leave less.
+constexpr double flat_angle_tolerance = 1e-6;
+
+void add_edges(const Surface_arrays& t, Vertex_fans& s)
+{
+  const Index n = static_cast<Index>(t.number_of_vertices());
+  s.begin.resize(n + 1);
+  s.edges.reserve(t.ring.size() + n);
+  for(Index vertex = 0; vertex < n; ++vertex)
+  {
+    s.begin[vertex] = {static_cast<Index>(s.edges.size()), 0, t.ring_begin[vertex]};
+    std::size_t fan_begin = s.edges.size(); // where it begins
+    Vec2 total_turn = {1., 0.};             // of its triangles so far
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    {
+      const Index corner = t.ring[i], next = next_halfedge(corner),
+                  previous = previous_halfedge(corner);
+      s.edges.push_back({t.corner[next], Vertex_fans::Fan_edge::has_triangle, t.length[corner],
+                         corner_angle(t, corner)});
+      total_turn = rotated(total_turn, s.edges.back().opening);
+      const Index next_corner = t.twin.empty() ? none : next_corner_ccw(t, corner);
+      if(next_corner != none && i + 1 < t.ring_begin[vertex + 1] && next_corner == t.ring[i + 1])
+        continue;
+      s.edges.push_back({t.corner[previous], 0, t.length[previous], {1., 0.}});
+      if(next_corner != none)
+      {
+        s.edges[fan_begin].flags |= Vertex_fans::Fan_edge::is_repeated;
+        s.edges.back().flags |= Vertex_fans::Fan_edge::is_repeated;
+        if(std::abs(total_turn[0] - 1.) + std::abs(total_turn[1]) > flat_angle_tolerance)
+          s.edges[s.begin[vertex].edge].flags |= Vertex_fans::Fan_edge::is_curved;
+      }
+      total_turn = {1., 0.};
+      fan_begin = s.edges.size();
+    }
+  }
+  s.begin[n] = {static_cast<Index>(s.edges.size()), 0, t.ring_begin[n]};
+}
+
+void add_splits(const Surface_arrays& t, Vertex_fans& s)
+{
+  std::vector<Splitting_vertex> splitting_vertices;
+  for(Index corner = 0; corner < t.corner.size(); ++corner)
+  {
+    const double a = t.length[corner], b = t.length[previous_halfedge(corner)],
+                 opposite = t.length[next_halfedge(corner)];
+    // A right angle needs no split, and is common: rounding must not make it obtuse.
+    if(!(opposite * opposite > a * a + b * b))
+      continue;
+    const Vec2 angle = angle_between(a, b, opposite);
+    if(angle[0] >= -1e-12)
+      continue;
+    const Splitting_vertex splitting = find_splitting_vertex(t, corner, angle);
+    if(splitting.vertex != none)
+      splitting_vertices.push_back(splitting);
+  }
+
+  // Each is seen from both ends of the bases of its two halves.
+  const auto for_each_half = [&](const auto& visit)
+  {
+    for(const Splitting_vertex& splitting : splitting_vertices)
+    {
+      const Index corners[2] = {next_halfedge(splitting.corner),
+                                previous_halfedge(splitting.corner)};
+      const double lengths[2] = {t.length[splitting.corner], t.length[corners[1]]};
+      for(const int k : {0, 1})
+      {
+        const Index neighbor = t.corner[corners[k]];
+        visit(splitting, neighbor, splitting.vertex, neighbor, splitting.base[k], lengths[k],
+              splitting.length);
+        visit(splitting, splitting.vertex, neighbor, neighbor, splitting.base[k], splitting.length,
+              lengths[k]);
+      }
+      s.edges[fan_position(t, s, t.corner[corners[0]], corners[0]).edge].flags |=
+          Vertex_fans::Fan_edge::is_next_obtuse_split;
+      s.edges[fan_position(t, s, t.corner[corners[1]], corners[1]).edge].flags |=
+          Vertex_fans::Fan_edge::is_obtuse_split;
+    }
+  };
+  for_each_half([&](const Splitting_vertex&, Index vertex, Index, Index, double, double, double)
+                { ++s.begin[vertex + 1].split; });
+  for(std::size_t vertex = 1; vertex < s.begin.size(); ++vertex)
+    s.begin[vertex].split += s.begin[vertex - 1].split;
+  s.splits.resize(s.begin.back().split);
+  std::vector<Index> split_end;
+  split_end.reserve(s.begin.size());
+  for(const Vertex_fans::Offsets& first : s.begin)
+    split_end.push_back(first.split);
+  for_each_half(
+      [&](const Splitting_vertex& splitting, Index vertex, Index along, Index neighbor, double base,
+          double to_vertex, double to_along)
+      {
+        s.splits[split_end[vertex]++] = {splitting.corner,
+                                         t.corner[splitting.corner],
+                                         along,
+                                         neighbor,
+                                         base,
+                                         third_corner(base, to_vertex, to_along)};
+      });
+}
+
+} // namespace
+
+Vertex_fans build_vertex_fans(const Surface_arrays& t, bool with_splits)
+{
+  Vertex_fans result;
+  add_edges(t, result);
+  if(with_splits && !t.is_cloud())
+    add_splits(t, result);
+  return result;
+}
+
+std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& t, bool with_splits)
+{
+  const std::lock_guard<std::mutex> lock(t.vertex_fans.mutex);
+  std::weak_ptr<const Vertex_fans>& cached = t.vertex_fans.cached[with_splits ? 1 : 0];
+  std::shared_ptr<const Vertex_fans> result = cached.lock();
+  if(!result)
+    cached = result = std::make_shared<const Vertex_fans>(build_vertex_fans(t, with_splits));
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/command_utilities.h"
+
+#include "io/Scanner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_set>
+
+namespace program {
+
+bool is_metric(const std::string& method)
+{
+  return method == "spectral" || method == "emd" || method == "biharmonic";
+}
+
+void check_basis(const std::string& method, const std::optional<std::size_t>& basis_size)
+{
+  if(basis_size && method != "emd")
+    throw Usage_error("--basis: only the method emd has one.");
+}
+
+void check_method(const std::string& method)
+{
+  const auto is_one_of = [&method](std::initializer_list<const char*> names)
+  { return std::find(names.begin(), names.end(), method) != names.end(); };
+  if(is_metric(method))
+    throw Usage_error("--method " + method + ": only distance and matrix have this method.");
+  if(!is_one_of({"dijkstra", "fast-marching", "euclidean", "exact", "heat"}))
+    throw Usage_error("--method " + printable(method) +
+                      ": the methods are dijkstra, fast-marching, euclidean, exact and heat.");
+}
+
+void check_method(const std::string& method, const Surface& surface)
+{
+  if(method == "exact" && !surface.is_mesh())
+    fail(surface.name, "a cloud has no exact distances, they need a mesh");
+}
+
+std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels)
+{
+  const GP::internal::Surface_arrays& t = surfels.arrays;
+  // A cloud's triangles overlap where its surfels disagree.  Those that most of them found come
+  // first, and each side is taken once in each direction.
+  std::vector<std::uint32_t> order(t.number_of_triangles());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t f, std::uint32_t g) { return t.weight[f] > t.weight[g]; });
+  std::unordered_set<std::uint64_t> used_halfedges;
+  used_halfedges.reserve(t.corner.size());
+  std::vector<std::uint32_t> corners;
+  for(const std::uint32_t f : order)
+  {
+    std::uint64_t halfedges[3];
+    for(std::size_t k = 0; k < 3; ++k)
+      halfedges[k] = std::uint64_t{t.corner[3 * std::size_t{f} + k]} << 32 |
+                     t.corner[3 * std::size_t{f} + (k + 1) % 3];
+    if(std::any_of(halfedges, halfedges + 3,
+                   [&](std::uint64_t h) { return used_halfedges.count(h) > 0; }))
+      continue;
+    used_halfedges.insert(halfedges, halfedges + 3);
+    for(const std::uint64_t h : halfedges)
+      corners.push_back(surfels.caller_vertex[h >> 32]);
+  }
+  return corners;
+}
+
+void report_unreached(Job& job, const std::vector<long long>& labels)
+{
+  const auto unreached = std::count(labels.begin(), labels.end(), -1);
+  job.result()["unreached"] = unreached;
+  if(unreached > 0)
+    job.print_line("unreached       " + std::to_string(unreached) + " of " +
+                   std::to_string(labels.size()));
+}
+
+std::string labels_text(const std::vector<long long>& labels)
+{
+  std::string text;
+  for(const long long label : labels)
+    text += std::to_string(label) + '\n';
+  return text;
+}
+
+std::string points_text(const std::vector<Point>& points)
+{
+  std::string text;
+  for(const Point& p : points)
+    text += number_text(p[0]) + ' ' + number_text(p[1]) + ' ' + number_text(p[2]) + '\n';
+  return text;
+}
+
+const std::vector<double>& property(const Surface& surface, const std::string& name)
+{
+  const auto found = surface.file.properties.find(name);
+  if(found != surface.file.properties.end())
+    return found->second;
+  std::string names;
+  for(const auto& other : surface.file.properties)
+    names += (names.empty() ? "" : ", ") + other.first;
+  fail(surface.name, "its vertices have no property '" + printable(name) + "'" +
+                         (names.empty() ? ", they have none" : ", only " + names));
+}
+
+double report_distances(Job& job, const std::vector<double>& distances)
+{
+  double largest_distance = 0.;
+  std::size_t unreached = 0;
+  for(const double x : distances)
+    if(std::isfinite(x))
+      largest_distance = std::max(largest_distance, x);
+    else
+      ++unreached;
+  job.result()["max"] = json_number(largest_distance);
+  job.result()["unreached"] = unreached;
+  job.print_line("largest distance  " + rounded_text(largest_distance));
+  if(unreached > 0)
+    job.print_line("unreached         " + std::to_string(unreached) + " of " +
+                   std::to_string(distances.size()));
+  return largest_distance;
+}
+
+void write_result(const Job& job, const std::string& name, const std::vector<double>& values,
+                  double size)
+{
+  Surface_file file = job.surface().file;
+  file.properties[name] = values;
+  if(file_extension(job.output()) == "obj")
+  {
+    file.uv.clear();
+    for(const double x : values)
+      file.uv.push_back({std::isfinite(x) && size > 0. ? std::clamp(x / size, 0., 1.) : 0., 0.5});
+  }
+  write_surface_file(job.output(), file, name);
+}
+
+} // namespace program

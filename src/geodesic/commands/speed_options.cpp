@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/speed_options.h"
+
+#include "io/Image.h"
+#include "io/Scanner.h"
+#include "io/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace program {
+
+namespace {
+
+const std::string similar_prefix = "curvature-like-";
+
+bool is_computed_speed(const std::string& speed)
+{
+  return speed.rfind(similar_prefix, 0) == 0 || speed == "curvature-attractive" ||
+         speed == "curvature-repulsive" || speed == "colours";
+}
+
+// Columns of the file by their names; empty when one is missing.
+std::vector<const std::vector<double>*> find_properties(const Surface_file& file,
+                                                        const std::vector<std::string>& names)
+{
+  std::vector<const std::vector<double>*> result;
+  for(const std::string& name : names)
+  {
+    const auto found = file.properties.find(name);
+    if(found == file.properties.end())
+      return {};
+    result.push_back(&found->second);
+  }
+  return result;
+}
+
+// Where an image is seen: by texture coordinates where the file has them, else it is spread over the
+// bounding box, seen along its shortest side.
+std::vector<std::array<double, 2>> image_coordinates(const Surface_file& file)
+{
+  if(!file.uv.empty())
+    return file.uv;
+  std::vector<std::array<double, 2>> result(file.points.size());
+  using Names = std::vector<std::string>;
+  for(const Names& names : {Names{"s", "t"}, Names{"u", "v"}, Names{"texture_u", "texture_v"}})
+    if(const auto uv = find_properties(file, names); !uv.empty())
+    {
+      for(std::size_t i = 0; i < result.size(); ++i)
+        result[i] = {(*uv[0])[i], (*uv[1])[i]};
+      return result;
+    }
+
+  Point low = file.points[0], size = {0., 0., 0.};
+  for(std::size_t c = 0; c < 3; ++c)
+  {
+    double high = low[c];
+    for(const Point& p : file.points)
+    {
+      low[c] = std::min(low[c], p[c]);
+      high = std::max(high, p[c]);
+    }
+    size[c] = high / 2. - low[c] / 2.;
+  }
+  const auto shortest_axis =
+      static_cast<std::size_t>(std::min_element(size.begin(), size.end()) - size.begin());
+  const std::size_t axes[2] = {shortest_axis == 0 ? std::size_t{1} : 0,
+                               shortest_axis == 2 ? std::size_t{1} : 2};
+  for(std::size_t i = 0; i < result.size(); ++i)
+    for(std::size_t k = 0; k < 2; ++k)
+      if(const std::size_t c = axes[k]; size[c] > 0.)
+        result[i][k] = (file.points[i][c] / 2. - low[c] / 2.) / size[c];
+  return result;
+}
+
+} // namespace
+
+void add_speed_options(Command& command, Speed_options& options)
+{
+  command.add("--speed", options.speed, "NAME",
+              "of the fronts; samples are dense where it is low: a property of the vertices; "
+              "curvature-attractive, low at creases; curvature-repulsive, high there; "
+              "curvature-like-V, high where it is as at vertex V; or colours, "
+              "low where the vertices' red, green and blue vary");
+  command.add("--density-image", options.image, "FILE",
+              "a picture, .png: the speed is low where it varies. It is seen through "
+              "texture coordinates (vt in OBJ; s, t or u, v in PLY), without these it is spread "
+              "over the bounding box, seen along its shortest side");
+  command.add("--strength", options.strength, "X",
+              "how much curvature (default 0.14) or an image (20) changes the speed");
+}
+
+void check(const Speed_options& options)
+{
+  if(!options.speed.empty() && !options.image.empty())
+    throw Usage_error("--density-image: --speed says already how fast fronts are.");
+  if(!options.strength)
+    return;
+  if(!(*options.strength >= 0. && std::isfinite(*options.strength)))
+    throw Usage_error("--strength: it is finite and not negative.");
+  if(options.image.empty() && !is_computed_speed(options.speed))
+    throw Usage_error("--strength: only curvature, colours and images have one.");
+}
+
+std::optional<std::size_t> similar_vertex(const Speed_options& options)
+{
+  if(options.speed.rfind(similar_prefix, 0) != 0)
+    return std::nullopt;
+  const auto vertices =
+      parse_indices(options.speed.substr(similar_prefix.size()), "--speed " + similar_prefix);
+  if(vertices.size() != 1)
+    throw Usage_error("--speed " + printable(options.speed) + ": give one vertex.");
+  return vertices.front();
+}
+
+std::vector<Color> vertex_colors(const Surface& surface, const Speed_options& options)
+{
+  const Surface_file& file = surface.file;
+  std::vector<Color> result(file.points.size());
+  if(options.image.empty())
+  {
+    const auto channels = find_properties(file, {color_names.begin(), color_names.end()});
+    if(channels.empty())
+      fail(surface.name, "its vertices have no red, green and blue");
+    for(std::size_t i = 0; i < result.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c)
+        result[i][c] = (*channels[c])[i];
+    return result;
+  }
+  const Image image = read_image(options.image);
+  const auto texture_coordinates = image_coordinates(file);
+  for(std::size_t i = 0; i < result.size(); ++i)
+  {
+    if(!std::isfinite(texture_coordinates[i][0]) || !std::isfinite(texture_coordinates[i][1]))
+      fail(surface.name, "a texture coordinate of vertex " + std::to_string(i) + " is not finite");
+    result[i] = image.at(texture_coordinates[i][0], texture_coordinates[i][1]);
+  }
+  return result;
+}
+
+} // namespace program

@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/transport_utilities.h"
+
+#include "io/read_bytes.h"
+
+#include <cmath>
+#include <fstream>
+
+namespace program {
+
+namespace {
+
+// One number a line.
+std::vector<double> read_masses_file(const std::string& name, std::size_t number)
+{
+  const std::string bytes = read_bytes(name);
+  Scanner scanner(bytes, name, '#');
+  std::vector<double> result;
+  while(scanner.next_line())
+  {
+    result.push_back(scanner.parse_coordinate(scanner.word()));
+    if(!scanner.is_line_empty())
+      scanner.fail("there is more than one number");
+  }
+  if(result.size() != number)
+    fail(name, "it has " + std::to_string(result.size()) + " masses for " + std::to_string(number) +
+                   " vertices");
+  return result;
+}
+
+double norm(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
+
+// Lines along the flow, at some of the places, longer where it is stronger.
+std::vector<std::vector<Point>> flow_arrows(const Surface_file& file,
+                                            const std::vector<Point>& flow)
+{
+  constexpr std::size_t max_arrows = 4000;
+  Point low = file.points[0], high = low;
+  for(const Point& p : file.points)
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], p[c]);
+      high[c] = std::max(high[c], p[c]);
+    }
+  const double size = norm({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  std::vector<double> strength;
+  for(const Point& v : flow)
+    strength.push_back(norm(v));
+  std::vector<double> sorted = strength;
+  std::sort(sorted.begin(), sorted.end());
+  const double reference_strength =
+      sorted[sorted.size() - 1 - sorted.size() / 50]; // one in fifty is stronger
+  std::vector<std::vector<Point>> result;
+  const std::size_t step = std::max<std::size_t>(1, flow.size() / max_arrows);
+  for(std::size_t i = 0; i < flow.size(); i += step)
+  {
+    if(!(strength[i] > 0.02 * reference_strength))
+      continue;
+    Point p = file.points[std::min(i, file.points.size() - 1)];
+    if(!file.corners.empty())
+      for(std::size_t c = 0; c < 3; ++c)
+        p[c] = (file.points[file.corners[3 * i]][c] + file.points[file.corners[3 * i + 1]][c] +
+                file.points[file.corners[3 * i + 2]][c]) /
+               3.;
+    const double length =
+        0.02 * size * std::min(1., strength[i] / reference_strength) / strength[i];
+    Point q = p;
+    for(std::size_t c = 0; c < 3; ++c)
+      q[c] += length * flow[i][c];
+    result.push_back({p, q});
+  }
+  return result;
+}
+
+void draw_transport(const Job& job, const Transport_result& result,
+                    const std::vector<std::size_t>& marked_vertices)
+{
+  Picture picture{&job.surface().file};
+  picture.values = result.potential;
+  picture.title = "potential";
+  picture.triangles = result.triangles;
+  picture.thin_polylines = flow_arrows(job.surface().file, result.fields.at("flow"));
+  for(const std::size_t vertex : marked_vertices)
+    picture.markers.push_back(job.surface().file.points[vertex]);
+  add_feature_polylines(result, picture);
+  draw(job.picture(), picture);
+}
+
+} // namespace
+
+void add_feature_polylines(const Transport_result& result, Picture& picture)
+{
+  for(const std::vector<Point>& polyline : result.feature_polylines)
+    if(polyline.size() == 1)
+      picture.markers.push_back(polyline.front());
+    else
+      picture.polylines.push_back(polyline);
+}
+
+bool is_vertex_list(const std::string& text)
+{
+  return !text.empty() && text.find_first_not_of("0123456789,") == std::string::npos;
+}
+
+Masses read_masses(const std::string& text, const std::string& option,
+                   const Transport_options& options, const Surface& surface)
+{
+  Masses result;
+  const std::size_t n = surface.file.points.size();
+  if(is_vertex_list(text))
+  {
+    result.vertices = parse_indices(text, option);
+    result.values.assign(n, 0.);
+    for(const std::size_t vertex : result.vertices)
+    {
+      check_vertex(surface, vertex);
+      result.values[vertex] += 1. / static_cast<double>(result.vertices.size());
+    }
+    return result;
+  }
+  result.is_density = options.density;
+  const bool is_property = surface.file.properties.count(text) > 0;
+  result.values =
+      !is_property && std::ifstream(text) ? read_masses_file(text, n) : property(surface, text);
+  return result;
+}
+
+std::vector<std::size_t> region_vertices(const std::string& text, const std::string& option,
+                                         const Surface& surface)
+{
+  std::vector<std::size_t> result;
+  if(is_vertex_list(text))
+  {
+    result = parse_indices(text, option);
+    for(const std::size_t vertex : result)
+      check_vertex(surface, vertex);
+    return result;
+  }
+  const std::vector<double> values = property(surface, text);
+  for(std::size_t i = 0; i < values.size(); ++i)
+    if(values[i] > 0.)
+      result.push_back(i);
+  if(result.empty())
+    fail(surface.name, "its property " + printable(text) + " is positive nowhere");
+  return result;
+}
+
+void add_region_options(Command& command, Region_options& options, const std::string& prefix)
+{
+  options.at_option = prefix + "-at";
+  options.path_option = prefix + "-path";
+  command.add(options.at_option, options.at, "x,y,z",
+              "the place of a mesh nearest to a point; may be given several times");
+  command.add(options.path_option, options.paths, "V,V[,V...]",
+              "all along the shortest path through these vertices; likewise");
+}
+
+void check(const Region_options& options)
+{
+  for(const std::string& point : options.at)
+    parse_point(point, options.at_option);
+  for(const std::string& path : options.paths)
+    if(parse_indices(path, options.path_option).size() < 2)
+      throw Usage_error(options.path_option + ": give two vertices or more.");
+}
+
+void check(const Region_options& options, const Surface& surface)
+{
+  if(!options.empty() && !surface.is_mesh())
+    fail(surface.name, options.at_option + " and " + options.path_option + " need a mesh");
+  for(const std::string& path : options.paths)
+    for(const std::size_t vertex : parse_indices(path, options.path_option))
+      check_vertex(surface, vertex);
+}
+
+void add_query_options(Command& command, Transport_options& options)
+{
+  command.add_flag("--density", options.density, "properties and files have mass per area");
+  command.add_flag("--normalize", options.normalize, "scale each side so that it sums to one");
+  command
+      .add("--method", options.method, "NAME",
+           "interior-point; admm, for gaps of a percent; or weiszfeld")
+      .shows_default();
+  command.add("--tolerance", options.tolerance, "T", "of the gap between the bounds, relative")
+      .shows_default();
+  command.add("--refine", options.refine, "N",
+              "divide each triangle in four so often: less is lost where the surface is curved "
+              "(default 1 up to 5,000 vertices, 0 above)");
+}
+
+void add_options(Command& command, Transport_options& options)
+{
+  add_query_options(command, options);
+  command.add_flag("--bound-above", options.bound_above,
+                   "also a bound from above for flows on the surface itself");
+  command.add_flag("--hodge", options.hodge,
+                   "also write the flow's gradient, rotation and harmonic part");
+  add_speed_options(command, options.speed_options);
+}
+
+void check(const Transport_options& options, const Surface& surface)
+{
+  if(!surface.is_mesh() && (options.bound_above || options.hodge))
+    fail(surface.name, "--bound-above and --hodge need a mesh");
+}
+
+void check(const Transport_options& options)
+{
+  if(!(options.tolerance > 0.))
+    throw Usage_error("--tolerance: it is positive.");
+  if(options.method != "interior-point" && options.method != "admm" &&
+     options.method != "weiszfeld")
+    throw Usage_error("--method " + printable(options.method) +
+                      ": the methods are interior-point, admm and weiszfeld.");
+  check(options.speed_options);
+}
+
+void report(Job& job, const Transport_options& options, const GP::Earth_movers_cost& cost,
+            const std::string& title)
+{
+  const auto print_line = [&](const std::string& label, const std::string& text)
+  {
+    job.print_line(label +
+                   std::string(std::max<std::size_t>(24, label.size() + 2) - label.size(), ' ') +
+                   text);
+  };
+  job.result()["value"] = json_number(cost.value);
+  job.result()["lower"] = json_number(cost.lower);
+  job.result()["upper"] = json_number(cost.upper);
+  if(options.bound_above)
+    job.result()["upper_continuous"] = json_number(cost.upper_continuous);
+  job.result()["iterations"] = cost.iterations;
+  job.result()["residual"] = json_number(cost.residual);
+  job.result()["converged"] = cost.converged;
+  print_line(title, rounded_text(cost.value));
+  print_line("bounds", rounded_text(cost.lower) + " to " + rounded_text(cost.upper));
+  if(options.bound_above)
+    print_line("on the surface", "at most " + rounded_text(cost.upper_continuous));
+  if(!cost.converged)
+    job.print_warning("the bounds are farther apart than --tolerance");
+}
+
+void write_transport(const Job& job, const Transport_result& result,
+                     const std::vector<std::size_t>& marked_vertices)
+{
+  job.write_values([&] { return number_lines(result.potential); });
+  if(!job.picture().empty())
+    draw_transport(job, result, marked_vertices);
+  if(job.output().empty())
+    return;
+  Surface_file file = job.surface().file;
+  if(!result.potential.empty())
+    file.properties["potential"] = result.potential;
+  if(!result.arrivals.empty())
+    file.properties["arrivals"] = result.arrivals;
+  if(!file.corners.empty())
+    file.vectors = result.fields;
+  else
+    for(const auto& [name, vectors] : result.fields)
+      for(std::size_t c = 0; c < 3; ++c)
+      {
+        std::vector<double>& values = file.properties[name + "_" + "xyz"[c]];
+        for(const Point& v : vectors)
+          values.push_back(v[c]);
+      }
+  write_surface_file(job.output(), file);
+}
+
+} // namespace program

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_COMMANDS_TRANSPORT_UTILITIES_H
+#define GEODESIC_PROGRAM_COMMANDS_TRANSPORT_UTILITIES_H
+
+#include "picture/Picture.h"
+#include "io/Scanner.h"
+#include "commands/speed_options.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the commands that move masses share.
+
+namespace program {
+
+struct Transport_options
+{
+  std::string from, to;
+  bool density = false, normalize = false, bound_above = false, hodge = false;
+  std::string method = "interior-point";
+  double tolerance = 1e-3;
+  std::optional<std::size_t> refine;
+  Speed_options speed_options;
+};
+
+void add_options(Command& command, Transport_options& options);
+// Those that say what is asked alone, without speeds.
+void add_query_options(Command& command, Transport_options& options);
+
+// Throws Usage_error.
+void check(const Transport_options& options);
+// Throws Input_error.
+void check(const Transport_options& options, const Surface& surface);
+
+// What one side has: at vertices, or per area.
+struct Masses
+{
+  std::vector<double> values; // #vertices
+  bool is_density = false;
+  std::vector<std::size_t> vertices; // where it is at these alone
+};
+
+struct Transport_result
+{
+  GP::Earth_movers_cost cost;
+  std::vector<double> potential;                     // #vertices, or empty
+  std::vector<double> arrivals;                      // #vertices, or empty
+  std::vector<std::vector<Point>> feature_polylines; // of a region, or places
+  std::map<std::string, std::vector<Point>> fields;  // of a mesh #faces, of a cloud #vertices
+  std::vector<std::uint32_t> triangles;              // of a cloud
+};
+
+// Puts the curves and places of a region into a picture.
+void add_feature_polylines(const Transport_result& result, Picture& picture);
+
+// Whether a text is a list of vertices.
+bool is_vertex_list(const std::string& text);
+
+// Vertices that share a unit, a property or a file.  Throws Input_error.
+Masses read_masses(const std::string& text, const std::string& option,
+                   const Transport_options& options, const Surface& surface);
+
+// A list of vertices, or those at which a property is positive.  Throws Input_error.
+std::vector<std::size_t> region_vertices(const std::string& text, const std::string& option,
+                                         const Surface& surface);
+
+// What a region is made of beside vertices: places nearest to points, and shortest paths.
+struct Region_options
+{
+  std::vector<std::string> at;    // "x,y,z" each
+  std::vector<std::string> paths; // vertices each
+  std::string at_option, path_option;
+
+  bool empty() const { return at.empty() && paths.empty(); }
+};
+
+void add_region_options(Command& command, Region_options& options, const std::string& prefix);
+// Throws Usage_error, and Input_error for vertices that are not there or a cloud.
+void check(const Region_options& options);
+void check(const Region_options& options, const Surface& surface);
+
+// Appends a source for each, and to the result their points in space.  Throws Input_error where no path
+// leads.
+template <typename Domain>
+void add_sources(const Domain& domain, const Region_options& options, const Surface& surface,
+                 std::vector<GP::Source<typename Domain::Surface>>& region,
+                 Transport_result& result)
+{
+  using Surface_type = typename Domain::Surface;
+  if constexpr(is_mesh<Surface_type>)
+  {
+    for(const std::string& point : options.at)
+    {
+      const auto location = locate(domain, point, options.at_option);
+      region.emplace_back(location);
+      result.feature_polylines.push_back({coordinates(domain.point(domain.inner(location)))});
+    }
+    for(const std::string& text : options.paths)
+    {
+      GP::Geodesic_path_finder<Surface_type> path_finder(domain);
+      const std::vector<std::size_t> vertices = parse_indices(text, options.path_option);
+      typename GP::Source<Surface_type>::Polyline polyline;
+      result.feature_polylines.emplace_back();
+      for(std::size_t i = 1; i < vertices.size(); ++i)
+      {
+        const auto path = path_finder(vertex_at<Surface_type>(vertices[i - 1]),
+                                      vertex_at<Surface_type>(vertices[i]));
+        if(path.empty())
+          fail(surface.name, "no path joins vertices " + std::to_string(vertices[i - 1]) + " and " +
+                                 std::to_string(vertices[i]));
+        polyline.insert(polyline.end(), path.locations.begin(), path.locations.end());
+        for(const auto& point : path.points)
+          result.feature_polylines.back().push_back(coordinates(point));
+      }
+      region.emplace_back(std::move(polyline));
+    }
+  }
+}
+
+// A vector for each face or surfel, written like a map of the library.
+template <typename Key>
+struct Vector_map
+{
+  using key_type = Key;
+  using value_type = Kernel::Vector_3;
+  using reference = Kernel::Vector_3;
+  using category = boost::read_write_property_map_tag;
+
+  std::vector<Point>* vectors;
+  friend void put(const Vector_map& map, const Key& key, const Kernel::Vector_3& v)
+  {
+    (*map.vectors)[static_cast<std::size_t>(key)] = {v.x(), v.y(), v.z()};
+  }
+  friend Kernel::Vector_3 get(const Vector_map& map, const Key& key)
+  {
+    const Point& v = (*map.vectors)[static_cast<std::size_t>(key)];
+    return {v[0], v[1], v[2]};
+  }
+};
+
+// A map for the library of vectors in faces, or of surfels.
+template <typename Surface_type>
+auto vector_map(std::vector<Point>& vectors, const Surface_type& surface)
+{
+  if constexpr(is_mesh<Surface_type>)
+  {
+    vectors.resize(surface.number_of_faces());
+    return Vector_map<Mesh::Face_index>{&vectors};
+  }
+  else
+  {
+    vectors.resize(surface.size());
+    return Vector_map<Cloud::Index>{&vectors};
+  }
+}
+
+// Calls f with what the library takes as masses.
+template <typename Vertex, typename Function>
+auto with_masses(const Masses& masses, Function f)
+{
+  const Property_map<Vertex> map{&masses.values};
+  return masses.is_density ? f(GP::mass_density(map)) : f(map);
+}
+
+// Calls f with what options say about the preparation of a solver.
+template <typename Vertex, typename Domain, typename Function>
+void with_solver_parameters(const Domain& domain, const Transport_options& options, Job& job,
+                            Function f)
+{
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  if(options.refine)
+    with_speeds<Vertex>(speed,
+                        GP::parameters::number_of_refinements(
+                            static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))),
+                        f);
+  else
+    with_speeds<Vertex>(speed, GP::parameters::threads(job.threads()), f);
+}
+
+// What options say about a query.
+inline auto query_parameters(const Transport_options& options, Job& job)
+{
+  return GP::parameters::tolerance(options.tolerance)
+      .do_normalize(options.normalize)
+      .do_bound_from_above(options.bound_above)
+      .callback(job.progress_callback("transport"));
+}
+
+// Calls f with the tag of a method.
+template <typename Function>
+auto with_transport_method(const std::string& method, Function f)
+{
+  if(method == "admm")
+    return f(GP::Alternating_directions());
+  if(method == "weiszfeld")
+    return f(GP::Weiszfeld());
+  return f(GP::Interior_point());
+}
+
+// What the last query of a solver found.
+template <typename Surface_type>
+void copy_solution(const GP::Transport_solution<Surface_type>& solution,
+                   const Surface_type& surface, const Job& job, Transport_result& result)
+{
+  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
+    result.potential.push_back(solution.potential(vertex_at<Surface_type>(i)));
+  solution.write_flow(vector_map(result.fields["flow"], surface));
+}
+
+// The parts of the flow on request.
+template <typename Domain, typename Surface_type>
+void add_hodge_decomposition([[maybe_unused]] const Domain& domain,
+                             [[maybe_unused]] const Surface_type& surface,
+                             [[maybe_unused]] const Transport_options& options,
+                             [[maybe_unused]] Transport_result& result)
+{
+  if constexpr(is_mesh<Surface_type>)
+    if(options.hodge)
+      GP::hodge_decomposition(domain, vector_map(result.fields["flow"], surface),
+                              vector_map(result.fields["gradient"], surface),
+                              vector_map(result.fields["rotation"], surface),
+                              vector_map(result.fields["harmonic"], surface));
+}
+
+// Says what was found, in the JSON and to a reader.
+void report(Job& job, const Transport_options& options, const GP::Earth_movers_cost& cost,
+            const std::string& title);
+
+// Writes potential and flow where that is asked for: vectors of faces, or of surfels by three numbers each;
+// in the picture with marked vertices.  Throws Output_error.
+void write_transport(const Job& job, const Transport_result& result,
+                     const std::vector<std::size_t>& marked_vertices);
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_COMMANDS_TRANSPORT_UTILITIES_H

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GEODESIC_PROGRAM_IO_WRITE_UTILITIES_H
+#define GEODESIC_PROGRAM_IO_WRITE_UTILITIES_H
+
+#include "io/Output_file.h"
+#include "io/Surface_file.h"
+
+#include <cstring>
+
+namespace program {
+
+// The bytes of a value, the least significant one first.
+template <typename Value>
+void append_little_endian(std::string& bytes, Value value)
+{
+  static_assert(sizeof(Value) <= sizeof(std::uint64_t));
+  std::uint64_t bits = 0;
+  if constexpr(std::is_floating_point_v<Value>)
+  {
+    static_assert(sizeof(Value) == sizeof bits);
+    std::memcpy(&bits, &value, sizeof value);
+  }
+  else
+    bits = static_cast<std::uint64_t>(value);
+  for(std::size_t i = 0; i < sizeof(Value); ++i)
+    bytes += static_cast<char>(bits >> (8 * i) & 255u);
+}
+
+template <std::size_t N>
+void append_numbers(std::string& text, const std::array<double, N>& numbers)
+{
+  for(const double x : numbers)
+  {
+    text += ' ';
+    append_number(text, x);
+  }
+}
+
+// A property's name as one word.
+inline std::string to_identifier(std::string name)
+{
+  for(char& c : name)
+    if(c <= ' ' || c > '~' || c == '"' || c == '<' || c == '>' || c == '&' || c == '\'')
+      c = '_';
+  return name.empty() ? "_" : name;
+}
+
+} // namespace program
+
+#endif // GEODESIC_PROGRAM_IO_WRITE_UTILITIES_H

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/mesh/feature_polylines.h>
+
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+#include "core/unfold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <set>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// A side in one of its directions: backwards where there is no twin.
+struct Directed_edge
+{
+  Index halfedge = none;
+  bool is_reversed = false;
+};
+
+class Feature_polylines
+{
+public:
+  Feature_polylines(const Surface_arrays& t, const std::vector<double>& spacing)
+      : m_triangles(t), m_spacing(spacing), m_edges_begin(t.number_of_vertices() + 1, 0),
+        m_is_done(t.corner.size(), false)
+  {
+    for_each_directed_edge([&](const Directed_edge& edge)
+                           { ++m_edges_begin[source_of(edge) + 1]; });
+    std::partial_sum(m_edges_begin.begin(), m_edges_begin.end(), m_edges_begin.begin());
+    m_edges_out.resize(m_edges_begin.back());
+    std::vector<Index> end(m_edges_begin.begin(), m_edges_begin.end() - 1);
+    for_each_directed_edge([&](const Directed_edge& edge)
+                           { m_edges_out[end[source_of(edge)]++] = edge; });
+  }
+
+  std::vector<Surface_location> sample()
+  {
+    for(const bool is_loop : {false, true})
+      for(Index vertex = 0; vertex + 1 < m_edges_begin.size(); ++vertex)
+      {
+        const Index number_of_steps = m_edges_begin[vertex + 1] - m_edges_begin[vertex];
+        if(number_of_steps == 2 && !is_loop)
+          continue;
+        if(number_of_steps > 0 && !is_loop)
+          m_result.push_back(vertex_location(m_triangles, vertex));
+        for(Index i = m_edges_begin[vertex]; i < m_edges_begin[vertex + 1]; ++i)
+          if(!m_is_done[m_edges_out[i].halfedge])
+          {
+            trace_chain(m_edges_out[i]);
+            sample_chain(is_loop);
+          }
+      }
+    return std::move(m_result);
+  }
+
+private:
+  template <typename Visitor>
+  void for_each_directed_edge(const Visitor& visit) const
+  {
+    for(Index halfedge = 0; halfedge < m_spacing.size(); ++halfedge)
+      if(m_spacing[halfedge] > 0.)
+      {
+        visit(Directed_edge{halfedge, false});
+        if(m_triangles.twin[halfedge] == none)
+          visit(Directed_edge{halfedge, true});
+      }
+  }
+  Index source_of(const Directed_edge& edge) const
+  {
+    return m_triangles.corner[edge.is_reversed ? next_halfedge(edge.halfedge) : edge.halfedge];
+  }
+  Index target_of(const Directed_edge& edge) const
+  {
+    return m_triangles.corner[edge.is_reversed ? edge.halfedge : next_halfedge(edge.halfedge)];
+  }
+  Vec3 direction(const Directed_edge& edge) const
+  {
+    return unit(m_triangles.point[target_of(edge)] - m_triangles.point[source_of(edge)]);
+  }
+  void mark(Index halfedge)
+  {
+    m_is_done[halfedge] = true;
+    if(m_triangles.twin[halfedge] != none)
+      m_is_done[m_triangles.twin[halfedge]] = true;
+  }
+
+  // The chain from a step on while there is one way to go.
+  void trace_chain(Directed_edge edge)
+  {
+    m_chain.clear();
+    for(;;)
+    {
+      mark(edge.halfedge);
+      m_chain.push_back(edge);
+      const Index end = target_of(edge), i = m_edges_begin[end];
+      if(m_edges_begin[end + 1] != i + 2 ||
+         (m_is_done[m_edges_out[i].halfedge] && m_is_done[m_edges_out[i + 1].halfedge]))
+        return;
+      edge = m_edges_out[m_is_done[m_edges_out[i].halfedge] ? i + 1 : i];
+    }
+  }
+
+  void sample_chain(bool is_loop)
+  {
+    std::vector<Directed_edge>& chain = m_chain;
+    // How sharply the chain turns where each step begins; a closed one starts where it does most.
+    const std::size_t n = chain.size();
+    std::vector<double>& turning_angle = m_turning_angle;
+    turning_angle.assign(n, 0.);
+    for(std::size_t i = is_loop ? 0 : 1; i < n; ++i)
+    {
+      const Vec3 before = direction(chain[(i + n - 1) % n]), after = direction(chain[i]);
+      turning_angle[i] = std::atan2(norm(cross(before, after)), dot(before, after));
+    }
+    if(is_loop)
+    {
+      const auto sharpest =
+          std::max_element(turning_angle.begin(), turning_angle.end()) - turning_angle.begin();
+      std::rotate(turning_angle.begin(), turning_angle.begin() + sharpest, turning_angle.end());
+      std::rotate(chain.begin(), chain.begin() + sharpest, chain.end());
+    }
+    std::vector<double>& arc_length = m_arc_length;
+    arc_length.assign(1, 0.);
+    for(const Directed_edge& edge : chain)
+      arc_length.push_back(arc_length.back() +
+                           m_triangles.length[edge.halfedge] / m_spacing[edge.halfedge]);
+
+    std::vector<std::size_t>& sharp_corners = m_sharp_corners;
+    sharp_corners.clear();
+    for(std::size_t i = 1; i < n; ++i)
+      if(turning_angle[i] > pi / 3.)
+        sharp_corners.push_back(i);
+    std::stable_sort(sharp_corners.begin(), sharp_corners.end(),
+                     [&](std::size_t i, std::size_t j)
+                     { return turning_angle[i] > turning_angle[j]; });
+    std::set<double> corners = {0., arc_length.back()};
+    for(const std::size_t i : sharp_corners)
+    {
+      const auto above = corners.lower_bound(arc_length[i]);
+      if(*above - arc_length[i] >= 0.5 && arc_length[i] - *std::prev(above) >= 0.5)
+        corners.insert(arc_length[i]);
+    }
+
+    if(is_loop)
+      m_result.push_back(vertex_location(m_triangles, source_of(chain[0])));
+    const bool is_closed = is_loop || source_of(chain[0]) == target_of(chain[n - 1]);
+    const std::size_t number_of_pieces = corners.size() - 1;
+    const double min_steps =
+        is_closed && number_of_pieces < 3 ? std::ceil(3. / double(number_of_pieces)) : 1.;
+    std::size_t i = 0;
+    for(auto from = corners.begin(), to = std::next(from); to != corners.end(); ++from, ++to)
+    {
+      const double number_of_steps = std::max(min_steps, std::round(*to - *from));
+      const bool is_last = std::next(to) == corners.end();
+      for(double k = 1.; k <= number_of_steps - (is_last ? 1. : 0.); ++k)
+      {
+        const double position =
+            k == number_of_steps ? *to : *from + k / number_of_steps * (*to - *from);
+        while(i + 1 < n && arc_length[i + 1] <= position)
+          ++i;
+        const double fraction =
+            std::clamp((position - arc_length[i]) / (arc_length[i + 1] - arc_length[i]), 0., 1.);
+        const Directed_edge& edge = chain[i];
+        m_result.push_back(canonical(
+            m_triangles,
+            {edge.halfedge / 3, none,
+             barycentric_on_halfedge(edge.halfedge, edge.is_reversed ? 1. - fraction : fraction)}));
+      }
+    }
+  }
+
+  const Surface_arrays& m_triangles;
+  const std::vector<double>& m_spacing;   // #sides
+  std::vector<Index> m_edges_begin;       // #sites + 1: where those of each begin in
+  std::vector<Directed_edge> m_edges_out; // the curves' steps that leave a site
+  std::vector<bool> m_is_done;            // #sides
+  std::vector<Surface_location> m_result;
+
+  // Of one chain: kept, as there may be as many chains as triangles
+  std::vector<Directed_edge> m_chain;
+  std::vector<double> m_turning_angle, m_arc_length; // where each step begins, in spacings
+  std::vector<std::size_t> m_sharp_corners;
+};
+
+} // namespace
+
+std::vector<Surface_location> sample_feature_polylines(const Surface_arrays& triangles,
+                                                       const std::vector<double>& spacing)
+{
+  return Feature_polylines(triangles, spacing).sample();
+}
+
+std::vector<bool> boundary_and_sharp_halfedges(const Surface_arrays& t, double angle)
+{
+  std::vector<Vec3> normal(angle < 180. ? t.number_of_triangles() : 0);
+  for(Index f = 0; f < normal.size(); ++f)
+  {
+    const Vec3 origin = t.point[t.corner[3 * f]];
+    normal[f] =
+        unit(cross(t.point[t.corner[3 * f + 1]] - origin, t.point[t.corner[3 * f + 2]] - origin));
+  }
+  std::vector<bool> result(t.corner.size(), false);
+  for(Index halfedge = 0; halfedge < t.corner.size(); ++halfedge)
+    if(t.twin[halfedge] == none)
+      result[halfedge] = true;
+    else if(!normal.empty())
+    {
+      const Vec3 &u = normal[halfedge / 3], &v = normal[t.twin[halfedge] / 3];
+      result[halfedge] = norm(u) > 0. && norm(v) > 0. &&
+                         std::atan2(norm(cross(u, v)), dot(u, v)) >= angle * pi / 180.;
+    }
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_LOCATE_BY_WALKING_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_LOCATE_BY_WALKING_H
+
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+
+#include <algorithm>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Of triangles that a walk passes: a sample moves by a cell or two.
+constexpr int max_walk_steps = 1000;
+
+inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  return norm(cross(b - a, c - a)) > 0.;
+}
+
+// The place of a surface that is nearest to a point in space, found from triangle to triangle, each nearer
+// than the one before.  Nowhere where that leads to a border, across a wall, or to a triangle that is not open or
+// has no area.
+//
+// triangle: where it starts; is_open(triangle); is_wall(side): of a side that is no border
+template <typename IsOpen, typename IsWall>
+Surface_location locate_by_walking(const Surface_arrays& t, Index triangle, const Vec3& p,
+                                   const IsOpen& is_open, const IsWall& is_wall)
+{
+  // The squared distance of the nearest place.
+  const auto nearest_in = [&](Index f, std::array<double, 3>& nearest)
+  {
+    if(f == none || !is_open(f))
+      return infinity;
+    const Index* const corner = &t.corner[3 * std::size_t(f)];
+    const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
+    if(!has_area(a, b, c))
+      return infinity;
+    nearest = nearest_in_triangle(a, b, c, p);
+    const Vec3 offset = nearest[0] * a + nearest[1] * b + nearest[2] * c - p;
+    return dot(offset, offset);
+  };
+
+  Index came_from = none;
+  std::array<double, 3> nearest;
+  double min_squared_distance = nearest_in(triangle, nearest);
+  for(int step = 0; min_squared_distance < infinity && step < max_walk_steps; ++step)
+  {
+    const auto zeros = std::count(nearest.begin(), nearest.end(), 0.);
+    if(zeros == 0)
+      return {triangle, none, nearest};
+    if(zeros > 1)
+    {
+      // At a corner: on through what comes nearest of all around it.
+      const Surface_location corner = {triangle, none, nearest};
+      const Index vertex = vertex_of(t, corner), previous_triangle = triangle;
+      std::array<double, 3> candidate;
+      for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+      {
+        if(t.twin[t.ring[i]] != none && is_wall(t.ring[i]))
+          return {};
+        if(const double squared_distance = nearest_in(t.ring[i] / 3, candidate);
+           squared_distance < min_squared_distance)
+        {
+          min_squared_distance = squared_distance;
+          nearest = candidate;
+          triangle = t.ring[i] / 3;
+        }
+      }
+      if(triangle == previous_triangle)
+        return corner;
+      came_from = previous_triangle;
+      continue;
+    }
+    const auto zero_corner = std::find(nearest.begin(), nearest.end(), 0.) - nearest.begin();
+    const Index h = next_halfedge(3 * triangle + Index(zero_corner));
+    if(t.twin[h] == none || is_wall(h))
+      return {};
+    // On an edge where the surface bulges.
+    if(t.twin[h] / 3 == came_from)
+      return {triangle, none, nearest};
+    came_from = triangle;
+    triangle = t.twin[h] / 3;
+    min_squared_distance = nearest_in(triangle, nearest);
+  }
+  return {};
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_LOCATE_BY_WALKING_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace CGAL::Geodesic_processing::internal {
+
+Frame unit_frame(const std::vector<std::array<double, 3>>& points)
+{
+  if(points.empty())
+    return {};
+  std::array<double, 3> low = points.front(), high = points.front();
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(int k = 0; k < 3; ++k)
+    {
+      const double x = points[i][k];
+      if(!std::isfinite(x))
+        throw Invalid_argument_error("The coordinates of point " + std::to_string(i) +
+                                     " are not finite.");
+      low[k] = std::min(low[k], x);
+      high[k] = std::max(high[k], x);
+    }
+  Frame frame;
+  double half_extent = 0.;
+  for(int k = 0; k < 3; ++k)
+  {
+    frame.origin[k] = low[k] / 2. + high[k] / 2.;
+    half_extent = std::max(half_extent, high[k] / 2. - low[k] / 2.);
+  }
+  if(half_extent > 0.25 * std::numeric_limits<double>::max())
+    throw Invalid_argument_error("The points are too far apart: their distances overflow.");
+  // Below this even a power of two cannot lift the coordinates without leaving normal numbers.
+  if(half_extent > std::numeric_limits<double>::min())
+    frame.scale = std::ldexp(1., std::ilogb(half_extent));
+  return frame;
+}
+
+void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame)
+{
+  const int exponent = -std::ilogb(frame.scale);
+  const double factor = std::ldexp(1., exponent);
+  const bool is_normal = std::isnormal(factor);
+  for(auto& point : points)
+    for(int k = 0; k < 3; ++k)
+    {
+      const double x = point[k] - frame.origin[k];
+      point[k] = is_normal ? x * factor : std::ldexp(x, exponent);
+    }
+}
+
+namespace {
+
+// The bits of a 21-bit number, spread to every third place.
+std::uint64_t spread_bits(std::uint64_t x)
+{
+  x = (x | x << 32) & 0x1f00000000ffffull;
+  x = (x | x << 16) & 0x1f0000ff0000ffull;
+  x = (x | x << 8) & 0x100f00f00f00f00full;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+  return (x | x << 2) & 0x1249249249249249ull;
+}
+
+} // namespace
+
+std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points)
+{
+  struct Entry
+  {
+    std::uint64_t key;
+    Index point;
+  };
+  const std::size_t n = points.size();
+  std::vector<Entry> entries(n), sorted(n);
+  // 11 bits an axis: a million points of a surface fall into cells of a few.
+  const auto cell = [](double x)
+  { return static_cast<std::uint64_t>(std::clamp((x + 2.) * 512., 0., 2047.)); };
+  for(std::size_t i = 0; i < n; ++i)
+    entries[i] = {spread_bits(cell(points[i][0])) | spread_bits(cell(points[i][1])) << 1 |
+                      spread_bits(cell(points[i][2])) << 2,
+                  static_cast<Index>(i)};
+  for(int shift = 0; shift < 33; shift += 11)
+  {
+    std::array<std::size_t, 2049> begin{};
+    for(const Entry& entry : entries)
+      ++begin[(entry.key >> shift & 2047) + 1];
+    for(std::size_t digit = 1; digit < begin.size(); ++digit)
+      begin[digit] += begin[digit - 1];
+    for(const Entry& entry : entries)
+      sorted[begin[entry.key >> shift & 2047]++] = entry;
+    std::swap(entries, sorted);
+  }
+  std::vector<Index> order(n);
+  std::transform(entries.begin(), entries.end(), order.begin(),
+                 [](const Entry& entry) { return entry.point; });
+  return order;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

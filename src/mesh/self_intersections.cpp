@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/self_intersections.h"
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+using Kernel = Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Box =
+    Box_intersection_d::Box_with_info_d<double, 3, Index, Box_intersection_d::ID_FROM_BOX_ADDRESS>;
+
+// Below so many boxes all pairs of them are looked at.
+constexpr std::ptrdiff_t cutoff = 500;
+
+// Below it products have lost digits.
+constexpr double min_product = 1e-290;
+
+// The only way out of CGAL's search.
+struct Limit_reached
+{};
+
+class Self_intersection_finder
+{
+public:
+  Self_intersection_finder(const std::vector<Vec3>& points,
+                           const std::vector<std::array<Index, 3>>& corners)
+      : m_points(points), m_corners(corners)
+  {}
+
+  std::vector<std::array<Index, 2>> find_pairs(std::size_t max_pairs) const
+  {
+    std::vector<std::array<Index, 2>> result;
+    std::vector<Box> boxes;
+    for(Index f = 0; f < m_corners.size(); ++f)
+      if(const auto [p, q, r] = points_of(f); collinear(p, q, r))
+        result.push_back({f, f});
+      else
+        boxes.emplace_back(p.bbox() + q.bbox() + r.bbox(), f);
+    std::vector<const Box*> addresses;
+    for(const Box& box : boxes)
+      addresses.push_back(&box);
+    try
+    {
+      box_self_intersection_d(
+          addresses.begin(), addresses.end(),
+          [&](const Box* box, const Box* other)
+          {
+            if(result.size() >= max_pairs)
+              throw Limit_reached();
+            const auto [f, g] = std::minmax({box->info(), other->info()});
+            if(intersect_properly(f, g))
+              result.push_back({f, g});
+          },
+          cutoff);
+    }
+    catch(const Limit_reached&)
+    {}
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  std::array<Point, 3> points_of(Index f) const
+  {
+    const auto point = [&](int k)
+    {
+      const Vec3& p = m_points[m_corners[f][k]];
+      return Point(p[0], p[1], p[2]);
+    };
+    return {point(0), point(1), point(2)};
+  }
+
+  bool intersect_properly(Index f, Index g) const
+  {
+    // Where the corners that they share are in each.
+    std::array<int, 3> in_f{}, in_g{};
+    int number_shared = 0;
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        if(number_shared < 3 && m_corners[f][i] == m_corners[g][j])
+        {
+          in_f[number_shared] = i;
+          in_g[number_shared++] = j;
+        }
+    if(number_shared == 1 && are_separated(f, in_f[0], g, in_g[0]))
+      return false;
+    const auto p = points_of(f), q = points_of(g);
+    const Kernel::Triangle_3 a(p[0], p[1], p[2]), b(q[0], q[1], q[2]);
+    if(number_shared == 0)
+      return do_intersect(a, b);
+    if(number_shared == 1)
+    {
+      const auto opposite = [](const std::array<Point, 3>& corners, int i)
+      { return Kernel::Segment_3(corners[(i + 1) % 3], corners[(i + 2) % 3]); };
+      return do_intersect(a, opposite(q, in_g[0])) || do_intersect(b, opposite(p, in_f[0]));
+    }
+    if(number_shared == 3)
+      return true;
+    // Folded onto each other: both lie on one side of what they share.
+    const Point &x = p[in_f[0]], &y = p[in_f[1]], &z = p[3 - in_f[0] - in_f[1]],
+                &w = q[3 - in_g[0] - in_g[1]];
+    return coplanar(x, y, z, w) && coplanar_orientation(x, y, z, w) == POSITIVE;
+  }
+
+  // Whether a plane through the corner that two triangles share, square to the way from one to the other, has
+  // them on two sides for certain.
+  bool are_separated(Index f, int in_f, Index g, int in_g) const
+  {
+    const Vec3& shared_corner = m_points[m_corners[f][in_f]];
+    const auto to_corner = [&](Index triangle, int k)
+    { return m_points[m_corners[triangle][k % 3]] - shared_corner; };
+    const std::array<Vec3, 2> edges_of_f = {to_corner(f, in_f + 1), to_corner(f, in_f + 2)},
+                              edges_of_g = {to_corner(g, in_g + 1), to_corner(g, in_g + 2)};
+    const Vec3 direction = (edges_of_g[0] + edges_of_g[1]) - (edges_of_f[0] + edges_of_f[1]);
+    // The differences, products and sums are right to five roundings of 2^-53 of the sizes of the products.
+    const auto is_separated = [&](const Vec3& p, double sign)
+    {
+      const std::array<double, 3> product = {p[0] * direction[0], p[1] * direction[1],
+                                             p[2] * direction[2]};
+      const double size = std::abs(product[0]) + std::abs(product[1]) + std::abs(product[2]);
+      return sign * (product[0] + product[1] + product[2]) > 1e-15 * size + min_product;
+    };
+    return is_separated(edges_of_f[0], -1.) && is_separated(edges_of_f[1], -1.) &&
+           is_separated(edges_of_g[0], 1.) && is_separated(edges_of_g[1], 1.);
+  }
+
+  const std::vector<Vec3>& m_points;
+  const std::vector<std::array<Index, 3>>& m_corners;
+};
+
+} // namespace
+
+std::vector<std::array<Index, 2>>
+self_intersections(const std::vector<Vec3>& points,
+                   const std::vector<std::array<Index, 3>>& corners, std::size_t max_pairs)
+{
+  return Self_intersection_finder(points, corners).find_pairs(max_pairs);
+}
+
+} // namespace CGAL::Geodesic_processing::internal

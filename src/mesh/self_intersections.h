@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_SELF_INTERSECTIONS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_SELF_INTERSECTIONS_H
+
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Pairs of triangles in space that meet elsewhere than in corners and sides that they share, by exact
+// predicates: sorted, the lower of each first.  One without area makes a pair with itself alone.
+// O(n log n + k) for k pairs whose boxes meet, until `most` pairs are found, which ends the search.
+// corners: #triangles by 3, of points
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::vector<std::array<Index, 2>>
+self_intersections(const std::vector<Vec3>& points,
+                   const std::vector<std::array<Index, 3>>& corners, std::size_t max_pairs);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_SELF_INTERSECTIONS_H

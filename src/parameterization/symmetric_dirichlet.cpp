@@ -1,0 +1,584 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/numerics/Sparse_solver.h>
+#include "core/unfold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// The side after a side along its border: turned around the corner where it ends.
+Index next_boundary_halfedge(const Surface_arrays& t, Index h)
+{
+  for(h = next_halfedge(h); t.twin[h] != none;)
+    h = next_halfedge(t.twin[h]);
+  return h;
+}
+
+// A triangle in its own plane.
+struct Rest_triangle
+{
+  double area = 0.;             // as a part of all
+  std::array<Vec2, 3> gradient; // of the function that is one at a corner and zero at the others
+};
+
+// What makes the energy finite where triangles are turned round but little.
+constexpr double min_regularization = 1e-3;
+
+// No triangle is flatter than this: height over longest side.
+constexpr double min_height_ratio = 1e-7;
+
+std::vector<Rest_triangle> rest_triangles(const Surface_arrays& t)
+{
+  std::vector<Rest_triangle> result(t.number_of_triangles());
+  double sum = 0.;
+  for(Index f = 0; f < result.size(); ++f)
+  {
+    // The longest side first, so that a height is what a needle lacks.
+    const Index first_halfedge = 3 * f;
+    Index longest = first_halfedge;
+    for(Index h = first_halfedge + 1; h < first_halfedge + 3; ++h)
+      if(t.length[h] > t.length[longest])
+        longest = h;
+    double base = t.length[longest];
+    if(base <= 0.)
+      base = 1e-12;
+    Vec2 apex =
+        third_corner(base, t.length[previous_halfedge(longest)], t.length[next_halfedge(longest)]);
+    apex[1] = std::max(apex[1], min_height_ratio * base);
+    apex[0] = std::clamp(apex[0], 0., base);
+    const double double_area = base * apex[1];
+    const std::array<Vec2, 3> gradient = {
+        Vec2{-apex[1] / double_area, (apex[0] - base) / double_area},
+        Vec2{apex[1] / double_area, -apex[0] / double_area}, Vec2{0., base / double_area}};
+    for(Index k = 0, h = longest; k < 3; ++k, h = next_halfedge(h))
+      result[f].gradient[h - first_halfedge] = gradient[k];
+    result[f].area = 0.5 * double_area;
+    sum += result[f].area;
+  }
+  for(Rest_triangle& rest : result)
+    rest.area /= sum;
+  return result;
+}
+
+// The Jacobian of a map on a triangle and its parts: J = U diag(s) V^T, U and V rotations.
+struct Jacobian_svd
+{
+  std::array<double, 2> s;
+  Vec2 u, v; // the first columns
+};
+
+Jacobian_svd jacobian_svd(const Rest_triangle& rest, const std::array<Vec2, 3>& image)
+{
+  double a = 0., b = 0., c = 0., d = 0.;
+  for(int k = 0; k < 3; ++k)
+  {
+    a += image[k][0] * rest.gradient[k][0];
+    b += image[k][0] * rest.gradient[k][1];
+    c += image[k][1] * rest.gradient[k][0];
+    d += image[k][1] * rest.gradient[k][1];
+  }
+  const Vec2 rotation_part = {0.5 * (a + d), 0.5 * (c - b)},
+             reflection_part = {0.5 * (a - d), 0.5 * (c + b)};
+  const double p = std::hypot(rotation_part[0], rotation_part[1]),
+               q = std::hypot(reflection_part[0], reflection_part[1]);
+  const double sum = std::atan2(reflection_part[1], reflection_part[0]),
+               difference = std::atan2(rotation_part[1], rotation_part[0]);
+  const double alpha = 0.5 * (sum + difference), beta = 0.5 * (sum - difference);
+  // The determinant over the larger one keeps the digits of the smaller one.
+  const double determinant = a * d - b * c;
+  return {{p + q, p + q > 0. ? determinant / (p + q) : 0.},
+          {std::cos(alpha), std::sin(alpha)},
+          {std::cos(beta), std::sin(beta)}};
+}
+
+// The square of the Frobenius norm of J, q, times 1 + 1/c^2, where c is the determinant d; or, to be finite and to
+// fall where that is negative, too, c = (d + sqrt(d^2 + softness^2)) / 2 (Garanzha and others 2021).
+struct Regularized_energy
+{
+  Regularized_energy(const Jacobian_svd& j, double regularization)
+      : square(j.s[0] * j.s[0] + j.s[1] * j.s[1])
+  {
+    const double d = j.s[0] * j.s[1], root = std::hypot(d, regularization);
+    // Without loss of digits where d is negative.
+    const double c = d > 0. ? 0.5 * (d + root) : 0.5 * regularization * regularization / (root - d);
+    inverse = 1. / (c * c);
+    // -1/2 of the derivatives of 1/c^2.
+    const double slope = c / root,
+                 bend = 0.5 * regularization * regularization / (root * root * root);
+    first = inverse / c * slope;
+    second = inverse / c * (bend - 3. * slope * slope / c);
+  }
+  double value() const { return square * (1. + inverse); }
+
+  double square, inverse, first, second;
+};
+
+// The part of a symmetric matrix of two rows, a, b, c, whose eigenvalues are not negative.
+std::array<double, 3> project_to_psd(double a, double b, double c)
+{
+  const double mean = 0.5 * (a + c), half = 0.5 * (a - c), radius = std::hypot(half, b);
+  if(mean - radius >= 0.)
+    return {a, b, c};
+  if(mean + radius <= 0.)
+    return {0., 0., 0.};
+  const double scale = 0.5 * (mean + radius) / radius;
+  return {scale * (radius + half), scale * b, scale * (radius - half)};
+}
+
+class Symmetric_dirichlet
+{
+public:
+  Symmetric_dirichlet(const Surface_arrays& t, const std::vector<bool>& is_fixed)
+      : m_t(t), m_rest_triangles(rest_triangles(t)), m_is_fixed(is_fixed)
+  {
+    // The lower triangle of the Hessian; two unknowns a site.
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(21 * m_rest_triangles.size() + 2 * t.number_of_vertices());
+    for(int i = 0; i < 2 * int(t.number_of_vertices()); ++i)
+      entries.emplace_back(i, i, 0.);
+    for(Index f = 0; f < m_rest_triangles.size(); ++f)
+      for(int r = 0; r < 6; ++r)
+        for(int c = 0; c < 6; ++c)
+          if(unknown(f, r) >= unknown(f, c))
+            entries.emplace_back(unknown(f, r), unknown(f, c), 0.);
+    const auto n = 2 * Eigen::Index(t.number_of_vertices());
+    m_hessian.resize(n, n);
+    m_hessian.setFromTriplets(entries.begin(), entries.end());
+    m_hessian.makeCompressed();
+  }
+
+  double energy(const std::vector<Vec2>& image) const
+  {
+    double result = 0.;
+    for(Index f = 0; f < m_rest_triangles.size(); ++f)
+    {
+      const Jacobian_svd j = jacobian_svd(m_rest_triangles[f], corners(image, f));
+      if(!is_regularized() && !(twice_area_of_image(m_t, image, f) > 0. && j.s[1] > 0.))
+        return infinity;
+      result += m_rest_triangles[f].area * Regularized_energy(j, m_regularization).value();
+    }
+    return result;
+  }
+
+  // Sets the Hessian, made definite, and returns the gradient.
+  Vector differentiate(const std::vector<Vec2>& image)
+  {
+    Vector gradient = Vector::Zero(m_hessian.rows());
+    double* value = m_hessian.valuePtr();
+    std::fill_n(value, m_hessian.nonZeros(), 0.);
+    for(Index f = 0; f < m_rest_triangles.size(); ++f)
+    {
+      const Rest_triangle& rest = m_rest_triangles[f];
+      const Jacobian_svd j = jacobian_svd(rest, corners(image, f));
+      const Regularized_energy e(j, m_regularization);
+      const double d = j.s[0] * j.s[1], q = e.square;
+      std::array<double, 2> first, second;
+      for(int i = 0; i < 2; ++i)
+      {
+        const double s = j.s[i], other = j.s[1 - i];
+        first[i] = 2. * s * (1. + e.inverse) - 2. * q * other * e.first;
+        second[i] = 2. * (1. + e.inverse) - 8. * d * e.first - 2. * q * other * other * e.second;
+      }
+      const double mixed_derivative = -6. * q * e.first - 2. * q * d * e.second;
+      // Modes: stretch along either axis, turn, and the one that mirrors, whose factor is never negative.
+      const double twist_eigenvalue = std::max(0., 2. * (1. + e.inverse) - 2. * q * e.first);
+      const double flip_eigenvalue = 2. * (1. + e.inverse) + 2. * q * e.first;
+      const std::array<double, 3> stretch_hessian =
+          project_to_psd(second[0], mixed_derivative, second[1]);
+      const Vec2 u = j.u, u2 = rotated_left(u), v = j.v, v2 = rotated_left(v);
+      std::array<std::array<double, 6>, 4> mode;
+      for(int k = 0; k < 3; ++k)
+      {
+        const double g = dot(rest.gradient[k], v), g2 = dot(rest.gradient[k], v2);
+        for(int axis = 0; axis < 2; ++axis)
+        {
+          mode[0][2 * k + axis] = g * u[axis];
+          mode[1][2 * k + axis] = g2 * u2[axis];
+          mode[2][2 * k + axis] = g * u2[axis] - g2 * u[axis];
+          mode[3][2 * k + axis] = g * u2[axis] + g2 * u[axis];
+        }
+      }
+      for(int r = 0; r < 6; ++r)
+      {
+        gradient[unknown(f, r)] += rest.area * (first[0] * mode[0][r] + first[1] * mode[1][r]);
+        for(int c = 0; c < 6; ++c)
+        {
+          const int row = unknown(f, r), column = unknown(f, c);
+          if(row < column)
+            continue;
+          const double sum =
+              stretch_hessian[0] * mode[0][r] * mode[0][c] +
+              stretch_hessian[2] * mode[1][r] * mode[1][c] +
+              stretch_hessian[1] * (mode[0][r] * mode[1][c] + mode[1][r] * mode[0][c]) +
+              0.5 * twist_eigenvalue * mode[2][r] * mode[2][c] +
+              0.5 * flip_eigenvalue * mode[3][r] * mode[3][c];
+          value[entry_index(row, column)] += rest.area * sum;
+        }
+      }
+    }
+    // Nothing holds the map in its place, nor turns it.
+    double trace = 0.;
+    for(int i = 0; i < m_hessian.rows(); ++i)
+      trace += value[entry_index(i, i)];
+    const double ridge = 1e-9 * trace / double(m_hessian.rows());
+    for(int i = 0; i < m_hessian.rows(); ++i)
+      value[entry_index(i, i)] += ridge;
+    if(!m_is_fixed.empty())
+      fix_vertices(gradient);
+    return gradient;
+  }
+
+  // The energy is infinite where a triangle is flipped, unless this is positive.
+  void set_regularization(double regularization) { m_regularization = regularization; }
+  bool is_regularized() const { return m_regularization > 0.; }
+  // Of a Jacobian.
+  double min_determinant(const std::vector<Vec2>& image) const
+  {
+    double result = infinity;
+    for(Index f = 0; f < m_rest_triangles.size(); ++f)
+    {
+      const Jacobian_svd j = jacobian_svd(m_rest_triangles[f], corners(image, f));
+      result = std::min(result, j.s[0] * j.s[1]);
+    }
+    return result;
+  }
+
+  const Sparse_matrix& hessian() const { return m_hessian; }
+
+  // How far a map may move until the first triangle has no area, where that matters.
+  double max_flip_free_step(const std::vector<Vec2>& image, const std::vector<Vec2>& step) const
+  {
+    double result = infinity;
+    if(is_regularized())
+      return result;
+    for(Index f = 0; f < m_rest_triangles.size(); ++f)
+    {
+      const auto p = corners(image, f), s = corners(step, f);
+      const Vec2 a = p[1] - p[0], b = p[2] - p[0], da = s[1] - s[0], db = s[2] - s[0];
+      // x + y t + z t^2 = 0
+      const double x = cross(a, b), y = cross(a, db) + cross(da, b), z = cross(da, db);
+      const double discriminant = y * y - 4. * x * z;
+      if(discriminant < 0.)
+        continue;
+      const double q = -0.5 * (y + std::copysign(std::sqrt(discriminant), y));
+      for(const double root : {z != 0. ? q / z : infinity, q != 0. ? x / q : infinity})
+        if(root > 0.)
+          result = std::min(result, root);
+    }
+    return result;
+  }
+
+private:
+  // Steps of what is held are zero, whatever the others are.
+  void fix_vertices(Vector& gradient)
+  {
+    for(int column = 0; column < m_hessian.cols(); ++column)
+      for(Sparse_matrix::InnerIterator entry(m_hessian, column); entry; ++entry)
+        if(m_is_fixed[std::size_t(entry.row()) / 2] || m_is_fixed[std::size_t(column) / 2])
+          entry.valueRef() = entry.row() == column ? 1. : 0.;
+    for(int i = 0; i < gradient.size(); ++i)
+      if(m_is_fixed[std::size_t(i) / 2])
+        gradient[i] = 0.;
+  }
+
+  int unknown(Index f, int i) const { return int(2 * m_t.corner[3 * f + Index(i) / 2]) + i % 2; }
+  std::array<Vec2, 3> corners(const std::vector<Vec2>& image, Index f) const
+  {
+    const Index* c = &m_t.corner[3 * std::size_t(f)];
+    return {image[c[0]], image[c[1]], image[c[2]]};
+  }
+  std::size_t entry_index(int row, int column) const
+  {
+    const int* begin = m_hessian.innerIndexPtr() + m_hessian.outerIndexPtr()[column];
+    const int* end = m_hessian.innerIndexPtr() + m_hessian.outerIndexPtr()[column + 1];
+    return std::size_t(std::lower_bound(begin, end, row) - m_hessian.innerIndexPtr());
+  }
+
+  const Surface_arrays& m_t;
+  std::vector<Rest_triangle> m_rest_triangles;
+  const std::vector<bool>& m_is_fixed; // #sites, or none
+  double m_regularization = 0.;
+  Sparse_matrix m_hessian;
+};
+
+// Newton's method from an image that it moves.
+class Newton_descent
+{
+public:
+  Newton_descent(Symmetric_dirichlet& problem, std::vector<Vec2>& image)
+      : m_problem(problem), m_image(image), m_step(image.size()), m_best(image.size()),
+        m_trial(image.size())
+  {}
+
+  // What a step takes off the energy, whatever that has been made since the last one; zero at the end.
+  double step()
+  {
+    const double before = m_problem.energy(m_image);
+    const Vector gradient = m_problem.differentiate(m_image);
+    if(!(before < infinity) || !gradient.allFinite() || !factorize())
+      return 0.;
+    const Vector direction = m_solver->solve(-gradient);
+    const double slope = gradient.dot(direction);
+    if(!(slope < 0.))
+      return 0.;
+    for(std::size_t vertex = 0; vertex < m_image.size(); ++vertex)
+      m_step[vertex] = {direction[2 * Eigen::Index(vertex)],
+                        direction[2 * Eigen::Index(vertex) + 1]};
+    // The first share that lowers it enough; of a softened energy, which bends much, a shorter one that lowers it
+    // more.
+    double best_energy = before;
+    double step_size = std::min(1., 0.9 * m_problem.max_flip_free_step(m_image, m_step));
+    for(int attempt = 0; attempt < 60; ++attempt, step_size *= 0.5)
+    {
+      for(std::size_t vertex = 0; vertex < m_image.size(); ++vertex)
+        m_trial[vertex] = m_image[vertex] + step_size * m_step[vertex];
+      const double energy = m_problem.energy(m_trial);
+      const bool is_found = best_energy < before;
+      if(is_found ? energy < best_energy : energy <= before + 1e-4 * step_size * slope)
+      {
+        best_energy = energy;
+        m_best.swap(m_trial);
+        if(!m_problem.is_regularized())
+          break;
+      }
+      else if(is_found)
+        break;
+    }
+    if(best_energy < before)
+      m_image.swap(m_best);
+    return before - best_energy;
+  }
+
+private:
+  // False when rounding has left the matrix indefinite.
+  bool factorize()
+  {
+    if(m_solver)
+      return m_solver->factorize(m_problem.hessian());
+    try
+    {
+      m_solver = std::make_unique<Sparse_solver>(m_problem.hessian(), Elimination_order::low_fill);
+    }
+    catch(const Unsupported_surface_error&)
+    {}
+    return m_solver != nullptr;
+  }
+
+  Symmetric_dirichlet& m_problem;
+  std::vector<Vec2>&m_image, m_step, m_best, m_trial;
+  std::unique_ptr<Sparse_solver> m_solver;
+};
+
+} // namespace
+
+double scale_to_area(const Surface_arrays& t, const std::vector<Vec2>& image)
+{
+  double area = 0., area_of_image = 0.; // twice
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    area += twice_area(t.length[3 * f], t.length[3 * f + 1], t.length[3 * f + 2]);
+    area_of_image += twice_area_of_image(t, image, f);
+  }
+  const double result = std::sqrt(area / area_of_image);
+  return result > 0. && result < infinity ? result : 0.;
+}
+
+std::size_t number_of_flips(const Surface_arrays& t, const std::vector<Vec2>& image)
+{
+  std::size_t result = 0;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+    result += !(twice_area_of_image(t, image, f) > 0.);
+  return result;
+}
+
+std::vector<std::vector<Index>> boundary_loops(const Surface_arrays& t)
+{
+  std::vector<std::vector<Index>> result;
+  std::vector<bool> is_seen(t.corner.size(), false);
+  std::vector<double> length;
+  for(Index start = 0; start < t.corner.size(); ++start)
+  {
+    if(t.twin[start] != none || is_seen[start])
+      continue;
+    result.emplace_back();
+    length.push_back(0.);
+    for(Index h = start; !is_seen[h]; h = next_boundary_halfedge(t, h))
+    {
+      is_seen[h] = true;
+      result.back().push_back(h);
+      length.back() += t.length[h];
+    }
+  }
+  if(!result.empty())
+    std::swap(result.front(),
+              result[std::size_t(std::max_element(length.begin(), length.end()) - length.begin())]);
+  return result;
+}
+
+void check_is_disk(const Surface_arrays& t)
+{
+  std::size_t number_of_vertices = 0, number_of_edges = 0;
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+    number_of_vertices += t.ring_begin[vertex] < t.ring_begin[vertex + 1];
+  for(Index h = 0; h < t.twin.size(); ++h)
+    number_of_edges += t.twin[h] == none || h < t.twin[h];
+  // One component: a walk across the sides reaches all triangles.
+  std::vector<bool> is_reached(t.number_of_triangles(), false);
+  std::vector<Index> stack;
+  std::size_t number_reached = 0;
+  if(!is_reached.empty())
+  {
+    stack.push_back(0);
+    is_reached[0] = true;
+  }
+  while(!stack.empty())
+  {
+    const Index f = stack.back();
+    stack.pop_back();
+    ++number_reached;
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      if(t.twin[h] != none && !is_reached[t.twin[h] / 3])
+      {
+        is_reached[t.twin[h] / 3] = true;
+        stack.push_back(t.twin[h] / 3);
+      }
+  }
+  if(number_reached == 0 || number_reached < t.number_of_triangles())
+    throw Unsupported_surface_error("The surface is not one piece.");
+  const std::size_t number_of_loops = boundary_loops(t).size();
+  if(number_of_loops == 0)
+    throw Unsupported_surface_error(
+        "The surface has no border, and must be cut before it is flat.");
+  if(number_of_vertices + t.number_of_triangles() + number_of_loops != number_of_edges + 2)
+    throw Unsupported_surface_error(
+        "The surface has handles, or touches itself at a vertex, and must "
+        "be cut before it is flat.");
+}
+
+std::vector<Vec2> tutte_map(const Surface_arrays& t)
+{
+  const auto loops = boundary_loops(t);
+  std::vector<Vec2> image(t.number_of_vertices(), Vec2{0., 0.});
+  std::vector<bool> is_fixed(t.number_of_vertices(), false);
+  double length = 0., length_so_far = 0.;
+  for(const Index h : loops.front())
+    length += t.length[h];
+  // A border of no length is divided evenly.
+  for(std::size_t i = 0; i < loops.front().size(); ++i)
+  {
+    const Index h = loops.front()[i];
+    const double uniform = double(i) / double(loops.front().size());
+    const double angle =
+        2. * pi * (length > 0. ? 0.99 * length_so_far / length + 0.01 * uniform : uniform);
+    length_so_far += t.length[h];
+    image[t.corner[h]] = {std::cos(angle), std::sin(angle)};
+    is_fixed[t.corner[h]] = true;
+  }
+
+  std::vector<int> unknown(t.number_of_vertices(), -1);
+  int number_of_unknowns = 0;
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+    if(!is_fixed[vertex] && t.ring_begin[vertex] < t.ring_begin[vertex + 1])
+      unknown[vertex] = number_of_unknowns++;
+  std::vector<Eigen::Triplet<double>> entries;
+  const int number_of_holes = int(loops.size()) - 1;
+  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(number_of_unknowns + number_of_holes, 2);
+  const auto add_entry = [&](int i, const Vec2& p, int j)
+  {
+    entries.emplace_back(i, i, 1.);
+    if(j < 0)
+      rhs.row(i) += Eigen::RowVector2d(p[0], p[1]);
+    else if(j < i)
+      entries.emplace_back(i, j, -1.);
+  };
+  const auto add_edge = [&](Index a, Index b)
+  {
+    if(unknown[a] >= 0)
+      add_entry(unknown[a], image[b], unknown[b]);
+    if(unknown[b] >= 0)
+      add_entry(unknown[b], image[a], unknown[a]);
+  };
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(t.twin[h] == none || h < t.twin[h])
+      add_edge(t.corner[h], t.corner[next_halfedge(h)]);
+  for(int hole = 0; hole < number_of_holes; ++hole)
+    for(const Index h : loops[std::size_t(hole) + 1])
+    {
+      const Index vertex = t.corner[h];
+      add_entry(number_of_unknowns + hole, image[vertex], unknown[vertex]);
+      if(unknown[vertex] >= 0)
+        add_entry(unknown[vertex], {}, number_of_unknowns + hole);
+    }
+  if(number_of_unknowns + number_of_holes > 0)
+  {
+    Sparse_matrix matrix(number_of_unknowns + number_of_holes,
+                         number_of_unknowns + number_of_holes);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Sparse_solver(matrix).solve_columns(rhs);
+  }
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+    if(unknown[vertex] >= 0)
+      image[vertex] = {rhs(unknown[vertex], 0), rhs(unknown[vertex], 1)};
+  if(const double scale = scale_to_area(t, image); scale > 0.)
+    for(Vec2& p : image)
+      p = scale * p;
+  return image;
+}
+
+Minimization_result minimize_symmetric_dirichlet(const Surface_arrays& t, std::vector<Vec2>& image,
+                                                 std::size_t max_steps,
+                                                 const std::function<bool(double)>& callback,
+                                                 double energy_tolerance,
+                                                 const std::vector<bool>& is_fixed)
+{
+  Symmetric_dirichlet problem(t, is_fixed);
+  Newton_descent descent(problem, image);
+  Minimization_result result;
+  result.energy = problem.energy(image);
+  for(; result.number_of_steps < max_steps; ++result.number_of_steps)
+  {
+    if(callback && !callback(double(result.number_of_steps) / double(max_steps)))
+    {
+      result.is_complete = false;
+      break;
+    }
+    const double decrease = descent.step();
+    if(decrease == 0.)
+      break;
+    result.energy -= decrease;
+    if(decrease < energy_tolerance * result.energy)
+    {
+      ++result.number_of_steps;
+      break;
+    }
+  }
+  return result;
+}
+
+bool unflip(const Surface_arrays& t, std::vector<Vec2>& image, std::size_t max_steps,
+            const std::vector<bool>& is_fixed)
+{
+  Symmetric_dirichlet problem(t, is_fixed);
+  Newton_descent descent(problem, image);
+  std::size_t flips = number_of_flips(t, image);
+  for(std::size_t step = 0; flips > 0 && step < max_steps; ++step)
+  {
+    // As soft as what is turned round the most asks for.
+    problem.set_regularization(
+        std::max(min_regularization, std::abs(problem.min_determinant(image))));
+    if(descent.step() == 0.)
+      break;
+    flips = number_of_flips(t, image);
+  }
+  return flips == 0;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

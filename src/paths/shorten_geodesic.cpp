@@ -1,0 +1,746 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paths/shorten_geodesic.h"
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/core/path_locations.h>
+#include "core/unfold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Angles nearer to pi than this count as pi: cutting such a corner, with legs a and b, shortens the
+// path by less than 1e-18 (a + b).
+constexpr double angle_tolerance = 1e-9;
+
+// Sides that a path crosses one after the other, each given in the triangle that it leaves.
+struct Strip
+{
+  Index triangle = none; // where it begins
+  std::vector<Index> halfedges;
+
+  Index last_triangle(const Surface_arrays& t) const
+  {
+    return halfedges.empty() ? triangle : t.twin[halfedges.back()] / 3;
+  }
+  // Crosses one more side; going straight back undoes the crossing before.
+  void append(const Surface_arrays& t, Index h)
+  {
+    if(!halfedges.empty() && t.twin[halfedges.back()] == h)
+      halfedges.pop_back();
+    else
+      halfedges.push_back(h);
+  }
+};
+
+// A point where the path may bend, and the straight part that leaves it.
+struct Path_vertex
+{
+  Surface_location location; // an end of the path, or a site
+  Index vertex = none;
+  Index previous = none, next = none;
+
+  // To the next knot; no side of it contains either
+  Strip strip;
+  double length = 0.;
+
+  // At a site: the direction in which the path leaves and the one back to where it came from, each
+  // as an angle from the side that leaves a corner.
+  Index corner_out = none, corner_in = none;
+  double angle_out = 0., angle_in = 0.;
+
+  bool is_queued = false; // in the list of knots to be looked at
+};
+
+// A strip in the plane, its begin at the origin.
+struct Unfolded_strip
+{
+  std::vector<Vec2> left, right; // ends of the sides that are crossed
+  Vec2 end;
+  Vec2 first_leg, last_leg; // at the corners opposite to the first and the last side crossed
+};
+
+// Where a funnel bends.
+struct Bend
+{
+  Index strip_index; // place in the strip of the first side that ends there
+  bool is_left;
+};
+
+class Geodesic_shortener
+{
+public:
+  explicit Geodesic_shortener(const Surface_arrays& t) : t(t) {}
+
+  Locally_shortest_path operator()(const std::vector<Surface_location>& path);
+
+private:
+  void initialize(const std::vector<Surface_location>& path);
+  bool shorten_globally();
+  void shorten_locally();
+  Locally_shortest_path make_result();
+
+  Index new_path_vertex(const Surface_location& location);
+  void release(Index path_vertex);
+  void link(Index a, Index b);
+  double insert_shortest_path(Strip strip, Index first, Index last);
+  void merge_duplicates(Index first, Index last);
+  bool reroute_around(Strip& strip, Index first, Index last) const;
+  void trim(Strip& strip, const Surface_location& begin, const Surface_location& end) const;
+  void unfold(const Strip& strip, const Surface_location& begin, const Surface_location& end);
+  void find_bends(const Strip& strip);
+  void update_length_and_angles(Index path_vertex);
+  Index corner_at(const Surface_location& location, Index triangle) const;
+  void compute_angles(Index path_vertex, double& left, double& right) const;
+
+  const Surface_arrays& t;
+  std::deque<Path_vertex> m_path_vertices; // linked; front() is the path's begin
+  std::vector<Index> m_free_indices;
+  Index m_begin = none, m_end = none;
+  std::size_t m_number_of_visited_halfedges = 0;
+
+  // Of the strip in hand
+  Unfolded_strip m_unfolded;
+  std::vector<Bend> m_bends;
+  struct Funnel_point
+  {
+    Vec2 point;
+    Bend bend;
+  };
+  std::vector<Funnel_point> m_left, m_right;
+};
+
+// --------------------------------------------------------------------------- strips in the plane
+
+bool is_incident(const Surface_arrays& t, Index h, Index vertex, Index location_halfedge)
+{
+  if(vertex != none)
+    return t.corner[h] == vertex || t.corner[next_halfedge(h)] == vertex;
+  return location_halfedge != none && (h == location_halfedge || t.twin[h] == location_halfedge);
+}
+
+// Drops the sides at both ends of a strip that the path's ends lie on.
+void Geodesic_shortener::trim(Strip& strip, const Surface_location& begin,
+                              const Surface_location& end) const
+{
+  auto& halfedges = strip.halfedges;
+  {
+    const Index vertex = vertex_of(t, begin), h = halfedge_of(begin);
+    std::size_t count = 0;
+    while(count < halfedges.size() && is_incident(t, halfedges[count], vertex, h))
+      ++count;
+    if(count > 0)
+    {
+      strip.triangle = t.twin[halfedges[count - 1]] / 3;
+      halfedges.erase(halfedges.begin(), halfedges.begin() + count);
+    }
+  }
+  const Index vertex = vertex_of(t, end), h = halfedge_of(end);
+  while(!halfedges.empty() && is_incident(t, halfedges.back(), vertex, h))
+    halfedges.pop_back();
+}
+
+double angle_between(const Vec2& p, const Vec2& q) { return std::atan2(cross(p, q), dot(p, q)); }
+
+void Geodesic_shortener::unfold(const Strip& strip, const Surface_location& begin,
+                                const Surface_location& end)
+{
+  Unfolded_strip& u = m_unfolded;
+  const std::size_t count = strip.halfedges.size();
+  m_number_of_visited_halfedges += count + 1;
+  u.left.resize(count);
+  u.right.resize(count);
+
+  auto corners = unfolded(t, strip.triangle);
+  const Vec2 origin = unfolded_point(corners, *barycentric_in(t, strip.triangle, begin));
+  for(Vec2& corner : corners)
+    corner = corner - origin;
+  if(count == 0)
+  {
+    u.end = unfolded_point(corners, *barycentric_in(t, strip.triangle, end));
+    return;
+  }
+
+  Index h = strip.halfedges.front();
+  Vec2 right = corners[h % 3], left = corners[next_halfedge(h) % 3];
+  u.first_leg = right - corners[previous_halfedge(h) % 3];
+  // The vector across, left to right, and its direction are carried along: differences of
+  // positions far from the origin would lose the digits of small triangles.
+  Vec2 across = right - left, direction = {1., 0.};
+  Vec2 forward = u.first_leg; // from the corner opposite to a side
+  for(std::size_t i = 0;; ++i)
+  {
+    u.left[i] = left;
+    u.right[i] = right;
+    const Index entered = t.twin[strip.halfedges[i]];
+    const double length = norm(across), forward_length = norm(forward);
+    if(length > 0.)
+      direction = (1. / length) * across;
+    else if(forward_length > 0.) // a side of length zero is seen as the limit of short ones
+      direction = (-1. / forward_length) * rotated_left(forward);
+    const double base = t.length[entered];
+    const Vec2 local =
+        third_corner(base, t.length[previous_halfedge(entered)], t.length[next_halfedge(entered)]);
+    const Vec2 height = local[1] * rotated_left(direction);
+    const Vec2 from_left = local[0] * direction + height;
+    const Vec2 from_right = (local[0] - base) * direction + height;
+    if(i + 1 == count)
+    {
+      const auto barycentric = *barycentric_in(t, entered / 3, end);
+      u.end = left + barycentric[next_halfedge(entered) % 3] * across +
+              barycentric[previous_halfedge(entered) % 3] * from_left;
+      u.last_leg = -1. * from_left;
+      return;
+    }
+    if(strip.halfedges[i + 1] == next_halfedge(entered))
+    {
+      forward = across;
+      left = left + from_left;
+      across = -1. * from_right;
+    }
+    else
+    {
+      forward = -1. * across;
+      right = left + from_left;
+      across = from_left;
+    }
+  }
+}
+
+// The bends of the shortest path in the unfolded strip.  Ends of sides that the path passes nearer
+// than rounding can tell count as bends: which side of a site is the shorter one is decided by the
+// angles there.
+void Geodesic_shortener::find_bends(const Strip& strip)
+{
+  const Unfolded_strip& u = m_unfolded;
+  m_bends.clear();
+  // The two chains of the funnel start with its apex.
+  m_left.assign(1, {Vec2{0., 0.}, {0, true}});
+  m_right.assign(1, {Vec2{0., 0.}, {0, false}});
+  std::size_t left_apex = 0, right_apex = 0;
+
+  // Adds a point to the end of the chain `near`; `sign` is 1 for the right chain.
+  const auto add = [&](std::vector<Funnel_point>& near, std::size_t& near_apex,
+                       std::vector<Funnel_point>& far, std::size_t& far_apex, double sign,
+                       const Vec2& point, double width, Bend bend)
+  {
+    // A hundred roundings of the farthest position.  Points nearer to each other are one.
+    const double tolerance = 2e-14 * (norm(point) + width);
+    while(near.size() > near_apex + 1)
+    {
+      const Vec2& last = near.back().point;
+      std::size_t before = near.size() - 2;
+      while(before > near_apex && norm(last - near[before].point) <= tolerance)
+        --before;
+      const Vec2 leg = last - near[before].point, step = point - last;
+      const double turn = sign * cross(leg, step);
+      const bool is_ahead = turn < -tolerance * norm(leg) || dot(leg, step) >= 0.;
+      if(norm(leg) > tolerance && turn <= tolerance * norm(leg + step) && is_ahead)
+        break;
+      near.pop_back();
+    }
+    if(near.size() == near_apex + 1)
+    {
+      const std::size_t apex = far_apex;
+      while(far_apex + 1 < far.size())
+      {
+        // A point at the place of the apex is a bend too, so that both are gone around together.
+        const Vec2 leg = far[far_apex + 1].point - far[far_apex].point;
+        const Vec2 chord = point - far[far_apex].point;
+        const double turn = sign * cross(leg, chord), margin = tolerance * norm(chord);
+        if(turn < -margin || norm(chord) <= tolerance ||
+           (turn <= margin && dot(leg, chord - leg) < 0.))
+          break;
+        ++far_apex;
+        m_bends.push_back(far[far_apex].bend);
+      }
+      if(far_apex != apex)
+      {
+        near.assign(1, far[far_apex]);
+        near_apex = 0;
+      }
+    }
+    near.push_back({point, bend});
+  };
+
+  const std::size_t count = strip.halfedges.size();
+  for(std::size_t i = 0; i < count; ++i)
+  {
+    const Index strip_index = static_cast<Index>(i);
+    const bool left_is_shared =
+        i > 0 && strip.halfedges[i] == previous_halfedge(t.twin[strip.halfedges[i - 1]]);
+    const bool right_is_shared = i > 0 && !left_is_shared;
+    const double width = t.length[strip.halfedges[i]];
+    if(!right_is_shared)
+      add(m_right, right_apex, m_left, left_apex, 1., u.right[i], width, {strip_index, false});
+    if(!left_is_shared)
+      add(m_left, left_apex, m_right, right_apex, -1., u.left[i], width, {strip_index, true});
+  }
+  add(m_right, right_apex, m_left, left_apex, 1., u.end, 0., {static_cast<Index>(count), false});
+  for(std::size_t i = right_apex + 1; i + 1 < m_right.size(); ++i)
+    m_bends.push_back(m_right[i].bend);
+}
+
+Index Geodesic_shortener::corner_at(const Surface_location& location, Index triangle) const
+{
+  const auto barycentric = barycentric_in(t, triangle, location);
+  for(Index k = 0; k < 3; ++k)
+    if((*barycentric)[k] == 1.)
+      return 3 * triangle + k;
+  return none;
+}
+
+// The length of the straight part that leaves a knot, and its directions at both ends.
+void Geodesic_shortener::update_length_and_angles(Index index)
+{
+  Path_vertex& from = m_path_vertices[index];
+  Path_vertex& to = m_path_vertices[from.next];
+  const Strip& strip = from.strip;
+  unfold(strip, from.location, to.location);
+  const Unfolded_strip& u = m_unfolded;
+  from.length = norm(u.end);
+  if(from.vertex != none)
+    from.corner_out = corner_at(from.location, strip.triangle);
+  if(to.vertex != none)
+    to.corner_in = corner_at(to.location, strip.last_triangle(t));
+
+  if(!strip.halfedges.empty())
+  {
+    if(from.vertex != none)
+      from.angle_out =
+          std::clamp(angle_between(u.first_leg, u.end), 0., interior_angle(t, from.corner_out));
+    if(to.vertex != none)
+      to.angle_in =
+          std::clamp(angle_between(u.last_leg, -1. * u.end), 0., interior_angle(t, to.corner_in));
+    return;
+  }
+  // In one triangle; along a side the angles are those of the triangle, without rounding.
+  const auto corners = unfolded(t, strip.triangle);
+  const auto angle_at = [&](Index corner, Index other_corner, const Vec2& direction)
+  {
+    if(other_corner == next_halfedge(corner))
+      return 0.;
+    const double full_angle = interior_angle(t, corner);
+    if(other_corner == previous_halfedge(corner))
+      return full_angle;
+    const Vec2 edge = corners[next_halfedge(corner) % 3] - corners[corner % 3];
+    return std::clamp(angle_between(edge, direction), 0., full_angle);
+  };
+  const Index other_corner = to.vertex == none ? none : to.corner_in;
+  if(from.vertex != none)
+    from.angle_out = angle_at(from.corner_out, other_corner, u.end);
+  if(to.vertex != none)
+    to.angle_in = angle_at(to.corner_in, from.vertex == none ? none : from.corner_out, -1. * u.end);
+}
+
+// ---------------------------------------------------------------------------------------- knots
+
+Index Geodesic_shortener::new_path_vertex(const Surface_location& location)
+{
+  Index index;
+  if(m_free_indices.empty())
+  {
+    index = static_cast<Index>(m_path_vertices.size());
+    m_path_vertices.emplace_back();
+  }
+  else
+  {
+    index = m_free_indices.back();
+    m_free_indices.pop_back();
+    m_path_vertices[index] = Path_vertex();
+  }
+  m_path_vertices[index].location = location;
+  m_path_vertices[index].vertex = vertex_of(t, location);
+  return index;
+}
+
+void Geodesic_shortener::release(Index path_vertex)
+{
+  m_path_vertices[path_vertex].is_queued = false;
+  m_free_indices.push_back(path_vertex);
+}
+
+void Geodesic_shortener::link(Index a, Index b)
+{
+  m_path_vertices[a].next = b;
+  m_path_vertices[b].previous = a;
+}
+
+// The angles on both sides of a path at a site.
+void Geodesic_shortener::compute_angles(Index index, double& left, double& right) const
+{
+  const Path_vertex& path_vertex = m_path_vertices[index];
+  const Index corner_in = path_vertex.corner_in, corner_out = path_vertex.corner_out;
+  const double full_angle_in = interior_angle(t, corner_in);
+  // From the way back to the way on, counterclockwise: on the right of the path.
+  const auto sum_angles = [&](bool counterclockwise)
+  {
+    double total = counterclockwise ? full_angle_in - path_vertex.angle_in : path_vertex.angle_in;
+    for(Index corner = corner_in;;)
+    {
+      corner = counterclockwise ? next_corner_ccw(t, corner) : next_corner_cw(t, corner);
+      if(corner == none)
+        return infinity;
+      const double full_angle = interior_angle(t, corner);
+      if(corner == corner_out)
+        return total +
+               (counterclockwise ? path_vertex.angle_out : full_angle - path_vertex.angle_out);
+      if(corner == corner_in)
+        return infinity; // another fan of a pinched site
+      total += full_angle;
+    }
+  };
+  const double angle_difference = path_vertex.angle_out - path_vertex.angle_in;
+  right = corner_in == corner_out && angle_difference >= 0. ? angle_difference : sum_angles(true);
+  left = corner_in == corner_out && angle_difference <= 0. ? -angle_difference : sum_angles(false);
+}
+
+// Leads a strip that goes from before the first to the last of some knots around their sites, on
+// the side where the angle is below pi, and on to where the last knot's part ends.  Knots at one
+// point in space are seen as one: the angles between them are those of a straight line. False when
+// both angles are large enough.
+bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) const
+{
+  double left = 0., right = 0.;
+  for(Index index = first;; index = m_path_vertices[index].next)
+  {
+    double left_angle, right_angle;
+    compute_angles(index, left_angle, right_angle);
+    left += left_angle;
+    right += right_angle;
+    if(index == last)
+      break;
+    left -= pi;
+    right -= pi;
+  }
+  if(!(std::min(left, right) < pi - angle_tolerance))
+    return false;
+  const bool counterclockwise = right <= left;
+  for(Index index = first;; index = m_path_vertices[index].next)
+  {
+    const Path_vertex& path_vertex = m_path_vertices[index];
+    const double angle_difference = path_vertex.angle_out - path_vertex.angle_in;
+    Index corner = path_vertex.corner_in;
+    if(corner != path_vertex.corner_out ||
+       (counterclockwise ? angle_difference < 0. : angle_difference > 0.))
+      do
+      {
+        strip.append(t, counterclockwise ? previous_halfedge(corner) : corner);
+        corner = counterclockwise ? next_corner_ccw(t, corner) : next_corner_cw(t, corner);
+      } while(corner != path_vertex.corner_out);
+    for(const Index h : path_vertex.strip.halfedges)
+      strip.append(t, h);
+    if(index == last)
+      return true;
+  }
+}
+
+// Puts the shortest path in a strip between two knots; returns its length.
+double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index last)
+{
+  trim(strip, m_path_vertices[first].location, m_path_vertices[last].location);
+  unfold(strip, m_path_vertices[first].location, m_path_vertices[last].location);
+  find_bends(strip);
+
+  // Bends touch the sides begin .. end - 1 of the strip; the knots at both ends touch none.
+  const auto& halfedges = strip.halfedges;
+  std::size_t begin = 0, end = 0;
+  Index from = first;
+  const auto fill_segment = [&](std::size_t next_begin)
+  {
+    Strip& segment = m_path_vertices[from].strip;
+    segment.halfedges.clear();
+    if(end <= next_begin)
+    {
+      segment.triangle = end == 0 ? strip.triangle : t.twin[halfedges[end - 1]] / 3;
+      segment.halfedges.assign(halfedges.begin() + end, halfedges.begin() + next_begin);
+    }
+    else // both are ends of one side
+      segment.triangle = halfedges[std::max(begin, next_begin)] / 3;
+  };
+  for(const Bend& bend : m_bends)
+  {
+    Surface_location location;
+    location.triangle = halfedges[bend.strip_index] / 3;
+    location.barycentric = barycentric_at_corner(
+        bend.is_left ? next_halfedge(halfedges[bend.strip_index]) : halfedges[bend.strip_index]);
+    const Index path_vertex = new_path_vertex(location);
+    fill_segment(bend.strip_index);
+    link(from, path_vertex);
+    from = path_vertex;
+    begin = bend.strip_index;
+    end = begin + 1;
+    while(end < halfedges.size() &&
+          (halfedges[end] == previous_halfedge(t.twin[halfedges[end - 1]])) == bend.is_left)
+      ++end;
+  }
+  fill_segment(halfedges.size());
+  link(from, last);
+
+  double length = 0.;
+  for(Index path_vertex = first; path_vertex != last;
+      path_vertex = m_path_vertices[path_vertex].next)
+  {
+    trim(m_path_vertices[path_vertex].strip, m_path_vertices[path_vertex].location,
+         m_path_vertices[m_path_vertices[path_vertex].next].location);
+    update_length_and_angles(path_vertex);
+    length += m_path_vertices[path_vertex].length;
+  }
+  return length;
+}
+
+// Merges knots at the same site that nothing separates, from `first` up to `last`.
+void Geodesic_shortener::merge_duplicates(Index first, Index last)
+{
+  for(Index index = first; index != last;)
+  {
+    Path_vertex& path_vertex = m_path_vertices[index];
+    const Index next = path_vertex.next;
+    Path_vertex& successor = m_path_vertices[next];
+    if(path_vertex.vertex == none || path_vertex.vertex != successor.vertex ||
+       !path_vertex.strip.halfedges.empty())
+      index = next;
+    else if(next != m_end)
+    {
+      path_vertex.strip = std::move(successor.strip);
+      path_vertex.length = successor.length;
+      path_vertex.corner_out = successor.corner_out;
+      path_vertex.angle_out = successor.angle_out;
+      link(index, successor.next);
+      release(next);
+      if(next == last)
+        return;
+    }
+    else if(index != m_begin)
+    {
+      successor.corner_in = path_vertex.corner_in;
+      successor.angle_in = path_vertex.angle_in;
+      link(path_vertex.previous, next);
+      release(index);
+      return;
+    }
+    else
+      return;
+  }
+}
+
+// ---------------------------------------------------------------------------------------- paths
+
+void Geodesic_shortener::initialize(const std::vector<Surface_location>& input)
+{
+  std::vector<Surface_location> path;
+  for(const Surface_location& location : input)
+  {
+    const Surface_location location_in_path = canonical(t, location);
+    if(path.empty() || !is_same_point(t, path.back(), location_in_path))
+      path.push_back(location_in_path);
+  }
+  m_begin = new_path_vertex(path.front());
+  Index path_vertex = m_begin;
+  Strip strip;
+  Index triangle = none;
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    const Index next_triangle = common_triangle(t, path[i], path[i + 1]);
+    if(next_triangle == none)
+      throw Invalid_argument_error(
+          "Two consecutive locations of a path lie in no common triangle.");
+    if(i == 0)
+      strip.triangle = next_triangle;
+    else if(next_triangle != triangle)
+    {
+      if(vertex_of(t, path[i]) != none)
+      {
+        const Index next = new_path_vertex(path[i]);
+        insert_shortest_path(std::move(strip), path_vertex, next);
+        path_vertex = next;
+        strip = Strip();
+        strip.triangle = next_triangle;
+      }
+      else
+      {
+        const Index h = halfedge_of(path[i]);
+        strip.append(t, h / 3 == triangle ? h : t.twin[h]);
+      }
+    }
+    triangle = next_triangle;
+  }
+  if(path.size() == 1)
+    return;
+  m_end = new_path_vertex(path.back());
+  insert_shortest_path(std::move(strip), path_vertex, m_end);
+  merge_duplicates(m_begin, m_end);
+}
+
+// Leads the path around all sites at once, as long strips; false when there is none to go around.
+bool Geodesic_shortener::shorten_globally()
+{
+  bool is_changed = false;
+  std::vector<Index> replaced_vertices;
+  for(Index first = m_begin; first != m_end;)
+  {
+    Strip strip = m_path_vertices[first].strip;
+    replaced_vertices.clear();
+    Index last = m_path_vertices[first].next;
+    while(last != m_end && reroute_around(strip, last, last))
+    {
+      replaced_vertices.push_back(last);
+      last = m_path_vertices[last].next;
+    }
+    if(!replaced_vertices.empty())
+    {
+      is_changed = true;
+      insert_shortest_path(std::move(strip), first, last);
+      std::for_each(replaced_vertices.begin(), replaced_vertices.end(),
+                    [&](Index path_vertex) { release(path_vertex); });
+    }
+    first = last;
+  }
+  merge_duplicates(m_begin, m_end);
+  return is_changed;
+}
+
+void Geodesic_shortener::shorten_locally()
+{
+  std::deque<Index> queue;
+  const auto enqueue = [&](Index index)
+  {
+    if(index != m_begin && index != m_end && !m_path_vertices[index].is_queued)
+    {
+      m_path_vertices[index].is_queued = true;
+      queue.push_back(index);
+    }
+  };
+  std::size_t size = 0;
+  for(Index path_vertex = m_begin; path_vertex != m_end;
+      path_vertex = m_path_vertices[path_vertex].next)
+  {
+    size += m_path_vertices[path_vertex].strip.halfedges.size() + 1;
+    enqueue(path_vertex);
+  }
+  // Every turn shortens the path, so this ends; the bound is for surfaces on which each does so by
+  // next to nothing.
+  const std::size_t work_limit = m_number_of_visited_halfedges + 10000000 + 1000 * size;
+  while(!queue.empty() && m_number_of_visited_halfedges < work_limit)
+  {
+    const Index index = queue.front();
+    queue.pop_front();
+    if(!m_path_vertices[index].is_queued)
+      continue; // merged or replaced meanwhile
+    m_path_vertices[index].is_queued = false;
+    Index first = m_path_vertices[index].previous, last = m_path_vertices[index].next;
+    while(first != m_begin && m_path_vertices[first].length == 0.)
+      first = m_path_vertices[first].previous;
+    while(last != m_end && m_path_vertices[m_path_vertices[last].previous].length == 0.)
+      last = m_path_vertices[last].next;
+    const Index cluster_begin = m_path_vertices[first].next,
+                cluster_end = m_path_vertices[last].previous;
+    Strip strip = m_path_vertices[first].strip;
+    if(!reroute_around(strip, cluster_begin, cluster_end))
+      continue;
+
+    const Path_vertex saved_first = m_path_vertices[first], saved_last = m_path_vertices[last];
+    double length = m_path_vertices[first].length;
+    for(Index path_vertex = cluster_begin; path_vertex != last;
+        path_vertex = m_path_vertices[path_vertex].next)
+      length += m_path_vertices[path_vertex].length;
+    if(insert_shortest_path(std::move(strip), first, last) < length)
+    {
+      for(Index path_vertex = cluster_begin;; path_vertex = m_path_vertices[path_vertex].next)
+      {
+        release(path_vertex);
+        if(path_vertex == cluster_end)
+          break;
+      }
+      for(Index path_vertex = first;; path_vertex = m_path_vertices[path_vertex].next)
+      {
+        enqueue(path_vertex);
+        if(path_vertex == last)
+          break;
+      }
+      merge_duplicates(first, last);
+    }
+    else
+    {
+      // Shorter by less than rounding: leave it.
+      for(Index path_vertex = m_path_vertices[first].next; path_vertex != last;
+          path_vertex = m_path_vertices[path_vertex].next)
+        release(path_vertex);
+      m_path_vertices[first] = saved_first;
+      m_path_vertices[last] = saved_last;
+    }
+  }
+}
+
+Locally_shortest_path Geodesic_shortener::make_result()
+{
+  Locally_shortest_path result;
+  const auto add = [&](const Surface_location& location)
+  {
+    if(result.locations.empty() || !is_same_point(t, result.locations.back(), location))
+      result.locations.push_back(location);
+  };
+  if(m_end == none)
+    return {{m_path_vertices[m_begin].location}, 0., {}};
+  for(Index index = m_begin; index != m_end; index = m_path_vertices[index].next)
+  {
+    const Path_vertex& path_vertex = m_path_vertices[index];
+    add(path_vertex.location);
+    if(index != m_begin)
+    {
+      Touched_vertex touched{result.locations.size() - 1, 0., 0.};
+      compute_angles(index, touched.left_angle, touched.right_angle);
+      result.touched_vertices.push_back(touched);
+    }
+    result.length += path_vertex.length;
+    unfold(path_vertex.strip, path_vertex.location, m_path_vertices[path_vertex.next].location);
+    for(std::size_t i = 0; i < path_vertex.strip.halfedges.size(); ++i)
+    {
+      // The share of the side, from its right to its left end.
+      const double right = -cross(m_unfolded.end, m_unfolded.right[i]);
+      const double left = cross(m_unfolded.end, m_unfolded.left[i]);
+      double fraction = right / (left + right);
+      if(!(left + right > 0.)) // along the side, or nowhere
+        fraction = norm(m_unfolded.right[i]) <= norm(m_unfolded.left[i]) ? 0. : 1.;
+      fraction = std::clamp(fraction, 0., 1.);
+      Surface_location location;
+      location.triangle = path_vertex.strip.halfedges[i] / 3;
+      location.barycentric = barycentric_on_halfedge(path_vertex.strip.halfedges[i], fraction);
+      add(location);
+    }
+  }
+  add(m_path_vertices[m_end].location);
+  return result;
+}
+
+Locally_shortest_path Geodesic_shortener::operator()(const std::vector<Surface_location>& path)
+{
+  initialize(path);
+  if(m_end != none)
+  {
+    // Turns all along the path are cheaper together, the last ones one by one.
+    for(int i = 0; i < 8 && shorten_globally(); ++i)
+      ;
+    shorten_locally();
+  }
+  return make_result();
+}
+
+} // namespace
+
+Locally_shortest_path shorten_geodesic(const Surface_arrays& t,
+                                       const std::vector<Surface_location>& path)
+{
+  if(path.empty())
+    throw Invalid_argument_error("A path to be straightened has no location.");
+  if(t.is_cloud())
+    throw Unsupported_surface_error("Paths on a cloud cannot be straightened: nothing is glued.");
+  return Geodesic_shortener(t)(path);
+}
+
+} // namespace CGAL::Geodesic_processing::internal

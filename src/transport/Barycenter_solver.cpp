@@ -1,0 +1,434 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/transport/Barycenter_solver.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Steps of nearly two are the fastest; 1.7 takes a tenth more of them.
+constexpr double relaxation_factor = 1.9;
+
+// Steps between two looks at the upper bound, which cost as much as one.
+constexpr unsigned steps_per_check = 10;
+
+// Between points a flow is some tens of times as strong where it is not zero as that of least squares.
+constexpr double threshold_factor = 20.;
+
+// After how many looks thresholds may change, and after which no more.
+constexpr unsigned checks_between_updates = 16, last_update = 64;
+
+// Of the area.  From a half to twice of it makes no difference, ten times some.
+constexpr double stiffness_factor = 2e-4;
+
+double integrated_length(const Operators& o, const Field& field)
+{
+  double result = 0.;
+  for(std::size_t f = 0; f < field.size(); ++f)
+    result += o.area[f] * norm(field[f]);
+  return result;
+}
+
+double max_squared_length(const Operators& o, const Field& field)
+{
+  double result = 0.;
+  for(std::size_t f = 0; f < field.size(); ++f)
+    if(o.area[f] > 0.)
+      result = std::max(result, dot(field[f], field[f]));
+  return result;
+}
+
+// The field z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) / factor: vectors get shorter
+// by factor times the integral of |z|, which Newton's method finds in a few steps from below, wherever
+// it starts: the equation is concave, and made of straight parts.
+void shrink(const Operators& o, double factor, double& threshold, Field& field)
+{
+  std::vector<double> size(field.size());
+  for(std::size_t f = 0; f < field.size(); ++f)
+    size[f] = norm(field[f]);
+  for(bool has_iterated = false;; has_iterated = true)
+  {
+    double length = 0., area = 0.;
+    for(std::size_t f = 0; f < field.size(); ++f)
+      if(size[f] > threshold)
+      {
+        length += o.area[f] * size[f];
+        area += o.area[f];
+      }
+    const double next = factor * length / (1. + factor * area);
+    if(has_iterated && !(next > threshold))
+      break;
+    threshold = next;
+  }
+  for(std::size_t f = 0; f < field.size(); ++f)
+    field[f] = size[f] > threshold ? (1. - threshold / size[f]) * field[f] : Vec2{0., 0.};
+}
+
+} // namespace
+
+// Douglas and Rachford's splitting, of flows J_i in the metric w_i |J_i|^2 and of the masses m in that of
+// stiffness m^2 / lumped.  The sum of weights and that of the masses are one.
+class Barycenter_solver::Admm
+{
+public:
+  Admm(const Barycenter_solver& solver, const std::vector<Vector>& masses,
+       const std::vector<double>& weights, Barycenter_state start)
+      : m_solver(solver), m_operators(solver.m_operators), m_masses(masses), m_weights(weights),
+        m_total(solver.m_number_of_components, 0.), m_threshold(masses.size(), 0.),
+        m_state(std::move(start))
+  {
+    const std::size_t k = masses.size();
+    for(std::size_t vertex = 0; vertex < solver.m_component.size(); ++vertex)
+      m_total[solver.m_component[vertex]] += masses[0][vertex];
+    Vector mean = Vector::Zero(masses[0].size());
+    for(std::size_t i = 0; i < k; ++i)
+      mean += weights[i] * masses[i];
+    const Field zero(m_operators.number_of_triangles(), Vec2{0., 0.});
+    update_upper_bound(mean, std::vector<Field>(k, zero));
+    m_potentials = Columns::Zero(mean.size(), Eigen::Index(k));
+    double square = 0.;
+    for(std::size_t i = 0; i < k; ++i)
+      square += weights[i] * inner_product(m_operators, m_flows[i], m_flows[i]);
+    if(m_state.shrunk_flows.empty())
+      m_state = {m_flows, std::vector<Field>(k, zero), mean, Vector::Zero(mean.size()),
+                 m_upper > 0. ? threshold_factor * std::sqrt(square / solver.m_area / m_upper)
+                              : 0.};
+  }
+
+  void advance()
+  {
+    for(unsigned step = 0; step < steps_per_check; ++step)
+      this->step();
+    update_upper_bound(m_state.masses, m_state.shrunk_flows);
+    ++m_number_of_checks;
+    if(m_number_of_checks % checks_between_updates == 0 && m_number_of_checks <= last_update)
+      update_thresholds();
+  }
+
+  double upper() const { return m_upper; }
+  double lower() const { return m_lower; }
+
+  void write(Barycenter_result& result)
+  {
+    result.masses = m_barycenter;
+    result.flows = std::move(m_flows);
+    for(Eigen::Index i = 0; i < m_potentials.cols(); ++i)
+      result.potentials.push_back(m_potentials.col(i));
+    result.state = std::move(m_state);
+  }
+
+private:
+  // One column for each mass.
+  using Columns = Eigen::MatrixXd;
+
+  std::size_t size() const { return m_masses.size(); }
+
+  void step()
+  {
+    auto& [z, u, m, mass_dual, factor] = m_state;
+    const Vector target_masses = m - mass_dual;
+    Columns rhs(target_masses.size(), Eigen::Index(size()));
+    Vector sum = -target_masses;
+    for(std::size_t i = 0; i < size(); ++i)
+    {
+      for(std::size_t f = 0; f < z[i].size(); ++f)
+        z[i][f] = z[i][f] - u[i][f];
+      rhs.col(Eigen::Index(i)) = m_masses[i] - minus_divergence(m_operators, z[i]);
+      sum += m_weights[i] * rhs.col(Eigen::Index(i));
+    }
+    const Vector projected_masses =
+        target_masses + m_solver.m_lumped_mass.cwiseProduct(m_solver.m_damped_solver->solve(sum)) /
+                            m_solver.m_stiffness;
+    rhs.colwise() -= projected_masses;
+    m_solver.m_solver->solve_columns(rhs);
+
+    double square = 0.;
+    for(std::size_t i = 0; i < size(); ++i)
+    {
+      gradient(m_operators, rhs.col(Eigen::Index(i)), m_gradient);
+      square += m_weights[i] * max_squared_length(m_operators, m_gradient);
+      // Of the nearest flow x + slope, where x = z - u, and of z and u a flow beyond it.
+      for(std::size_t f = 0; f < z[i].size(); ++f)
+      {
+        z[i][f] = z[i][f] + u[i][f] + relaxation_factor * m_gradient[f] +
+                  (1. - relaxation_factor) * u[i][f];
+        u[i][f] = z[i][f];
+      }
+      shrink(m_operators, factor, m_threshold[i], z[i]);
+      for(std::size_t f = 0; f < z[i].size(); ++f)
+        u[i][f] = u[i][f] - z[i][f];
+    }
+    update_lower_bound(rhs, square);
+
+    const Vector relaxed_masses =
+        relaxation_factor * projected_masses + (1. - relaxation_factor) * m + mass_dual;
+    m = project_masses(relaxed_masses);
+    mass_dual = relaxed_masses - m;
+  }
+
+  // The smaller triangles are, the stronger flows between points: thresholds should be a third of what their
+  // vectors are in the mean, each as often as it carries mass.  At 40,000 vertices that saves half of the steps.
+  void update_thresholds()
+  {
+    double mean_flow = 0., threshold = 0.;
+    for(std::size_t i = 0; i < size(); ++i)
+    {
+      const Field& flow = m_state.shrunk_flows[i];
+      const double length = integrated_length(m_operators, flow);
+      if(length > 0.)
+        mean_flow += m_weights[i] * inner_product(m_operators, flow, flow) / length;
+      threshold += m_weights[i] * m_threshold[i];
+    }
+    const double change = threshold > 0. ? std::clamp(mean_flow / (3. * threshold), 1., 4.) : 1.;
+    m_state.factor *= change;
+    m_state.mass_dual *= change;
+    for(Field& scaled_dual : m_state.scaled_duals)
+      for(Vec2& vector : scaled_dual)
+        vector = change * vector;
+  }
+
+  // Masses that are not negative, with the right sum on each component, and the least difference of
+  // densities: less by one density, as far as there is any.
+  Vector project_masses(const Vector& target_masses) const
+  {
+    const std::vector<Index>& component = m_solver.m_component;
+    std::vector<double> density(m_total.size(), -infinity), mass, area;
+    for(bool has_converged = false; !has_converged;)
+    {
+      mass.assign(m_total.size(), 0.);
+      area.assign(m_total.size(), 0.);
+      for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
+        if(const Index c = component[vertex];
+           target_masses[vertex] > density[c] * m_solver.m_lumped_mass[vertex])
+        {
+          mass[c] += target_masses[vertex];
+          area[c] += m_solver.m_lumped_mass[vertex];
+        }
+      has_converged = true;
+      for(std::size_t c = 0; c < m_total.size(); ++c)
+        if(area[c] > 0.)
+        {
+          const double next = (mass[c] - m_total[c]) / area[c];
+          has_converged = has_converged && next <= density[c];
+          density[c] = std::max(density[c], next);
+        }
+    }
+    Vector result(target_masses.size());
+    mass.assign(m_total.size(), 0.);
+    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
+    {
+      const Index c = component[vertex];
+      result[vertex] =
+          std::max(0., target_masses[vertex] - density[c] * m_solver.m_lumped_mass[vertex]);
+      mass[c] += result[vertex];
+    }
+    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
+      if(const Index c = component[vertex]; mass[c] > 0.)
+        result[vertex] *= m_total[c] / mass[c];
+    return result;
+  }
+
+  // The flows from masses that are nearest to others.
+  void update_upper_bound(const Vector& masses, std::vector<Field> flows)
+  {
+    Columns rhs(masses.size(), Eigen::Index(size()));
+    for(std::size_t i = 0; i < size(); ++i)
+      rhs.col(Eigen::Index(i)) = m_masses[i] - masses - minus_divergence(m_operators, flows[i]);
+    m_solver.m_solver->solve_columns(rhs);
+    double upper = 0.;
+    for(std::size_t i = 0; i < size(); ++i)
+    {
+      gradient(m_operators, rhs.col(Eigen::Index(i)), m_gradient);
+      for(std::size_t f = 0; f < m_gradient.size(); ++f)
+        flows[i][f] = flows[i][f] + m_gradient[f];
+      const double distance = integrated_length(m_operators, flows[i]);
+      upper += m_weights[i] * distance * distance;
+    }
+    if(!(upper < m_upper))
+      return;
+    m_upper = upper;
+    m_barycenter = masses;
+    m_flows = std::move(flows);
+  }
+
+  // The weighted sum of their squared slopes is known.
+  void update_lower_bound(const Columns& potentials, double square)
+  {
+    Vector sum = Vector::Zero(potentials.rows());
+    double integral = 0.;
+    for(std::size_t i = 0; i < size(); ++i)
+    {
+      const auto potential = potentials.col(Eigen::Index(i));
+      sum += m_weights[i] * potential;
+      integral += m_weights[i] * m_masses[i].dot(potential);
+    }
+    std::vector<double> max_potential(m_total.size(), -infinity);
+    for(Eigen::Index vertex = 0; vertex < sum.size(); ++vertex)
+    {
+      double& max_of_component = max_potential[m_solver.m_component[vertex]];
+      max_of_component = std::max(max_of_component, sum[vertex]);
+    }
+    for(std::size_t c = 0; c < max_potential.size(); ++c)
+      integral -= m_total[c] * max_potential[c];
+    if(!(integral > 0. && integral * integral > m_lower * square))
+      return;
+    m_lower = integral * integral / square;
+    m_potentials = (integral / square) * potentials;
+  }
+
+  const Barycenter_solver& m_solver;
+  const Operators& m_operators;
+  const std::vector<Vector>& m_masses;
+  const std::vector<double>& m_weights;
+  std::vector<double> m_total;     // #components
+  std::vector<double> m_threshold; // #masses: that much in the last step
+  Barycenter_state m_state;
+  unsigned m_number_of_checks = 0;
+  double m_upper = infinity, m_lower = 0.;
+  Vector m_barycenter;
+  std::vector<Field> m_flows;
+  Columns m_potentials;
+  Field m_gradient;
+};
+
+Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::move(operators))
+{
+  m_area = std::accumulate(m_operators.area.begin(), m_operators.area.end(), 0.);
+  if(!(m_area > 0.))
+    throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
+  std::tie(m_component, m_number_of_components) = components(m_operators);
+  // Masses at sites without triangles stay there, whatever their area is.
+  m_lumped_mass = lumped_mass(m_operators);
+  for(double& lumped : m_lumped_mass)
+    if(!(lumped > 0.))
+      lumped = m_area / double(m_lumped_mass.size());
+  m_stiffness = stiffness_factor * m_area;
+
+  const Laplacian laplacian(m_operators);
+  Sparse_matrix matrix = laplacian.matrix(m_operators);
+  Sparse_matrix damped_matrix = matrix;
+  for(Eigen::Index vertex = 0; vertex < m_lumped_mass.size(); ++vertex)
+    damped_matrix.coeffRef(vertex, vertex) += m_lumped_mass[vertex] / m_stiffness;
+  laplacian.pin(matrix);
+  m_solver = std::make_unique<Sparse_solver>(matrix, Elimination_order::low_fill);
+  m_damped_solver = std::make_unique<Sparse_solver>(damped_matrix, Elimination_order::low_fill);
+}
+
+void check_weights(const std::vector<double>& weights, std::size_t number)
+{
+  if(weights.size() != number)
+    throw Invalid_argument_error("There are " + std::to_string(weights.size()) + " weights for " +
+                                 std::to_string(number) + " of what they weigh.");
+  for(const double weight : weights)
+    if(!(weight >= 0. && std::isfinite(weight)))
+      throw Invalid_argument_error("A weight is " + std::to_string(weight) +
+                                   ", not a number from zero on.");
+  if(std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.; }))
+    throw Invalid_argument_error("All weights are zero.");
+}
+
+void Barycenter_solver::check_input(const std::vector<Vector>& masses,
+                                    const std::vector<double>& weights) const
+{
+  if(masses.empty())
+    throw Invalid_argument_error("There are no masses to find the barycenter of.");
+  check_weights(weights, masses.size());
+  std::vector<double> first_totals;
+  for(const Vector& distribution : masses)
+  {
+    if(distribution.size() != Eigen::Index(m_operators.number_of_vertices))
+      throw Invalid_argument_error("There are " + std::to_string(distribution.size()) +
+                                   " masses for " + std::to_string(m_operators.number_of_vertices) +
+                                   " sites.");
+    if(!distribution.allFinite())
+      throw Invalid_argument_error("A mass is not a finite number.");
+    if(distribution.minCoeff() < 0.)
+      throw Invalid_argument_error("A mass is negative.");
+    std::vector<double> total(m_number_of_components, 0.);
+    for(Eigen::Index vertex = 0; vertex < distribution.size(); ++vertex)
+      total[m_component[vertex]] += distribution[vertex];
+    if(first_totals.empty())
+      first_totals = total;
+    for(std::size_t c = 0; c < m_number_of_components; ++c)
+      if(std::abs(total[c] - first_totals[c]) > 1e-9 * std::max(total[c], first_totals[c]))
+        throw Invalid_argument_error(
+            "Masses sum to " + std::to_string(first_totals[c]) + " and to " +
+            std::to_string(total[c]) +
+            (m_number_of_components == 1
+                 ? "."
+                 : " on a component of the surface, and none can leave it."));
+  }
+  if(!(masses[0].sum() > 0.))
+    throw Invalid_argument_error("The masses sum to zero.");
+}
+
+Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
+                                           const std::vector<double>& weights,
+                                           const Barycenter_options& options) const
+{
+  check_input(masses, weights);
+  if(!(options.tolerance > 0.))
+    throw Invalid_argument_error("The tolerance is not positive.");
+  const std::vector<Field>& start = options.warm_start.shrunk_flows;
+  if(!start.empty() && start.size() != masses.size())
+    throw Invalid_argument_error("There are " + std::to_string(masses.size()) +
+                                 " masses, but it ended with " + std::to_string(start.size()) +
+                                 " where it is to start.");
+  const double total = masses[0].sum();
+  const double weight = std::accumulate(weights.begin(), weights.end(), 0.);
+  std::vector<Vector> normalized_masses;
+  std::vector<double> normalized_weights;
+  for(std::size_t i = 0; i < masses.size(); ++i)
+  {
+    normalized_masses.push_back(masses[i] / masses[i].sum());
+    normalized_weights.push_back(weights[i] / weight);
+  }
+  Admm iteration(*this, normalized_masses, normalized_weights, options.warm_start);
+
+  Barycenter_result result;
+  // What moves no farther than this is where it was.
+  const double negligible_cost = 1e-20 * m_area;
+  const auto gap = [&]
+  { return iteration.upper() > negligible_cost ? 1. - iteration.lower() / iteration.upper() : 0.; };
+  const auto is_cancelled = [&]
+  {
+    const double fraction =
+        options.tolerance < 1. ? std::log(gap()) / std::log(options.tolerance) : 1.;
+    return options.callback && !options.callback(std::clamp(fraction, 0., 1.));
+  };
+  const unsigned max_iterations =
+      options.maximum_iterations > 0 ? options.maximum_iterations : 5000;
+  for(; gap() > options.tolerance && result.iterations < max_iterations && !is_cancelled();
+      result.iterations += steps_per_check)
+    iteration.advance();
+
+  result.converged = gap() <= options.tolerance;
+  const double scale = weight * total * total;
+  result.lower = scale * iteration.lower();
+  result.upper = scale * iteration.upper();
+  result.value = 0.5 * (result.lower + result.upper);
+  iteration.write(result);
+  for(std::size_t i = 0; i < masses.size(); ++i)
+  {
+    const Vector error =
+        minus_divergence(m_operators, result.flows[i]) - normalized_masses[i] + result.masses;
+    result.residual = std::max(result.residual, error.lpNorm<Eigen::Infinity>());
+    for(Vec2& vector : result.flows[i])
+      vector = total * vector;
+    result.potentials[i] *= total;
+    result.distances.push_back(integrated_length(m_operators, result.flows[i]));
+  }
+  result.masses *= total;
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

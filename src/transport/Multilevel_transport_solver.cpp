@@ -1,0 +1,426 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/transport/continuous_flow.h>
+#include "transport/uniform_refinement.h"
+#include "core/unfold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Sites of a surface that was refined: those of the coarse one, and middles between two of them.
+std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& fine,
+                           const std::vector<Index>& region)
+{
+  Vector is_inside = Vector::Zero(Eigen::Index(coarse.number_of_vertices()));
+  for(const Index vertex : region)
+    is_inside[vertex] = 1.;
+  const Vector inside = refined(coarse, fine, is_inside);
+  std::vector<Index> result;
+  for(Index vertex = 0; vertex < inside.size(); ++vertex)
+    if(inside[vertex] == 1.)
+      result.push_back(vertex);
+  return result;
+}
+
+// One unknown for all sites of an exit, the first one's.
+void merge_exits(Operators& operators, const std::vector<std::vector<Index>>& exits)
+{
+  std::vector<Index> representative(operators.number_of_vertices);
+  std::iota(representative.begin(), representative.end(), Index(0));
+  for(const std::vector<Index>& exit : exits)
+    for(const Index vertex : exit)
+      representative[vertex] = exit.front();
+  for(Index& vertex : operators.corner)
+    vertex = representative[vertex];
+}
+
+// What is missing there, in the first site.
+void merge_exits(Vector& masses, const std::vector<std::vector<Index>>& exits)
+{
+  for(const std::vector<Index>& exit : exits)
+    for(const Index vertex : exit)
+      if(vertex != exit.front())
+        masses[exit.front()] += std::exchange(masses[vertex], 0.);
+}
+
+// Not glued where nothing may pass on one side.
+std::shared_ptr<const Surface_arrays> cut_open(const std::shared_ptr<const Surface_arrays>& arrays,
+                                               const std::vector<Metric_tensor>& metric)
+{
+  if(arrays->is_cloud() || std::none_of(metric.begin(), metric.end(), is_blocked))
+    return arrays;
+  Surface_arrays result = *arrays;
+  for(Index h = 0; h < result.twin.size(); ++h)
+    if(const Index twin = arrays->twin[h];
+       twin != none && is_blocked(metric[h / 3]) != is_blocked(metric[twin / 3]))
+      result.twin[h] = none;
+  return std::make_shared<const Surface_arrays>(std::move(result));
+}
+
+std::vector<Metric_tensor> cut_open(std::vector<Metric_tensor> metric)
+{
+  std::replace_if(metric.begin(), metric.end(), is_blocked, Metric_tensor{1., 0., 1.});
+  return metric;
+}
+
+Mass_distribution scaled(Mass_distribution masses, double factor)
+{
+  masses.at_vertices *= factor;
+  for(auto& [location, mass] : masses.at_locations)
+    mass *= factor;
+  masses.density *= factor;
+  return masses;
+}
+
+void check_region(const Transport_region& region)
+{
+  if(!region.capacity.empty() && region.capacity.size() != region.exits.size())
+    throw Invalid_argument_error("There are " + std::to_string(region.capacity.size()) +
+                                 " capacities for " + std::to_string(region.exits.size()) +
+                                 " exits.");
+  for(const double capacity : region.capacity)
+    if(!(capacity > 0.))
+      throw Invalid_argument_error("A capacity is not positive.");
+  if(!(region.spreading_weight >= 0.) || !std::isfinite(region.spreading_weight))
+    throw Invalid_argument_error("The weight of spreading is negative or not finite.");
+}
+
+// Without limits all exits are one.
+std::vector<std::vector<Index>> merged_exits(std::vector<std::vector<Index>> exits, bool is_limited)
+{
+  if(!is_limited && exits.size() > 1)
+  {
+    for(std::size_t i = 1; i < exits.size(); ++i)
+      exits[0].insert(exits[0].end(), exits[i].begin(), exits[i].end());
+    exits.resize(1);
+  }
+  std::vector<Index> vertices;
+  for(std::vector<Index>& exit : exits)
+  {
+    std::sort(exit.begin(), exit.end());
+    exit.erase(std::unique(exit.begin(), exit.end()), exit.end());
+    vertices.insert(vertices.end(), exit.begin(), exit.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  if(std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end())
+    throw Invalid_argument_error("Two exits share a site.");
+  return exits;
+}
+
+} // namespace
+
+Multilevel_transport_solver::Multilevel_transport_solver(
+    std::shared_ptr<const Surface_arrays> triangles, unsigned refinements,
+    std::vector<Metric_tensor> metric, Transport_region region)
+    : m_region(std::move(region))
+{
+  check_region(m_region);
+  if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
+    throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
+  std::vector<std::vector<Index>> exits = m_region.exits;
+  if(!m_region.curves.empty())
+  {
+    if(triangles->is_cloud())
+      throw Invalid_argument_error("A region of a cloud has a location that is not at a surfel.");
+    std::vector<Index> region_vertices;
+    for(const std::vector<Index>& exit : exits)
+      region_vertices.insert(region_vertices.end(), exit.begin(), exit.end());
+    m_curve_embedding.emplace(triangles, m_region.curves, region_vertices);
+    for(std::size_t i = 0; i < exits.size(); ++i)
+      if(exits[i].empty())
+        exits[i] = m_curve_embedding->vertices()[i];
+    add_level(triangles, metric, {});
+    triangles = m_curve_embedding->triangles();
+    metric = m_curve_embedding->refined(metric);
+  }
+  add_level(triangles, metric, merged_exits(std::move(exits), m_region.is_limited()));
+  if(!m_region.is_empty())
+  {
+    Operators operators = metric_operators(*triangles, metric);
+    merge_exits(operators, m_levels.back().exits);
+    const auto [component, number] = components(operators);
+    std::vector<bool> has_exit(number, false);
+    for(const std::vector<Index>& exit : m_levels.back().exits)
+      has_exit[component[exit.front()]] = true;
+    for(const Index label : component)
+      m_reaches_region.push_back(has_exit[label]);
+    for(const std::vector<Index>& exit : m_levels.back().exits)
+      for(const Index vertex : exit)
+        m_reaches_region[vertex] = true;
+  }
+  for(unsigned level = 0; level < refinements; ++level)
+  {
+    const Level& coarse = m_levels.back();
+    triangles = std::make_shared<const Surface_arrays>(refined(*coarse.triangles));
+    exits.clear();
+    for(const std::vector<Index>& exit : coarse.exits)
+      exits.push_back(refined(*coarse.triangles, *triangles, exit));
+    for(const Metric_tensor& tensor : std::exchange(metric, {}))
+      metric.insert(metric.end(), 4, tensor);
+    add_level(triangles, metric, std::move(exits));
+  }
+  for(std::size_t level =
+          std::max(base_level(), m_levels.size() - std::min<std::size_t>(m_levels.size(), 2));
+      level < m_levels.size(); ++level)
+  {
+    Level& current = m_levels[level];
+    Operators operators = metric_operators(*current.triangles, current.metric);
+    merge_exits(operators, current.exits);
+    current.solver = std::make_unique<Transport_solver>(std::move(operators));
+  }
+}
+
+void Multilevel_transport_solver::add_level(std::shared_ptr<const Surface_arrays> triangles,
+                                            std::vector<Metric_tensor> metric,
+                                            std::vector<std::vector<Index>> exits)
+{
+  m_levels.emplace_back();
+  Level& level = m_levels.back();
+  level.area = metric_operators(*triangles, metric).area;
+  level.triangles = std::move(triangles);
+  level.metric = std::move(metric);
+  level.exits = std::move(exits);
+}
+
+std::vector<Exit> Multilevel_transport_solver::limited_exits(const Level& level) const
+{
+  std::vector<Exit> result;
+  if(!m_region.is_limited())
+    return result;
+  const Level& coarse = m_levels[base_level()];
+  const double scale = coarse.triangles->scale;
+  for(std::size_t i = 0; i < coarse.exits.size(); ++i)
+  {
+    double area = 0.;
+    for(const Index vertex : coarse.exits[i])
+      for(Index k = coarse.triangles->ring_begin[vertex];
+          k < coarse.triangles->ring_begin[vertex + 1]; ++k)
+        area += scale * scale * coarse.area[coarse.triangles->ring[k] / 3] / 3.;
+    const double weight = m_region.spreading_weight;
+    result.push_back({level.exits[i].front(),
+                      m_region.capacity.empty() ? infinity : m_region.capacity[i],
+                      weight > 0. ? 2. * weight / (area * level.triangles->scale) : 0.});
+  }
+  return result;
+}
+
+// At most what it costs to move masses within the finest triangles to those at sites.
+double Multilevel_transport_solver::cost_to_vertices(const Mass_distribution& masses) const
+{
+  const Surface_arrays& t = *m_levels.back().triangles;
+  const std::vector<Metric_tensor>& metric = m_levels.back().metric;
+  const auto corners = [&](std::size_t f)
+  {
+    auto result = unfolded(t, Index(f));
+    if(!metric.empty())
+      for(Vec2& p : result)
+        p = product(metric[f], p);
+    return result;
+  };
+  double result = 0.;
+  for(const auto& [location, mass] : masses.at_locations)
+    if(location.triangle != none)
+    {
+      if(!metric.empty() && is_blocked(metric[location.triangle]))
+        return infinity;
+      const auto p = corners(location.triangle);
+      const Vec2 point = unfolded_point(p, location.barycentric);
+      for(std::size_t k = 0; k < 3; ++k)
+        result += std::abs(mass * location.barycentric[k]) * norm(point - p[k]);
+    }
+  if(masses.density.size() == 0)
+    return result;
+  // The hats of corners i, j and k: the i-th part of the density's share of j, as far as k at most, as
+  // distance is convex.
+  const std::vector<double>& area = m_levels.back().area;
+  for(std::size_t f = 0; f < area.size(); ++f)
+  {
+    if(area[f] == 0.)
+      continue;
+    const auto p = corners(f);
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        for(std::size_t k = 0; k < 3; ++k)
+          if(i != k)
+            result += t.scale * t.scale * area[f] / (i == j || j == k ? 30. : 60.) *
+                      std::abs(masses.density[t.corner[3 * f + j]]) * norm(p[k] - p[i]);
+  }
+  return result;
+}
+
+// On the surface itself; what is blocked is no part of it.
+double Multilevel_transport_solver::cost_of_flow(const Field& flow) const
+{
+  const Level& fine = m_levels.back();
+  const auto open_mesh = cut_open(fine.triangles, fine.metric);
+  return continuous_flow(*open_mesh, operators(*open_mesh), flow, cut_open(fine.metric)).cost;
+}
+
+std::shared_ptr<const Surface_arrays> Multilevel_transport_solver::open_triangles() const
+{
+  return cut_open(m_levels.front().triangles, m_levels.front().metric);
+}
+
+bool Multilevel_transport_solver::has_surface_metric() const
+{
+  const Level& coarse = m_levels.front();
+  return std::all_of(coarse.metric.begin(), coarse.metric.end(),
+                     [&](const Metric_tensor& tensor)
+                     {
+                       return tensor == Metric_tensor{1., 0., 1.} ||
+                              (is_blocked(tensor) && !coarse.triangles->is_cloud());
+                     });
+}
+
+Streamlines
+Multilevel_transport_solver::streamlines(const Multilevel_transport_result& result) const
+{
+  const Level& coarse = m_levels.front();
+  const auto open_mesh = open_triangles();
+  const double scale = coarse.triangles->scale;
+  Field flow = result.flow;
+  for(Vec2& vector : flow)
+    vector = scale * vector;
+  const Operators thickened_operators = operators(*open_mesh, Degenerate_triangles::thickened);
+  const Vector from = masses_at_vertices(*open_mesh, coarse.area, result.from);
+  const Vector to = from + minus_divergence(thickened_operators, flow);
+
+  // What is negative before is there after.
+  Moved_masses masses;
+  masses.source_masses = from.cwiseMax(0.) - to.cwiseMin(0.);
+  masses.target_masses = to.cwiseMax(0.) - from.cwiseMin(0.);
+  masses.has_point_sources = result.from.density.size() == 0;
+  masses.has_point_targets = result.to.density.size() == 0;
+  for(const auto& [location, mass] : result.from.at_locations)
+    masses.source_locations.push_back(location);
+  for(const auto& [location, mass] : result.to.at_locations)
+    masses.target_locations.push_back(location);
+  if(open_mesh->is_cloud())
+    return Streamlines(open_mesh, thickened_operators, flow, std::move(masses));
+  return Streamlines(
+      open_mesh, continuous_flow(*open_mesh, operators(*open_mesh), flow, cut_open(coarse.metric)),
+      std::move(masses));
+}
+
+Multilevel_transport_result
+Multilevel_transport_solver::solve(const Mass_distribution& from, const Mass_distribution& to,
+                                   const Multilevel_transport_options& options) const
+{
+  const Level& coarse = m_levels.front();
+  Multilevel_transport_result result = transport_masses(
+      difference(*coarse.triangles, coarse.area, from, to, options.do_normalize), options);
+  const auto normalized = [&](const Mass_distribution& distribution)
+  {
+    if(!options.do_normalize)
+      return distribution;
+    return scaled(distribution,
+                  1. / masses_at_vertices(*coarse.triangles, coarse.area, distribution).sum());
+  };
+  result.from = normalized(from);
+  result.to = normalized(to);
+  return result;
+}
+
+Multilevel_transport_result
+Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
+                                             const Multilevel_transport_options& options) const
+{
+  const Mass_distribution embedded_from =
+      m_curve_embedding ? m_curve_embedding->refined(from) : from;
+  const Level& coarse = m_levels[base_level()];
+  const Vector at_vertices = masses_at_vertices(*coarse.triangles, coarse.area, embedded_from);
+  Mass_distribution to;
+  const Index first = coarse.exits.front().front();
+  to.at_locations = {{{none, first, {}}, at_vertices.sum()}};
+  Mass_distribution masses =
+      difference(*coarse.triangles, coarse.area, embedded_from, to, options.do_normalize);
+  if(m_region.is_limited()) // where it goes is not known
+    masses.at_locations.erase(masses.at_locations.begin());
+  Multilevel_transport_result result = transport_masses(masses, options);
+
+  for(const std::vector<Index>& exit : coarse.exits)
+    for(const Index vertex : exit)
+      result.potential[vertex] = result.potential[exit.front()];
+  if(!m_region.is_limited())
+    result.potential.array() -= double(result.potential[first]);
+
+  const double scale = coarse.triangles->scale;
+  const Vector vertex_masses =
+      minus_divergence(operators(*coarse.triangles, Degenerate_triangles::thickened), result.flow);
+  const double factor = options.do_normalize ? 1. / at_vertices.sum() : 1.;
+  result.arrivals = Vector::Zero(at_vertices.size());
+  for(const std::vector<Index>& exit : coarse.exits)
+    for(const Index vertex : exit)
+      result.arrivals[vertex] = scale * vertex_masses[vertex] + factor * at_vertices[vertex];
+  result.from = scaled(from, factor);
+  if(m_curve_embedding)
+  {
+    result.arrivals = m_curve_embedding->coarsened(result.arrivals);
+    result.flow = m_curve_embedding->coarsened(result.flow);
+    result.potential.conservativeResize(result.arrivals.size());
+  }
+  return result;
+}
+
+Multilevel_transport_result
+Multilevel_transport_solver::transport_masses(Mass_distribution masses,
+                                              const Multilevel_transport_options& options) const
+{
+  const std::size_t finest = m_levels.size() - 1;
+  Multilevel_transport_result result;
+  Transport_options transport = options.transport;
+  transport.warm_start = {};
+  double progress = 0., stage_weight = finest > base_level() ? 0.2 : 1.; // of the time, about
+  bool is_cancelled = false;
+  if(options.transport.callback) // not asked again after it said no
+    transport.callback = [&](double fraction)
+    {
+      is_cancelled =
+          is_cancelled || !options.transport.callback(progress + stage_weight * fraction);
+      return !is_cancelled;
+    };
+  double coarse_value = 0.; // the value on the surface that is refined once less
+  for(std::size_t level = base_level(); level <= finest; ++level)
+  {
+    const Level& current = m_levels[level];
+    if(level > base_level())
+      masses = refined(*m_levels[level - 1].triangles, *current.triangles, masses);
+    if(!current.solver)
+      continue;
+    coarse_value = current.triangles->scale * 2. * result.value;
+    if(level == finest)
+      transport.warm_start = options.transport.warm_start; // which ended there
+    Vector vertex_masses = masses_at_vertices(*current.triangles, current.area, masses);
+    merge_exits(vertex_masses, current.exits);
+    static_cast<Transport_result&>(result) =
+        current.solver->solve(vertex_masses, transport, limited_exits(current));
+    progress = stage_weight;
+    stage_weight = 1. - stage_weight;
+  }
+  const double scale = m_levels.back().triangles->scale;
+  const std::vector<Metric_tensor>& metric = m_levels.back().metric;
+  for(std::size_t f = 0; f < metric.size(); ++f)
+    if(!is_blocked(metric[f]))
+      result.flow[f] = product(inverse(metric[f]), result.flow[f]);
+  if(options.do_bound_from_above)
+    result.upper_continuous = scale * (cost_of_flow(result.flow) + cost_to_vertices(masses));
+  rescale(result, scale);
+  result.estimate = finest > base_level() ? 2. * result.value - coarse_value : result.value;
+  result.potential.conservativeResize(
+      Eigen::Index(m_levels[base_level()].triangles->number_of_vertices()));
+  for(std::size_t level = finest; level > base_level(); --level)
+    result.flow = coarsened(result.flow);
+  return result;
+}
+
+} // namespace CGAL::Geodesic_processing::internal

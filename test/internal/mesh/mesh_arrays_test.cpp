@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+
+#include "triangulations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// The invariants of Surface_arrays on a mesh, and the way back to the caller's numbers.
+void expect_valid(const Mesh_arrays& mesh, const Triangulation& surface)
+{
+  const Surface_arrays& t = mesh.arrays;
+  ASSERT_EQ(t.number_of_vertices(), surface.points.size());
+  ASSERT_EQ(t.corner.size(), surface.corners.size());
+  EXPECT_FALSE(t.is_cloud());
+  for(Index v = 0; v < t.number_of_vertices(); ++v)
+    EXPECT_EQ(mesh.caller_vertex[mesh.internal_vertex[v]], v);
+  double longest = 0.;
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    EXPECT_EQ(mesh.face_of_triangle[mesh.triangle_of_face[f]], f);
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index h = 3 * f + k, vertex = surface.corners[3 * mesh.face_of_triangle[f] + k],
+                  other = surface.corners[3 * mesh.face_of_triangle[f] + (k + 1) % 3];
+      EXPECT_EQ(mesh.caller_vertex[t.corner[h]], vertex);
+      // Two roundings of the largest coordinate.
+      EXPECT_NEAR(t.scale * t.length[h], distance(surface.points[vertex], surface.points[other]),
+                  1e-14 * t.scale);
+      longest = std::max(longest, t.length[h]);
+      if(t.twin[h] != none)
+      {
+        EXPECT_EQ(t.twin[t.twin[h]], h);
+        EXPECT_EQ(t.corner[t.twin[h]], t.corner[next_halfedge(h)]);
+        EXPECT_EQ(t.length[t.twin[h]], t.length[h]);
+      }
+    }
+  }
+  if(longest > 0.)
+  {
+    EXPECT_GE(longest, 1.);
+    EXPECT_LT(longest, 2.);
+  }
+  // Each corner once, at its own site; each fan counterclockwise.
+  std::set<Index> seen;
+  for(Index v = 0; v < t.number_of_vertices(); ++v)
+    for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
+    {
+      EXPECT_EQ(t.corner[t.ring[i]], v);
+      EXPECT_TRUE(seen.insert(t.ring[i]).second);
+      const Index after = t.twin[previous_halfedge(t.ring[i])];
+      if(after != none && i + 1 < t.ring_begin[v + 1] && !seen.count(after))
+      {
+        EXPECT_EQ(t.ring[i + 1], after);
+      }
+    }
+  EXPECT_EQ(seen.size(), t.corner.size());
+}
+
+TEST(Mesh_arrays, represents_input_surface)
+{
+  for(const Triangulation& surface :
+      {one_triangle(), tetrahedron(), square(9, 0.24), icosphere(2), annulus(12, 3, 1., 2.),
+       disjoint_union(square(3), tetrahedron()), cone(12, 3, 3. * pi)})
+    expect_valid(arrays_of(surface), surface);
+}
+
+TEST(Mesh_arrays, keeps_isolated_vertices)
+{
+  Triangulation surface = square(3);
+  surface.points.push_back({5., 5., 5.});
+  const Mesh_arrays mesh = arrays_of(surface);
+  expect_valid(mesh, surface);
+  const Index vertex = mesh.internal_vertex[16];
+  EXPECT_EQ(mesh.arrays.ring_begin[vertex], mesh.arrays.ring_begin[vertex + 1]);
+}
+
+TEST(Mesh_arrays, handles_empty_input_and_points_without_faces)
+{
+  EXPECT_EQ(arrays_of({}).arrays.number_of_vertices(), 0u);
+  const Mesh_arrays mesh = arrays_of({{{1., 2., 3.}, {4., 5., 6.}}, {}});
+  EXPECT_EQ(mesh.arrays.number_of_vertices(), 2u);
+  EXPECT_EQ(mesh.arrays.number_of_triangles(), 0u);
+}
+
+TEST(Mesh_arrays, ring_of_pinched_vertex_lists_fans_consecutively)
+{
+  // Two triangles that touch in point 0:   1   3
+  //                                        |\ /|
+  //                                        | 0 |
+  //                                        |/ \|
+  //                                        2   4
+  const Triangulation surface = {
+      {{0., 0., 0.}, {-1., 1., 0.}, {-1., -1., 0.}, {1., 1., 0.}, {1., -1., 0.}},
+      {0, 1, 2, 0, 4, 3}};
+  const Mesh_arrays mesh = arrays_of(surface);
+  expect_valid(mesh, surface);
+  const Index vertex = mesh.internal_vertex[0];
+  EXPECT_EQ(mesh.arrays.ring_begin[vertex + 1] - mesh.arrays.ring_begin[vertex], 2u);
+}
+
+TEST(Mesh_arrays, scaling_by_powers_of_two_is_exact)
+{
+  const Triangulation surface = jittered(icosphere(2), 0.03);
+  const Mesh_arrays mesh = arrays_of(surface);
+  for(const int exponent : {-500, -30, 1, 40, 500})
+  {
+    Triangulation scaled = surface;
+    for(Point& p : scaled.points)
+      for(double& x : p)
+        x = std::ldexp(x, exponent);
+    const Mesh_arrays other = arrays_of(scaled);
+    EXPECT_EQ(other.arrays.length, mesh.arrays.length);
+    EXPECT_EQ(other.arrays.corner, mesh.arrays.corner);
+    EXPECT_EQ(other.arrays.point, mesh.arrays.point);
+    EXPECT_EQ(other.arrays.scale, std::ldexp(mesh.arrays.scale, exponent));
+  }
+}
+
+TEST(Mesh_arrays, nonmanifold_edges_become_boundary)
+{
+  // Three triangles at the side 0-1; two triangles that run along 0-1 the same way.
+  const std::vector<Index> fin = {0, 1, 2, 1, 0, 3, 0, 1, 4}, flipped = {0, 1, 2, 0, 1, 3};
+  for(const auto& corners : {fin, flipped})
+    for(const Index twin : twins_of_soup(5, corners))
+      EXPECT_EQ(twin, none);
+  const auto twins = twins_of_soup(4, {0, 1, 2, 1, 0, 3});
+  EXPECT_EQ(twins, (std::vector<Index>{3, none, none, 0, none, none}));
+}
+
+TEST(Mesh_arrays, counts_degenerate_triangles)
+{
+  EXPECT_EQ(arrays_of(icosphere(2)).number_of_degenerate_triangles, 0u);
+  const Triangulation surface = {
+      {{0., 0., 0.}, {1., 0., 0.}, {2., 0., 0.}, {0., 1., 0.}, {0., 1., 0.}, {1., 1e-20, 0.}},
+      {0, 1, 2, 0, 3, 4, 0, 2, 5, 0, 2, 3}}; // collinear, zero side, needle below rounding, none
+  EXPECT_EQ(arrays_of(surface).number_of_degenerate_triangles, 3u);
+}
+
+TEST(Mesh_arrays, every_edge_has_positive_length)
+{
+  Triangulation surface = square(8, 0.2);
+  surface.points[30] = surface.points[31];
+  surface.points[50] = surface.points[51] = surface.points[60];
+  const Mesh_arrays mesh = arrays_of(surface);
+  const std::vector<double>& length = mesh.arrays.length;
+  for(Index h = 0; h < length.size(); ++h)
+  {
+    EXPECT_GT(length[h], 1e-11);
+    EXPECT_LE(length[h], length[next_halfedge(h)] + length[previous_halfedge(h)]);
+    const Index twin = mesh.arrays.twin[h];
+    EXPECT_EQ(length[h], length[twin == none ? h : twin]);
+  }
+  EXPECT_GE(mesh.number_of_degenerate_triangles,
+            4u); // two beside the first side, two beside one of the others
+  // Where there is no other length either, there is none to be given.
+  for(Point& p : surface.points)
+    p = {3., 4., 5.};
+  for(const double zero : arrays_of(surface).arrays.length)
+    EXPECT_EQ(zero, 0.);
+}
+
+TEST(Mesh_arrays, labels_connected_components)
+{
+  const Triangulation surface =
+      disjoint_union(disjoint_union(square(3), tetrahedron()), {{{9., 9., 9.}}, {}});
+  const Mesh_arrays mesh = arrays_of(surface);
+  const auto [label, count] = components(mesh.arrays);
+  EXPECT_EQ(count, 3u);
+  for(Index v = 0; v < surface.points.size(); ++v)
+    for(const Index first : {0u, 16u, 20u})
+      EXPECT_EQ(label[mesh.internal_vertex[v]] == label[mesh.internal_vertex[first]],
+                (v < 16   ? 0u
+                 : v < 20 ? 16u
+                          : 20u) == first);
+}
+
+TEST(Mesh_arrays, throws_on_nonfinite_coordinates)
+{
+  Triangulation surface = square(2);
+  surface.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(arrays_of(surface), Invalid_argument_error);
+  surface.points[3][1] = infinity;
+  EXPECT_THROW(arrays_of(surface), Invalid_argument_error);
+}
+
+} // namespace
