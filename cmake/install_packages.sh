@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# To be sourced.  install_packages NAME... installs the Debian packages that are missing, or says in
-# a sentence why it cannot and returns 1.
+# To be sourced.  install_packages NAME... installs the missing ones of these Debian packages.  If this
+# is impossible, it prints the reason in one sentence and returns 1.
 
 missing_packages()
 {
@@ -14,7 +14,7 @@ missing_packages()
   done
 }
 
-# Root, or sudo without a password, or sudo with somebody there to type it.
+# Returns 0 for root, or if sudo works without a password or can ask for it on a terminal.
 can_be_root()
 {
   [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null &&
@@ -29,8 +29,8 @@ as_root()
 install_packages()
 {
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-    echo "This script installs what is missing with apt-get, which this system does not have;" \
-         "install what these Debian packages hold and call cmake: $*" >&2
+    echo "This script installs missing packages with apt-get, which this system does not have." \
+         "Install the content of these Debian packages and call cmake: $*" >&2
     return 1
   fi
 
@@ -38,7 +38,7 @@ install_packages()
   missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
   if ! can_be_root; then
-    echo "Packages are missing, and only root or somebody with sudo can install them; ask your" \
+    echo "Packages are missing and can only be installed by root or with sudo. Ask your" \
          "administrator for: apt-get install $missing" >&2
     return 1
   fi
@@ -51,8 +51,8 @@ install_packages()
            apt-get install --yes --no-install-recommends $missing; } >"$log" 2>&1; then
     grep -E '^E:' "$log" >&2 || tail -n 20 "$log" >&2
     rm -f "$log"
-    echo "apt-get could not install what is missing (its words are above);" \
-         "this script is made for Debian 12." >&2
+    echo "apt-get could not install the missing packages (see its messages above)." \
+         "This script is made for Debian 12." >&2
     return 1
   fi
   rm -f "$log"

@@ -2,10 +2,9 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# hostile.sh PROGRAM JOBS FILE...: each file through info, distance, voronoi, segment, sample, remesh, base,
-# semiregular, path, surfels, logmap, flatten, atlas, wavelet, decal, matrix, emd, plan, feature-distance,
-# fuzzy, streamlines, barycenter and volume.
-# Whatever is in a file, the program ends with 0, or with 2 and one sentence, in time, without a NaN.
+# hostile.sh PROGRAM JOBS FILE...: runs every command on every file.
+# For any file the program must return 0, or 2 and one sentence, within the time limit and without a
+# NaN in the result.
 set -u
 
 program=$(realpath "$1") jobs=$2
@@ -22,8 +21,8 @@ check()
   begin=$SECONDS
   timeout -k 5 60 "$program" "$command" "$file" "$@" --json --quiet >"$out" 2>"$out.err"
   status=$?
-  # 10 s each up to 50,000 vertices, of the file or of the result, and 60 s above: a file has about
-  # 40 bytes a vertex and its two faces.
+  # The limit is 10 s if file and result have at most 50,000 vertices, otherwise 60 s.  A file has
+  # about 40 bytes for each vertex with its two faces.
   if [ $((SECONDS - begin)) -gt 10 ] && [ "$(stat -c %s "$file")" -lt 2000000 ] &&
      ! grep -qE '"vertices_out": ([5-9][0-9]{4}|[0-9]{6})' "$out"; then
     sentence="no end after 10 s"

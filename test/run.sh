@@ -2,10 +2,10 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds and runs every test.  Leaves everything in build/.
+# Installs missing packages, builds everything and runs all tests.  All files are written to build/.
 #   --quick   without the sanitizer build
-#   --all     also all the models of the data folder through all that the program can do, and a
-#             minute of fuzzing for each input format
+#   --all     also run all commands on all models of the data folder, clang-tidy on the kernels, and
+#             the fuzzer of each input format for one minute
 # Environment: JOBS (default: all processors), GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
 
@@ -29,7 +29,7 @@ summary=() failures=0 started=$SECONDS
 # The numbers of checks may grow and never fall; a step fails if it finds fewer.
 min_tests=1000 min_sanitized_tests=1000 min_headers=60 min_hostile_runs=2790
 
-# step NAME COMMAND...: runs it, remembers how it ended and how long it took.
+# step NAME COMMAND...: runs the command and adds its result and its seconds to the summary.
 step()
 {
   local name=$1 begin=$SECONDS result=passed
@@ -69,11 +69,12 @@ packages=(g++ cmake ninja-build ccache git
   libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev libassimp-dev liblemon-dev libpng-dev libvtk9-dev xvfb xauth
   doxygen texlive-binaries texlive-base libjs-mathjax clang-format-14)
 [ $quick = 1 ] || packages+=(clang-14 libclang-rt-14-dev llvm-14)
+[ $all = 0 ] || packages+=(clang-tidy-14)
 
 sources() { git ls-files --cached --others --exclude-standard '*.h' '*.cpp'; }
 check_format() { sources | xargs -r clang-format-14 --dry-run -Werror; }
 
-# What only uses the library is not optimized, as otherwise the build takes longer than the tests.
+# Tests, examples and demos are not optimized: otherwise their build takes longer than the tests.
 clients="-DGEODESIC_PROCESSING_CLIENT_OPTIONS=-O0;-g0"
 
 build_release()
@@ -86,10 +87,11 @@ build_release()
   cmake --build $release -j "$jobs" -- -k 0
 }
 
-# Optimized, as otherwise the tests take longer than the build; the program only a little.  The library is a
-# shared one that keeps to its own copies of the standard library's functions: else they would be those that
-# are not optimized, which makes kernels four times as slow.  With its checks an access to an array is too
-# long to be inlined unless that is asked for: then kernels take half of the time.  Assertions are on.
+# The library is optimized, otherwise the tests take longer than the build; the program is optimized
+# slightly.  The shared library uses its own copies of inline functions of the standard library
+# (-Bsymbolic-functions): with the unoptimized copies of the tests, kernels are four times slower.
+# The inline threshold lets checked array accesses be inlined, which halves the time of kernels.
+# Assertions are enabled.
 build_sanitizer()
 {
   CC=clang-14 CXX=clang++-14 cmake -S . -B $sanitizer -G Ninja -DCMAKE_BUILD_TYPE=None \
@@ -104,7 +106,7 @@ build_sanitizer()
   cmake --build $sanitizer -j "$jobs" -- -k 0
 }
 
-# A second project, which knows of this one only by find_package, builds the README's program.
+# Builds the program of the README in a project that finds the installed package by find_package.
 check_installed_package()
 {
   rm -rf build/prefix build/consumer
@@ -115,7 +117,7 @@ check_installed_package()
     ctest --test-dir build/consumer --output-on-failure
 }
 
-# run_tests BUILD MINIMUM
+# run_tests BUILD MINIMUM: runs all tests of a build; fails if there are fewer than MINIMUM.
 run_tests()
 {
   at_least "$2" "$(ctest --test-dir "$1" -N | sed -n 's/^Total Tests: //p')" "number of tests" &&
@@ -146,7 +148,13 @@ check_all_models()
   return $failed
 }
 
-# A minute for each input format, from the corpus that is kept.
+check_tidy()
+{
+  git ls-files 'src/*.cpp' ':!src/geodesic' |
+    xargs -n 4 -P "$jobs" clang-tidy-14 -p $sanitizer --quiet
+}
+
+# Runs each fuzzer for one minute, starting from the corpus of earlier runs.
 fuzz()
 {
   local target name
@@ -181,6 +189,7 @@ if [ $quick = 0 ] && step "sanitizer build" build_sanitizer; then
     skip "hostile files, sanitized" "there is no $data"
   fi
   if [ $all = 1 ]; then
+    step "clang-tidy" check_tidy
     [ ! -d "$data" ] || step "all models and methods, sanitized" check_all_models
     step "fuzzing" fuzz
   fi

@@ -2,11 +2,11 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds and runs the benchmarks; prints tables, and leaves three plots.
-# Takes about forty minutes; best with nothing else running.
+# Installs missing packages, builds and runs the benchmarks, prints tables and writes three plots.
+# Takes about forty minutes.  Run it on an idle machine.
 #   --quick      small meshes only, a minute
-#   --patient    CGAL's exact distances and as-rigid-as-possible maps also where they take minutes
-#   NAME         only this one: a source in this folder, without its ending
+#   --patient    also run CGAL's exact distances and as-rigid-as-possible maps if they take minutes
+#   NAME         run only this benchmark (the name of a source file without its extension)
 # Environment: BUILD (default: build/benchmark), JOBS (default: all processors),
 # GEODESIC_PROCESSING_DATA (default: ../shared/data).
 set -u -o pipefail
@@ -44,7 +44,7 @@ mkdir -p "$build"
     cmake --build "$build" -j "${JOBS:-$(nproc)}"
 } >"$build/build.log" 2>&1 || { cat "$build/build.log"; exit 1; }
 
-# One thread each, theirs and ours.
+# All libraries use one thread.
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 grep -m 1 'model name' /proc/cpuinfo
 for program in "${programs[@]}"; do

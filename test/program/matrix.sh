@@ -2,10 +2,10 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# matrix.sh PROGRAM FOLDER [JOBS]: every file of a folder through every command with every method
-# and kind of source.  Meant for a sanitizer build; takes from minutes to an hour.  Each run ends
-# with 0, or with 2 and one sentence that names the file, within 10 s up to 50,000 vertices, of the
-# file or of the result, and 60 s above; no result holds a NaN, and what was written can be read again.
+# matrix.sh PROGRAM FOLDER [JOBS]: runs every command with every method and kind of source on every
+# file of a folder.  Meant for a sanitizer build; takes from minutes to an hour.  Each run must return
+# 0, or 2 and one sentence that names the file.  The limit is 10 s if file and result have at most
+# 50,000 vertices, otherwise 60 s.  No result may contain a NaN, and written files must be readable.
 set -u
 
 [ $# -ge 2 ] || { sed -n '5,8s/^# //p' "$0"; exit 1; }
@@ -52,7 +52,7 @@ attempt()
   [ -z "$complaint" ]
 }
 
-# A twentieth of the longest side of the bounding box; 1 where there is none.
+# Prints a twentieth of the longest edge of the bounding box, or 1 if the file has no points.
 twentieth_of_extent()
 {
   "$program" info "$1" --json --quiet 2>/dev/null |
