@@ -33,7 +33,8 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
   Sampling sampling(domain.triangles(), Engine<Method>(domain.triangles()), sample_location,
                     front_limits.slowness);
   if constexpr(has_parameter<NamedParameters, internal_np::first_samples_t>)
-    for(const Location& sample : locations(domain, parameter(np, internal_np::first_samples, none)))
+    for(const Surface_location& sample :
+        locations(domain, parameter(np, internal_np::first_samples, none)))
       sampling.add(sample);
   Sampling_options options;
   options.number_of_samples = number;

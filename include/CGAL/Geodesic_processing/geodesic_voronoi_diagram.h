@@ -57,7 +57,7 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
                 "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
   const Front_limits front_limits = limits(domain, np);
   std::vector<std::size_t> label_of_source;
-  std::vector<Source> front_sources = sources(domain, seeds, label_of_source);
+  std::vector<Front_source> front_sources = sources(domain, seeds, label_of_source);
   std::vector<std::size_t> labels = label_of_source;
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());

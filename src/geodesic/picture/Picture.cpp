@@ -19,7 +19,7 @@ void draw(const std::string& filename, const Picture&)
 
 #  include "io/Output_file.h"
 #  include "picture/View.h"
-#  include "io/colours.h"
+#  include "io/colors.h"
 
 #  include <CGAL/Orthogonal_k_neighbor_search.h>
 #  include <CGAL/Search_traits_3.h>

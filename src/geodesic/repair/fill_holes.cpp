@@ -107,7 +107,7 @@ std::vector<Hole> split_boundaries(Mesh& mesh)
 }
 
 // The outside of a triangle that has no neighbours.
-bool is_isolated_triangle(const Mesh& mesh, const Hole& hole)
+bool is_component_of_one_triangle(const Mesh& mesh, const Hole& hole)
 {
   const Halfedge inner = mesh.opposite(hole.last);
   return hole.number_of_edges == 3 && mesh.is_border(mesh.opposite(mesh.next(inner))) &&
@@ -166,7 +166,7 @@ Hole_filling_result fill_holes(Mesh& mesh, std::size_t max_edges)
     std::vector<Mesh::Face_index> faces;
     const Halfedge start = find_nondegenerate_edge(mesh, points, hole);
     if(start != Mesh::null_halfedge() && hole.number_of_edges >= 3 &&
-       hole.number_of_edges <= max_edges_for_planar && !is_isolated_triangle(mesh, hole))
+       hole.number_of_edges <= max_edges_for_planar && !is_component_of_one_triangle(mesh, hole))
       try
       {
         PMP::triangulate_hole(
