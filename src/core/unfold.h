@@ -16,6 +16,7 @@
 namespace CGAL::Geodesic_processing::internal {
 
 inline Vec2 rotated_left(const Vec2& p) { return {-p[1], p[0]}; }
+inline Vec2 rotated_right(const Vec2& p) { return {p[1], -p[0]}; }
 
 // Twice the area of a triangle, zero when its lengths belong to none (Kahan's order of operations:
 // Heron's formula loses half of the digits of a needle).

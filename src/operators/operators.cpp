@@ -87,6 +87,13 @@ Vector minus_divergence(const Operators& operators, const Field& field)
   return result;
 }
 
+Field rotated_right(Field field)
+{
+  for(Vec2& vector : field)
+    vector = rotated_right(vector);
+  return field;
+}
+
 Field rotated_left(Field field)
 {
   for(Vec2& vector : field)

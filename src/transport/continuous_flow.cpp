@@ -218,8 +218,7 @@ private:
       if(!m_metric.empty())
         for(std::size_t f = 0; f < field.size(); ++f)
           field[f] = product(m_metric[f], field[f]);
-      return minus_divergence(operators,
-                              rotated_left(rotated_left(rotated_left(std::move(field)))));
+      return minus_divergence(operators, rotated_right(std::move(field)));
     };
     if(!m_metric.empty())
       for(std::size_t f = 0; f < tensors.size(); ++f)

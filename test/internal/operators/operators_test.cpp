@@ -112,6 +112,7 @@ TEST(Operators, divergence_is_transpose_of_gradient)
     EXPECT_NEAR(flux.sum(), 0., round_off);
     // A turn preserves products, and two of them are a reflection.
     EXPECT_NEAR(inner_product(o, rotated_left(field), field), 0., round_off);
+    EXPECT_EQ(rotated_right(field), rotated_left(rotated_left(rotated_left(field))));
     EXPECT_NEAR(inner_product(o, rotated_left(rotated_left(field)), field),
                 -inner_product(o, field, field), round_off);
   }

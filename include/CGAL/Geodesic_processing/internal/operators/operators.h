@@ -88,6 +88,8 @@ Vector minus_divergence(const Operators& operators, const Field& field);
 // R: a quarter turn to the left in each triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field rotated_left(Field field);
+CGAL_GEODESIC_PROCESSING_EXPORT
+Field rotated_right(Field field);
 
 // The integral of the product of two fields.
 CGAL_GEODESIC_PROCESSING_EXPORT
