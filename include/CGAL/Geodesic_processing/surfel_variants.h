@@ -3,9 +3,17 @@
 #ifndef CGAL_GEODESIC_PROCESSING_SURFEL_VARIANTS_H
 #define CGAL_GEODESIC_PROCESSING_SURFEL_VARIANTS_H
 
-#include <cstddef>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_variants.h>
 
 namespace CGAL::Geodesic_processing {
+
+#ifndef DOXYGEN_RUNNING
+using internal::Path_energy_level;
+using internal::Surfel_graph;
+using internal::Surfel_noise;
+using internal::Surfel_path_method;
+using internal::Surfel_search;
+#else
 
 /// \ingroup PkgGeodesicProcessingPaths
 /// which surfels of a cloud are joined by arcs, from which a path starts.
@@ -75,6 +83,8 @@ struct Path_energy_level
   double first_energy = 0.; ///< in squares of the surface's unit
   double last_energy = 0.;  ///< never higher
 };
+
+#endif // DOXYGEN_RUNNING
 
 } // namespace CGAL::Geodesic_processing
 

@@ -7,7 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
 #include <CGAL/Geodesic_processing/internal/surfels/vertex_regions.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
-#include <CGAL/Geodesic_processing/surfel_variants.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_variants.h>
 
 #include <array>
 #include <cstddef>

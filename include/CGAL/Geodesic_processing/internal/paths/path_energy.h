@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/Path_surface.h>
 #include <CGAL/Geodesic_processing/internal/core/export.h>
-#include <CGAL/Geodesic_processing/surfel_variants.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_variants.h>
 
 #include <cstddef>
 #include <functional>

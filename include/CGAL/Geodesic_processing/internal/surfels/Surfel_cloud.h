@@ -8,7 +8,7 @@
 #include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
-#include <CGAL/Geodesic_processing/surfel_variants.h>
+#include <CGAL/Geodesic_processing/internal/surfels/surfel_variants.h>
 
 #include <vector>
 
