@@ -3,7 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_FLIPS_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_FLIPS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Index.h>
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
 #include <array>

@@ -15,9 +15,6 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// In a box of size one: far below what distances tell apart, far above the rounding of positions.
-constexpr double min_edge_length = 0x1p-36;
-
 double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
   const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];

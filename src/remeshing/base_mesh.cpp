@@ -38,8 +38,6 @@ constexpr std::array<Detour_factors, 3> detour_levels = {
     Detour_factors{2., 16., false}, Detour_factors{1., 1., true}, Detour_factors{2., 4., true}};
 // No edge leaves the cells of its ends.
 constexpr Detour_factors no_detour = {infinity, infinity, false};
-// Far below what distances tell apart.
-constexpr double min_edge_length = 0x1p-36;
 // Places looked at, for each side of the mesh and each edge to be drawn, before it is given up: in webs of
 // needles each edge drawn makes the next one longer.
 constexpr std::size_t max_visits_per_halfedge = 50, max_visits_per_edge = 1500;

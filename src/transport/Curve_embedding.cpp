@@ -26,9 +26,6 @@ using Barycentric = std::array<double, 3>;
 // Of a side: closer points are one.
 constexpr double snapping_tolerance = 1e-10;
 
-// Far below what distances tell apart: across a side of no length no direction is known.
-constexpr double min_edge_length = 0x1p-36;
-
 struct Vertex_info
 {
   Index vertex = none; // of crossings to be found

@@ -5,7 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Location.h>
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Index.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/parameters.h>
 

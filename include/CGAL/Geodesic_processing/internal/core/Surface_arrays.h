@@ -3,26 +3,16 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_SURFACE_ARRAYS_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_SURFACE_ARRAYS_H
 
+#include <CGAL/Geodesic_processing/internal/core/Index.h>
 #include <CGAL/Geodesic_processing/internal/core/export.h>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
-
-using Index = std::uint32_t;
-
-inline constexpr Index none = static_cast<Index>(-1);
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Corners and sides of triangle f are 3f, 3f+1, 3f+2; side k runs from corner k to corner k+1.
-constexpr Index next_halfedge(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-constexpr Index previous_halfedge(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 // Sites 0..n-1 and the arcs that leave each; those of v are first[v] .. first[v+1]-1.
 struct Proximity_graph
@@ -31,6 +21,11 @@ struct Proximity_graph
   std::vector<Index> target;  // #arcs
   std::vector<double> length; // #arcs, finite, not negative; or empty: that between the sites
 };
+
+// Minimum length of an edge, for surfaces whose extent is about one.  Shorter edges are set to it:
+// across an edge of length zero no direction is defined.  Far below every tolerance of distances,
+// far above the round-off errors of coordinates.
+inline constexpr double min_edge_length = 0x1p-36;
 
 struct Vertex_fans;
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_VERTEX_QUEUE_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_CORE_VERTEX_QUEUE_H
 
-#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Index.h>
 
 #include <algorithm>
 #include <cstddef>

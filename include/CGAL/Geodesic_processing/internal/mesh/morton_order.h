@@ -3,7 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_MORTON_ORDER_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_MESH_MORTON_ORDER_H
 
-#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Index.h>
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 
 #include <array>
 #include <vector>

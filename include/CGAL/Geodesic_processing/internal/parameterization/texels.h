@@ -3,7 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_TEXELS_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_PARAMETERIZATION_TEXELS_H
 
-#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Index.h>
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 
 #include <array>

@@ -3,7 +3,8 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_KD_TREE_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_SPATIAL_SEARCH_KD_TREE_H
 
-#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Index.h>
+#include <CGAL/Geodesic_processing/internal/core/export.h>
 
 #include <array>
 #include <cstddef>
