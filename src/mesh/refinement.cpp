@@ -147,25 +147,83 @@ Refinement make_refinement(std::shared_ptr<const Surface_arrays> triangles)
   return build_refinement(result, std::move(soup));
 }
 
+namespace {
+
+// Appends the midpoints of the split edges to `points`.  Returns the index of the midpoint of each
+// halfedge, or none.
+std::vector<Index> add_midpoints(const Surface_arrays& t, const std::vector<bool>& is_split,
+                                 std::vector<Vec3>& points)
+{
+  std::vector<Index> midpoint(t.corner.size(), none);
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(is_split[h])
+    {
+      if(t.twin[h] < h)
+        midpoint[h] = midpoint[t.twin[h]];
+      else
+      {
+        midpoint[h] = Index(points.size());
+        points.push_back(0.5 * (t.point[t.corner[h]] + t.point[t.corner[next_halfedge(h)]]));
+      }
+    }
+  return midpoint;
+}
+
+// Returns the split pattern of a triangle.  If two edges are split, the remaining quadrilateral is
+// divided along its shorter diagonal.
+Split_pattern split_pattern_of_triangle(const Surface_arrays& t, Index f,
+                                        const std::vector<bool>& is_split)
+{
+  const std::array<bool, 3> is_split_edge = {is_split[3 * f], is_split[3 * f + 1],
+                                             is_split[3 * f + 2]};
+  bool is_second_shorter = false;
+  if(is_split_edge[0] + is_split_edge[1] + is_split_edge[2] == 2)
+  {
+    Index k = 0;
+    while(is_split_edge[k])
+      ++k;
+    // The edge that is not split runs from c to a.
+    const Index c = k, a = (k + 1) % 3, b = (k + 2) % 3;
+    const auto corners = unfolded(t, f);
+    is_second_shorter = norm(unfolded_point(corners, barycentric_of_node(3 + a)) - corners[c]) <
+                        norm(unfolded_point(corners, barycentric_of_node(3 + b)) - corners[a]);
+  }
+  return split_pattern(is_split_edge, is_second_shorter);
+}
+
+// Sets the twins of the halfedges of triangle f's children, which begin at halfedge `begin`: inside
+// the triangle the twins, on its edges `halves` (see split_edges()).
+void connect_children(const Split_pattern& pattern, Index f, Index begin, std::vector<Index>& twins,
+                      std::vector<std::array<Index, 2>>& halves)
+{
+  for(Index i = 0; i < 3 * pattern.size; ++i)
+  {
+    const Index from_node = pattern.children[i / 3][i % 3],
+                to_node = pattern.children[i / 3][(i + 1) % 3];
+    for(Index j = 0; j < i; ++j)
+      if(pattern.children[j / 3][j % 3] == to_node &&
+         pattern.children[j / 3][(j + 1) % 3] == from_node)
+      {
+        twins[begin + i] = begin + j;
+        twins[begin + j] = begin + i;
+      }
+    if(from_node < 3 && (to_node == (from_node + 1) % 3 || to_node == 3 + from_node))
+      halves[3 * f + from_node][0] = begin + i;
+    else if(from_node >= 3 && to_node == (from_node - 3 + 1) % 3)
+      halves[3 * f + from_node - 3][1] = begin + i;
+  }
+}
+
+} // namespace
+
 Refinement split_edges(const Refinement& from, const std::vector<bool>& is_split)
 {
   const Surface_arrays& t = *from.triangles;
   Refined_soup soup;
   soup.points = t.point;
-  std::vector<Index> middle(t.corner.size(), none);
-  for(Index h = 0; h < t.corner.size(); ++h)
-    if(is_split[h])
-    {
-      if(t.twin[h] < h)
-        middle[h] = middle[t.twin[h]];
-      else
-      {
-        middle[h] = Index(soup.points.size());
-        soup.points.push_back(0.5 * (t.point[t.corner[h]] + t.point[t.corner[next_halfedge(h)]]));
-      }
-    }
+  const std::vector<Index> midpoint = add_midpoints(t, is_split, soup.points);
 
-  // A triangle becomes one more for each of its halved sides.
+  // Each split edge adds one child to each incident triangle.
   const std::size_t count =
       t.number_of_triangles() + std::size_t(std::count(is_split.begin(), is_split.end(), true));
   soup.corners.reserve(3 * count);
@@ -173,27 +231,13 @@ Refinement split_edges(const Refinement& from, const std::vector<bool>& is_split
   soup.parent.reserve(count);
   soup.in_parent.reserve(count);
 
-  // Where the parts of each side are: the whole or its first half, and its second half.
+  // For each halfedge: the child halfedge that is all of it or its first half, and its second half.
   std::vector<std::array<Index, 2>> halves(t.corner.size(), {none, none});
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
     const auto point_at = [&](Index node)
-    { return node < 3 ? t.corner[3 * f + node] : middle[3 * f + node - 3]; };
-    const std::array<bool, 3> is_split_edge = {is_split[3 * f], is_split[3 * f + 1],
-                                               is_split[3 * f + 2]};
-    bool is_second_shorter = false;
-    if(is_split_edge[0] + is_split_edge[1] + is_split_edge[2] == 2)
-    {
-      Index k = 0;
-      while(is_split_edge[k])
-        ++k;
-      // The side that is not halved runs from c to a.
-      const Index c = k, a = (k + 1) % 3, b = (k + 2) % 3;
-      const auto corners = unfolded(t, f);
-      is_second_shorter = norm(unfolded_point(corners, barycentric_of_node(3 + a)) - corners[c]) <
-                          norm(unfolded_point(corners, barycentric_of_node(3 + b)) - corners[a]);
-    }
-    const Split_pattern pattern = split_pattern(is_split_edge, is_second_shorter);
+    { return node < 3 ? t.corner[3 * f + node] : midpoint[3 * f + node - 3]; };
+    const Split_pattern pattern = split_pattern_of_triangle(t, f, is_split);
     const Index begin = Index(soup.corners.size());
     for(Index i = 0; i < pattern.size; ++i)
     {
@@ -205,22 +249,7 @@ Refinement split_edges(const Refinement& from, const std::vector<bool>& is_split
                                 barycentric_of_node(child[2])});
     }
     soup.twins.resize(soup.corners.size(), none);
-    for(Index i = 0; i < 3 * pattern.size; ++i)
-    {
-      const Index from_node = pattern.children[i / 3][i % 3],
-                  to_node = pattern.children[i / 3][(i + 1) % 3];
-      for(Index j = 0; j < i; ++j)
-        if(pattern.children[j / 3][j % 3] == to_node &&
-           pattern.children[j / 3][(j + 1) % 3] == from_node)
-        {
-          soup.twins[begin + i] = begin + j;
-          soup.twins[begin + j] = begin + i;
-        }
-      if(from_node < 3 && (to_node == (from_node + 1) % 3 || to_node == 3 + from_node))
-        halves[3 * f + from_node][0] = begin + i;
-      else if(from_node >= 3 && to_node == (from_node - 3 + 1) % 3)
-        halves[3 * f + from_node - 3][1] = begin + i;
-    }
+    connect_children(pattern, f, begin, soup.twins, halves);
   }
   for(Index h = 0; h < t.corner.size(); ++h)
     if(const Index twin = t.twin[h]; twin != none)

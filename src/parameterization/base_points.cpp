@@ -17,6 +17,8 @@ namespace {
 // Of base points, in parts of the width of a patch. Corridors of a maze are turned round with 0.99, and not
 // with 0.92 or less.
 constexpr double max_spacing_ratio = 0.85;
+// Above the round-off errors of distances, so that no vertex on a bound is missed.
+constexpr double bound_margin = 1. + 1e-9;
 
 // Of each sample the distance that reaches its `nearest` nearest ones, itself among them, along chains of
 // samples whose cells touch: not below the true one.
@@ -209,6 +211,74 @@ std::size_t suitable_number_of_base_points(const Surface_arrays& t)
              : default_number_of_base_points;
 }
 
+namespace {
+
+// Upper bounds, one per vertex, of the distance to its `number_of_nearest`-th nearest base point.
+std::vector<double> initial_distance_bounds(const Surface_arrays& t, const Sampling& sampling,
+                                            std::size_t number_of_nearest)
+{
+  const std::vector<double> radii = neighborhood_radii(t, sampling, number_of_nearest);
+  std::vector<double> bounds(t.number_of_vertices(), infinity);
+  for(const Index vertex : sampling.sampled_vertices())
+    if(const Index sample = sampling.labels()[vertex]; sample != none)
+      bounds[vertex] = bound_margin * (sampling.distances()[vertex] + radii[sample]);
+  return bounds;
+}
+
+// Prefetches the nearest base points of a vertex: with many vertices, these accesses dominate.
+void prefetch_neighbors(const Base_points& base, Index vertex)
+{
+  constexpr std::size_t cache_line = 64;
+  const std::size_t begin = base.number_of_nearest * vertex, end = begin + base.number_of_nearest;
+  for(std::size_t i = begin; i < end; i += cache_line / sizeof(double))
+    prefetch(&base.distance[i]);
+  prefetch(&base.distance[end - 1]);
+  prefetch(&base.neighbor[begin]);
+  prefetch(&base.neighbor[end - 1]);
+}
+
+// Inserts a base point into the sorted list of the nearest ones of a vertex.  Returns whether it is
+// among them.
+bool insert_neighbor(Base_points& base, Index vertex, Index sample, double distance)
+{
+  const std::size_t begin = base.number_of_nearest * vertex;
+  std::size_t slot = begin + base.number_of_nearest - 1;
+  if(!(distance < base.distance[slot]))
+    return false;
+  for(; slot > begin && distance < base.distance[slot - 1]; --slot)
+  {
+    base.distance[slot] = base.distance[slot - 1];
+    base.neighbor[slot] = base.neighbor[slot - 1];
+  }
+  base.distance[slot] = distance;
+  base.neighbor[slot] = sample;
+  return true;
+}
+
+// Returns for each pair (i > j) of base points, at i * number_of_samples + j, the vertex with both
+// among its nearest base points at which the sum of the two distances is smallest.
+std::vector<Front_meeting> find_meetings(const Base_points& base, std::size_t number_of_vertices)
+{
+  const std::size_t number_of_samples = base.vertices.size();
+  std::vector<Front_meeting> meetings(number_of_samples * number_of_samples);
+  for(Index vertex = 0; vertex < number_of_vertices; ++vertex)
+  {
+    const Index* points = &base.neighbor[base.number_of_nearest * vertex];
+    const double* distances = &base.distance[base.number_of_nearest * vertex];
+    for(std::size_t a = 1; a < base.number_of_nearest && points[a] != none; ++a)
+      for(std::size_t b = 0; b < a; ++b)
+      {
+        Front_meeting& meeting = meetings[std::max(points[a], points[b]) * number_of_samples +
+                                          std::min(points[a], points[b])];
+        if(const double length = distances[a] + distances[b]; length < meeting.length)
+          meeting = {length, vertex};
+      }
+  }
+  return meetings;
+}
+
+} // namespace
+
 Base_points nearest_base_points(const Surface_arrays& t, const Sampling& sampling, Front front,
                                 std::size_t number_of_nearest,
                                 const std::function<bool(double)>& callback)
@@ -223,28 +293,10 @@ Base_points nearest_base_points(const Surface_arrays& t, const Sampling& samplin
   result.neighbor.assign(number_of_nearest * number_of_vertices, none);
   result.distance.assign(number_of_nearest * number_of_vertices, infinity);
 
-  // A hair more than what rounding takes away.
-  constexpr double margin = 1. + 1e-9;
-  const std::vector<double> radii = neighborhood_radii(t, sampling, number_of_nearest);
-  std::vector<double> distance_bound(number_of_vertices, infinity);
-  for(const Index vertex : sampling.sampled_vertices())
-    if(const Index sample = sampling.labels()[vertex]; sample != none)
-      distance_bound[vertex] = margin * (sampling.distances()[vertex] + radii[sample]);
-
-  // So many sites take longer than memory does.
-  constexpr std::size_t prefetch_distance = 16, cache_line = 64;
-  const auto prefetch_vertex = [&](Index vertex)
-  {
-    const std::size_t begin = number_of_nearest * vertex, end = begin + number_of_nearest;
-    for(std::size_t i = begin; i < end; i += cache_line / sizeof(double))
-      prefetch(&result.distance[i]);
-    prefetch(&result.distance[end - 1]);
-    prefetch(&result.neighbor[begin]);
-    prefetch(&result.neighbor[end - 1]);
-    prefetch(&distance_bound[vertex]);
-  };
+  std::vector<double> distance_bound = initial_distance_bounds(t, sampling, number_of_nearest);
   Front_limits limits;
   limits.known_distance = &distance_bound;
+  constexpr std::size_t prefetch_distance = 16;
   for(Index sample = 0; sample < number_of_samples; ++sample)
   {
     if(callback && !callback(double(sample) / double(number_of_samples)))
@@ -254,39 +306,19 @@ Base_points nearest_base_points(const Surface_arrays& t, const Sampling& samplin
     for(std::size_t k = 0; k < reached.size(); ++k)
     {
       if(k + prefetch_distance < reached.size())
-        prefetch_vertex(reached[k + prefetch_distance]);
-      const Index vertex = reached[k];
-      const double distance = front.distance(vertex);
-      const std::size_t begin = number_of_nearest * vertex;
-      std::size_t slot = begin + number_of_nearest - 1;
-      if(!(distance < result.distance[slot]))
-        continue;
-      for(; slot > begin && distance < result.distance[slot - 1]; --slot)
       {
-        result.distance[slot] = result.distance[slot - 1];
-        result.neighbor[slot] = result.neighbor[slot - 1];
+        prefetch_neighbors(result, reached[k + prefetch_distance]);
+        prefetch(&distance_bound[reached[k + prefetch_distance]]);
       }
-      result.distance[slot] = distance;
-      result.neighbor[slot] = sample;
-      distance_bound[vertex] =
-          std::min(distance_bound[vertex], margin * result.distance[begin + number_of_nearest - 1]);
+      const Index vertex = reached[k];
+      if(insert_neighbor(result, vertex, sample, front.distance(vertex)))
+        distance_bound[vertex] =
+            std::min(distance_bound[vertex],
+                     bound_margin * result.distance[number_of_nearest * (vertex + 1) - 1]);
     }
   }
 
-  std::vector<Front_meeting> meetings(number_of_samples * number_of_samples);
-  for(Index vertex = 0; vertex < number_of_vertices; ++vertex)
-  {
-    const Index* points = &result.neighbor[number_of_nearest * vertex];
-    const double* distances = &result.distance[number_of_nearest * vertex];
-    for(std::size_t a = 1; a < number_of_nearest && points[a] != none; ++a)
-      for(std::size_t b = 0; b < a; ++b)
-      {
-        Front_meeting& meeting = meetings[std::max(points[a], points[b]) * number_of_samples +
-                                          std::min(points[a], points[b])];
-        if(const double length = distances[a] + distances[b]; length < meeting.length)
-          meeting = {length, vertex};
-      }
-  }
+  std::vector<Front_meeting> meetings = find_meetings(result, number_of_vertices);
   result.pair_distance.assign(number_of_samples * number_of_samples, infinity);
   for(std::size_t i = 0; i < number_of_samples; ++i)
     result.pair_distance[i * number_of_samples + i] = 0.;

@@ -37,11 +37,38 @@ struct Topology
   }
 };
 
-// Points without a triangle are no part of it.
+// The corner opposite to each directed edge of a triangle.
+using Opposite_corners = std::map<std::pair<Index, Index>, Index>;
+
+// Returns the number of triangles in the fan around p that contains one of its triangles.  It is the
+// number of all triangles at p if the surface is a manifold there.
+inline std::size_t size_of_fan_at(Index p, const Opposite_corners& opposite_corner)
+{
+  const auto next = [&](Index from, Index to)
+  {
+    const auto found = opposite_corner.find({from, to});
+    return found == opposite_corner.end() ? none : found->second;
+  };
+  // Turns clockwise until the boundary, or once around p.
+  const Index first = opposite_corner.lower_bound({p, 0})->first.second;
+  Index begin = first;
+  for(Index q = next(first, p); q != none && q != first; q = next(q, p))
+    begin = q;
+  std::size_t number = 0;
+  for(Index q = next(p, begin); q != none; q = next(p, q))
+  {
+    ++number;
+    if(q == begin)
+      break;
+  }
+  return number;
+}
+
+// Computes the topology of a triangle soup.  Points without a triangle are ignored.
 inline Topology topology(const std::vector<Index>& corners)
 {
   Topology result;
-  std::map<std::pair<Index, Index>, Index> opposite_corner; // of each side's triangle
+  Opposite_corners opposite_corner;
   std::set<std::array<Index, 3>> triangles;
   std::map<Index, Index> parent; // towards the root of each component
   const auto root = [&](Index p)
@@ -85,28 +112,8 @@ inline Topology topology(const std::vector<Index>& corners)
   for(const auto& f : triangles)
     ++components[root(f[0])].first;
 
-  // One fan around each point: turning from any side, or from the border, comes by all of them.
   for(const auto& [p, number] : degree)
-  {
-    const auto begin = opposite_corner.lower_bound({p, 0});
-    Index from = begin->first.second;
-    for(Index back = from; opposite_corner.count({back, p}) > 0;)
-    {
-      back = opposite_corner[{back, p}];
-      from = back;
-      if(back == begin->first.second)
-        break;
-    }
-    std::size_t number_turned = 0;
-    for(Index at = from; opposite_corner.count({p, at}) > 0;)
-    {
-      ++number_turned;
-      at = opposite_corner[{p, at}];
-      if(at == from)
-        break;
-    }
-    result.is_simple = result.is_simple && number_turned == number;
-  }
+    result.is_simple = result.is_simple && size_of_fan_at(p, opposite_corner) == number;
   std::set<Index> unvisited;
   for(const auto& [a, b] : next)
     unvisited.insert(a);
