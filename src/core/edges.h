@@ -9,9 +9,11 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Calls reach(target, length) for each arc of the graph that leaves a site, on a cloud; slowness: as in
-// Front_limits, or null.  A speed belongs to triangles: of arcs that are no sides of one, those from a
-// surfel to its copies need none.
+// Calls visit(target, length) for each edge of the proximity graph that leaves a vertex of a cloud.
+// On a mesh there are none.
+//
+// slowness: #triangles, or null.  If given, only edges of length zero are visited, which lead to
+// copies of the same surfel: slowness belongs to triangles, and graph edges are in none.
 template <typename Visitor>
 void for_each_graph_edge(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex,
                          const Visitor& visit)
@@ -22,7 +24,9 @@ void for_each_graph_edge(const Surface_arrays& t, const std::vector<double>* slo
         visit(t.graph.target[i], t.graph.length[i]);
 }
 
-// The same for all arcs that leave a site, most of them twice where they are sides of triangles.
+// Calls visit(target, length) for each edge of the surface that leaves a vertex: edges of the
+// proximity graph and edges of triangles, times the slowness of the triangle.  An edge of two
+// triangles is visited twice.  Triangles of infinite slowness are skipped.
 template <typename Visitor>
 void for_each_edge(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex,
                    const Visitor& visit)

@@ -37,7 +37,7 @@ Surface_location canonical(const Surface_arrays& t, const Surface_location& loca
       b = 0.;
     sum += b;
   }
-  // Not for the sake of a rounding: what is clean stays as it is.
+  // Coordinates that differ from one only by round-off errors stay: the function is idempotent.
   if(const Index corner = corner_of(result); corner != none)
     result.barycentric[corner % 3] = 1.;
   else if(std::abs(sum - 1.) > 4e-16)

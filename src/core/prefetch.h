@@ -5,7 +5,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Lets a line of memory be on its way before it is asked for; what lies there may be anything.
+// Starts to load the cache line of an address, which need not be valid.
 inline void prefetch([[maybe_unused]] const void* address)
 {
 #if defined(__GNUC__)

@@ -14,7 +14,7 @@ std::vector<double> slowness_of(std::vector<double> speed)
   {
     if(!std::isfinite(x) || x < 0.)
       throw Invalid_argument_error("A speed is negative or not finite.");
-    x = 1. / x; // infinite for an obstacle
+    x = 1. / x; // infinity for an obstacle
   }
   return speed;
 }

@@ -11,15 +11,17 @@
 #include <cmath>
 #include <utility>
 
-// Chains of triangles in the plane, from lengths alone.  Degenerate triangles become flat ones.
+// Unfolds triangles into the plane, from their edge lengths only.  Lengths that violate the
+// triangle inequality yield a flat triangle.
 
 namespace CGAL::Geodesic_processing::internal {
 
 inline Vec2 rotated_left(const Vec2& p) { return {-p[1], p[0]}; }
 inline Vec2 rotated_right(const Vec2& p) { return {p[1], -p[0]}; }
 
-// Twice the area of a triangle, zero when its lengths belong to none (Kahan's order of operations:
-// Heron's formula loses half of the digits of a needle).
+// Computes twice the area of a triangle from its edge lengths; zero if they violate the triangle
+// inequality.  The order of operations is that of Kahan: Heron's formula loses half of the digits
+// for needles.
 inline double twice_area(double a, double b, double c)
 {
   if(a < b)
@@ -32,8 +34,8 @@ inline double twice_area(double a, double b, double c)
   return product > 0. ? 0.5 * std::sqrt(product) : 0.;
 }
 
-// The third corner over a base from (0,0) to (base,0), at distances `left` and `right` from its
-// first and its second end.
+// Returns the third corner of a triangle with the base from (0, 0) to (base, 0), at the distances
+// `left` and `right` from the first and the second end of the base.
 inline Vec2 third_corner(double base, double left, double right)
 {
   if(base <= 0.)
@@ -42,7 +44,7 @@ inline Vec2 third_corner(double base, double left, double right)
           twice_area(base, left, right) / base};
 }
 
-// The corners of a triangle, the first at the origin and side 0 along the first axis.
+// Returns the corners of a triangle: the first at the origin, the second on the first axis.
 inline std::array<Vec2, 3> unfolded(const Surface_arrays& t, Index triangle)
 {
   const double* l = &t.length[3 * std::size_t(triangle)];
@@ -54,7 +56,7 @@ inline Vec2 unfolded_point(const std::array<Vec2, 3>& corners, const std::array<
   return b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2];
 }
 
-// The distance between two points of a triangle given by barycentric coordinates.
+// Computes the distance between two points of a triangle given by barycentric coordinates.
 inline double distance_in_triangle(const Surface_arrays& t, Index triangle,
                                    const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
@@ -62,8 +64,8 @@ inline double distance_in_triangle(const Surface_arrays& t, Index triangle,
   return norm((p[1] - q[1]) * corners[1] + (p[2] - q[2]) * corners[2]);
 }
 
-// The angle at a corner, in [0, pi].  A side of length zero is seen as the limit of short ones with
-// equal legs: pi/2 at both of its ends.
+// Computes the angle at a corner, in [0, pi].  An edge of length zero is treated as the limit of
+// short edges of isosceles triangles: the angles at its two ends are pi/2.
 inline double interior_angle(const Surface_arrays& t, Index corner)
 {
   const double right = t.length[corner], left = t.length[previous_halfedge(corner)];
@@ -73,7 +75,8 @@ inline double interior_angle(const Surface_arrays& t, Index corner)
   return sine == 0. && cosine == 0. ? 1.57079632679489661923 : std::atan2(sine, cosine);
 }
 
-// The corner after this one around its site, or none behind a border.
+// Returns the next corner of the same vertex in counterclockwise or clockwise order, or none at the
+// boundary.
 inline Index next_corner_ccw(const Surface_arrays& t, Index corner)
 {
   return t.twin[previous_halfedge(corner)];
@@ -84,8 +87,8 @@ inline Index next_corner_cw(const Surface_arrays& t, Index corner)
   return twin == none ? none : next_halfedge(twin);
 }
 
-// The coordinates of the corner `corner` in its triangle, and of a point of the side that leaves
-// it, at the fraction `share` of its length.
+// Returns the barycentric coordinates of a corner, and of the point of a halfedge at a fraction of
+// its length.
 inline std::array<double, 3> barycentric_at_corner(Index corner)
 {
   std::array<double, 3> b = {0., 0., 0.};

@@ -8,25 +8,28 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The point of a surface that is nearest to a place.
+// The closest point of a surface to a query point.
 struct Projection
 {
   Vec3 point = {0., 0., 0.};
-  Vec3 normal = {0., 0., 0.};   // of the surface, of either sign; zero where it is not known
-  Vec3 conormal = {0., 0., 0.}; // where the surface ends here: the unit tangent that leaves it
-  Index vertex = none;          // where the search for the next foot may begin
+  Vec3 normal = {0., 0., 0.}; // of the surface, of either sign; zero if unknown
+  // if the point is on the boundary: the unit tangent that points off the surface
+  Vec3 conormal = {0., 0., 0.};
+  Index vertex = none; // a vertex near the point, a hint for the next query; or none
 };
 
-// All that a path has to know of the surface it runs on.
+// The surface that a path is kept on.
 class Path_surface
 {
 public:
   virtual ~Path_surface() = default;
 
-  // `near`: the site of the foot of a point nearby, or none.
+  // Returns the closest point of the surface to `point`.  `hint` is the vertex of the projection of
+  // a point nearby, or none.
   virtual Projection project(const Vec3& point, Index hint) const = 0;
 
-  // What a curve has instead of a point that is near the surface, where that goes less far.
+  // Returns `point` if it is close enough to the surface; otherwise a point that is.  The vertex is
+  // a hint as above.  By default the surface has no such limit.
   virtual Vec3 clamped_to_coverage(const Vec3& point, Index) const { return point; }
 };
 

@@ -14,12 +14,14 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Sites 0..n-1 and the arcs that leave each; those of v are first[v] .. first[v+1]-1.
+// A graph of vertices 0..n-1 in compressed rows.  The edges that leave vertex v have the indices
+// begin[v], ..., begin[v + 1] - 1.
 struct Proximity_graph
 {
-  std::vector<Index> begin;   // #sites + 1
-  std::vector<Index> target;  // #arcs
-  std::vector<double> length; // #arcs, finite, not negative; or empty: that between the sites
+  std::vector<Index> begin;  // #vertices + 1
+  std::vector<Index> target; // #edges
+  // #edges, finite, not negative; if empty: the distance between the ends
+  std::vector<double> length;
 };
 
 // Minimum length of an edge, for surfaces whose extent is about one.  Shorter edges are set to it:
@@ -29,8 +31,8 @@ inline constexpr double min_edge_length = 0x1p-36;
 
 struct Vertex_fans;
 
-// What fronts over the same triangles share as long as one of them lives: see spokes.h.  Copies of
-// triangles, whose lengths may be changed, share nothing.
+// The vertex fans shared by all fronts on the same arrays, as long as one of these fronts exists;
+// see vertex_fans.h.  A copy of the arrays starts without them, because its lengths may be changed.
 struct Shared_vertex_fans
 {
   Shared_vertex_fans() = default;
@@ -42,30 +44,35 @@ struct Shared_vertex_fans
   }
 
   std::mutex mutex;
-  std::array<std::weak_ptr<const Vertex_fans>, 2> cached; // without splits, and with them
+  std::array<std::weak_ptr<const Vertex_fans>, 2> cached; // without and with split angles
 };
 
-// Triangles, how they are glued, and how long their sides are: all that intrinsic algorithms need.
+// The connectivity and the edge lengths of a triangle mesh or of the triangles of a surfel cloud.
+// Intrinsic algorithms need nothing else.
 //
-// On a mesh every side has at most one twin, corners turn counterclockwise around each site, and
-// the site graph is left empty because the sides are its arcs.  On a surfel cloud the triangles
-// overlap: each has a weight, an edge may carry more than two of them, and nothing is glued.
+// Mesh: a halfedge has at most one twin, corners are in counterclockwise order around each vertex,
+// and the proximity graph is empty because the edges of the mesh replace it.
+//
+// Surfel cloud: triangles overlap and have weights, an edge can belong to more than two triangles,
+// and there are no twins.
 struct Surface_arrays
 {
-  std::vector<Index> corner;     // 3 #triangles: the site at each corner
-  std::vector<Index> twin;       // 3 #triangles: the opposite side or none; empty on a cloud
-  std::vector<double> length;    // 3 #triangles: of each side, the longest one of all in [1, 2)
-  std::vector<Index> ring_begin; // #sites + 1: where the star of each site begins in `star`
-  std::vector<Index> ring;       // 3 #triangles: corners around each site; on a mesh each fan in
-      //   counterclockwise order, fans of pinched sites one after another
-  std::vector<float> weight; // #triangles in (0, 1]; empty on a mesh, where all weigh 1
-  Proximity_graph graph;     // arcs between surfels; empty on a mesh
-  std::vector<std::array<double, 3>> point;  // #sites: scaled coordinates; may be empty
-  std::vector<std::array<double, 3>> normal; // #sites: unit normals; empty on a mesh
+  std::vector<Index> corner;  // 3 #triangles: the vertex of each corner
+  std::vector<Index> twin;    // 3 #triangles: the opposite halfedge or none; empty for a cloud
+  std::vector<double> length; // 3 #triangles: of each halfedge; for a mesh the maximum is in [1, 2)
+  std::vector<Index> ring_begin; // #vertices + 1: begin of the corners of each vertex in `ring`
+  // 3 #triangles: the corners of each vertex.  On a mesh the corners of a fan are in
+  // counterclockwise order; the fans of a nonmanifold vertex follow each other
+  std::vector<Index> ring;
+  // #triangles, in (0, 1]; empty for a mesh, whose triangles have weight 1
+  std::vector<float> weight;
+  Proximity_graph graph;                     // edges between surfels; empty for a mesh
+  std::vector<std::array<double, 3>> point;  // #vertices: scaled coordinates; may be empty
+  std::vector<std::array<double, 3>> normal; // #vertices: unit normals; empty for a mesh
 
-  // What a caller's length is divided by to become one of ours: a power of two.
+  // Lengths in the unit of the caller are divided by this power of two.
   double scale = 1.;
-  std::array<double, 3> origin = {0., 0., 0.}; // caller's coordinates = origin + scale * point
+  std::array<double, 3> origin = {0., 0., 0.}; // coordinates of the caller = origin + scale * point
 
   mutable Shared_vertex_fans vertex_fans;
 
@@ -74,8 +81,9 @@ struct Surface_arrays
   bool is_cloud() const { return !graph.begin.empty(); }
 };
 
-// A location on the domain: in a triangle, or at a site (triangle == none; sites without triangles
-// can only be given so).  Barycentric coordinates follow the corners and sum to one.
+// A location on a mesh or cloud: a point of a triangle, or, if `triangle` is none, a vertex.  A
+// vertex without triangles can only be given as a vertex.  The barycentric coordinates are in the
+// order of the corners and sum to one.
 struct Surface_location
 {
   Index triangle = none;
@@ -83,11 +91,12 @@ struct Surface_location
   std::array<double, 3> barycentric = {1., 0., 0.};
 };
 
-// Where a front starts: a polyline of one or more locations, consecutive ones in a common triangle.
+// A source of a front: a polyline of one or more locations.  Consecutive locations must be in a
+// common triangle.
 struct Front_source
 {
-  std::vector<Surface_location> polyline; // one location: a point source
-  double offset = 0.;                     // distance at the source, in the domain's scale
+  std::vector<Surface_location> polyline; // a single location is a point source
+  double offset = 0.;                     // distance at the source, in scaled units
   Index label = 0;
 };
 

@@ -12,9 +12,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Calls body(block, begin, end) for the blocks of a partition of 0..size-1 that depends on
-// `block_size` alone: a body that writes only what belongs to its block gives the same result for
-// every number of threads.  Rethrows the first exception of the lowest thread that met one.
+// Calls body(block, begin, end) for all blocks of a partition of 0..size-1 into blocks of
+// `block_size`.  The partition does not depend on `threads`.  If each call writes only to data of
+// its own block, the result is the same for every number of threads.
+//
+// If a call throws, the remaining blocks are skipped, and the exception of the thread with the
+// lowest index is rethrown.
 template <typename Body>
 void for_each_block(std::size_t size, std::size_t block_size, unsigned threads, const Body& body)
 {

@@ -9,35 +9,39 @@
 #include <optional>
 #include <vector>
 
-// The locations of a path on a mesh.  Those that are "clean" are in a triangle unless their site
-// has none, and their coordinates are zero or above 1e-14: then zeros tell on what they lie.
+// Locations of paths on a mesh.  A location is canonical if it is in a triangle, unless its vertex
+// has no triangle, and if each coordinate is zero or above 1e-14.  Zero coordinates then tell
+// whether it is at a vertex, on an edge or inside a triangle.
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Returns the canonical form of a location: sets coordinates of at most 1e-14 to zero and rescales
+// the others.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location canonical(const Surface_arrays& triangles, const Surface_location& location);
 
-// The same for a location of a user's.
-// Throws Invalid_argument_error when coordinates are not finite, clearly negative, or do not sum to
-// one; what rounding can do, 1e-6, is mended.
+// Checks a location given by a user and returns its canonical form.  Coordinates may be off by
+// round-off errors of up to 1e-6.  Throws Invalid_argument_error if a coordinate is below -1e-6 or
+// not a number, or if the sum of the coordinates is not one.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location checked(const Surface_arrays& triangles, const Surface_location& location);
 
-// Where a location lies, in the domain's coordinates.
+// Returns the position of a location in scaled coordinates.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<double, 3> scaled_coordinates(const Surface_arrays& triangles,
                                          const Surface_location& location);
 
-// Where a location lies, in the caller's coordinates.
+// Returns the position of a location in the coordinates of the caller.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<double, 3> coordinates(const Surface_arrays& triangles,
                                   const Surface_location& location);
 
-// The site as a clean location.
+// Returns the canonical location of a vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location vertex_location(const Surface_arrays& triangles, Index vertex);
 
-// The corner, the site at which, or the side inside which a clean location lies, or none.
+// Returns the corner or vertex at which a canonical location is, or the halfedge of its triangle
+// that contains it in its interior.  If there is none, returns none.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Index corner_of(const Surface_location& location);
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -45,35 +49,37 @@ Index vertex_of(const Surface_arrays& triangles, const Surface_location& locatio
 CGAL_GEODESIC_PROCESSING_EXPORT
 Index halfedge_of(const Surface_location& location);
 
-// The coordinates of a clean location in a triangle, if that one holds it.
+// Returns the barycentric coordinates of a canonical location in a triangle if the triangle
+// contains it.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<std::array<double, 3>> barycentric_in(const Surface_arrays& triangles, Index triangle,
                                                     const Surface_location& location);
 
-// The triangles that hold a clean location: all around a site, one or two at a side, else one.
+// Returns the triangles that contain a canonical location: all triangles of a vertex, one or two
+// triangles of an edge, otherwise one triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> triangles_at(const Surface_arrays& triangles, const Surface_location& location);
 
-// One of them; none at a site that is in no triangle.
+// Returns one of these triangles, or none for a vertex without triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Index triangle_at(const Surface_arrays& triangles, const Surface_location& location);
 
-// A triangle that holds both clean locations, or none.
+// Returns a triangle that contains both canonical locations, or none.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Index common_triangle(const Surface_arrays& triangles, const Surface_location& p,
                       const Surface_location& q);
 
-// Whether two clean locations are the same point of the surface.
+// Returns whether two canonical locations are the same point of the surface.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_same_point(const Surface_arrays& triangles, const Surface_location& p,
                    const Surface_location& q);
 
-// The length of the polyline through locations, in space.
+// Returns the length of the polyline with these vertices in space, in scaled units.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double polyline_length(const Surface_arrays& triangles, const std::vector<Surface_location>& path);
 
-// The length of a path whose consecutive locations lie in a common triangle.
-// Throws Invalid_argument_error when two do not.
+// Returns the length of a path on the surface, in scaled units.  Throws Invalid_argument_error if
+// two consecutive locations are in no common triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double path_length(const Surface_arrays& triangles, const std::vector<Surface_location>& path);
 

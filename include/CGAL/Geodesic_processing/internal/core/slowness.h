@@ -9,12 +9,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// 1 / speed, infinite where the speed is zero: an obstacle.
-// Throws Invalid_argument_error when a speed is negative or not finite.
+// Computes 1 / speed.  A speed of zero, which is an obstacle, yields infinity.  Throws
+// Invalid_argument_error if a speed is negative or not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> slowness_of(std::vector<double> speed);
 
-// #triangles: the mean of the slownesses of the corners.
+// Computes for each triangle the mean of the slowness of its three vertices.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> mean_over_corners(const Surface_arrays& triangles,
                                       const std::vector<double>& vertex_slowness);

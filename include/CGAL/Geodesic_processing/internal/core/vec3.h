@@ -32,15 +32,15 @@ inline Vec3 cross(const Vec3& p, const Vec3& q)
 }
 inline double norm(const Vec3& p) { return std::sqrt(dot(p, p)); }
 
-// The unit vector along p, or zero where p is.
+// Returns p / |p|, or p if it is zero.
 inline Vec3 unit(const Vec3& p)
 {
   const double length = norm(p);
   return length > 0. ? (1. / length) * p : p;
 }
 
-// Two unit vectors that make a positively oriented orthonormal frame with the unit vector n, and
-// depend on n alone (Duff and others 2017, "Building an orthonormal basis, revisited").
+// Computes two unit vectors that form a positively oriented orthonormal frame with the unit vector
+// n.  They depend on n only (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 inline std::pair<Vec3, Vec3> tangent_frame(const Vec3& n)
 {
   const double sign = std::copysign(1., n[2]);
@@ -49,7 +49,8 @@ inline std::pair<Vec3, Vec3> tangent_frame(const Vec3& n)
           {b, sign + n[1] * n[1] * a, -n[1]}};
 }
 
-// Barycentric coordinates of the point of a triangle with area that is nearest to p.
+// Computes the barycentric coordinates of the point of triangle abc that is closest to p.  The
+// triangle must not be degenerate.
 inline std::array<double, 3> nearest_in_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
                                                  const Vec3& p)
 {
@@ -59,7 +60,7 @@ inline std::array<double, 3> nearest_in_triangle(const Vec3& a, const Vec3& b, c
                w = dot(cross(ab, p - a), normal) / squared_norm;
   if(v >= 0. && w >= 0. && v + w <= 1.)
     return {1. - v - w, v, w};
-  // Outside: the nearest point on a side.
+  // Otherwise the closest point is on the boundary.
   const std::array<Vec3, 3> corners = {a, b, c};
   std::array<double, 3> result{};
   double smallest_distance = std::numeric_limits<double>::infinity();
@@ -79,7 +80,7 @@ inline std::array<double, 3> nearest_in_triangle(const Vec3& a, const Vec3& b, c
   return result;
 }
 
-// Of the least angle of a triangle.
+// Computes the cosine of the smallest angle of a triangle.
 inline double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const Vec3 u = unit(b - a), v = unit(c - b), w = unit(a - c);
