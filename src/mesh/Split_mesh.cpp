@@ -13,7 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Barycentric coordinates of samples below are zero, but next to curves only what is rounding.
+// Smaller barycentric coordinates of samples are set to zero.  Next to feature edges, only
+// round-off errors are, so that no sample changes sides.
 constexpr double snap_tolerance = 0.01, roundoff_tolerance = 1e-12;
 
 } // namespace
@@ -22,7 +23,8 @@ std::array<double, 3> subtriangle_coordinates(const std::array<std::array<double
                                               const std::array<double, 3>& p)
 {
   using Barycentric = std::array<double, 3>;
-  // Exactly zero along all three sides of the triangle: along two the differences are.
+  // Exactly zero if the points are on one edge of the coarse triangle.  For two of the edges a
+  // factor of both products is zero; for the third this must be tested.
   const auto twice_area = [](const Barycentric& a, const Barycentric& b, const Barycentric& c)
   {
     return a[0] == 0. && b[0] == 0. && c[0] == 0.
@@ -146,7 +148,7 @@ Index Split_mesh::insert(const Surface_location& sample)
     for(const Index subtriangle : subtriangles->second)
       consider(subtriangle);
 
-  // Those near a side or a site go there, but nowhere where they would change sides of a curve.
+  // Snaps the sample to a close edge or vertex, but never across a feature edge.
   for(Index k = 0; k < 3; ++k)
   {
     const Index h = 3 * best + (k + 1) % 3;
@@ -172,7 +174,7 @@ Index Split_mesh::insert(const Surface_location& sample)
                                            barycentric_inside[2] / sum}));
 }
 
-// Each fan of a site that has several gets a site of its own.
+// A nonmanifold vertex keeps its first fan; each other fan gets a new vertex.
 void Split_mesh::split_nonmanifold_vertices()
 {
   std::vector<bool> is_seen(m_arrays.corner.size(), false);
@@ -246,7 +248,7 @@ Index Split_mesh::add_triangle(Index coarse_triangle)
   return f;
 }
 
-// Moves the side of a triangle into another one, with its twin and label.
+// Moves a halfedge with its twin and label to another index.
 void Split_mesh::move_halfedge(Index from, Index to)
 {
   m_label[to] = m_label[from];
@@ -255,7 +257,8 @@ void Split_mesh::move_halfedge(Index from, Index to)
     m_arrays.twin[m_arrays.twin[to]] = to;
 }
 
-// Of u v w makes u p w and, new, p v w, whose side p v is returned, not yet glued.
+// Replaces uvw, with h = uv, by upw and a new triangle pvw.  Returns the halfedge pv, whose twin is
+// not yet set.
 Index Split_mesh::split_halfedge(Index h, Index p)
 {
   const Index next = next_halfedge(h), u_to_v = m_label[h];
@@ -274,6 +277,8 @@ Index Split_mesh::split_halfedge(Index h, Index p)
   return new_h;
 }
 
+// Inserts a vertex p with barycentric coordinates b into the triangle xyz = f and returns it.  The
+// triangle becomes xyp; yzp and zxp are new.
 Index Split_mesh::split_triangle(Index f, const Barycentric& b)
 {
   Vec3 point = {0., 0., 0.};
@@ -306,7 +311,7 @@ Index Split_mesh::split_triangle(Index f, const Barycentric& b)
   return p;
 }
 
-// Of a place in the mesh, in a part of its triangle.
+// Returns the coordinates, with respect to triangle f, of a location of its coarse triangle.
 std::array<double, 3> Split_mesh::coordinates_in_subtriangle(Index f, const Barycentric& b) const
 {
   std::array<Barycentric, 3> corner;

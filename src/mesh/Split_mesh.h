@@ -13,65 +13,69 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The coordinates of p in a part of a triangle that has these corners, all in the triangle's own; minus
-// infinity in one without area.
+// Computes the coordinates of p with respect to a subtriangle. p and the corners of the subtriangle
+// are given in barycentric coordinates of a triangle.  If the subtriangle has no area, returns
+// minus infinity.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<double, 3> subtriangle_coordinates(const std::array<std::array<double, 3>, 3>& corner,
                                               const std::array<double, 3>& p);
 
-// A mesh while lines are drawn on it, each of which divides the triangles that it crosses.  Sides have
-// labels: that of the line that they are a part of.
+// A copy of a mesh in which polylines are embedded as edges: edges and triangles are split at
+// inserted vertices.  A halfedge has the label of the polyline that contains it.
 class CGAL_GEODESIC_PROCESSING_EXPORT Split_mesh
 {
 public:
-  // Of a side: how far new sites keep off its ends.  A tenth of it makes needles of a hundred to one
-  // where paths pass a site, and a tenfold of it kinks that can be seen.
+  // New vertices keep this fraction of the length of an edge from its ends.  A tenth of it makes
+  // needles of 100 to 1 near vertices that paths pass; ten times as much makes visible kinks.
   static constexpr double min_split_fraction = 0.005;
-  // The label of sides on curves, until they get another one.
+  // The label of feature edges until they get another one.
   static constexpr Index curve_label = none - 1;
 
-  // coarse    with points; must live as long as this
-  // is_curve  #sides, twins alike
-  // Where fans of triangles meet in a site only, each but the first gets a new one.
+  // coarse: with points; must outlive this object
+  // is_curve: #halfedges, the same for twins: whether the edge is a feature edge
+  // A nonmanifold vertex is replaced by one vertex per fan of triangles.
   Split_mesh(const Surface_arrays& coarse, const std::vector<bool>& is_curve);
 
-  // Without lengths and stars.
+  // Returns the triangles, without lengths and rings.
   const Surface_arrays& triangles() const { return m_arrays; }
-  // #sides
+  // #halfedges: the polyline that contains each halfedge, or none
   const std::vector<Index>& labels() const { return m_label; }
-  // #triangles: the triangle of the mesh that each is a part of
+  // #triangles: the coarse triangle that contains each triangle
   const std::vector<Index>& coarse_triangles() const { return m_coarse_triangle; }
-  // #sites: where they are in the mesh, clean
+  // #vertices: the canonical location of each vertex in the coarse mesh
   const std::vector<Surface_location>& locations() const { return m_location; }
 
   Index source(Index h) const { return m_arrays.corner[h]; }
   Index target(Index h) const { return m_arrays.corner[next_halfedge(h)]; }
   Index apex(Index h) const { return m_arrays.corner[previous_halfedge(h)]; }
-  // The smaller one of it and its twin.
+  // Returns the halfedge with the smaller index of h and its twin.
   Index smaller_twin(Index h) const { return std::min(h, m_arrays.twin[h]); }
   double length(Index h) const { return distance_between(source(h), target(h)); }
   double distance_between(Index p, Index q) const
   {
     return norm(m_arrays.point[p] - m_arrays.point[q]);
   }
+  // Computes the angle at a corner, in [0, pi].
   double angle_at(Index corner) const;
-  // Of a site in the triangle of the mesh that a triangle is a part of.
+  // Returns the barycentric coordinates of a vertex in the coarse triangle that contains
+  // `triangle`.
   std::array<double, 3> barycentric(Index triangle, Index vertex) const;
 
-  // The corners around a site, counterclockwise, from the border on where there is one.
+  // Returns the corners of a vertex in counterclockwise order, beginning at the boundary if there
+  // is one.
   std::vector<Index> corners_around(Index vertex) const;
-  // Sides that end or begin at a site, one of each pair of twins.
+  // Returns one halfedge of each edge that is incident to a vertex.
   std::vector<Index> halfedges_around(Index vertex) const;
 
-  // Of a side and its twin.
+  // Sets the label of a halfedge and its twin.
   void set_label(Index h, Index label);
 
-  // A new site on a side u v of triangles u v w and v u x, which become u p w and v p x, and, with the
-  // next two numbers, p v w and p u x.
+  // Inserts a vertex p on the edge uv = h of the triangles uvw and vux and returns it.  The
+  // triangles become upw and vpx; the new triangles pvw and pux get the next two indices.
   Index split_edge(Index h, double fraction);
 
-  // The site of a sample: a new one, or that which is near, unless the sample would change sides of a
-  // curve.  No two samples get the same.
+  // Returns a vertex for a sample: a vertex close to it, or a new one.  Snapping never moves a
+  // sample onto a polyline or across it.  Each sample gets a vertex of its own.
   Index insert(const Surface_location& sample);
 
 private:
@@ -91,12 +95,13 @@ private:
 
   const Surface_arrays& m_coarse;
   Surface_arrays m_arrays;
-  std::vector<Index> m_label; // #sides: the line that it is a part of, or none
+  std::vector<Index> m_label; // #halfedges: the polyline that contains it, or none
   std::vector<Index> m_coarse_triangle;
   std::vector<Surface_location> m_location;
-  std::vector<Index> m_corner_of; // #sites: one of its corners, or none
+  std::vector<Index> m_corner_of; // #vertices: one of its corners, or none
   std::vector<bool> m_is_sample;
-  std::map<Index, std::vector<Index>> m_subtriangles; // of a triangle of the mesh, without itself
+  // the new triangles in each coarse triangle, without the triangle with its index
+  std::map<Index, std::vector<Index>> m_subtriangles;
 };
 
 } // namespace CGAL::Geodesic_processing::internal

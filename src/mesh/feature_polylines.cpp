@@ -17,7 +17,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// A side in one of its directions: backwards where there is no twin.
+// A feature edge in one of its directions: a halfedge, or the reverse of a boundary halfedge, which
+// has no twin.
 struct Directed_edge
 {
   Index halfedge = none;
@@ -91,7 +92,8 @@ private:
       m_is_done[m_triangles.twin[halfedge]] = true;
   }
 
-  // The chain from a step on while there is one way to go.
+  // Sets `m_chain` to the edges from `edge` on, up to a vertex in which not exactly two feature
+  // edges meet.
   void trace_chain(Directed_edge edge)
   {
     m_chain.clear();
@@ -110,7 +112,8 @@ private:
   void sample_chain(bool is_loop)
   {
     std::vector<Directed_edge>& chain = m_chain;
-    // How sharply the chain turns where each step begins; a closed one starts where it does most.
+    // The turning angle at the source of each edge.  A closed chain is rotated to begin at the
+    // largest angle.
     const std::size_t n = chain.size();
     std::vector<double>& turning_angle = m_turning_angle;
     turning_angle.assign(n, 0.);
@@ -177,15 +180,17 @@ private:
   }
 
   const Surface_arrays& m_triangles;
-  const std::vector<double>& m_spacing;   // #sides
-  std::vector<Index> m_edges_begin;       // #sites + 1: where those of each begin in
-  std::vector<Directed_edge> m_edges_out; // the curves' steps that leave a site
-  std::vector<bool> m_is_done;            // #sides
+  const std::vector<double>& m_spacing; // #halfedges
+  // #vertices + 1: begin of the edges of each vertex in `m_edges_out`
+  std::vector<Index> m_edges_begin;
+  std::vector<Directed_edge> m_edges_out; // the directed feature edges, by source
+  std::vector<bool> m_is_done;            // #halfedges
   std::vector<Surface_location> m_result;
 
-  // Of one chain: kept, as there may be as many chains as triangles
+  // Buffers of a chain, members to avoid allocations: there can be as many chains as triangles.
   std::vector<Directed_edge> m_chain;
-  std::vector<double> m_turning_angle, m_arc_length; // where each step begins, in spacings
+  // at the source of each edge; arc lengths in units of the spacing
+  std::vector<double> m_turning_angle, m_arc_length;
   std::vector<std::size_t> m_sharp_corners;
 };
 

@@ -13,9 +13,11 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-constexpr double min_cosine = 0.9;          // between normals of neighbours
-constexpr double needle_height_ratio = 0.1; // of a needle, in parts of its longest side
-constexpr double cosine_tolerance = 1e-9;   // of a cosine: beyond rounding
+// minimum cosine between normals of adjacent triangles, 26 degrees
+constexpr double min_cosine = 0.9;
+// maximum height of a needle relative to its longest edge
+constexpr double needle_height_ratio = 0.1;
+constexpr double cosine_tolerance = 1e-9; // minimum decrease of a cosine, above round-off errors
 
 } // namespace
 
@@ -56,7 +58,8 @@ bool Flippable_triangles::is_flat(const std::vector<Vec3>& points, Index h) cons
     return false;
   if(dot(a, b) > min_cosine * norm(a) * norm(b) && agrees_with_flipped(unit(a) + unit(b)))
     return true;
-  // Or one is a needle along the other, as come at creases: how far the one edge passes the other.
+  // Otherwise one must be a needle along the other, as at creases: the distance between the lines
+  // of the two diagonals is small.
   const Vec3 common_normal = cross(y - x, w - z);
   return std::abs(dot(z - x, common_normal)) <
              needle_height_ratio * norm(y - x) * norm(common_normal) &&

@@ -12,32 +12,36 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Triangles of points in space, glued where two of them share an edge, whose edges can be flipped.
+// Triangles of points in space, connected at edges that have exactly two of them, whose edges can
+// be flipped.
 class CGAL_GEODESIC_PROCESSING_EXPORT Flippable_triangles
 {
 public:
-  // triangles: counterclockwise; an edge of more than two of them glues none
+  // triangles: counterclockwise.  Edges of more than two triangles are boundary edges.
   Flippable_triangles(std::size_t number_of_points,
                       const std::vector<std::array<Index, 3>>& triangles);
 
   const std::vector<Index>& corner() const { return m_corner; }
   const std::vector<Index>& twin() const { return m_twin; }
-  // Whether an edge joins the end of a side to another point.
+  // Returns whether an edge joins the source of a halfedge to a point.
   bool is_adjacent(Index h, Index point) const;
-  // Whether the surface bends little at a side, and would so at the one that takes its place; or, however it
-  // bends, hardly changes, as one of the triangles is a needle along the other.
+  // Returns whether an edge can be flipped without a large change of the surface.  The dihedral
+  // angles at the edge and at the flipped edge must be small, or one of the two triangles must be a
+  // needle along the other.
   bool is_flat(const std::vector<Vec3>& points, Index h) const;
-  // Of x y z and y x w makes x w z and w y z, which lie where these did.
+  // Replaces the triangles xyz and yxw by xwz and wyz, in the same two positions of the arrays.
   void flip(Index h);
 
 private:
   std::vector<Index> m_corner, m_twin;
 };
 
-// Flips edges of a surface in space where that makes the least angle of their two triangles larger
-// (Lawson 1977), so that it ends; not where the surface bends by 25 degrees, before or after, but for needles, and
-// not to an edge that is there already: the surface stays as it is.
-// triangles: of points, counterclockwise, a manifold; is_kept: #points: edges between two such stay
+// Flips edges as long as this increases the smallest angle of the two incident triangles (Lawson
+// 1977).  An edge is kept if the surface bends by more than 26 degrees at it before or after the
+// flip (except for needles), or if the flipped edge exists already.
+//
+// triangles: indices of points, counterclockwise, a manifold
+// is_kept: #points: edges between two such points are kept
 CGAL_GEODESIC_PROCESSING_EXPORT
 void flip_to_larger_angles(const std::vector<Vec3>& points, const std::vector<bool>& is_kept,
                            std::vector<std::array<Index, 3>>& triangles);

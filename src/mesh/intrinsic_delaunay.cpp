@@ -11,7 +11,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Whether the angles opposite to a side and its twin sum to more than pi: sin of the sum < 0.
+// Returns whether the opposite angles of an edge sum to more than pi: the sine of the sum is
+// negative.
 bool needs_flip(const Surface_arrays& t, Index h)
 {
   const Index twin = t.twin[h];
@@ -22,7 +23,7 @@ bool needs_flip(const Surface_arrays& t, Index h)
   return rotated(a, b)[1] < -1e-12;
 }
 
-// Replaces the side ab of the triangles abc and bad by cd: they become cdb and dca.
+// Replaces the edge ab of the triangles abc and bad by cd: they become cdb and dca.
 void flip(Surface_arrays& t, Index h)
 {
   const Index twin = t.twin[h];
@@ -38,7 +39,7 @@ void flip(Surface_arrays& t, Index h)
   };
   const auto read = [&](Index s) { return Halfedge{t.corner[s], t.twin[s], t.length[s]}; };
   const Halfedge old_bc = read(bc), old_ca = read(ca), old_ad = read(ad), old_db = read(db);
-  // side: c d, then d b, b c;  twin: d c, then c a, a d.
+  // h becomes cd, followed by db and bc; twin becomes dc, followed by ca and ad.
   const auto write = [&](Index s, const Halfedge& value)
   {
     t.corner[s] = value.source;
@@ -47,7 +48,7 @@ void flip(Surface_arrays& t, Index h)
     if(value.twin != none)
       t.twin[value.twin] = s;
   };
-  // A side glued to another one of these four moves with it.
+  // A twin that is one of these four halfedges moves, too.
   const auto redirected = [&](Halfedge value)
   {
     if(value.twin == bc)
@@ -94,7 +95,8 @@ std::size_t flip_to_delaunay(Surface_arrays& t)
       is_stacked[h] = true;
       stack.push_back(h);
     }
-  // Each flip lowers the Dirichlet energy of the identity, so it ends; the bound is for rounding.
+  // Terminates in exact arithmetic because each flip decreases the Dirichlet energy of the
+  // identity.  The bound is for round-off errors.
   const std::size_t max_flips = 100 * t.corner.size() + 1000;
   std::size_t flips = 0;
   while(!stack.empty() && flips < max_flips)

@@ -7,14 +7,16 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Adds to all lengths the smallest constant after which in every triangle two sides together exceed
-// the third by `slack` (Sharp and Crane 2020, section 4.5); zero where they do already.
+// Adds the smallest constant to all lengths so that in every triangle the sum of two lengths
+// exceeds the third by at least `slack` (Sharp and Crane 2020, section 4.5).  The constant is zero
+// if this holds already.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void mollify(Surface_arrays& triangles, double slack);
 
-// Flips sides of a mesh until all are Delaunay: opposite angles sum to at most pi (up to 1e-12), so
-// that no cotangent weight is negative.  Corners, twins and lengths change, the stars are not kept.
-// Returns the number of flips.  Sides that have one triangle on both hands stay.
+// Flips edges of a mesh until it is intrinsic Delaunay: opposite angles sum to at most pi, up to
+// 1e-12, so that no cotangent weight is negative.  Changes corners, twins and lengths; the rings
+// become invalid.  Edges that have the same triangle at both halfedges are not flipped.  Returns
+// the number of flips.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t flip_to_delaunay(Surface_arrays& triangles);
 

@@ -10,24 +10,27 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Of triangles that a walk passes: a sample moves by a cell or two.
+// Maximum number of steps.  A sample moves by one or two cells, so that walks are short.
 constexpr int max_walk_steps = 1000;
 
+// Returns whether a triangle is not degenerate.
 inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   return norm(cross(b - a, c - a)) > 0.;
 }
 
-// The place of a surface that is nearest to a point in space, found from triangle to triangle, each nearer
-// than the one before.  Nowhere where that leads to a border, across a wall, or to a triangle that is not open or
-// has no area.
+// Walks from triangle to triangle to a point of the surface at a local minimum of the distance to
+// p, and returns it.  The distance decreases in each step.  Returns an empty location if the walk
+// reaches the boundary, a wall, or a triangle that is degenerate or not open.
 //
-// triangle: where it starts; is_open(triangle); is_wall(side): of a side that is no border
+// triangle: the start
+// is_open(f): whether the walk may enter triangle f
+// is_wall(h): whether the walk must not cross halfedge h, which has a twin
 template <typename IsOpen, typename IsWall>
 Surface_location locate_by_walking(const Surface_arrays& t, Index triangle, const Vec3& p,
                                    const IsOpen& is_open, const IsWall& is_wall)
 {
-  // The squared distance of the nearest place.
+  // Returns the squared distance of p to a triangle, infinity if the walk may not enter it.
   const auto nearest_in = [&](Index f, std::array<double, 3>& nearest)
   {
     if(f == none || !is_open(f))
@@ -51,7 +54,7 @@ Surface_location locate_by_walking(const Surface_arrays& t, Index triangle, cons
       return {triangle, none, nearest};
     if(zeros > 1)
     {
-      // At a corner: on through what comes nearest of all around it.
+      // At a corner the walk goes on to the closest triangle of the vertex.
       const Surface_location corner = {triangle, none, nearest};
       const Index vertex = vertex_of(t, corner), previous_triangle = triangle;
       std::array<double, 3> candidate;
@@ -76,7 +79,8 @@ Surface_location locate_by_walking(const Surface_arrays& t, Index triangle, cons
     const Index h = next_halfedge(3 * triangle + Index(zero_corner));
     if(t.twin[h] == none || is_wall(h))
       return {};
-    // On an edge where the surface bulges.
+    // The walk came over this edge: the surface is convex there, and the closest point is on the
+    // edge.
     if(t.twin[h] / 3 == came_from)
       return {triangle, none, nearest};
     came_from = triangle;

@@ -21,7 +21,7 @@ double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// The order of triangles by their smallest site, ties by face: a counting sort.
+// Returns the triangles sorted by their smallest vertex, ties by index (counting sort).
 std::vector<Index> triangle_order(const std::vector<Index>& corner, std::size_t number_of_vertices)
 {
   const std::size_t m = corner.size() / 3;
@@ -37,8 +37,7 @@ std::vector<Index> triangle_order(const std::vector<Index>& corner, std::size_t 
   return order;
 }
 
-// Triangles without area in double precision: a side of length zero, or sides of which the longest
-// is not shorter than the two others together.
+// Counts the triangles without area in double precision; see Mesh_arrays.
 std::size_t count_degenerate_triangles(const std::vector<double>& length)
 {
   std::size_t count = 0;
@@ -68,8 +67,7 @@ void build_rings(Surface_arrays& t, std::size_t number_of_vertices)
   {
     if(is_visited[c])
       continue;
-    // Clockwise to the border, or once around: the side that leaves a corner has the twin whose
-    // next side leaves the same site.
+    // Turns clockwise to the boundary, or once around the vertex.
     Index start = c;
     while(t.twin[start] != none)
     {
@@ -136,8 +134,7 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
     longest = std::max(longest, t.length[h]);
   }
   result.number_of_degenerate_triangles = count_degenerate_triangles(t.length);
-  // No direction is known across a side of no length.  The larger of two lengths obeys the triangle
-  // inequality where both do.
+  // The maximum of each length and a constant preserves the triangle inequality.
   if(longest > 0.)
     for(double& length : t.length)
       length = std::max(length, min_edge_length);
@@ -157,7 +154,7 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
 
 std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector<Index>& corners)
 {
-  // Sides sorted into buckets by their smaller end; each bucket is short.
+  // Sorts the edges into buckets by their smaller vertex; the buckets are short.
   std::vector<Index> begin(number_of_points + 1, 0), halfedges(corners.size());
   std::vector<Index> twin(corners.size(), none);
   const auto smaller_end = [&](Index h) { return std::min(corners[h], corners[next_halfedge(h)]); };

@@ -34,7 +34,7 @@ Frame unit_frame(const std::vector<std::array<double, 3>>& points)
   }
   if(half_extent > 0.25 * std::numeric_limits<double>::max())
     throw Invalid_argument_error("The points are too far apart: their distances overflow.");
-  // Below this even a power of two cannot lift the coordinates without leaving normal numbers.
+  // For smaller extents, no power of two scales the coordinates to normal numbers.
   if(half_extent > std::numeric_limits<double>::min())
     frame.scale = std::ldexp(1., std::ilogb(half_extent));
   return frame;
@@ -55,7 +55,7 @@ void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame)
 
 namespace {
 
-// The bits of a 21-bit number, spread to every third place.
+// Moves bit i of a 21-bit number to bit 3 i.
 std::uint64_t spread_bits(std::uint64_t x)
 {
   x = (x | x << 32) & 0x1f00000000ffffull;
@@ -76,7 +76,7 @@ std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points
   };
   const std::size_t n = points.size();
   std::vector<Entry> entries(n), sorted(n);
-  // 11 bits an axis: a million points of a surface fall into cells of a few.
+  // 11 bits per axis: of a surface of a million points, only a few are in the same cell.
   const auto cell = [](double x)
   { return static_cast<std::uint64_t>(std::clamp((x + 2.) * 512., 0., 2047.)); };
   for(std::size_t i = 0; i < n; ++i)

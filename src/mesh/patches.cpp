@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// What is tidied can make its neighbours untidy; what is left after so many times stays.
+// Each pass can create new fragments in adjacent patches; those after the last pass remain.
 constexpr int max_passes = 20;
 
 double area(const Surface_arrays& t, Index triangle)
@@ -22,17 +22,18 @@ double area(const Surface_arrays& t, Index triangle)
   return twice_area(length[0], length[1], length[2]) / 2.;
 }
 
-// The patch behind a side, or none.
+// Returns the patch on the other side of a halfedge, or none.
 Index patch_across(const Surface_arrays& t, const std::vector<Index>& patch, Index h)
 {
   return t.twin[h] == none ? none : patch[t.twin[h] / 3];
 }
 
-// What is to be looked at again: after a pass that is the surroundings of what it changed.
+// The vertices and patches that must be examined: in later passes, only those near changes of the
+// previous pass.
 struct Modified_flags
 {
-  std::vector<bool> vertices; // #sites
-  std::vector<bool> patches;  // those that lost or got triangles
+  std::vector<bool> vertices; // #vertices
+  std::vector<bool> patches;  // patches that lost or gained triangles
 
   Modified_flags(const Surface_arrays& t, const std::vector<Index>& patch)
       : vertices(t.number_of_vertices(), true)
@@ -45,8 +46,8 @@ struct Modified_flags
   }
 };
 
-// Gives some triangles of a patch to the one with which they have the most in common.  False where there
-// is no other.
+// Moves triangles of one patch to the adjacent patch with the longest common boundary.  Returns
+// false if there is no adjacent patch.
 bool merge_into_neighbor(const Surface_arrays& t, std::vector<Index>& patch,
                          const std::vector<Index>& triangles, Modified_flags& modified)
 {
@@ -74,11 +75,13 @@ bool merge_into_neighbor(const Surface_arrays& t, std::vector<Index>& patch,
 struct Reached_triangle
 {
   Index triangle;
-  Index seed; // by place
+  Index seed; // index in `seeds`
 };
 
-// The triangles of one patch that sides join to seeds in it, in the order of the number of sides between.
-// seen: #triangles, for which this is the first call with `mark`
+// Returns the triangles of a patch that are connected to the seeds, in breadth-first order, each
+// with the seed that reached it first.  All seeds must be in one patch.
+//
+// seen: #triangles, set to `visit_mark` for each result; no element may have this value before
 std::vector<Reached_triangle> reach_from_seeds(const Surface_arrays& t,
                                                const std::vector<Index>& patch,
                                                const std::vector<Index>& seeds,
@@ -102,7 +105,8 @@ std::vector<Reached_triangle> reach_from_seeds(const Surface_arrays& t,
   return found;
 }
 
-// Gives away all pieces of patches but their largest ones.  True if there were some.
+// Merges all connected pieces of a patch except its largest into adjacent patches.  Returns whether
+// there were any.
 bool merge_small_pieces(const Surface_arrays& t, std::vector<Index>& patch,
                         Modified_flags& modified)
 {
@@ -110,7 +114,8 @@ bool merge_small_pieces(const Surface_arrays& t, std::vector<Index>& patch,
       std::exchange(modified.patches, std::vector<bool>(modified.patches.size(), false));
   std::vector<Index> seen(patch.size(), none);
   std::vector<std::vector<Index>> pieces;
-  std::map<Index, std::pair<double, std::size_t>> largest_piece; // of each patch: area, piece
+  // of each patch: area and index of the piece
+  std::map<Index, std::pair<double, std::size_t>> largest_piece;
   for(Index f = 0; f < patch.size(); ++f)
     if(patch[f] != none && is_modified[patch[f]] && seen[f] == none)
     {
@@ -133,7 +138,8 @@ bool merge_small_pieces(const Surface_arrays& t, std::vector<Index>& patch,
   return has_changed;
 }
 
-// The corners of a site in runs whose triangles share sides and a patch, those of no patch left out.
+// The corners of a vertex, grouped into sectors: maximal runs of adjacent triangles of the same
+// patch.  Triangles without a patch are omitted.
 struct Sectors
 {
   std::vector<std::vector<Index>> corners;
@@ -142,7 +148,7 @@ struct Sectors
   {
     const auto is_joined = [&](Index corner, Index next)
     {
-      // Counterclockwise the next corner begins with the side that ends this one.
+      // The next corner begins with the twin of the last halfedge of this one.
       const Index h = previous_halfedge(corner);
       return t.twin[h] == next && patch[corner / 3] == patch[next / 3];
     };
@@ -155,7 +161,7 @@ struct Sectors
         corners.emplace_back();
       corners.back().push_back(corner);
     }
-    // Where a fan closes its last run is the first one.
+    // In a closed fan, the last run can continue in the first.
     for(std::size_t first = 0; first < corners.size(); ++first)
       for(std::size_t last = first + 1; last < corners.size(); ++last)
         if(is_joined(corners[last].back(), corners[first].front()))
@@ -168,7 +174,7 @@ struct Sectors
   }
 };
 
-// The patch of all triangles around a site that are joined by sides, without a border; or none.
+// Returns the patch of an interior vertex all of whose triangles are in this patch, otherwise none.
 Index enclosing_patch(const Surface_arrays& t, const std::vector<Index>& patch, Index vertex)
 {
   const Index begin = t.ring_begin[vertex], end = t.ring_begin[vertex + 1];
@@ -182,7 +188,8 @@ Index enclosing_patch(const Surface_arrays& t, const std::vector<Index>& patch, 
   return result;
 }
 
-// Leaves each patch one sector of each site, that with the most triangles.  True if there were more.
+// Keeps the largest sector of each patch at each vertex and merges one of the others into an
+// adjacent patch.  Returns whether there were any.
 bool separate_touching_sectors(const Surface_arrays& t, std::vector<Index>& patch,
                                Modified_flags& modified)
 {
@@ -217,7 +224,7 @@ bool separate_touching_sectors(const Surface_arrays& t, std::vector<Index>& patc
         for(const Index corner : sectors.corners[i])
           triangles.push_back(corner / 3);
         has_changed = merge_into_neighbor(t, patch, triangles, modified) || has_changed;
-        break; // as what the others are may have changed
+        break; // the other sectors may have changed
       }
   }
   return has_changed;
@@ -262,7 +269,8 @@ void merge_patch_fragments(const Surface_arrays& t, std::vector<Index>& patch)
 std::vector<bool> are_disks(const Surface_arrays& t, const std::vector<Index>& patch,
                             Index number_of_patches)
 {
-  // By Euler's formula among what is in one piece and touches itself in no corner.
+  // Euler's formula for patches that are connected and do not touch themselves in a vertex: the
+  // characteristic of a disk is 1.
   std::vector<long long> euler(number_of_patches, 0);
   std::vector<Index> size(number_of_patches, 0);
   std::vector<bool> result(number_of_patches, true);
@@ -275,7 +283,7 @@ std::vector<bool> are_disks(const Surface_arrays& t, const std::vector<Index>& p
         if(patch_across(t, patch, h) != patch[f] || h < t.twin[h])
           --euler[patch[f]];
     }
-  std::vector<Index> sector_patches; // of a site: a patch for each sector
+  std::vector<Index> sector_patches; // the patch of each sector of a vertex
   for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
   {
     if(const Index enclosing = enclosing_patch(t, patch, vertex); enclosing != none)
@@ -334,7 +342,7 @@ std::vector<Index> split_into_disks(const Surface_arrays& t, std::vector<Index>&
         patch[found.triangle] = number_of_patches;
     ++number_of_patches;
   };
-  // Pieces first.
+  // First, connected pieces become patches.
   std::vector<Index> seen(patch.size(), none);
   std::vector<bool> has_piece(number_given, false);
   for(Index f = 0; f < patch.size(); ++f)
@@ -360,7 +368,7 @@ std::vector<Index> split_into_disks(const Surface_arrays& t, std::vector<Index>&
     for(Index i = 0; i < is_disk.size(); ++i)
       if(!is_disk[i])
       {
-        // What is nearer to one end than to the other.
+        // Bisects the patch between two triangles that are far apart.
         const Index end =
             reach_from_seeds(t, patch, {representative[i]}, seen, visit_mark++).back().triangle;
         const Index other = reach_from_seeds(t, patch, {end}, seen, visit_mark++).back().triangle;

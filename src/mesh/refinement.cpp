@@ -30,7 +30,8 @@ Barycentric interpolated(const std::array<Barycentric, 3>& corners, const Baryce
   return result;
 }
 
-// The coordinates of a point with respect to three others; not finite when these are in line.
+// Computes the barycentric coordinates of p with respect to three corners; not finite if these are
+// collinear.
 Barycentric barycentric_coordinates(const std::array<Barycentric, 3>& corners, const Barycentric& p)
 {
   const auto area = [](const Barycentric& a, const Barycentric& b, const Barycentric& c)
@@ -41,7 +42,7 @@ Barycentric barycentric_coordinates(const std::array<Barycentric, 3>& corners, c
           area(corners[0], corners[1], p) / total_area};
 }
 
-// Triangles to be glued, in the order in which they were made.
+// The triangles of a refinement before they are renumbered.
 struct Refined_soup
 {
   std::vector<std::array<double, 3>> points;
@@ -50,6 +51,7 @@ struct Refined_soup
   std::vector<std::array<Barycentric, 3>> in_parent;
 };
 
+// Builds the arrays of a refinement of from.triangles, with parents in from.coarse.
 Refinement build_refinement(const Refinement& from, Refined_soup soup)
 {
   if(soup.corners.size() > (std::size_t(1) << 31))
@@ -79,18 +81,19 @@ Refinement build_refinement(const Refinement& from, Refined_soup soup)
   return result;
 }
 
-// Places of a triangle: its corners 0, 1, 2 and the middles 3, 4, 5 of its sides.
+// Nodes of a triangle: its corners 0, 1, 2 and the midpoints 3, 4, 5 of its edges.
 using Corner_nodes = std::array<Index, 3>;
 
+// The children of a triangle, each by its three nodes.
 struct Split_pattern
 {
   std::array<Corner_nodes, 4> children;
   Index size;
 };
 
-// What becomes of a triangle some of whose sides are halved: convex pieces, counterclockwise.
-// is_second_shorter: of the two ways to cut what is left behind the corner between two halved sides, the one
-// from the end of the second one is shorter.
+// Returns the children of a triangle some of whose edges are split, in counterclockwise order.
+// is_second_shorter: if two edges are split, which diagonal divides the quadrilateral: true for the
+// one that begins at the midpoint of the first split edge.
 Split_pattern split_pattern(const std::array<bool, 3>& is_split, bool is_second_shorter)
 {
   const int count = is_split[0] + is_split[1] + is_split[2];
@@ -100,7 +103,7 @@ Split_pattern split_pattern(const std::array<bool, 3>& is_split, bool is_second_
     return {{Corner_nodes{0, 3, 5}, Corner_nodes{3, 1, 4}, Corner_nodes{5, 4, 2},
              Corner_nodes{3, 4, 5}},
             4};
-  // Turned such that side k, or sides k and k + 1, are the halved ones.
+  // Rotated so that edge k, or the edges k and k + 1, are split.
   Index k = 0;
   while(!is_split[k] || (count == 2 && !is_split[(k + 1) % 3]))
     ++k;
@@ -270,7 +273,7 @@ Surface_location to_coarse(const Refinement& refinement, const Surface_location&
                                     ? vertex_location(*refinement.triangles, location.vertex)
                                     : location;
   if(fine.triangle == none)
-    return {}; // a site without triangles
+    return {}; // a vertex without triangles
   return canonical(*refinement.coarse,
                    {refinement.parent[fine.triangle], none,
                     interpolated(refinement.corners[fine.triangle], fine.barycentric)});
@@ -281,7 +284,7 @@ std::vector<Surface_location> to_fine(const Refinement& refinement,
 {
   if(refinement.parent.empty())
     return locations;
-  // The triangles in each of the coarse ones.
+  // The children of each coarse triangle.
   std::vector<Index> begin(refinement.coarse->number_of_triangles() + 1, 0),
       children(refinement.parent.size());
   for(const Index parent : refinement.parent)
@@ -297,7 +300,9 @@ std::vector<Surface_location> to_fine(const Refinement& refinement,
     const Surface_location coarse =
         location.triangle == none ? vertex_location(*refinement.coarse, location.vertex) : location;
     Surface_location best;
-    double largest_minimum = -infinity; // of its coordinates
+    // the largest minimum of barycentric coordinates: the child that contains the point up to
+    // round-off errors
+    double largest_minimum = -infinity;
     for(Index i = coarse.triangle == none ? 0 : begin[coarse.triangle];
         coarse.triangle != none && i < begin[coarse.triangle + 1]; ++i)
     {

@@ -19,13 +19,13 @@ using Point = Kernel::Point_3;
 using Box =
     Box_intersection_d::Box_with_info_d<double, 3, Index, Box_intersection_d::ID_FROM_BOX_ADDRESS>;
 
-// Below so many boxes all pairs of them are looked at.
+// For at most this number of boxes, all pairs are tested.
 constexpr std::ptrdiff_t cutoff = 500;
 
-// Below it products have lost digits.
+// Products below this bound can have lost digits by underflow.
 constexpr double min_product = 1e-290;
 
-// The only way out of CGAL's search.
+// Leaves CGAL's box intersection early, which offers no other possibility.
 struct Limit_reached
 {};
 
@@ -82,7 +82,7 @@ private:
 
   bool intersect_properly(Index f, Index g) const
   {
-    // Where the corners that they share are in each.
+    // The positions of the shared corners in each triangle.
     std::array<int, 3> in_f{}, in_g{};
     int number_shared = 0;
     for(int i = 0; i < 3; ++i)
@@ -106,14 +106,15 @@ private:
     }
     if(number_shared == 3)
       return true;
-    // Folded onto each other: both lie on one side of what they share.
+    // Triangles with a common edge intersect if they are coplanar and on the same side of it.
     const Point &x = p[in_f[0]], &y = p[in_f[1]], &z = p[3 - in_f[0] - in_f[1]],
                 &w = q[3 - in_g[0] - in_g[1]];
     return coplanar(x, y, z, w) && coplanar_orientation(x, y, z, w) == POSITIVE;
   }
 
-  // Whether a plane through the corner that two triangles share, square to the way from one to the other, has
-  // them on two sides for certain.
+  // Tests in floating-point arithmetic whether a plane through the shared corner separates two
+  // triangles for certain.  Its normal is the difference of the centers of the opposite edges.
+  // False means that the exact test must decide.
   bool are_separated(Index f, int in_f, Index g, int in_g) const
   {
     const Vec3& shared_corner = m_points[m_corners[f][in_f]];
@@ -122,7 +123,8 @@ private:
     const std::array<Vec3, 2> edges_of_f = {to_corner(f, in_f + 1), to_corner(f, in_f + 2)},
                               edges_of_g = {to_corner(g, in_g + 1), to_corner(g, in_g + 2)};
     const Vec3 direction = (edges_of_g[0] + edges_of_g[1]) - (edges_of_f[0] + edges_of_f[1]);
-    // The differences, products and sums are right to five roundings of 2^-53 of the sizes of the products.
+    // The sign is certain if the sum exceeds the error of five round-off errors of 2^-53 relative
+    // to the sum of the absolute products.
     const auto is_separated = [&](const Vec3& p, double sign)
     {
       const std::array<double, 3> product = {p[0] * direction[0], p[1] * direction[1],

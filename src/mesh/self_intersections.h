@@ -13,10 +13,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Pairs of triangles in space that meet elsewhere than in corners and sides that they share, by exact
-// predicates: sorted, the lower of each first.  One without area makes a pair with itself alone.
-// O(n log n + k) for k pairs whose boxes meet, until `most` pairs are found, which ends the search.
-// corners: #triangles by 3, of points
+// Finds pairs of triangles that intersect, except in vertices and edges that they share, by exact
+// predicates.  A degenerate triangle forms a pair with itself only.  Pairs are sorted and have the
+// smaller index first.  The search ends if `max_pairs` pairs are found.  O(n log n + k) for k pairs
+// of intersecting bounding boxes.
+//
+// corners: #triangles by 3, indices of points
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::array<Index, 2>>
 self_intersections(const std::vector<Vec3>& points,

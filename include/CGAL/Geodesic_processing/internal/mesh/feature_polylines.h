@@ -9,17 +9,21 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Places on curves that run along sides of a mesh, about a spacing apart: at the corners, where
-// curves meet or end or turn by more than 60 degrees, and between them at equal steps.  Of turns
-// within half of the spacing the sharpest is a corner.  On a closed curve there are at least three.
-// O(n log n).
+// Samples feature polylines, which are sets of edges of a mesh, at distances of about `spacing`.
+// Samples are placed at vertices in which not exactly two feature edges meet, at corners, and
+// between them at equal steps.  A corner is a vertex at which the polyline turns by more than 60
+// degrees.  Of corners closer than half of the spacing only the sharpest counts.  A closed polyline
+// gets at least three samples.  O(n log n).
 //
-// spacing: #sides, twins alike: along each, in the domain's scale, finite; 0 off the curves
+// spacing: #halfedges, the same for twins: the distance of samples along each feature edge, in
+// scaled units, finite; 0 for all other edges
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Surface_location> sample_feature_polylines(const Surface_arrays& triangles,
                                                        const std::vector<double>& spacing);
 
-// #sides: those at the border, and those at which the surface bends by at least so many degrees.
+// Returns for each halfedge whether it is on the boundary or sharp: the dihedral angle between the
+// normals of its triangles is at least `angle` degrees.  By default only boundary edges are
+// returned.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<bool> boundary_and_sharp_halfedges(const Surface_arrays& triangles,
                                                double angle = 360.);

@@ -10,46 +10,54 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Triangles renumbered for locality, and the way back to the caller's numbers.
+// The arrays of a mesh in Morton order, and the maps between the indices of the caller and the
+// internal ones.
 struct Mesh_arrays
 {
   Surface_arrays arrays;
-  std::vector<Index> internal_vertex;  // #vertices
-  std::vector<Index> caller_vertex;    // #sites
-  std::vector<Index> triangle_of_face; // #faces; corners keep the order that they had in the face
+  std::vector<Index> internal_vertex; // #vertices of the caller
+  std::vector<Index> caller_vertex;   // #vertices
+  // #faces; the corners of a triangle are in the order of the face
+  std::vector<Index> triangle_of_face;
   std::vector<Index> face_of_triangle; // #triangles
-  // Without area in double precision: a side of length zero, or one not shorter than the two others
-  // together.
+  // Triangles without area in double precision: a length is zero, or the longest is at least the
+  // sum of the two others.
   std::size_t number_of_degenerate_triangles = 0;
 };
 
-// Glues triangles whose twins are known (as a half-edge structure knows them): sites in Morton
-// order, triangles in the order of their first site, lengths from scaled coordinates.
-// Sides shorter than 2^-36 (1.5e-11) of the size of the whole get that length, so that sites at one
-// point act as one.
+// Builds the arrays of a mesh with given twins, for example from a halfedge data structure.
+// Vertices are in Morton order, triangles in the order of their smallest vertex.  Lengths are
+// computed from scaled coordinates.  An edge shorter than `min_edge_length` gets that length, so
+// that vertices at the same point act as one.
 //
-// points  #vertices; corners  3 #faces, indices of points; twins  3 #faces, opposite side or none.
-// Throws Invalid_argument_error when a coordinate is not finite, or two of them are so far apart
-// that their distance overflows.  O(n); about 150 bytes per vertex.
+// points: #vertices
+// corners: 3 #faces, indices of points
+// twins: 3 #faces, the opposite halfedge or none
+//
+// Throws Invalid_argument_error if a coordinate is not finite or if the distance of two points
+// overflows.  O(n) time; about 150 bytes per vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
                               const std::vector<Index>& corners, const std::vector<Index>& twins);
 
-// The same for a triangle soup, whose sides are glued where exactly two opposite ones join the same
-// two vertices; sides that no such pair claims stay on the border.
+// Computes the twins of a triangle soup.  Two halfedges are twins if they join the same two
+// vertices in opposite directions and no third halfedge joins these vertices.  All other halfedges
+// are boundary halfedges.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> twins_of_soup(std::size_t number_of_points, const std::vector<Index>& corners);
 
-// Fills `first` and `star` of triangles that are glued.  A fan starts at its border where it has one, else at
-// its first triangle.
+// Fills `ring_begin` and `ring` from `corner` and `twin`.  The fan of a boundary vertex begins at
+// the boundary, that of any other vertex at its first triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void build_rings(Surface_arrays& arrays, std::size_t number_of_vertices);
 
-// Components of the sites, joined by sides and arcs: a label for each site, and how many there are.
+// Computes the connected components of the vertices, joined by edges of triangles and of the
+// proximity graph.  Returns the component of each vertex and the number of components.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::pair<std::vector<Index>, std::size_t> components(const Surface_arrays& arrays);
 
-// The same with sides alone: the islands of a cloud, between which only arcs lead.
+// Computes the same, joined by edges of triangles only.  On a cloud these components can still be
+// joined by edges of the proximity graph.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::pair<std::vector<Index>, std::size_t> triangle_components(const Surface_arrays& arrays);
 

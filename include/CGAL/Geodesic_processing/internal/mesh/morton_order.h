@@ -11,24 +11,26 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Scaled coordinates: a caller's point is origin + scale * ours; scale is a power of two.
+// A scaled coordinate system: coordinates of the caller are origin + scale * scaled coordinates.
+// The scale is a power of two.
 struct Frame
 {
   std::array<double, 3> origin = {0., 0., 0.};
   double scale = 1.;
 };
 
-// The frame in which the points' bounding box has its centre at the origin and half its longest
-// extent in [1, 2): then squares of coordinates neither overflow nor underflow.
-// Throws Invalid_argument_error when a coordinate is not finite or the extent overflows.
+// Computes the frame in which the bounding box is centered at the origin and half of its longest
+// edge is in [1, 2).  In it, squares of coordinates neither overflow nor underflow.  Throws
+// Invalid_argument_error if a coordinate is not finite or if the extent overflows.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Frame unit_frame(const std::vector<std::array<double, 3>>& points);
 
+// Transforms points from the coordinates of the caller to scaled coordinates.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void to_frame(std::vector<std::array<double, 3>>& points, const Frame& frame);
 
-// The indices of points, whose coordinates lie in [-2, 2], along a Morton curve; ties by index.
-// O(n) by radix sort.
+// Returns the indices of the points in Morton order; points in the same cell are in the order of
+// their indices.  Coordinates must be in [-2, 2].  O(n) by radix sort.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> morton_order(const std::vector<std::array<double, 3>>& points);
 

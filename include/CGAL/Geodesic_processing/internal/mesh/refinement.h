@@ -11,34 +11,35 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The surface of a mesh in smaller triangles: some of its sides were halved.
+// A mesh and a refinement of it, which has the same surface.
 struct Refinement
 {
   std::shared_ptr<const Surface_arrays> coarse, triangles;
 
-  // #triangles: the triangle of the coarse ones that each is part of, and the coordinates of its
-  // corners there; empty where nothing was changed.
+  // #triangles: the coarse triangle that contains each triangle, and the barycentric coordinates of
+  // its corners there.  Empty if nothing was changed.
   std::vector<Index> parent;
   std::vector<std::array<std::array<double, 3>, 3>> corners;
 };
 
-// The triangles themselves; sites where the surface pinches become one site for each fan.
+// Makes a refinement without split edges.  A nonmanifold vertex is replaced by one vertex per fan
+// of triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Refinement make_refinement(std::shared_ptr<const Surface_arrays> triangles);
 
-// Halves sides, a side and its twin alike: a triangle becomes one to four.  O(n).
-// is_split: #sides of refinement.triangles
+// Splits edges at their midpoints, which divides a triangle into two to four.  O(n).
+// is_split: #halfedges of refinement.triangles, the same for twins
 CGAL_GEODESIC_PROCESSING_EXPORT
 Refinement split_edges(const Refinement& refinement, const std::vector<bool>& is_split);
 
-// A clean location of one of the two in the other.
+// Maps a canonical location from the fine triangles to the coarse ones, or back.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location to_coarse(const Refinement& refinement, const Surface_location& location);
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Surface_location> to_fine(const Refinement& refinement,
                                       const std::vector<Surface_location>& locations);
 
-// #sides of the refinement: the coarse side on which each lies, or none.
+// Returns for each fine halfedge the coarse halfedge that contains it, or none.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> coarse_halfedges(const Refinement& refinement);
 
