@@ -13,7 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Discs for the triangles of no patch: those of components without a centre.  Returns the number of all.
+// Divides the triangles without a patch, in components without a center, into disks with new
+// labels.  Returns the number of all patches.
 Index label_remaining_components(const Surface_arrays& t, std::vector<Index>& patch,
                                  Index number_of_patches)
 {

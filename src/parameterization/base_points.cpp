@@ -14,14 +14,15 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Of base points, in parts of the width of a patch. Corridors of a maze are turned round with 0.99, and not
-// with 0.92 or less.
+// Maximum spacing of base points relative to the width of a surface with boundary.  Maps of narrow
+// corridors of a maze are inverted in places with 0.99, and not with 0.92 or less.
 constexpr double max_spacing_ratio = 0.85;
 // Above the round-off errors of distances, so that no vertex on a bound is missed.
 constexpr double bound_margin = 1. + 1e-9;
 
-// Of each sample the distance that reaches its `nearest` nearest ones, itself among them, along chains of
-// samples whose cells touch: not below the true one.
+// Returns for each sample an upper bound of the distance to its `number_of_nearest`-th nearest
+// sample, counting itself.  The bound is the distance in a graph of samples with adjacent Voronoi
+// cells.
 std::vector<double> neighborhood_radii(const Surface_arrays& t, const Sampling& sampling,
                                        std::size_t number_of_nearest)
 {
@@ -82,8 +83,8 @@ std::vector<double> neighborhood_radii(const Surface_arrays& t, const Sampling& 
   return result;
 }
 
-// The straight line between the sources of two fronts that come to a side from different triangles; longer
-// than any where it does not cross the side.
+// Returns the length of the straight line between two sources that are unfolded to both sides of an
+// edge, from their distances to its ends.  If it does not cross the edge, returns infinity.
 double unfolded_distance(double edge_length, const std::array<double, 2>& from,
                          const std::array<double, 2>& to)
 {
@@ -96,14 +97,15 @@ double unfolded_distance(double edge_length, const std::array<double, 2>& from,
   return crossing >= 0. && crossing <= edge_length ? std::hypot(p[0] - q[0], height) : infinity;
 }
 
-// Where the ways to two samples are shortest together.
+// The vertex at which the sum of the distances to two samples is smallest.
 struct Front_meeting
 {
   double length = infinity;
   Index vertex = none;
-  bool is_on_path = false; // their shortest path passes there
+  bool is_on_path = false; // whether the vertex is close to the shortest path between them
 };
 
+// Returns the distance of a vertex to one of its nearest base points, otherwise infinity.
 double distance_to(const Base_points& base, Index neighbor, Index vertex)
 {
   const auto begin = base.neighbor.begin() + std::ptrdiff_t(base.number_of_nearest * vertex);
@@ -112,8 +114,9 @@ double distance_to(const Base_points& base, Index neighbor, Index vertex)
   return found == end ? infinity : base.distance[std::size_t(found - base.neighbor.begin())];
 }
 
-// The shortest line past a site where two fronts meet: straight across one of the sides around it, or through
-// it.  Where one of the fronts does not go all around it the path may pass elsewhere.
+// Computes the distances of base points whose fronts meet: the length of a straight line across an
+// edge of the triangles at the meeting vertex, or through this vertex.  If one of the fronts does
+// not cover all of these triangles, the shortest path can be elsewhere.
 void compute_pair_distances(const Surface_arrays& t, std::vector<Front_meeting>& meetings,
                             Base_points& base)
 {
@@ -125,7 +128,8 @@ void compute_pair_distances(const Surface_arrays& t, std::vector<Front_meeting>&
       if(meeting.vertex == none)
         continue;
       double straight_distance = infinity;
-      // Through a site only where it is an end, or the path bends at a border.
+      // A path through the vertex itself is shortest only if the vertex is one of the ends, or if
+      // the path bends at the boundary.
       const bool is_end = meeting.vertex == base.vertices[i] || meeting.vertex == base.vertices[j];
       bool is_surrounded = true, is_on_boundary = is_end || t.is_cloud();
       if(!is_end)
@@ -148,7 +152,8 @@ void compute_pair_distances(const Surface_arrays& t, std::vector<Front_meeting>&
     }
 }
 
-// Of the other pairs the straight line across two triangles of samples, the smallest ones, when that is shorter.
+// For all other pairs, computes the straight line across the common edge of two triangles of base
+// points, for the two triangles of smallest perimeter.  It replaces the distance if it is shorter.
 void complete_pair_distances(const std::vector<Front_meeting>& meetings, Base_points& base)
 {
   const std::size_t number_of_points = base.size();
@@ -203,7 +208,7 @@ std::size_t suitable_number_of_base_points(const Surface_arrays& t)
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
       boundary_length += t.twin[h] == none ? t.length[h] : 0.;
   }
-  // Each has a hexagon for itself.
+  // In a regular hexagonal arrangement each base point has this area.
   const double spacing = max_spacing_ratio * 2. * area / boundary_length;
   const double number = 2. / std::sqrt(3.) * area / (spacing * spacing);
   return number > double(default_number_of_base_points)

@@ -24,13 +24,14 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Base points of a chart, and how many are around each: few, as Newton's method goes on from there.
+// Number of base points of a chart and of neighbors of each.  They can be few, because the map is
+// optimized afterwards.
 constexpr std::size_t number_of_base_points = 24, number_of_neighbors = 8;
 
-// Fewer sites need no base points: Tutte's map is as good a start.
+// Up to this number of vertices, Tutte's map is a good enough initial map.
 constexpr std::size_t max_vertices_for_tutte = 100;
 
-// A chart is cut as well where its mean energy is that of lengths all twice or half as long.
+// Mean energy above which a chart is split: that of a map that scales all lengths by 2 or 1/2.
 constexpr double max_mean_energy = 8.5;
 
 void sort_unique(std::vector<Index>& values)
@@ -41,7 +42,7 @@ void sort_unique(std::vector<Index>& values)
 
 std::vector<Vec2> flatten_triangle(const Surface_arrays& surface)
 {
-  // Over its longest side, no flatter than what the others may be.
+  // Its longest edge is the base; its height has a lower bound as in symmetric_dirichlet.cpp.
   constexpr double min_height_ratio = 1e-7;
   Index base = 0;
   for(Index h = 1; h < 3; ++h)
@@ -58,10 +59,11 @@ std::vector<Vec2> flatten_triangle(const Surface_arrays& surface)
   return image;
 }
 
-// By geodesic locally linear embedding; it may have flips, or be empty.
+// Computes a map by geodesic locally linear embedding.  It can have inverted triangles, or be
+// empty.
 std::vector<Vec2> lle_embedding(const Surface_arrays& surface)
 {
-  // Not owned: what shares it ends here.
+  // Does not own the arrays: all copies end in this function.
   const std::shared_ptr<const Surface_arrays> triangles(std::shared_ptr<void>(), &surface);
   const Engine<Euclidean_front> front(triangles);
   Sampling sampling(triangles, front, Sample_location::vertex);
@@ -79,6 +81,8 @@ std::vector<Vec2> lle_embedding(const Surface_arrays& surface)
   return image;
 }
 
+// Computes an initial map without inverted triangles: the embedding if it has none, otherwise
+// Tutte's map.
 std::vector<Vec2> initial_map(const Surface_arrays& surface)
 {
   if(surface.number_of_vertices() > max_vertices_for_tutte)
@@ -90,7 +94,7 @@ std::vector<Vec2> initial_map(const Surface_arrays& surface)
   return tutte_map(surface);
 }
 
-// What is nearer to one triangle than to another, as discs; their images are those of the whole.
+// Splits a chart between two triangles into disks, which keep their part of its map.
 std::vector<Chart> split_chart(const Chart& chart, Index first, Index second)
 {
   std::vector<Index> patch = bisect_patch(chart.surface, first, second);
@@ -110,7 +114,8 @@ std::vector<Chart> split_chart(const Chart& chart, Index first, Index second)
   return result;
 }
 
-// Gives a chart its image; or returns the parts of one that has none.
+// Computes the image of a chart.  If no injective image is found, returns the pieces to flatten
+// instead.
 std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
 {
   const Surface_arrays& surface = chart.surface;
@@ -119,7 +124,7 @@ std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
     chart.image = flatten_triangle(surface);
     return {};
   }
-  // A part begins as it lay in the whole.
+  // A piece of a chart begins with the map of the chart.
   const bool has_initial_image = !chart.image.empty() && number_of_flips(chart) == 0;
   if(!has_initial_image)
     chart.image = initial_map(surface);
@@ -141,7 +146,9 @@ std::vector<Chart> flatten_chart(Chart& chart, const Chart_options& options)
     std::swap(chart.image, initial_image);
   }
 
-  // Where the border meets itself; else across, as what is stretched too much is long, or was turned by rounding.
+  // Splits between two boundary edges that intersect.  Otherwise it splits between the ends of the
+  // longest extent: charts that are too distorted are long.  This also covers triangles inverted by
+  // round-off errors.
   auto [first, second] = farthest_triangle_pair(surface);
   if(!is_too_distorted && number_of_flips(chart) == 0)
   {
@@ -163,7 +170,7 @@ std::vector<Chart> extract_charts(const Surface_arrays& t, const std::vector<Ind
                                   Index number_of_patches)
 {
   std::vector<Chart> charts(number_of_patches);
-  std::vector<Index> local_index(patch.size(), none); // in the chart
+  std::vector<Index> local_index(patch.size(), none); // index in its chart
   for(Index f = 0; f < patch.size(); ++f)
     if(patch[f] != none)
     {

@@ -19,19 +19,20 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Row = Eigen::RowVector2d;
 
-// What is added to a Gram matrix, as a part of its trace: far above rounding, and so little that a plane is
-// reproduced to a millionth.
+// Added to a Gram matrix, relative to its trace.  It is far above round-off errors, and a plane is
+// reproduced to within 1e-6.
 constexpr double regularization = 1e-9;
 
-// Steps of the rigid fit: on scans its energy falls by less than a hundredth in the last one.
+// Number of steps of the rigid fit.  On scans its energy decreases by less than 1 % in the last
+// step.
 constexpr std::size_t number_of_arap_steps = 30;
 
-// The neighbours of a base point, and where they are in a plane about it that keeps distances as well as it
-// can: the first two eigenvectors of their Gram matrix.
+// The neighbors of a base point, embedded in a plane with this point as the origin: the first two
+// eigenvectors of the Gram matrix of their distances.
 struct Local_chart
 {
   std::vector<Index> neighbor;
-  std::vector<double> squared_distance; // of distances
+  std::vector<double> squared_distance; // to the base point
   std::vector<Vec2> position;
 };
 
@@ -70,7 +71,7 @@ std::vector<Local_chart> build_local_charts(const Base_points& base, std::size_t
   return result;
 }
 
-// Whether points are joined by whatever is a neighbour of what.
+// Returns whether the graph of neighbors, as an undirected graph, is connected.
 bool is_connected(const std::vector<Local_chart>& charts)
 {
   boost::disjoint_sets_with_storage<> groups(charts.size());
@@ -85,7 +86,7 @@ bool is_connected(const std::vector<Local_chart>& charts)
   return number_of_groups == 1;
 }
 
-// Where a point is in the chart of another one; that of its own is the origin.
+// Returns the position of a base point in the chart of `center`, or null if it is not in the chart.
 const Vec2* position_in(const Local_chart& chart, Index center, Index neighbor)
 {
   static constexpr Vec2 origin = {0., 0.};
@@ -95,7 +96,8 @@ const Vec2* position_in(const Local_chart& chart, Index center, Index neighbor)
   return found == chart.neighbor.end() ? nullptr : &chart.position[found - chart.neighbor.begin()];
 }
 
-// Turns charts over such that they agree about the points they have in common, those first that agree best.
+// Reflects charts so that adjacent ones have the same orientation.  Traverses a spanning tree in
+// which edges of the best agreement come first.
 void orient_consistently(std::vector<Local_chart>& charts)
 {
   struct Chart_edge
@@ -155,9 +157,9 @@ void orient_consistently(std::vector<Local_chart>& charts)
   }
 }
 
-// The weights of points about the origin that sum to one and whose mean is there, as small as can be in
-// the sum of their squares over `inverse`: where the places are those of a Gram matrix of rank two, these
-// are the weights of its inverse with a little on its diagonal.
+// Computes weights that sum to one and whose weighted mean of the points is the origin.  They
+// minimize the sum of their squares divided by `inverse_square`.  If the points are an embedding of
+// a Gram matrix of rank two, these are the weights of its regularized inverse.
 std::vector<double> reconstruction_weights(const std::vector<Vec2>& position,
                                            const std::vector<double>& inverse_square,
                                            double regularization)
@@ -187,8 +189,8 @@ std::vector<double> reconstruction_weights(const std::vector<Vec2>& position,
   return result;
 }
 
-// Of the matrix (I - W)^T (I - W), whose rows reproduce each point from its neighbours, the two lowest
-// eigenvectors above the constant one (Roweis and Saul 2000).
+// Computes the two smallest nonconstant eigenvectors of (I - W)^T (I - W).  The rows of W reproduce
+// each point from its neighbors (Roweis and Saul 2000).
 Matrix spectral_embedding(const std::vector<Local_chart>& charts)
 {
   const auto n = Eigen::Index(charts.size());
@@ -203,14 +205,16 @@ Matrix spectral_embedding(const std::vector<Local_chart>& charts)
       residual(i, charts[i].neighbor[j]) -= w[j];
   }
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(residual.transpose() * residual));
-  // The constant is one of the three lowest ones, in whatever basis of theirs.
+  // The constant vector is in the span of the three lowest eigenvectors, but need not be one of
+  // them.
   Matrix lowest = eigen.eigenvectors().leftCols(3);
   lowest.rowwise() -= lowest.colwise().mean();
   const Eigen::SelfAdjointEigenSolver<Matrix> centered(Matrix(lowest.transpose() * lowest));
   return lowest * centered.eigenvectors().rightCols(2);
 }
 
-// The linear map after which squared distances between neighbours are the surface's, by least squares.
+// Applies the linear map that fits the squared distances of neighbors to those on the surface by
+// least squares.
 Matrix fit_metric(const std::vector<Local_chart>& charts, const Matrix& f)
 {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -234,7 +238,8 @@ Matrix fit_metric(const std::vector<Local_chart>& charts, const Matrix& f)
   return f * (solver.eigenvectors() * root.asDiagonal() * solver.eigenvectors().transpose());
 }
 
-// Classical scaling of the distances along chains of base points (Tenenbaum, de Silva and Langford 2000).
+// Computes classical scaling of the graph distances between base points (Isomap, Tenenbaum, de
+// Silva and Langford 2000).
 Matrix isomap_embedding(const Base_points& base)
 {
   const auto n = Eigen::Index(base.size());
@@ -262,9 +267,10 @@ Matrix isomap_embedding(const Base_points& base)
   return classical_scaling(squares);
 }
 
-// Places of base points for which each one's neighbours are a turned copy of its chart, by least squares
-// relative to their distances: turns and places are found by turns (Sorkine and Alexa 2007).  Nothing is
-// mirrored, so that folds cost.
+// Fits positions of the base points so that the neighbors of each are a rotated copy of its chart,
+// by weighted least squares relative to the squared distances.  Rotations and positions are
+// optimized alternately (as rigid as possible, Sorkine and Alexa 2007).  Reflections are not
+// allowed, so that folds increase the energy.
 class Arap_fit
 {
 public:
@@ -286,7 +292,7 @@ public:
     m_solver.compute(laplacian);
   }
 
-  // From a first guess; and what is left of the sum of squares.
+  // Returns the positions fitted from an initial embedding, and the remaining energy.
   Matrix fit(Matrix f, double& energy) const
   {
     std::size_t mirrored = 0;
@@ -327,7 +333,7 @@ public:
   }
 
 private:
-  // Of places and their images.
+  // Computes the covariance of a chart and its image.
   Eigen::Matrix2d covariance(std::size_t i, const Matrix& f) const
   {
     const Local_chart& chart = m_charts[i];
@@ -364,7 +370,7 @@ std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbo
   if(base.size() < 3)
     return {};
   std::vector<Local_chart> local_charts = build_local_charts(base, neighbors);
-  // With few neighbours groups of points may know only themselves.
+  // With few neighbors, groups of points can be disconnected.
   while(!is_connected(local_charts))
   {
     if(++neighbors >= base.number_of_nearest)
@@ -414,7 +420,8 @@ std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Ve
       result[vertex] = images[neighbor[0]];
       continue;
     }
-    // The last one says how far the others are seen, unless all are equally far.
+    // The distance to the last neighbor is the radius of the weights, unless all neighbors have the
+    // same distance.
     std::size_t number_of_neighbors = 0;
     while(number_of_neighbors < limit && neighbor[number_of_neighbors] != none)
       ++number_of_neighbors;
@@ -431,7 +438,7 @@ std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Ve
     for(std::size_t j = 0; j < number_of_neighbors; ++j)
     {
       squared_distance[j] = distance[j] * distance[j];
-      // Smooth, and zero where another base point comes instead.
+      // Smooth, and zero at the radius, where the set of neighbors changes.
       const double fade = std::max(0., 1. - squared_distance[j] / (radius * radius)),
                    weight = fade * fade;
       inverse_square[j] = weight * squared_distance[0] / squared_distance[j];
@@ -440,8 +447,9 @@ std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Ve
       offset[j] = {weight, 0.};
     }
     center = (1. / sum) * center;
-    // A Gram matrix C of rank two has the columns of C X as coordinates, whatever X is but for a linear map: the
-    // images of the base points spare an eigenproblem for each site, and change smoothly.
+    // If the Gram matrix C has rank two, the columns of C X are its coordinates up to a linear map,
+    // for any X.  With the images of the base points as X no eigenproblem per vertex is required,
+    // and the result is smooth.
     for(std::size_t j = 0; j < number_of_neighbors; ++j)
       offset[j] = offset[j][0] * (images[neighbor[j]] - center);
     for(std::size_t j = 0; j < number_of_neighbors; ++j)

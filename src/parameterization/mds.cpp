@@ -32,8 +32,8 @@ std::vector<Vec2> landmark_mds(const Surface_arrays& t, Front front,
   }
   const Eigen::MatrixXd images = classical_scaling(squares);
 
-  // Base points have the mean zero, and orthogonal coordinates: a site goes to
-  // -1/2 sum_j x_j (d_j^2 - mean_j) / sum_j x_j^2 along each.
+  // The base points are centered and their coordinates x are orthogonal: along each axis the
+  // coordinate of a vertex at distances d_j is -1/2 sum_j x_j (d_j^2 - mean_j) / sum_j x_j^2.
   const Eigen::VectorXd mean =
       0.5 * (squares.colwise().mean().transpose() + squares.rowwise().mean());
   const Eigen::RowVector2d squared_norm = images.colwise().squaredNorm();

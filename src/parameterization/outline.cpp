@@ -18,7 +18,7 @@ CGAL::Orientation exact_orientation(const Vec2& p, const Vec2& q, const Vec2& r)
   return Kernel().orientation_2_object()({p[0], p[1]}, {q[0], q[1]}, {r[0], r[1]});
 }
 
-// Of a point on the line through p and q.
+// Returns whether a point on the line through p and q is between p and q.
 bool is_between(const Vec2& x, const Vec2& p, const Vec2& q)
 {
   return std::min(p[0], q[0]) <= x[0] && x[0] <= std::max(p[0], q[0]) &&
@@ -34,7 +34,7 @@ bool do_intersect_segments(const Vec2& p, const Vec2& q, const Vec2& r, const Ve
          (at_p == CGAL::ZERO && is_between(p, r, s)) || (at_q == CGAL::ZERO && is_between(q, r, s));
 }
 
-// Whether q-r turns back over p-q.
+// Returns whether the edges pq and qr overlap, or one of them has length zero.
 bool is_folding_back(const Vec2& p, const Vec2& q, const Vec2& r)
 {
   return p == q || q == r ||

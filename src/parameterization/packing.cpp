@@ -19,24 +19,26 @@ namespace {
 
 using Word = std::uint64_t;
 
-// The grid has as many cells along a side, or as many more as there are charts for; no more than texels.
+// Cells of the grid along each axis.  More are used for many charts, but no more than texels.
 constexpr std::size_t default_grid_size = 512;
-constexpr std::size_t cells_per_chart = 8; // along a side, about
+constexpr std::size_t cells_per_chart = 8; // along each axis, on average
 
 constexpr std::size_t min_texels = 16, max_texels = 16384;
 
-// The search for a scale ends when it is known up to this factor.
+// The bisection of the scale ends at this ratio of its bounds.
 constexpr double scale_tolerance = 1.01;
 
-// Areas that differ by less are equal.
+// Relative difference below which areas count as equal.
 constexpr double area_tolerance = 1e-9;
 
-// A chart smaller by this factor than the last one that tried all rows tries all rows.
+// A chart that is smaller than the last one that tried all rows by this factor tries all rows
+// again.
 constexpr double size_ratio = 0.9;
 
-// Less than this part of the largest scale that areas allow is no room.
+// Minimum scale relative to the bound by the area; below it the charts do not fit.
 constexpr double min_scale_ratio = 1e-6;
 
+// Computes the convex hull in counterclockwise order (Andrew's monotone chain).
 Outline convex_hull(Outline points)
 {
   std::sort(points.begin(), points.end());
@@ -44,7 +46,7 @@ Outline convex_hull(Outline points)
   if(points.size() < 3)
     return points;
   Outline result;
-  // The lower half from left to right, and then the upper one back.
+  // The lower hull from left to right, then the upper hull back.
   for(int half = 0; half < 2; ++half)
   {
     const std::size_t begin = result.size();
@@ -76,6 +78,7 @@ struct Bounding_box
   Vec2 size() const { return high - low; }
 };
 
+// Computes the bounding box of an outline rotated by `direction`.
 Bounding_box bounding_box(const Outline& outline, const Vec2& direction)
 {
   Bounding_box result;
@@ -84,7 +87,8 @@ Bounding_box bounding_box(const Outline& outline, const Vec2& direction)
   return result;
 }
 
-// The direction in which the rectangle around an outline is the smallest: along a side of its hull.
+// Returns the rotation after which the bounding box has the smallest area.  One edge of the convex
+// hull is parallel to an axis then.
 Vec2 min_rectangle_direction(const Outline& outline)
 {
   const Outline hull_polygon = convex_hull(outline);
@@ -97,7 +101,7 @@ Vec2 min_rectangle_direction(const Outline& outline)
       continue;
     const Vec2 direction = (1. / norm(edge)) * Vec2{edge[0], -edge[1]},
                size = bounding_box(hull_polygon, direction).size();
-    // Of equal ones the shortest.
+    // Of boxes of equal area, the one with the shorter longer edge is chosen.
     const double area = size[0] * size[1], longer_side = std::max(size[0], size[1]);
     if(area < (1. - area_tolerance) * min_area ||
        (area < (1. + area_tolerance) * min_area && longer_side < min_side))
@@ -118,18 +122,20 @@ double polygon_area(const Outline& outline)
   return std::abs(double_area) / 2.;
 }
 
-// The cells that an outline and a margin around it touch, in runs.
+// The grid cells that an outline and a margin around it touch, as runs of cells.
 struct Raster
 {
   struct Run
   {
     std::uint32_t row, begin, length;
   };
-  std::vector<Run> runs; // row by row
+  std::vector<Run> runs; // by increasing row
   std::size_t width = 0, height = 0;
-  std::vector<std::uint32_t> longest_run; // run, in each row
+  std::vector<std::uint32_t> longest_run; // longest run of each row
 };
 
+// Rasterizes an outline.
+//
 // outline  in cells, at least `margin` right of and above the origin
 Raster rasterize(const Outline& outline, double margin)
 {
@@ -187,7 +193,7 @@ Raster rasterize(const Outline& outline, double margin)
   return result;
 }
 
-// Cells of a square that are taken.
+// The occupied cells of a square grid, one bit per cell.
 class Grid
 {
 public:
@@ -195,12 +201,13 @@ public:
       : m_cells(cells), m_words((cells + 63) / 64), m_occupied(m_cells * m_words, 0),
         m_longest_free(cells, std::uint32_t(cells)), m_blocked(m_words), m_row(m_words)
   {
-    if(cells % 64 != 0) // cells beyond the last one
+    if(cells % 64 != 0) // bits beyond the last column
       for(std::size_t row = 0; row < cells; ++row)
         m_occupied[row * m_words + m_words - 1] = ~Word(0) << (cells % 64);
   }
 
-  // The lowest place from a row on and below another one, then the leftmost one.
+  // Returns the lowest position, then the leftmost one, at which a raster is free, in rows from
+  // `first_row` on and below `row_limit`.
   std::optional<std::array<std::size_t, 2>>
   find_position(const Raster& raster, std::size_t first_row, std::size_t row_limit)
   {
@@ -230,10 +237,10 @@ public:
   }
 
 private:
-  // m_row becomes what it is or what lies so many cells to the right.
+  // Combines each bit of m_row with the bit `shift` cells to its right.
   void dilate(std::size_t shift) { merge_shifted(m_row, m_row, shift); }
 
-  // Adds `from`, moved to the left, to `to`.
+  // Combines `to` with `from` shifted to the left.  Cells beyond the grid are occupied.
   void merge_shifted(std::vector<Word>& to, const std::vector<Word>& from, std::size_t shift) const
   {
     const std::size_t words = shift / 64, bits = shift % 64;
@@ -246,6 +253,8 @@ private:
     }
   }
 
+  // Returns the leftmost column at which a raster is free if its first row is `row`.  Bit c of
+  // m_blocked is set if column c is not possible.
   std::optional<std::size_t> find_column(const Raster& raster, std::size_t row)
   {
     for(std::size_t i = 0; i < raster.height; ++i)
@@ -272,9 +281,9 @@ private:
   }
 
   std::size_t m_cells, m_words;
-  std::vector<Word> m_occupied;              // rows of m_words
-  std::vector<std::uint32_t> m_longest_free; // free run, in each row
-  std::vector<Word> m_blocked, m_row;        // while a place is looked for
+  std::vector<Word> m_occupied;              // m_words words per row
+  std::vector<std::uint32_t> m_longest_free; // longest free run of each row
+  std::vector<Word> m_blocked, m_row;        // buffers of find_column()
 };
 
 class Packer
@@ -311,9 +320,9 @@ public:
     if(!m_order.empty() && !(scale * m_size[m_order.front()] < 2. * double(m_texels)))
       return std::nullopt;
     Grid grid(m_cells);
-    // One that is hardly smaller than another hardly goes below its place.
+    // A chart that is hardly smaller than another is hardly ever free at a lower position.
     std::size_t first_row = 0;
-    double last_size = infinity; // of the last one that tried all rows
+    double last_size = infinity; // of the last chart that tried all rows
     for(const std::size_t i : m_order)
     {
       if(m_size[i] < size_ratio * last_size)
@@ -359,7 +368,7 @@ private:
   double m_margin; // in texels
   std::vector<Vec2> m_directions;
   std::vector<std::size_t> m_order;
-  std::vector<double> m_size; // the longer side of the rectangle
+  std::vector<double> m_size; // longer edge of the bounding box
 };
 
 [[noreturn]] void throw_does_not_fit(std::size_t number_of_charts, std::size_t texels)
@@ -378,7 +387,7 @@ void check_fits(std::size_t number_of_outlines, std::size_t texels, std::size_t 
                                  std::to_string(max_texels) + " texels along a side.");
   if(gutter > texels)
     throw Invalid_argument_error("The gutter is wider than the texture.");
-  // Half of the gutter around a point already is a square.
+  // Even a single point occupies a square of the size of the gutter.
   if(double(number_of_outlines) * double(gutter * gutter) > double(texels * texels))
     throw_does_not_fit(number_of_outlines, texels);
 }
@@ -393,7 +402,7 @@ Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size
     area += polygon_area(outline);
   if(!(area > 0.))
   {
-    // Charts without any size.
+    // Charts of area zero.
     if(auto found = packer.pack_at_scale(1.))
       return *found;
     throw_does_not_fit(outlines.size(), texels);
@@ -410,7 +419,7 @@ Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size
     }
   if(best.scale == 0.)
     throw_does_not_fit(outlines.size(), texels);
-  // Two scales at a time, whatever the number of threads.
+  // Two scales per step, whatever the number of threads, so that the result does not depend on it.
   while(high > scale_tolerance * low)
   {
     std::array<std::optional<Packing>, 2> found;

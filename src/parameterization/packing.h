@@ -10,12 +10,14 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Where outlines go in a square texture: scaled by one factor, turned, and moved.
+// The similarity transformations that put outlines into a square texture.  All have the same scale.
 struct Packing
 {
-  double scale = 0.;            // texels per length
-  std::vector<Vec2> directions; // #outlines: unit vectors, where the first axis is turned to
-  std::vector<Vec2> offsets;    // #outlines, in texels: of the origin, from the lower left corner
+  double scale = 0.; // texels per length
+  // #outlines: unit vectors, the images of the first axis under the rotations
+  std::vector<Vec2> directions;
+  // #outlines: translations in texels, relative to the lower left corner of the texture
+  std::vector<Vec2> offsets;
 
   Vec2 operator()(std::size_t outline, const Vec2& point) const
   {
@@ -23,19 +25,21 @@ struct Packing
   }
 };
 
-// Throws Invalid_argument_error where a texture has no room for so many outlines however small they are, or
-// a number is out of range.
+// Throws Invalid_argument_error if a parameter is out of range, or if so many outlines do not fit
+// into the texture at any scale.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_fits(std::size_t number_of_outlines, std::size_t texels, std::size_t gutter);
 
-// Packs simple outlines into a square of so many texels, as large as it finds room for.  Between any two of them,
-// along one of both axes, are `gutter` texels at least, and half as many to the sides of the square.
+// Packs simple outlines into a square of `texels` x `texels` at the largest scale that it finds.
+// The gap between two outlines is at least `gutter` texels along at least one axis, and half of it
+// to the boundary of the square.
 //
-// Each comes into the lowest place, then the leftmost one, where its silhouette on a grid of cells fits, in one of
-// four directions along its smallest rectangle; the longest one first.  Places between those that are there are
-// found too, as all columns of a row of cells are tried at once by operations on words.
+// Outlines are inserted by decreasing size.  Each gets the lowest position, then the leftmost, at
+// which its rasterized silhouette is free, in one of four orientations along its smallest
+// rectangle.  Gaps between outlines are used, too, because all columns of a row are tested at once
+// by bit operations.
 //
-// Throws Invalid_argument_error where there is no room however small they are.
+// Throws Invalid_argument_error if the outlines do not fit at any scale.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Packing pack(const std::vector<Outline>& outlines, std::size_t texels, std::size_t gutter,
              unsigned threads);

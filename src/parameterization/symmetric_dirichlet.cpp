@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The side after a side along its border: turned around the corner where it ends.
+// Returns the next halfedge of the boundary cycle of h.
 Index next_boundary_halfedge(const Surface_arrays& t, Index h)
 {
   for(h = next_halfedge(h); t.twin[h] != none;)
@@ -22,17 +22,17 @@ Index next_boundary_halfedge(const Surface_arrays& t, Index h)
   return h;
 }
 
-// A triangle in its own plane.
+// A triangle in its plane.
 struct Rest_triangle
 {
-  double area = 0.;             // as a part of all
-  std::array<Vec2, 3> gradient; // of the function that is one at a corner and zero at the others
+  double area = 0.;             // fraction of the total area
+  std::array<Vec2, 3> gradient; // of the hat functions of the corners
 };
 
-// What makes the energy finite where triangles are turned round but little.
+// Minimum regularization of the energy.  It is active if triangles are only slightly inverted.
 constexpr double min_regularization = 1e-3;
 
-// No triangle is flatter than this: height over longest side.
+// Minimum height of a triangle relative to its longest edge.  Flatter triangles get this height.
 constexpr double min_height_ratio = 1e-7;
 
 std::vector<Rest_triangle> rest_triangles(const Surface_arrays& t)
@@ -41,7 +41,7 @@ std::vector<Rest_triangle> rest_triangles(const Surface_arrays& t)
   double sum = 0.;
   for(Index f = 0; f < result.size(); ++f)
   {
-    // The longest side first, so that a height is what a needle lacks.
+    // Relative to the longest edge, only the height of a needle is small.
     const Index first_halfedge = 3 * f;
     Index longest = first_halfedge;
     for(Index h = first_halfedge + 1; h < first_halfedge + 3; ++h)
@@ -68,7 +68,7 @@ std::vector<Rest_triangle> rest_triangles(const Surface_arrays& t)
   return result;
 }
 
-// The Jacobian of a map on a triangle and its parts: J = U diag(s) V^T, U and V rotations.
+// The signed singular value decomposition of a Jacobian: J = U diag(s) V^T with rotations U and V.
 struct Jacobian_svd
 {
   std::array<double, 2> s;
@@ -92,25 +92,26 @@ Jacobian_svd jacobian_svd(const Rest_triangle& rest, const std::array<Vec2, 3>& 
   const double sum = std::atan2(reflection_part[1], reflection_part[0]),
                difference = std::atan2(rotation_part[1], rotation_part[0]);
   const double alpha = 0.5 * (sum + difference), beta = 0.5 * (sum - difference);
-  // The determinant over the larger one keeps the digits of the smaller one.
+  // The smaller singular value keeps its digits as the determinant divided by the larger one.
   const double determinant = a * d - b * c;
   return {{p + q, p + q > 0. ? determinant / (p + q) : 0.},
           {std::cos(alpha), std::sin(alpha)},
           {std::cos(beta), std::sin(beta)}};
 }
 
-// The square of the Frobenius norm of J, q, times 1 + 1/c^2, where c is the determinant d; or, to be finite and to
-// fall where that is negative, too, c = (d + sqrt(d^2 + softness^2)) / 2 (Garanzha and others 2021).
+// The energy |J|^2 (1 + 1/c^2) of a triangle, with the Frobenius norm of J and c = det J.  With
+// regularization r, c = (d + sqrt(d^2 + r^2)) / 2 with d = det J: the energy is finite, and
+// decreases if d increases, also for d < 0 (Garanzha et al. 2021).
 struct Regularized_energy
 {
   Regularized_energy(const Jacobian_svd& j, double regularization)
       : square(j.s[0] * j.s[0] + j.s[1] * j.s[1])
   {
     const double d = j.s[0] * j.s[1], root = std::hypot(d, regularization);
-    // Without loss of digits where d is negative.
+    // The second formula avoids cancellation for negative d.
     const double c = d > 0. ? 0.5 * (d + root) : 0.5 * regularization * regularization / (root - d);
     inverse = 1. / (c * c);
-    // -1/2 of the derivatives of 1/c^2.
+    // -1/2 times the first and second derivatives of 1/c^2.
     const double slope = c / root,
                  bend = 0.5 * regularization * regularization / (root * root * root);
     first = inverse / c * slope;
@@ -121,7 +122,7 @@ struct Regularized_energy
   double square, inverse, first, second;
 };
 
-// The part of a symmetric matrix of two rows, a, b, c, whose eigenvalues are not negative.
+// Returns the positive semidefinite part of the symmetric matrix with rows (a, b) and (b, c).
 std::array<double, 3> project_to_psd(double a, double b, double c)
 {
   const double mean = 0.5 * (a + c), half = 0.5 * (a - c), radius = std::hypot(half, b);
@@ -139,7 +140,7 @@ public:
   Symmetric_dirichlet(const Surface_arrays& t, const std::vector<bool>& is_fixed)
       : m_t(t), m_rest_triangles(rest_triangles(t)), m_is_fixed(is_fixed)
   {
-    // The lower triangle of the Hessian; two unknowns a site.
+    // The sparsity pattern of the lower triangle of the Hessian, with two unknowns per vertex.
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(21 * m_rest_triangles.size() + 2 * t.number_of_vertices());
     for(int i = 0; i < 2 * int(t.number_of_vertices()); ++i)
@@ -168,7 +169,7 @@ public:
     return result;
   }
 
-  // Sets the Hessian, made definite, and returns the gradient.
+  // Computes the projected Hessian and returns the gradient.
   Vector differentiate(const std::vector<Vec2>& image)
   {
     Vector gradient = Vector::Zero(m_hessian.rows());
@@ -188,7 +189,8 @@ public:
         second[i] = 2. * (1. + e.inverse) - 8. * d * e.first - 2. * q * other * other * e.second;
       }
       const double mixed_derivative = -6. * q * e.first - 2. * q * d * e.second;
-      // Modes: stretch along either axis, turn, and the one that mirrors, whose factor is never negative.
+      // Eigenmodes: stretching along both singular directions, rotation (twist) and reflection
+      // (flip).  The eigenvalue of the reflection is never negative.
       const double twist_eigenvalue = std::max(0., 2. * (1. + e.inverse) - 2. * q * e.first);
       const double flip_eigenvalue = 2. * (1. + e.inverse) + 2. * q * e.first;
       const std::array<double, 3> stretch_hessian =
@@ -224,7 +226,7 @@ public:
         }
       }
     }
-    // Nothing holds the map in its place, nor turns it.
+    // Translations and rotations are in the null space of the Hessian.
     double trace = 0.;
     for(int i = 0; i < m_hessian.rows(); ++i)
       trace += value[entry_index(i, i)];
@@ -236,10 +238,10 @@ public:
     return gradient;
   }
 
-  // The energy is infinite where a triangle is flipped, unless this is positive.
+  // If the regularization is zero, the energy of an inverted triangle is infinite.
   void set_regularization(double regularization) { m_regularization = regularization; }
   bool is_regularized() const { return m_regularization > 0.; }
-  // Of a Jacobian.
+  // Returns the minimum determinant of the Jacobians.
   double min_determinant(const std::vector<Vec2>& image) const
   {
     double result = infinity;
@@ -253,7 +255,8 @@ public:
 
   const Sparse_matrix& hessian() const { return m_hessian; }
 
-  // How far a map may move until the first triangle has no area, where that matters.
+  // Returns the step size at which the first triangle loses its area.  With regularization there is
+  // no bound.
   double max_flip_free_step(const std::vector<Vec2>& image, const std::vector<Vec2>& step) const
   {
     double result = infinity;
@@ -263,7 +266,7 @@ public:
     {
       const auto p = corners(image, f), s = corners(step, f);
       const Vec2 a = p[1] - p[0], b = p[2] - p[0], da = s[1] - s[0], db = s[2] - s[0];
-      // x + y t + z t^2 = 0
+      // The area is proportional to x + y t + z t^2.
       const double x = cross(a, b), y = cross(a, db) + cross(da, b), z = cross(da, db);
       const double discriminant = y * y - 4. * x * z;
       if(discriminant < 0.)
@@ -277,7 +280,7 @@ public:
   }
 
 private:
-  // Steps of what is held are zero, whatever the others are.
+  // Replaces the equations of fixed vertices by identities, so that their step is zero.
   void fix_vertices(Vector& gradient)
   {
     for(int column = 0; column < m_hessian.cols(); ++column)
@@ -304,12 +307,12 @@ private:
 
   const Surface_arrays& m_t;
   std::vector<Rest_triangle> m_rest_triangles;
-  const std::vector<bool>& m_is_fixed; // #sites, or none
+  const std::vector<bool>& m_is_fixed; // #vertices, or empty
   double m_regularization = 0.;
   Sparse_matrix m_hessian;
 };
 
-// Newton's method from an image that it moves.
+// Newton's method with line search, for an image that it changes.
 class Newton_descent
 {
 public:
@@ -318,7 +321,8 @@ public:
         m_trial(image.size())
   {}
 
-  // What a step takes off the energy, whatever that has been made since the last one; zero at the end.
+  // Takes one step and returns the decrease of the energy, zero if none was found.  The
+  // regularization can change between steps.
   double step()
   {
     const double before = m_problem.energy(m_image);
@@ -332,8 +336,8 @@ public:
     for(std::size_t vertex = 0; vertex < m_image.size(); ++vertex)
       m_step[vertex] = {direction[2 * Eigen::Index(vertex)],
                         direction[2 * Eigen::Index(vertex) + 1]};
-    // The first share that lowers it enough; of a softened energy, which bends much, a shorter one that lowers it
-    // more.
+    // Backtracking to the first step that decreases the energy enough.  The regularized energy is
+    // strongly curved: shorter steps are tried as long as they decrease it more.
     double best_energy = before;
     double step_size = std::min(1., 0.9 * m_problem.max_flip_free_step(m_image, m_step));
     for(int attempt = 0; attempt < 60; ++attempt, step_size *= 0.5)
@@ -358,7 +362,7 @@ public:
   }
 
 private:
-  // False when rounding has left the matrix indefinite.
+  // Returns false if the matrix is indefinite due to round-off errors.
   bool factorize()
   {
     if(m_solver)
@@ -381,7 +385,7 @@ private:
 
 double scale_to_area(const Surface_arrays& t, const std::vector<Vec2>& image)
 {
-  double area = 0., area_of_image = 0.; // twice
+  double area = 0., area_of_image = 0.; // twice the areas
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
     area += twice_area(t.length[3 * f], t.length[3 * f + 1], t.length[3 * f + 2]);
@@ -430,7 +434,7 @@ void check_is_disk(const Surface_arrays& t)
     number_of_vertices += t.ring_begin[vertex] < t.ring_begin[vertex + 1];
   for(Index h = 0; h < t.twin.size(); ++h)
     number_of_edges += t.twin[h] == none || h < t.twin[h];
-  // One component: a walk across the sides reaches all triangles.
+  // Traverses a component across edges.
   std::vector<bool> is_reached(t.number_of_triangles(), false);
   std::vector<Index> stack;
   std::size_t number_reached = 0;
@@ -471,7 +475,8 @@ std::vector<Vec2> tutte_map(const Surface_arrays& t)
   double length = 0., length_so_far = 0.;
   for(const Index h : loops.front())
     length += t.length[h];
-  // A border of no length is divided evenly.
+  // A boundary of length zero is divided uniformly.  The uniform part also separates vertices of
+  // edges of length zero.
   for(std::size_t i = 0; i < loops.front().size(); ++i)
   {
     const Index h = loops.front()[i];
@@ -571,7 +576,7 @@ bool unflip(const Surface_arrays& t, std::vector<Vec2>& image, std::size_t max_s
   std::size_t flips = number_of_flips(t, image);
   for(std::size_t step = 0; flips > 0 && step < max_steps; ++step)
   {
-    // As soft as what is turned round the most asks for.
+    // The regularization is the size of the most negative determinant.
     problem.set_regularization(
         std::max(min_regularization, std::abs(problem.min_determinant(image))));
     if(descent.step() == 0.)

@@ -58,7 +58,7 @@ Texel_map rasterize_texels(const std::vector<Vec2>& coordinates, std::size_t siz
     Vec2 low = {infinity, infinity}, high = {-infinity, -infinity};
     for(Index k = 0; k < 3; ++k)
     {
-      // Middles of texels are where both are integers.
+      // Centers of texels have integer coordinates.
       image[k] = double(size) * coordinates[3 * f + k] - Vec2{0.5, 0.5};
       for(std::size_t axis = 0; axis < 2; ++axis)
       {

@@ -14,18 +14,20 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// What is moved: little distorts much, and more is tried where little does not do.
+// Few rings cause the least change of the map; the larger neighborhood is tried if the smaller one
+// fails.
 constexpr int ring_counts[] = {4, 8};
 constexpr std::size_t max_triangles_per_region = 1000, max_triangles = 3000;
 
-// Newton's method turns back what it can in half of these steps.
+// Maximum number of Newton steps.  Regions that can be repaired need at most half of them.
 constexpr std::size_t max_steps = 50;
 constexpr double energy_tolerance = 1e-4;
 
-// Of what is moved: stretched ten times.
+// Mean energy above which a result is rejected: it is that of triangles stretched by a factor of
+// ten.
 constexpr double max_energy = 100.;
 
-// Triangles that have an area, which their image has not, or the other side up.
+// Returns the triangles of positive area whose image has not.
 std::vector<Index> inverted_triangles(const Surface_arrays& t, const std::vector<Vec2>& image)
 {
   std::vector<Index> result;
@@ -36,8 +38,9 @@ std::vector<Index> inverted_triangles(const Surface_arrays& t, const std::vector
   return result;
 }
 
-// Triangles and rings of others about them, in regions that no side joins: a label for each triangle, or none,
-// and how many there are, of those that are not too large, one by one and together.
+// Grows triangles by rings of vertex neighbors and divides them into edge-connected regions.
+// Regions that exceed the limits are dropped.  Returns the region of each triangle, or none, and
+// the number of regions.
 std::pair<std::vector<Index>, Index> grow_regions(const Surface_arrays& t,
                                                   std::vector<Index> triangles, int number_of_rings)
 {
@@ -85,8 +88,8 @@ std::pair<std::vector<Index>, Index> grow_regions(const Surface_arrays& t,
   return {region, number_of_regions};
 }
 
-// Whether the triangles around a site lie around it once: not by a turn more than they do on the surface, or
-// in the plane, whichever is more.
+// Returns whether the triangles of a vertex cover its neighborhood once: their angles in the image
+// must not exceed a full turn, or the angle on the surface, by half a turn.
 bool is_winding_once(const Surface_arrays& t, const std::vector<Vec2>& image, Index vertex)
 {
   double angle = 0., surface_angle = 0.;
@@ -105,6 +108,8 @@ bool is_winding_once(const Surface_arrays& t, const std::vector<Vec2>& image, In
   return angle < (is_interior ? 3. * pi : std::max(2. * pi, surface_angle + pi));
 }
 
+// Repairs the image of a chart, scaled to the area of the surface.  The image is unchanged if this
+// fails.
 void unflip(const Surface_arrays& t, Chart& chart, std::vector<Vec2>& image, double scale)
 {
   const Surface_arrays& surface = chart.surface;

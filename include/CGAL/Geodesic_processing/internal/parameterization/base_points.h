@@ -12,17 +12,18 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Points spread over a surface, the nearest of them around each site, and the distances of those that are
-// near each other.
+// Base points on a surface, the nearest of them for each vertex, and the distances between those
+// close to each other.
 struct Base_points
 {
-  std::vector<Index> vertices;       // #points: where they are
-  std::size_t number_of_nearest = 0; // how many of them each site knows
-  std::vector<Index>
-      neighbor; // nearest * #sites: which ones, the nearest first; none where there are fewer
-  std::vector<double> distance; // nearest * #sites; infinite where there are fewer
-  std::vector<double>
-      pair_distance; // #points * #points, symmetric; infinite where no site knows both
+  std::vector<Index> vertices;       // #points: the vertex of each base point
+  std::size_t number_of_nearest = 0; // length of the list of each vertex
+  // number_of_nearest * #vertices: the nearest base points by increasing distance, then none
+  std::vector<Index> neighbor;
+  // number_of_nearest * #vertices: their distances, then infinity
+  std::vector<double> distance;
+  // #points * #points, symmetric; infinity if no vertex has both in its list
+  std::vector<double> pair_distance;
 
   std::size_t size() const { return vertices.size(); }
   double distance_between(std::size_t i, std::size_t j) const
@@ -31,21 +32,23 @@ struct Base_points
   }
 };
 
-// So many carry a flattening, if there is no better reason.
+// Number of base points for a map, if the surface needs no more.
 inline constexpr std::size_t default_number_of_base_points = 200;
-// The matrices of all pairs of base points are dense.
+// Bounds the size of the dense matrices of all pairs of base points.
 inline constexpr std::size_t max_number_of_base_points = 1000;
 
-// So many that they are not as far apart as the surface is wide, in the mean: the usual ones at least, which on
-// a cloud are all that are told, and the most at most.
+// Computes a number of base points for which their mean spacing is below the mean width of a mesh
+// with boundary.  At least `default_number_of_base_points` and at most `max_number_of_base_points`.
+// For a cloud, returns the default.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t suitable_number_of_base_points(const Surface_arrays& triangles);
 
-// Lets a front start from each sample, which goes on only as long as the sample is among the `nearest` ones:
-// together they visit little more than `nearest` times all sites.  Distances between samples are lengths of
-// straight lines across the triangles where two fronts meet.
+// Computes the nearest base points of each vertex.  From each sample a front runs while the sample
+// is among the nearest ones of the vertices.  All fronts together visit little more than
+// number_of_nearest * #vertices vertices.  If two fronts meet, the distance of their sources is the
+// length of a straight line in the triangles there.
 //
-// An empty result when the callback cancelled it.
+// Returns an empty result if the callback cancelled.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Base_points nearest_base_points(const Surface_arrays& triangles, const Sampling& sampling,
                                 Front front, std::size_t number_of_nearest,

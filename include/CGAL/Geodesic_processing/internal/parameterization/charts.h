@@ -13,45 +13,51 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A disc cut out of a mesh, and where its sites go in the plane.
+// A disk cut out of a mesh, and its image in the plane.
 struct Chart
 {
-  std::vector<Index> triangles; // of the mesh, those of the shape in their order
-  Surface_arrays surface;       // lengths in the scale of the mesh
-  std::vector<Vec2> image;      // #sites of the shape; empty until it is known
+  std::vector<Index> triangles; // #triangles of `surface`: their indices in the mesh
+  Surface_arrays surface;       // the disk; lengths in the scaled unit of the mesh
+  std::vector<Vec2> image;      // #vertices of `surface`; empty if not computed yet
 };
 
-// Cuts out patches, which must be discs, and keeps those that are not empty.  O(n log n).
+// Cuts out the nonempty patches.  O(n log n).
+// \pre Each patch is a disk.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Chart> extract_charts(const Surface_arrays& triangles, const std::vector<Index>& patch,
                                   Index number_of_patches);
 
-// The image of the border of a disc, and on request its sides.
+// Returns the image of the boundary of a disk and, if requested, its halfedges in the same order.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Outline outline(const Chart& chart, std::vector<Index>* halfedges = nullptr);
 
-// How many triangles of an image do not turn left.  Exact.
+// Returns the number of triangles whose image is not counterclockwise.  Exact.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_of_flips(const Chart& chart);
 
-// Whether no two places have the same image.  Exact: triangles of a disc that all turn left, and whose border
-// becomes a simple polygon, cover each place inside as often as the border winds around it, which is once.
+// Returns whether the map is injective.  Exact: if all images are counterclockwise and the boundary
+// is mapped to a simple polygon, each point inside is covered as often as the boundary winds around
+// it, which is once.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_injective(const Chart& chart);
 
 struct Chart_options
 {
-  std::size_t max_steps = 20;     // of Newton's method
-  double energy_tolerance = 1e-3; // of a step, of the energy
+  std::size_t max_steps = 20; // maximum number of Newton steps
+  // the iteration ends if a step decreases the energy by less than this fraction
+  double energy_tolerance = 1e-3;
   unsigned threads = 1;
-  std::function<bool(double)> callback; // told the fraction done; false cancels
+  std::function<bool(double)> callback; // gets the fraction done; cancels by returning false
 };
 
-// Flattens patches, which must be discs: by geodesic locally linear embedding, then to less symmetric Dirichlet
-// energy.  One whose border then meets itself is cut in two between the places that do, and so on: each chart
-// is injective, and there may be more charts than patches.
+// Flattens patches, which must be disks.  Each gets an initial map by geodesic locally linear
+// embedding or Tutte's method; then the symmetric Dirichlet energy is minimized.  If the result is
+// not injective, the patch is split in two, if possible between two triangles whose boundary edges
+// intersect, and both are flattened in turn.  So each chart is injective, and there can be more
+// charts than patches.
 //
-// Nothing when the callback cancelled it.  Each chart on its own: threads change nothing.
+// Returns no charts if the callback cancelled.  The result does not depend on the number of
+// threads.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Chart> injective_charts(const Surface_arrays& triangles,
                                     const std::vector<Index>& patch, Index number_of_patches,

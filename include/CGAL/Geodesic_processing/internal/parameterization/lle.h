@@ -15,30 +15,33 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// How many of its nearest base points each site has to know, for so many neighbours: their distances from each
-// other are measured where fronts meet, which lies somewhat outside now and then.  With half as many more instead of a
-// quarter maps take a seventh longer, and differ where they turn faces round anyway.
+// Returns the number of nearest base points of each vertex that is required for a number of
+// neighbors.  Distances between neighbors are measured where their fronts meet, sometimes farther
+// away, so a quarter more is required.  With half as many more, maps take a seventh longer and
+// differ only near inverted faces.
 constexpr std::size_t number_of_nearest_for(std::size_t neighbors)
 {
   return neighbors + (neighbors + 2) / 4 + 1;
 }
 
-// Places in the plane from the squares of all distances: the two largest eigenvectors of the centred matrix.
+// Computes an embedding in the plane from squared distances: the two largest eigenvectors of the
+// centered Gram matrix, scaled by the square roots of their eigenvalues.  Size n x 2.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::MatrixXd classical_scaling(const Eigen::MatrixXd& squares);
 
-// Places of base points in the plane: the eigenvectors of the locally linear embedding under the linear map
-// that fits distances between neighbours best, then moved until neighbourhoods are as rigid as possible; or the
-// same from classical scaling along chains of neighbours, where that leaves less.  Where the surface is a piece of
-// the plane both leave nothing.  Where groups of points have no neighbours in each other, each gets more, as far
-// as they are known.
+// Embeds base points in the plane.  There are two initial embeddings: locally linear embedding with
+// a linear map fitted to the distances of neighbors, and Isomap.  Both are optimized to be as rigid
+// as possible, and the one of lower energy is returned.  Both energies are zero for a developable
+// surface.
 //
-// Empty where these are still apart, or the points less than three.
+// If the graph of neighbors is not connected, more neighbors are used, up to `number_of_nearest`.
+// Returns an empty vector if it is still not connected or if there are less than three base points.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> embed_base_points(const Base_points& base, std::size_t neighbors);
 
-// Where every site goes, one without base points to what is not a number.  Continuous; a base point is where its
-// image is, and a piece of the plane is mapped linearly.
+// Extends an embedding of the base points to all vertices.  The map is continuous, interpolates the
+// images of the base points, and is linear if the surface is a piece of the plane.  Vertices
+// without base points get NaN.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> extend_embedding(const Base_points& base, const std::vector<Vec2>& images,
                                    std::size_t neighbors);

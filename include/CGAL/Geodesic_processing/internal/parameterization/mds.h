@@ -11,11 +11,12 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Multidimensional scaling of the distances between base points (Zigelman, Kimmel and Kiryati 2002), and where
-// its squared distances to all of these place every other site (de Silva and Tenenbaum 2004).  The front runs twice
-// from each base point: to find the coordinates, and to sum them up.
+// Computes multidimensional scaling of the distances between base points (Zigelman, Kimmel and
+// Kiryati 2002).  All other vertices are embedded by their squared distances to the base points
+// (landmark MDS, de Silva and Tenenbaum 2004).  The front runs twice from each base point: for the
+// distances between base points, and to add its contribution to all vertices.
 //
-// Nothing when the callback cancelled it.
+// Returns an empty vector if the callback cancelled.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> landmark_mds(const Surface_arrays& triangles, Front front,
                                const std::vector<Index>& base_points,

@@ -10,11 +10,11 @@
 #include <functional>
 #include <vector>
 
-// Maps of a mesh to the plane that turn no triangle round.
+// Maps of meshes to the plane without inverted triangles.
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Twice the area of the image of a triangle; negative where that is turned round.
+// Computes twice the signed area of the image of a triangle, negative if it is inverted.
 inline double twice_area_of_image(const Surface_arrays& triangles, const std::vector<Vec2>& image,
                                   Index triangle)
 {
@@ -22,40 +22,47 @@ inline double twice_area_of_image(const Surface_arrays& triangles, const std::ve
   return cross(image[c[1]] - image[c[0]], image[c[2]] - image[c[0]]);
 }
 
-// What an image is to be enlarged by for its area to be that of its triangles; 0 where nothing does that.
+// Computes the factor that scales the area of an image to the area of the triangles, or 0 if there
+// is none.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double scale_to_area(const Surface_arrays& triangles, const std::vector<Vec2>& image);
 
-// How many triangles have an image whose corners do not run counterclockwise.
+// Returns the number of triangles whose image does not have positive signed area.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_of_flips(const Surface_arrays& triangles, const std::vector<Vec2>& image);
 
-// The borders as sides one after another, the longest border first.
+// Returns the boundary cycles, each as a sequence of halfedges; the longest cycle is the first.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::vector<Index>> boundary_loops(const Surface_arrays& triangles);
 
-// Throws Unsupported_surface_error unless the triangles are glued to a disk, maybe with holes: one component,
-// a border, no handle.  Sites without triangles do not count.
+// Throws Unsupported_surface_error unless the surface is a topological disk, possibly with holes:
+// connected, with boundary and of genus zero.  Isolated vertices are ignored.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_is_disk(const Surface_arrays& triangles);
 
-// Tutte's map of a disk: the longest border on a circle, each other site at the mean of its neighbours;
-// holes are filled by a site that is their neighbour.  Without flips but for rounding.
+// Computes Tutte's map of a disk.  The longest boundary cycle is mapped to a circle and each other
+// vertex to the mean of its neighbors.  Each hole is filled by one additional vertex.  In exact
+// arithmetic no triangle is inverted.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec2> tutte_map(const Surface_arrays& triangles);
 
-// What minimizing the distortion of a map has done.
+// The result of the minimization of the distortion of a map.
 struct Minimization_result
 {
-  double energy = 0.; // what is left, per area: 4 where nothing is stretched
+  double energy = 0.; // the final mean energy per area; 4 for an isometry
   std::size_t number_of_steps = 0;
-  bool is_complete = true; // false: the callback cancelled it
+  bool is_complete = true; // false if the callback cancelled
 };
 
-// Minimizes the symmetric Dirichlet energy of a map without flips: the mean, by the area of the triangles, of
-// the sum of the squares of the singular values and of their inverses (Smith and Schaefer 2015).  Newton's
-// method; each triangle's Hessian is made definite in closed form (Smith, de Goes and Kim 2019), and no step
-// goes as far as the first triangle's flip.  It ends where a step lowers the energy by less than a part of it.
+// Minimizes the symmetric Dirichlet energy of a map without inverted triangles (Smith and Schaefer
+// 2015).  It is the mean, weighted by area, of the sum of the squared singular values and their
+// inverses.
+//
+// Newton's method; the Hessian of each triangle is projected to a positive semidefinite matrix in
+// closed form (Smith, de Goes and Kim 2019).  No step reaches the first inversion of a triangle.
+// The iteration ends if a step decreases the energy by less than the fraction `energy_tolerance`.
+//
+// is_fixed: #vertices, or empty: vertices that must not move
 CGAL_GEODESIC_PROCESSING_EXPORT
 Minimization_result minimize_symmetric_dirichlet(const Surface_arrays& triangles,
                                                  std::vector<Vec2>& image, std::size_t max_steps,
@@ -63,9 +70,9 @@ Minimization_result minimize_symmetric_dirichlet(const Surface_arrays& triangles
                                                  double energy_tolerance = 1e-6,
                                                  const std::vector<bool>& is_fixed = {});
 
-// Moves sites that are not held until no triangle is flipped, and says whether that came about.  Steps are of the
-// same method, for the same energy with the inverse determinant made finite where that is not positive (Garanzha
-// and others 2021).
+// Moves vertices that are not fixed until no triangle is inverted.  Returns whether this succeeded.
+// The same Newton steps minimize a regularized energy, in which the inverse determinant is finite
+// for inverted triangles (Garanzha et al. 2021).
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool unflip(const Surface_arrays& triangles, std::vector<Vec2>& image, std::size_t max_steps,
             const std::vector<bool>& is_fixed = {});

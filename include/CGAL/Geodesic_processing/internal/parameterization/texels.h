@@ -13,23 +13,24 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// What the middles of texels show: rows from the lowest one up.
+// The triangles at the centers of the texels.  Rows are in the order of increasing v.
 struct Texel_map
 {
-  std::size_t size = 0;                 // along a side
-  std::vector<Index> triangle;          // size * size: the nearest triangle, or none
-  std::vector<double> squared_distance; // size * size: how far it is, squared in texels; 0 inside
+  std::size_t size = 0;        // texels per row
+  std::vector<Index> triangle; // size * size: the closest triangle, or none
+  // size * size: the squared distance to it in texels; 0 inside
+  std::vector<double> squared_distance;
 };
 
-// The triangles whose images are within `margin` texels from the middles of texels; of several the nearest one,
-// then the first.
+// Finds, for the center of each texel, the closest triangle image within `margin` texels.  Of
+// several at the same distance, the first is chosen.
 //
-// coordinates  3 #triangles: of corners in the unit square
-// Throws Invalid_argument_error where the texture has no texels, or more than 2^28.  O(texels + triangles).
+// coordinates: 3 #triangles: UV coordinates of each corner in the unit square
+// Throws Invalid_argument_error if `size` is zero or above 2^14.  O(texels + triangles).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Texel_map rasterize_texels(const std::vector<Vec2>& coordinates, std::size_t size, double margin);
 
-// Of the place of an image that is nearest to another place in the plane.
+// Computes the barycentric coordinates of the point of a triangle that is closest to a given point.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<double, 3> nearest_barycentric(const std::array<Vec2, 3>& image, const Vec2& point);
 

@@ -8,18 +8,20 @@
 
 #include <vector>
 
-// Maps to the plane that are sound but for a few places.
+// Repairs maps to the plane that have few inverted triangles.
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Mirrors an image of which more area is face down than up.
+// Reflects an image in which inverted triangles have more area than the others.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void orient_positively(const Surface_arrays& triangles, std::vector<Vec2>& image);
 
-// Turns triangles back that are turned round: a few rings about them are moved to where their symmetric Dirichlet
-// energy is least, all else stays; with four rings first, then with eight.  Where more than a thousand triangles would
-// have to move at a place, or three thousand in all with as many rings, or cannot be turned back, they stay as they
-// are.  Nothing is done on a cloud.
+// Moves vertices of inverted triangles and of rings around them to make all triangles positive.
+// The rest of the map is fixed, and the symmetric Dirichlet energy of the moved part is minimized.
+// The rings are 4, and 8 if that fails.
+//
+// A connected region of more than 1,000 triangles is not changed, nor are regions beyond 3,000
+// triangles in total, nor those that cannot be repaired.  On a cloud nothing is changed.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void untangle(const Surface_arrays& triangles, std::vector<Vec2>& image);
 
