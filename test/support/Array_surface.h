@@ -20,7 +20,7 @@ namespace CGAL::Geodesic_processing::test {
 using internal::dot;
 using internal::infinity;
 
-// A triangulation as the kernels see it, and their answers in its own numbers and unit.
+// The arrays of a triangulation, with results in the indices and the unit of the triangulation.
 class Array_surface
 {
 public:
@@ -44,7 +44,7 @@ public:
   {
     return {triangle(face), none, barycentric};
   }
-  // The share of the way along side k of a face.
+  // Returns the location at a fraction of edge k of a face.
   Surface_location on(Index face, int k, double fraction) const
   {
     std::array<double, 3> barycentric = {0., 0., 0.};
@@ -53,7 +53,7 @@ public:
     return in(face, barycentric);
   }
 
-  // A path along sides between points.
+  // Returns the path along edges between points.
   std::vector<Surface_location> along(const std::vector<Index>& points) const
   {
     std::vector<Surface_location> path;
@@ -71,13 +71,13 @@ public:
   {
     return source(at(i), offset, label);
   }
-  // The polyline along points that are joined by sides.
+  // Returns a polyline source along edges between points.
   internal::Front_source line(const std::vector<Index>& points, double offset = 0.) const
   {
     return {along(points), offset / scale(), 0};
   }
 
-  // One value per point.
+  // Returns the distance of each point.
   template <typename Engine>
   std::vector<double> distances(const Engine& engine) const
   {
@@ -93,7 +93,7 @@ private:
   std::shared_ptr<const Surface_arrays> m_triangles;
 };
 
-// Samples that are spread by farthest points.
+// Returns farthest point samples.
 inline std::vector<Surface_location>
 farthest_points(const std::shared_ptr<const Surface_arrays>& triangles, std::size_t number)
 {
@@ -105,8 +105,8 @@ farthest_points(const std::shared_ptr<const Surface_arrays>& triangles, std::siz
   return sampling.samples();
 }
 
-// The largest of |value(i) - truth(i)| over all points; infinite where only one of them is, or one
-// is not a number.
+// Returns the maximum of |value(i) - truth(i)| over all points; infinity if only one of them is
+// infinite or one is not a number.
 template <typename Truth>
 double largest_error(const std::vector<double>& value, const Truth& truth)
 {
@@ -117,14 +117,14 @@ double largest_error(const std::vector<double>& value, const Truth& truth)
     if(value[i] == expected)
       continue;
     const double error = std::abs(value[i] - expected);
-    result = error <= result ? result : error; // keeps what is not a number
+    result = error <= result ? result : error; // propagates NaN
     if(std::isnan(error))
       return infinity;
   }
   return result;
 }
 
-// The mean of |value / truth - 1| over the points where the truth is at least `least`.
+// Returns the mean of |value / truth - 1| over the points whose truth is at least `min_truth`.
 template <typename Truth>
 double mean_relative_error(const std::vector<double>& value, double min_truth, const Truth& truth)
 {
@@ -139,13 +139,13 @@ double mean_relative_error(const std::vector<double>& value, double min_truth, c
   return sum / double(count);
 }
 
-// Along the great circle of the unit sphere.
+// Computes the distance along a great circle of the unit sphere.
 inline double great_circle(const Point& p, const Point& q)
 {
   return 2. * std::asin(std::min(1., 0.5 * distance(p, q)));
 }
 
-// To the nearest point of a segment.
+// Computes the distance to a segment.
 inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
 {
   const Point ab = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -154,8 +154,8 @@ inline double distance_to_segment(const Point& p, const Point& a, const Point& b
   return distance(p, {a[0] + fraction * ab[0], a[1] + fraction * ab[1], a[2] + fraction * ab[2]});
 }
 
-// On a cone, and on a saddle, made by cone(): from the radius a to the radius b, in directions that
-// differ by `angle` on one hand and by total - angle on the other.
+// Computes the distance on a cone or saddle made by cone(), from radius a to radius b, between
+// directions at the angles `angle` and total - `angle`.
 inline double distance_on_cone(double a, double b, double angle, double total)
 {
   angle = std::min(angle, total - angle);

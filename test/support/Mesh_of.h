@@ -10,7 +10,7 @@
 
 #include <vector>
 
-// The mesh that most tests of the public functions use, and clouds.
+// The mesh type of most tests of the public functions, and surfel clouds.
 
 namespace CGAL::Geodesic_processing::test {
 
@@ -19,7 +19,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
 
-// A triangulation as a mesh; its vertex i is the triangulation's point i.
+// Converts a triangulation to a mesh; vertex i is point i of the triangulation.
 inline Mesh mesh_of(const Triangulation& surface)
 {
   Numbered<Mesh> result;
@@ -27,7 +27,7 @@ inline Mesh mesh_of(const Triangulation& surface)
   return result.mesh;
 }
 
-// A map of one value per vertex.
+// Adds a vertex property map.
 template <typename T = double>
 auto vertex_map(Mesh& mesh)
 {
@@ -43,7 +43,8 @@ std::vector<double> values(const Mesh& mesh, const Map& map)
   return result;
 }
 
-// A location in a face by the share of its corners, counted from the source of halfedge(face).
+// Returns a location in a face from barycentric coordinates; the source of halfedge(face) is the
+// first corner.
 inline std::pair<Face, std::array<double, 3>> location_of(std::size_t face,
                                                           const std::array<double, 3>& barycentric)
 {

@@ -18,12 +18,12 @@
 #include <utility>
 #include <vector>
 
-// Clouds of surfels on surfaces that have formulas, and the noise of Ruggeri, Darom, Saupe and Kiryati
-// 2006, section 4.
+// Surfel clouds of analytic surfaces, and the noise of Ruggeri, Darom, Saupe and Kiryati 2006,
+// section 4.
 
 namespace CGAL::Geodesic_processing::test {
 
-// Not a type of this namespace: its operators have to be named.
+// Vec3 is an alias of a standard type: its operators are not found by argument-dependent lookup.
 using internal::operator+;
 using internal::operator*;
 using internal::Vec3;
@@ -40,7 +40,8 @@ struct Cloud
   }
 };
 
-// The unit sphere: an octahedron, each triangle cut into four `level` times; 4^(level + 1) + 2 surfels.
+// The unit sphere: an octahedron whose triangles are subdivided 1-to-4 `level` times; 4^(level + 1)
+// + 2 surfels.
 inline Cloud octahedron_sphere(unsigned level)
 {
   std::vector<Vec3> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -67,7 +68,7 @@ inline Cloud octahedron_sphere(unsigned level)
   return {points, points};
 }
 
-// The unit square, a grid of n times n.
+// The unit square as a grid of n x n surfels.
 inline Cloud square_cloud(std::size_t n)
 {
   Cloud cloud;
@@ -77,7 +78,7 @@ inline Cloud square_cloud(std::size_t n)
   return cloud;
 }
 
-// Of equal angles around the z-axis and equal steps along it.
+// A cylinder with equal angles around the z-axis and equal steps along it.
 inline Cloud cylinder_cloud(std::size_t around, std::size_t along, double radius, double height)
 {
   Cloud cloud;
@@ -92,7 +93,7 @@ inline Cloud cylinder_cloud(std::size_t around, std::size_t along, double radius
   return cloud;
 }
 
-// Evenly spaced points of the unit sphere.
+// Returns point i of n evenly distributed points of the unit sphere (Fibonacci spiral).
 inline Vec3 on_spiral(std::size_t i, std::size_t n)
 {
   const double z = 1. - (2. * double(i) + 1.) / double(n), r = std::sqrt(1. - z * z);
@@ -112,7 +113,7 @@ inline Cloud ellipsoid_cloud(std::size_t n, const Vec3& axes)
   return cloud;
 }
 
-// About n surfels of the torus of radii 1 and `tube` around the z-axis: rings of equal steps.
+// A torus of about n surfels around the z-axis, with radii 1 and `tube`, in circles of equal steps.
 inline Cloud torus_cloud(std::size_t n, double tube)
 {
   const double step = std::sqrt(4. * internal::pi * internal::pi * tube / double(n));
@@ -133,8 +134,8 @@ inline Cloud torus_cloud(std::size_t n, double tube)
   return cloud;
 }
 
-// The six sides of a cube of side 1 around the origin, n times n surfels each, half a step from the
-// edges.
+// The surface of a unit cube centered at the origin, with n x n surfels per face at half a step
+// from the edges.
 inline Cloud cube_cloud(std::size_t n)
 {
   Cloud cloud;
@@ -153,7 +154,7 @@ inline Cloud cube_cloud(std::size_t n)
   return cloud;
 }
 
-// Those of a cloud where keep(point).
+// Returns the surfels whose points satisfy `keep`.
 template <typename Keep>
 Cloud part_of(const Cloud& cloud, const Keep& keep)
 {
@@ -164,8 +165,8 @@ Cloud part_of(const Cloud& cloud, const Keep& keep)
   return result;
 }
 
-// Moves each surfel along its normal by up to `level` of its radius, and turns its normal by up to 10
-// degrees, in any direction.
+// Moves each surfel along its normal by up to `level` times its radius, and rotates its normal by
+// up to 10 degrees in a random direction.
 inline Cloud with_noise(Cloud cloud, const std::vector<double>& radii, double level, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -182,7 +183,7 @@ inline Cloud with_noise(Cloud cloud, const std::vector<double>& radii, double le
   return cloud;
 }
 
-// Adds `part` of the surfels again, with noise of the level.
+// Adds copies of a random fraction of the clean surfels with noise of the given level.
 inline Cloud with_outliers(Cloud cloud, const Cloud& clean, const std::vector<double>& radii,
                            double fraction, double level, unsigned seed)
 {
@@ -201,10 +202,9 @@ inline Cloud with_outliers(Cloud cloud, const Cloud& clean, const std::vector<do
   return cloud;
 }
 
-// The unit square as a scanner that moves a stripe of light would see it: n stripes of m points, each
-// with an error of its own, of the stripe, and of a camera that reads off whole steps, altogether about
-// a tenth of the spacing.  Normals are estimated.  With
-// seed 0, the square itself.
+// The unit square as measured by a laser stripe scanner: n stripes of m points.  Each point has an
+// error of its own, an error of its stripe, and an error from the pixels of the camera, in total
+// about a tenth of the spacing.  Normals are estimated.  Seed 0 yields the exact square.
 inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
 {
   const double spacing = 1. / double(n - 1);
@@ -227,7 +227,7 @@ inline Cloud scanned_square(std::size_t n, std::size_t m, unsigned seed)
   return cloud;
 }
 
-// Whether a chain of arcs no longer than `most` joins two sites.
+// Returns whether a path of length at most `max_length` in the proximity graph joins two vertices.
 inline bool is_connected_within(const internal::Surfel_cloud& cloud, internal::Index from,
                                 internal::Index to, double max_length)
 {

@@ -17,13 +17,13 @@
 #include <utility>
 #include <vector>
 
-// Triangulations as meshes of any kind, and what tests ask of both.
+// Conversions of triangulations to meshes of any type.
 
 namespace CGAL::Geodesic_processing::test {
 
 using internal::infinity;
 
-// A mesh and its vertices and faces in the order of the triangulation.
+// A mesh with its vertices and faces in the order of the triangulation.
 template <typename Mesh>
 struct Numbered
 {
@@ -35,7 +35,7 @@ struct Numbered
   std::vector<Face> faces;
 };
 
-// Fills it in place: a mesh with pointers does not survive a copy.
+// Fills `result.mesh`, because a mesh with pointers must not be copied.
 template <typename Mesh>
 void fill(Numbered<Mesh>& result, const Triangulation& surface)
 {
@@ -55,8 +55,9 @@ void fill(Numbered<Mesh>& result, const Triangulation& surface)
   }
 }
 
-// The location in a face, whose corners are those of the triangulation, as
-// Polygon_mesh_processing::Face_location counts them: from the source of halfedge(face).
+// Returns a location in a face from its barycentric coordinates with respect to the corners of the
+// triangulation.  The coordinates of the location are in the order of
+// Polygon_mesh_processing::Face_location: the source of halfedge(face) is the first.
 template <typename Mesh>
 auto location_in(const Numbered<Mesh>& mesh, const Triangulation& surface, std::size_t face,
                  const std::array<double, 3>& barycentric)
@@ -77,7 +78,7 @@ Point to_array(const Point_3& p)
   return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
 }
 
-// Where a location of a mesh lies.
+// Returns the position of a location of a mesh.
 template <typename Mesh, typename Location>
 Point point_of(const Mesh& mesh, const Location& location)
 {
@@ -92,7 +93,7 @@ Point point_of(const Mesh& mesh, const Location& location)
   return result;
 }
 
-// A file among the shared models, or an empty string where they are not there.
+// Returns the path of a shared model, or an empty string if it does not exist.
 inline std::string model(const std::string& name)
 {
 #ifdef GEODESIC_PROCESSING_DATA
@@ -103,11 +104,11 @@ inline std::string model(const std::string& name)
   return {};
 }
 
-// Why a test that needs them is skipped.
+// The reason to skip tests that need the shared models.
 constexpr const char* no_models =
     "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
 
-// Reads a mesh among the shared models; false where they are not there.
+// Reads a shared model.  Returns false if it does not exist.
 template <typename Mesh>
 bool read_model(const std::string& name, Mesh& mesh)
 {

@@ -12,7 +12,7 @@
 #include <ostream>
 #include <vector>
 
-// One way to ask every method, for what has to hold of all.
+// All methods of computing distances behind one function, for properties that all of them have.
 
 namespace CGAL::Geodesic_processing::test {
 
@@ -33,10 +33,10 @@ inline std::ostream& operator<<(std::ostream& out, Method method)
   return out << names[int(method)];
 }
 
-// A final site goes back into the queue for a gain of one part in 10^9 or more; what is below is
-// left, and on the surfaces of these tests passed on some tens of times.
+// A finalized vertex is reopened if its distance decreases by at least one part in 10^9.  Smaller
+// decreases are ignored, which adds up along some tens of vertices in these tests.
 constexpr double front_tolerance = 1e-7;
-// Sums of some hundred lengths.
+// Round-off errors of sums of some hundred lengths.
 constexpr double rounding = 1e-12;
 
 inline internal::Front_kind kind_of(Method method)
@@ -46,7 +46,7 @@ inline internal::Front_kind kind_of(Method method)
                                            : internal::Front_kind::euclidean;
 }
 
-// Distances at the points of a surface, in its unit.
+// Computes the distances at the points of a surface, in its unit.
 inline std::vector<double> distances(const Array_surface& surface, Method method,
                                      const std::vector<internal::Front_source>& sources)
 {
@@ -61,7 +61,7 @@ inline std::vector<double> distances(const Array_surface& surface, Method method
   return surface.distances(front);
 }
 
-// The path of the Euclidean front from a location to its nearest source.
+// Returns the path of the Euclidean front from a location to the nearest source.
 inline std::vector<Surface_location> path(const Surface_arrays& triangles,
                                           const internal::Front& front,
                                           const std::vector<internal::Front_source>& sources,

@@ -20,13 +20,14 @@
 #include <functional>
 #include <vector>
 
-// What is known about normal coordinates: formulas of surfaces of constant curvature, and the theory of their
-// distortion.
+// Exact results about normal coordinates: formulas on surfaces of constant curvature, and the
+// asymptotics of their distortion.
 
 namespace CGAL::Geodesic_processing::test {
 
-// The tangent vector at the origin of a frame on the unit sphere that leads to a point of it.  The frame's
-// plane is that of a mesh; in the sphere's the point is seen first.
+// Returns the logarithm of a point of the unit sphere at the origin of a frame.  The plane of the
+// frame is tangent to a mesh, so its vectors are first projected to the tangent plane of the
+// sphere.
 template <typename Frame, typename Point_3>
 std::array<double, 2> vector_on_sphere(const Frame& frame, const Point_3& p)
 {
@@ -38,8 +39,10 @@ std::array<double, 2> vector_on_sphere(const Frame& frame, const Point_3& p)
                    : std::array<double, 2>{0., 0.};
 }
 
-// The mean error of a map of the unit sphere, relative to the distance, over what it has reached.
-// point  of a site
+// Returns the mean error of a logarithmic map of the unit sphere, relative to the distance, over
+// all vertices that it reached.
+//
+// point: the point of a vertex
 template <typename Map, typename PointOf>
 double mean_error_on_sphere(const Map& map, PointOf point)
 {
@@ -49,7 +52,7 @@ double mean_error_on_sphere(const Map& map, PointOf point)
   {
     const auto truth = vector_on_sphere(frame, point(v)), found = map(v);
     const double distance = std::hypot(truth[0], truth[1]);
-    if(distance < 1e-9) // the base itself, but for rounding
+    if(distance < 1e-9) // the base point itself, up to round-off errors
       continue;
     sum += std::hypot(found[0] - truth[0], found[1] - truth[1]) / distance;
     ++number;
@@ -57,9 +60,10 @@ double mean_error_on_sphere(const Map& map, PointOf point)
   return sum / number;
 }
 
-// A square of the pseudosphere, whose curvature is -1 everywhere: n times n in normal coordinates (n is even),
-// which reach up to 0.6 along their axes; `base` is the middle.  In the half-plane of Poincare, of which the
-// pseudosphere is the part above 1, rolled up, the base is at (0, 2.4).
+// A square patch of the pseudosphere, of curvature -1, as a grid of n x n squares in normal
+// coordinates (n is even).  The coordinates reach 0.6 along the axes, and `base` is the center.  In
+// the upper half-plane model, of which the pseudosphere is the part above 1, the base is at (0,
+// 2.4).
 struct Hyperbolic_patch
 {
   Triangulation surface;
@@ -71,7 +75,7 @@ inline Hyperbolic_patch hyperbolic_patch(std::size_t n, double jitter)
   {
     const double u = 0.6 * (2. * s - 1.), v = 0.6 * (2. * t - 1.), r = std::hypot(u, v);
     const double cosine = r > 0. ? u / r : 1., sine = r > 0. ? v / r : 0.;
-    // Along the half circle that leaves the base in this direction.
+    // Along the semicircle that leaves the base in this direction.
     const double below = std::cosh(r) - sine * std::sinh(r);
     const double x = 2.4 * cosine * std::sinh(r) / below, y = 2.4 / below;
     return {std::cos(x) / y, std::sin(x) / y, std::acosh(y) - std::sqrt(1. - 1. / (y * y))};
@@ -79,14 +83,15 @@ inline Hyperbolic_patch hyperbolic_patch(std::size_t n, double jitter)
   return {grid(n, n, position_at, jitter), Index((n + 1) * (n / 2) + n / 2)};
 }
 
-// A measure of distortion m near the base of normal coordinates: m = at_base + c |u|^power + O(|u|^(power+2)).
+// The asymptotics of a distortion measure m near the origin of normal coordinates: m = at_base + c
+// |u|^power + O(|u|^(power+2)).
 struct Measure_asymptotics
 {
   const char* name;
   std::function<double(const Face_distortion&)> measure;
   double at_base;
   int power;
-  std::function<double(double)> coefficient; // c, of the curvature at the base
+  std::function<double(double)> coefficient; // c as a function of the curvature at the base
 };
 
 inline std::vector<Measure_asymptotics> measure_asymptotics()
@@ -108,14 +113,14 @@ inline std::vector<Measure_asymptotics> measure_asymptotics()
   };
 }
 
-// How a face is distorted, and how far from the base it is.
+// The distortion of a face, and its distance from the base.
 struct Distorted_face
 {
   double distance;
   Face_distortion distortion;
 };
 
-// The faces of a mesh between two distances from the base of a map.
+// Returns the faces of a mesh whose distance from the base of a map is in an interval.
 template <typename Mesh, typename Map>
 std::vector<Distorted_face> faces_around(const Mesh& mesh, const Map& map, double from, double to)
 {
@@ -129,13 +134,14 @@ std::vector<Distorted_face> faces_around(const Mesh& mesh, const Map& map, doubl
       for(int k = 0; k < 2; ++k)
         middle[k] += map(v)[k] / 3.;
     const double distance = std::hypot(middle[0], middle[1]);
-    if(distance >= from && distance <= to) // not where they are not numbers
+    if(distance >= from && distance <= to) // false for NaN
       result.push_back({distance, face_distortion(face, mesh, uv)});
   }
   return result;
 }
 
-// The coefficient c of a measure, from faces: of all c |u|^power + c' |u|^(power+2) the one nearest to it.
+// Fits the coefficient c of a measure: least squares over the faces with c |u|^power + c'
+// |u|^(power+2).
 inline double fitted_coefficient(const Measure_asymptotics& measure,
                                  const std::vector<Distorted_face>& faces)
 {
@@ -154,8 +160,9 @@ inline double fitted_coefficient(const Measure_asymptotics& measure,
   return (ay * bb - by * ab) / (aa * bb - ab * ab);
 }
 
-// The largest |d(x, y) - |f(x) - f(y)|| / |f(y)|^2 over the neighbours y of the base and all vertices x up to a
-// radius, where f(base) is 0: it stays bounded, as edges get shorter, for normal coordinates f alone.
+// Returns the maximum of |d(x, y) - |f(x) - f(y)|| / |f(y)|^2 over the neighbors y of the base and
+// all vertices x up to a radius, with f(base) = 0.  Only for normal coordinates f it stays bounded
+// as edges get shorter.
 template <typename Mesh, typename Vertex, typename Map>
 double departure_from_linearity(const Mesh& mesh, Vertex base, double radius, const Map& f)
 {

@@ -3,10 +3,10 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_OPENMESH_H
 #define CGAL_GEODESIC_PROCESSING_TEST_SUPPORT_OPENMESH_H
 
-// OpenMesh's meshes, where it is installed.
+// OpenMesh's mesh types, if it is installed.
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
 #  if defined(__GNUC__) && !defined(__clang__)
-// OpenMesh's properties push back a T() that this compiler takes for uninitialized.
+// OpenMesh's properties append a T() that this compiler regards as uninitialized.
 #    pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #  endif
 #  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -14,11 +14,12 @@
 #include <cmath>
 #include <vector>
 
-// Certificates: what has to hold of any path, however it was found.
+// Checks of properties that every path must have, independent of the algorithm.
 
 namespace CGAL::Geodesic_processing::test {
 
-// Joins the two ends by points on the surface, consecutive ones different and in one triangle.
+// Expects that a path joins two locations and that consecutive locations are different and in a
+// common triangle.
 inline void expect_path_on_surface(const Surface_arrays& t,
                                    const std::vector<Surface_location>& path,
                                    const Surface_location& from, const Surface_location& to)
@@ -33,7 +34,7 @@ inline void expect_path_on_surface(const Surface_arrays& t,
       EXPECT_GE(b, 0.);
       sum += b;
     }
-    EXPECT_NEAR(sum, 1., 1e-15 * 4); // a few roundings
+    EXPECT_NEAR(sum, 1., 1e-15 * 4); // a few round-off errors
   }
   EXPECT_TRUE(is_same_point(t, path.front(), canonical(t, from)));
   EXPECT_TRUE(is_same_point(t, path.back(), canonical(t, to)));
@@ -44,7 +45,7 @@ inline void expect_path_on_surface(const Surface_arrays& t,
   }
 }
 
-// At every site that it touches there is an angle of at least pi on both sides.
+// Expects an angle of at least pi on both sides of the path at each vertex that it touches.
 inline void expect_locally_shortest(const internal::Locally_shortest_path& path, double tolerance)
 {
   for(const internal::Touched_vertex& touched : path.touched_vertices)

@@ -18,7 +18,7 @@ using internal::operator+;
 using internal::operator-;
 using internal::operator*;
 
-// What of a convex polygon is nearer to p than to q, side by side.
+// Returns the part of a convex polygon that is closer to p than to q.
 inline std::vector<Point> clip_to_bisector(const std::vector<Point>& polygon, const Point& p,
                                            const Point& q)
 {

@@ -10,7 +10,7 @@
 
 namespace CGAL::Geodesic_processing::test {
 
-// Evenly distributed between -1 and 1.
+// Returns uniformly distributed random numbers between -1 and 1.
 inline internal::Vector random_function(std::size_t n, unsigned seed)
 {
   std::mt19937 random(seed);

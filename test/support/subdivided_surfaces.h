@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-// Triangulations whose triangles are cut into four, and values at their vertices.
+// Triangulations with 1-to-4 subdivision, and values at their vertices.
 
 namespace CGAL::Geodesic_processing::test {
 
@@ -29,7 +29,7 @@ inline internal::Subdivision subdivided(const Triangulation& surface, unsigned t
   return internal::subdivide(triangles_of(surface), Index(surface.points.size()), times);
 }
 
-// Each vertex where its parents' middle is carried to.
+// Returns the points of a subdivision: each new vertex is the image of the midpoint of its parents.
 inline std::vector<Point> subdivided_points(const internal::Subdivision& subdivision,
                                             const std::vector<Point>& base,
                                             const std::function<Point(const Point&)>& map_point)
@@ -47,7 +47,7 @@ inline std::vector<Point> subdivided_points(const internal::Subdivision& subdivi
 
 inline Point identity(const Point& p) { return p; }
 
-// Onto a sphere with smooth bumps, which a point of space is below or above.
+// Projects a point to a sphere with smooth bumps.
 inline Point onto_bumpy_sphere(const Point& p)
 {
   const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
@@ -64,7 +64,7 @@ inline std::vector<double> flattened(const std::vector<Point>& points)
   return result;
 }
 
-// The finest level as a triangulation.
+// Returns the finest level of a subdivision as a triangulation.
 inline Triangulation finest(const Triangulation& surface, unsigned times,
                             const std::function<Point(const Point&)>& map_point = identity)
 {
@@ -76,7 +76,7 @@ inline Triangulation finest(const Triangulation& surface, unsigned times,
   return result;
 }
 
-// How far places are from each other, three numbers each.
+// Returns the root mean square distance of two sequences of points, with three numbers per point.
 inline double root_mean_square(const std::vector<double>& a, const std::vector<double>& b)
 {
   double sum = 0.;

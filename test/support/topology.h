@@ -16,12 +16,13 @@
 
 namespace CGAL::Geodesic_processing::test {
 
-// What a set of triangles is as a surface, found from its corners alone.
+// The topology of a set of triangles, computed from their corners only.
 struct Topology
 {
-  bool is_simple = true; // each corner of a triangle, each side in each direction, and each set of
-                         //   three corners is there once, and around each point there is one fan
-  // Of each component, sorted: Euler characteristic and number of borders.
+  // true for a manifold: each directed edge and each set of three corners occurs at most once, and
+  // the triangles at each point form one fan
+  bool is_simple = true;
+  // Euler characteristic and number of boundary cycles of each component, sorted.
   std::vector<std::pair<std::ptrdiff_t, std::size_t>> components;
 
   bool operator==(const Topology& other) const
@@ -95,8 +96,8 @@ inline Topology topology(const std::vector<Index>& corners)
     return result;
 
   std::map<Index, std::pair<std::ptrdiff_t, std::size_t>> components;
-  std::map<Index, std::size_t> degree; // triangles around each point
-  std::map<Index, Index> next;         // on the border
+  std::map<Index, std::size_t> degree; // triangles at each point
+  std::map<Index, Index> next;         // next point along the boundary
   for(const auto& [p, to] : parent)
     ++components[root(p)].first;
   for(const auto& [edge, opposite] : opposite_corner)

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-// Small surfaces as points and triangles, counterclockwise seen from outside (from above).
+// Small triangulated surfaces.  Triangles are counterclockwise seen from outside or from above.
 
 namespace CGAL::Geodesic_processing::test {
 
@@ -56,9 +56,9 @@ inline Triangulation tetrahedron()
           {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}};
 }
 
-// Columns times rows squares, each cut into two triangles by one of its diagonals (both ways at
-// random when jitter > 0); corner (i,j) is point i + (columns+1) j, put at place(i/columns, j/rows)
-// after inner points moved by up to jitter times the square's size.
+// A grid of columns x rows squares, each divided by a diagonal.  Corner (i, j) is point i +
+// (columns + 1) j at position(i / columns, j / rows).  If `jitter` is positive, diagonals are
+// random and inner points are moved by up to `jitter` times the size of a square.
 inline Triangulation grid(std::size_t columns, std::size_t rows,
                           const std::function<Point(double, double)>& position, double jitter = 0.,
                           unsigned seed = 1)
@@ -87,7 +87,7 @@ inline Triangulation grid(std::size_t columns, std::size_t rows,
   return result;
 }
 
-// The unit square in the plane.  Up to jitter 0.25 no triangle turns over.
+// The unit square in the plane.  Up to a jitter of 0.25 no triangle is inverted.
 inline Triangulation square(std::size_t n, double jitter = 0., unsigned seed = 1)
 {
   return grid(
@@ -98,8 +98,8 @@ inline Triangulation square(std::size_t n, double jitter = 0., unsigned seed = 1
       jitter, seed);
 }
 
-// Rings around an axis, each of n points; ring j at radius(j / rings) and height(j / rings).  Ring
-// j starts j * twist steps farther on.  Open at both ends.
+// Circles around an axis of n points each.  Circle j has the radius radius(j / number_of_rings) and
+// the height height(j / number_of_rings), and is rotated by j * twist steps.  Open at both ends.
 inline Triangulation rings(std::size_t n, std::size_t number_of_rings,
                            const std::function<double(double)>& radius,
                            const std::function<double(double)>& height, double twist = 0.5)
@@ -122,7 +122,7 @@ inline Triangulation rings(std::size_t n, std::size_t number_of_rings,
   return result;
 }
 
-// A flat ring; intrinsically, everything in it goes around the hole.
+// A flat annulus: shortest paths must pass around the hole.
 inline Triangulation annulus(std::size_t n, std::size_t number_of_rings, double inner, double outer)
 {
   Triangulation result = rings(
@@ -138,13 +138,14 @@ inline Triangulation cylinder(std::size_t n, std::size_t number_of_rings, double
       n, number_of_rings, [=](double) { return radius; }, [=](double s) { return s * height; });
 }
 
-// A fan of n congruent triangles around point 0, with the angle `total` around it and legs of
-// length 1, then rings of the same shape outwards: flat but at its centre.  total < 2 pi gives a
-// cone; above, a saddle, folded up and down by turns (n is even then).
-// Point 0 is the centre; point 1 + n j + i lies in direction i at distance j + 1.
+// A fan of n congruent triangles with the total angle `total` and edges of length 1 at point 0,
+// surrounded by rings of the same shape.  It is intrinsically flat except at the center.  For total
+// < 2 pi it is a cone; otherwise a saddle that is folded up and down alternately (n must be even).
+//
+// Point 0 is the center; point 1 + n j + i has the direction i and the distance j + 1.
 inline Triangulation cone(std::size_t n, std::size_t number_of_rings, double total)
 {
-  // Directions with equal angles total / n between neighbours: colatitude alternates by `fold`.
+  // Directions with equal angles total / n between neighbors: the colatitude alternates by `fold`.
   const double step = total / n, turn = 2. * pi / n;
   double colatitude = 0., fold = 0.;
   if(total <= 2. * pi) // sin(step/2) = sin(colatitude) sin(turn/2)
@@ -177,7 +178,7 @@ inline Triangulation cone(std::size_t n, std::size_t number_of_rings, double tot
   return result;
 }
 
-// The unit sphere: an icosahedron, each triangle cut into four `level` times.
+// The unit sphere: an icosahedron whose triangles are subdivided 1-to-4 `level` times.
 inline Triangulation icosphere(unsigned level)
 {
   const double g = (1. + std::sqrt(5.)) / 2.;
@@ -233,8 +234,8 @@ inline Triangulation icosphere(unsigned level)
   return result;
 }
 
-// The surface of unit cubes, those of `is_full`, out of nx by ny by nz: of any genus.  Cubes that meet
-// in a line or a point alone make it pinch there.
+// The boundary of the union of unit cubes of a grid of nx x ny x nz.  It can have any genus, and is
+// nonmanifold if two cubes meet only in an edge or a vertex.
 inline Triangulation blocks(int nx, int ny, int nz,
                             const std::function<bool(int, int, int)>& is_full)
 {
@@ -263,7 +264,7 @@ inline Triangulation blocks(int nx, int ny, int nz,
             if(full(next))
               continue;
             p[axis] += end;
-            // Along the two other axes, in the order that turns around the outward one.
+            // The two other axes, ordered counterclockwise around the outward axis.
             const int u = (axis + (end == 1 ? 1 : 2)) % 3, v = 3 - axis - u;
             auto q = p, r = p, s = p;
             ++q[u];
@@ -276,7 +277,7 @@ inline Triangulation blocks(int nx, int ny, int nz,
   return result;
 }
 
-// A plate with two square holes: of genus 2.
+// A plate with two square holes, of genus 2.
 inline Triangulation double_torus(int size = 4)
 {
   return blocks(5 * size, 3 * size, size,
@@ -303,7 +304,7 @@ inline Triangulation jittered(Triangulation surface, double amount, unsigned see
   return surface;
 }
 
-// Radii 1 and 0.4; n points around the axis, m around the ring.
+// A torus with radii 1 and 0.4, n points around the axis and m points around the tube.
 inline Triangulation torus(Index n, Index m)
 {
   Triangulation result;
@@ -319,7 +320,7 @@ inline Triangulation torus(Index n, Index m)
   return result;
 }
 
-// Two surfaces that do not touch.
+// The disjoint union of two surfaces.
 inline Triangulation disjoint_union(Triangulation a, const Triangulation& b)
 {
   const Index first = Index(a.points.size());
@@ -329,7 +330,8 @@ inline Triangulation disjoint_union(Triangulation a, const Triangulation& b)
   return a;
 }
 
-// Reads OFF with triangles alone; empty when the file is not there.
+// Reads a file in OFF format with triangles only.  Returns an empty surface if the file does not
+// exist.
 inline Triangulation read_off(const std::string& file)
 {
   Triangulation result;
@@ -355,7 +357,7 @@ inline Triangulation read_off(const std::string& file)
   return result;
 }
 
-// A random location in a random triangle.
+// Returns a random location in a random triangle.
 inline Surface_location random_location(const Surface_arrays& triangles, std::mt19937& random)
 {
   std::uniform_real_distribution<double> unit(0., 1.);
@@ -371,7 +373,7 @@ inline Surface_location random_location(const Surface_arrays& triangles, std::mt
   return result;
 }
 
-// Where a location lies in space, in the caller's scale.
+// Returns the position of a location in the coordinates of the caller.
 inline Point point_at(const Surface_arrays& triangles, const Surface_location& location)
 {
   Point result = {0., 0., 0.};

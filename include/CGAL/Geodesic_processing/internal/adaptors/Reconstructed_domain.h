@@ -13,8 +13,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A cloud as those algorithms see it that need a surface: the one that reconstruction() lays through
-// its surfels.  Sites and locations of the caller are still the cloud's.
+// The domain of a cloud for algorithms that require a manifold surface: the surface of
+// reconstruct_surface() replaces the triangles of the cloud.  Vertices and locations in the
+// interface are those of the cloud.
 template <typename SurfelRange>
 class Reconstructed_domain
 {
@@ -25,7 +26,7 @@ public:
   using Vertex = typename Cloud::Vertex;
   using Location = typename Cloud::Location;
 
-  // Throws Unsupported_surface_error when there is no surface.
+  // Throws Unsupported_surface_error if the reconstructed surface has no triangles.
   explicit Reconstructed_domain(const Cloud& cloud)
       : m_cloud(cloud), m_cloud_locator(cloud), m_mesh(reconstruct_surface(cloud.surfels())),
         m_triangles(std::make_shared<const Surface_arrays>(std::move(m_mesh.arrays))),
@@ -38,7 +39,7 @@ public:
 
   const std::shared_ptr<const Surface_arrays>& triangles() const { return m_triangles; }
 
-  // The nearest place on the surface, which takes not every surfel.
+  // Returns the closest location on the reconstructed surface.  Not every surfel is a vertex of it.
   internal::Surface_location inner(const Location& location) const
   {
     const auto p = m_cloud.point(m_cloud.inner(location));
@@ -48,12 +49,14 @@ public:
   {
     return inner(m_cloud.outer(m_cloud.inner_vertex(surfel)));
   }
+  // Returns the location on the cloud that is closest to a location of the reconstructed surface.
   Location outer(const internal::Surface_location& location) const
   {
     const auto p = coordinates(*m_triangles, location);
     return m_cloud_locator(typename Cloud::Point_3(p[0], p[1], p[2]));
   }
 
+  // Computes the slowness of each triangle from the speeds of the surfels.
   template <typename SpeedMap>
   std::vector<double> slowness(SpeedMap speed) const
   {
@@ -66,12 +69,12 @@ public:
 private:
   Cloud m_cloud;
   Surface_locator<Surface> m_cloud_locator;
-  Mesh_arrays m_mesh; // its vertices are the cloud's sites; without its triangles
+  Mesh_arrays m_mesh; // its vertices are those of the cloud; its arrays are moved to m_triangles
   std::shared_ptr<const Surface_arrays> m_triangles;
   Triangle_tree m_tree;
 };
 
-// A domain whose triangles form a surface.
+// Returns the domain of a mesh itself, or the reconstructed domain of a cloud.
 template <typename TriangleMesh>
 const Mesh_domain<TriangleMesh>& manifold_domain(const Mesh_domain<TriangleMesh>& domain)
 {

@@ -10,7 +10,8 @@
 #include <type_traits>
 #include <vector>
 
-// Values of a map as numbers: a number, an array of them, or the three of a point or a vector.
+// Values of a property map as arrays of numbers.  A number has one channel, an array one per
+// element, and a point or vector three.
 
 namespace CGAL::Geodesic_processing::internal {
 

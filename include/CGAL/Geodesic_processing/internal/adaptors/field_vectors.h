@@ -9,10 +9,11 @@
 
 #include <array>
 
-// Between fields in the planes of unfolded triangles and vectors in space.
+// Conversions between vectors in the planes of unfolded triangles and vectors in space.
 namespace CGAL::Geodesic_processing::internal {
 
-// The axes of a triangle's plane; zero where it has no side or no height.
+// Computes the two axes of a triangle's plane in space; an axis is zero if the triangle has no
+// length or no height.
 inline std::array<Vec3, 2> axes(const Surface_arrays& t, Index triangle)
 {
   const Index* corner = &t.corner[3 * std::size_t(triangle)];
@@ -33,7 +34,7 @@ inline Vec2 in_plane(const Surface_arrays& t, Index triangle, const Vec3& vector
   return {dot(vector, u), dot(vector, v)};
 }
 
-// A vector for each face of a mesh, or the mean of those around each surfel of a cloud.
+// Writes a vector per face of a mesh, or per surfel of a cloud the mean over its triangles.
 template <typename Domain, typename VectorMap>
 void write_vectors(const Domain& domain, const Field& field, VectorMap map)
 {

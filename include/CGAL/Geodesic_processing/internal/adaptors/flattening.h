@@ -21,11 +21,14 @@
 #include <type_traits>
 #include <vector>
 
-// What the flattenings by base points share: all but the map.
+// The common part of all parameterizations by base points.
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Spreads the base points that named parameters ask for, or a usual number, over a surface of one piece.
+// Adds the base points of the named parameters to a sampling, or by default samples
+// `default_number` vertices by farthest points.  Throws Unsupported_surface_error if the surface is
+// not connected, and Invalid_argument_error if base points are repeated or their number is out of
+// range.
 template <typename Domain, typename NamedParameters>
 void sample_base_points(const Domain& domain, const NamedParameters& np, std::size_t default_number,
                         Sampling& sampling)
@@ -64,9 +67,12 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
                                  std::to_string(max_number_of_base_points) + ".");
 }
 
-// Spreads base points, maps all sites by them, and writes where they go.
+// Samples base points, computes the map and writes the image of each vertex to `uv_map`; vertices
+// that are not reached get NaN.  Returns the base points, or an empty vector if the callback
+// cancelled.
 //
-// map(triangles, sampling, front, callback): nothing when the callback cancelled it
+// map(triangles, sampling, front, callback): returns the image of each vertex in scaled units, or
+// an empty vector if the callback cancelled
 template <typename Method, typename Domain, typename UVMap, typename NamedParameters, typename Map>
 auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np,
              std::size_t default_number, const Map& map)

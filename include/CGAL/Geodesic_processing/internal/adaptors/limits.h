@@ -19,7 +19,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// What named parameters ask of a query, as the kernels know it.
+// Converts the named parameters of a distance query (maximum distance, callback, targets, speed
+// map) to the limits of a front, in scaled units.  Throws Invalid_argument_error if the maximum
+// distance is negative or not a number.
 template <typename Domain, typename NamedParameters>
 Front_limits limits(const Domain& domain, const NamedParameters& np)
 {
@@ -37,7 +39,8 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
   return result;
 }
 
-// How many threads a tag and named parameters ask for.
+// Returns the number of threads: 1 if `Concurrency_tag` is `Sequential_tag`, otherwise the named
+// parameter `threads`, by default the number of hardware threads.
 template <typename Concurrency_tag, typename NamedParameters>
 unsigned threads(const NamedParameters& np)
 {

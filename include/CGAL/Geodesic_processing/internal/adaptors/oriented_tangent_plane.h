@@ -16,7 +16,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The tangent plane at the base of a map, and by how much the axes of the map are turned in it.
+// The tangent plane at the base point of a logarithmic map, and the angle by which the axes of the
+// map are rotated in it.
 struct Oriented_tangent_plane
 {
   Tangent_plane plane;

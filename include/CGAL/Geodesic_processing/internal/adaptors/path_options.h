@@ -8,7 +8,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// What named parameters ask of a path's energy.
+// Returns the options of the path energy that are given by named parameters.
 template <typename NamedParameters>
 Path_options path_options(const NamedParameters& np)
 {

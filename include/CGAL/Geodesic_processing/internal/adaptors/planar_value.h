@@ -7,7 +7,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A place in the plane as the value of a map: a `Point_2`, or an array.
+// Returns a point (u, v) of the plane as a value of a UV map, which can be a `Point_2` or an array
+// of two numbers.
 template <typename Value>
 Value planar_value(double u, double v)
 {

@@ -18,11 +18,13 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Whether the surfels of a range are identified by indices of a Point_set_3; otherwise by their
+// positions in the range.
 template <typename SurfelRange>
 inline constexpr bool is_point_set =
     !std::is_same_v<typename Surface_traits<SurfelRange>::Vertex, std::size_t>;
 
-// The descriptors of a range's surfels, and their places in it.
+// The descriptors of the surfels of a range, and their positions in it.
 template <typename SurfelRange>
 class Surfel_descriptors
 {
@@ -57,7 +59,7 @@ public:
     else
       return descriptor;
   }
-  // Throws Invalid_argument_error when there is no such surfel.
+  // Throws Invalid_argument_error if the range has no such surfel.
   void check_descriptor(Vertex descriptor) const
   {
     bool is_of_range = std::size_t(descriptor) < m_descriptors.size();
@@ -70,7 +72,7 @@ public:
 
 private:
   std::vector<Vertex> m_descriptors;      // #surfels, in the order of the range
-  std::vector<Index> m_position_of_index; // of Point_set_3: the place of an index in it
+  std::vector<Index> m_position_of_index; // of Point_set_3: the position of each index in the range
 };
 
 struct Surfel_input
@@ -79,8 +81,8 @@ struct Surfel_input
   std::vector<double> radii;         // #surfels, or empty
 };
 
-// The surfels of a range, by the maps of named parameters or its own.
-// Throws Unsupported_surface_error when there are no normals.
+// Reads the surfels of a range by the property maps of named parameters, by default those of the
+// range.  Throws Unsupported_surface_error if there are no normals.
 template <typename SurfelRange, typename NamedParameters>
 Surfel_input read_surfels(const SurfelRange& range, const NamedParameters& np)
 {

@@ -17,7 +17,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// What a map of the mesh's edges says of each side of the domain.
+// Calls visit(h, value) for each halfedge of the domain with the value of its edge in an edge map
+// of the mesh.
 template <typename Surface, typename Domain, typename EdgeMap, typename Visitor>
 void for_each_halfedge(const Surface& surface, const Domain& domain, const EdgeMap& map,
                        const Visitor& visit)
@@ -32,7 +33,8 @@ void for_each_halfedge(const Surface& surface, const Domain& domain, const EdgeM
   }
 }
 
-// #sides: the curves that a remeshing is to keep: borders, sharp edges and those that a map names.
+// Returns for each halfedge whether a remeshing must keep its edge: boundary edges, sharp edges,
+// and edges that are constrained by a named parameter.
 template <typename Surface, typename Domain, typename NamedParameters>
 std::vector<bool> constrained_halfedges([[maybe_unused]] const Surface& surface,
                                         const Domain& domain, const NamedParameters& np)
@@ -47,8 +49,8 @@ std::vector<bool> constrained_halfedges([[maybe_unused]] const Surface& surface,
   return result;
 }
 
-// #sides: how far apart samples are to be on each where it is kept, in the domain's scale; zero
-// where that is left open, and empty where it is for all.
+// Returns for each halfedge the spacing of samples along its edge if the edge is kept, in scaled
+// units.  Zero means no given spacing; the result is empty if no spacing is given at all.
 template <typename Surface, typename Domain, typename NamedParameters>
 std::vector<double> halfedge_spacing([[maybe_unused]] const Surface& surface, const Domain& domain,
                                      const NamedParameters& np)
@@ -75,7 +77,8 @@ std::vector<double> halfedge_spacing([[maybe_unused]] const Surface& surface, co
   return result;
 }
 
-// What named parameters ask of a remeshing, or of a base mesh.
+// Converts the named parameters of a remeshing or of a base mesh to options.  Throws
+// Invalid_argument_error if one is out of range.
 template <typename Surface, typename Domain, typename NamedParameters>
 Remeshing_options remeshing_options(const Surface& surface, const Domain& domain,
                                     std::size_t number, const NamedParameters& np)

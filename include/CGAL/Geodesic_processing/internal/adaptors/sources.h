@@ -15,7 +15,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A site, or a location, as the kernels know it.
+// Converts a vertex or location of the caller to an internal location.
 template <typename Domain, typename VertexOrLocation>
 Surface_location location(const Domain& domain, const VertexOrLocation& element)
 {
@@ -25,13 +25,14 @@ Surface_location location(const Domain& domain, const VertexOrLocation& element)
     return domain.inner_vertex(element);
 }
 
+// Whether T is a vertex or a location of the domain, or an integer that converts to a vertex.
 template <typename Domain, typename T>
 inline constexpr bool is_vertex_or_location = std::is_same_v<T, typename Domain::Location> ||
                                               std::is_same_v<T, typename Domain::Vertex> ||
                                               (std::is_integral_v<T> &&
                                                std::is_convertible_v<T, typename Domain::Vertex>);
 
-// A site, a location, or a range of one of them.
+// Converts a vertex, a location, or a range of either to internal locations.
 template <typename Domain, typename Range>
 std::vector<Surface_location> locations(const Domain& domain, const Range& range)
 {
@@ -44,7 +45,9 @@ std::vector<Surface_location> locations(const Domain& domain, const Range& range
   return result;
 }
 
-// A source as the kernels know it, with lengths in the domain's scale.
+// Converts a source of the caller to a source of a front, in scaled units.  The label is
+// `position`.  Throws Invalid_argument_error if the offset is not finite, if the polyline is empty,
+// or if two consecutive locations are in no common triangle.
 template <typename Domain>
 internal::Front_source source(const Domain& domain,
                               const Geodesic_processing::Source<typename Domain::Surface>& input,
@@ -70,7 +73,9 @@ internal::Front_source source(const Domain& domain,
   return result;
 }
 
-// A site, a location, a source, or a range of one of them; labels receives one label for each.
+// Converts a vertex, a location, a source, or a range of one of them to sources of a front.
+// Appends the label of each source to `labels`.  Throws Invalid_argument_error if there is no
+// source.
 template <typename Domain, typename Sources>
 std::vector<internal::Front_source> sources(const Domain& domain, const Sources& input,
                                             std::vector<std::size_t>& labels)
