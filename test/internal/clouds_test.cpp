@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-// The noise that paths on clouds are measured with is that of the paper.
+// Checks that the noise of test clouds is that of the paper.
 
 namespace {
 
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Means of n numbers of variance s^2 lie within five times s / sqrt(n), but for one in a million.
+// Five standard deviations of the mean of n numbers: exceeded with a probability of 1e-6.
 double statistical_tolerance(double deviation, std::size_t n)
 {
   return 5. * deviation / std::sqrt(double(n));
@@ -35,18 +35,18 @@ TEST(clouds, noise_offsets_are_uniform_along_normals)
     {
       const Vec3 offset_vector = noisy.points[i] - sphere.points[i];
       const double offset = dot(offset_vector, sphere.normals[i]);
-      EXPECT_LT(norm(offset_vector - offset * sphere.normals[i]), 1e-15); // rounding
+      EXPECT_LT(norm(offset_vector - offset * sphere.normals[i]), 1e-15); // round-off errors
       const double relative_offset = offset / (level * radii[i]);
       EXPECT_LE(std::abs(relative_offset), 1. + 1e-12);
       largest = std::max(largest, std::abs(relative_offset));
       sum += relative_offset;
       squares += relative_offset * relative_offset;
     }
-    // Even chances between -1 and 1: variance 1/3, and 1/5 - 1/9 that of squares.
+    // Uniform between -1 and 1: the variance is 1/3, that of the squares 1/5 - 1/9.
     const double n = double(noisy.size());
     EXPECT_NEAR(sum / n, 0., statistical_tolerance(std::sqrt(1. / 3.), noisy.size()));
     EXPECT_NEAR(squares / n, 1. / 3., statistical_tolerance(std::sqrt(4. / 45.), noisy.size()));
-    EXPECT_GT(largest, 0.99); // of 4,098 numbers none above has a chance of 1e-18
+    EXPECT_GT(largest, 0.99); // 4,098 numbers are all smaller with a probability of 1e-18
   }
 }
 
@@ -64,7 +64,8 @@ TEST(clouds, normals_are_perturbed_by_at_most_ten_degrees)
     sum += angle;
     directions = directions + unit({n[0], n[1], 0.});
   }
-  // Of the angle between 0 and 10 degrees, and of cosines of any direction.
+  // The tolerances are those of an angle between 0 and 10 degrees and of the cosine of a uniformly
+  // distributed angle.
   EXPECT_NEAR(sum / 3600., pi / 36., statistical_tolerance(pi / 18. / std::sqrt(12.), 3600));
   for(int k = 0; k < 2; ++k)
     EXPECT_NEAR(directions[k] / 3600., 0., statistical_tolerance(std::sqrt(0.5), 3600));
@@ -89,7 +90,7 @@ TEST(clouds, outlier_fraction_is_exact)
     point[2] = 0.;
     EXPECT_NE(std::find(square.points.begin(), square.points.end(), point), square.points.end());
   }
-  // Three quarters of them are farther off than noise is.
+  // Three quarters of the outliers are farther away than noise of level 0.5.
   EXPECT_NEAR(double(outside) / 180., 0.75, statistical_tolerance(std::sqrt(3. / 16.), 180));
 }
 
@@ -107,7 +108,7 @@ TEST(clouds, scan_noise_is_per_stripe_and_point)
       EXPECT_EQ(truth.points[j][2], 0.);
       EXPECT_EQ(scan.points[j][0], truth.points[j][0]);
       EXPECT_GT(scan.normals[j][2], 0.9);
-      // Whole steps of the camera.
+      // A multiple of the step of the camera.
       const double steps = scan.points[j][2] / (0.04 * spacing);
       EXPECT_NEAR(steps, std::round(steps), 1e-12);
       sum += scan.points[j][2];
@@ -115,12 +116,13 @@ TEST(clouds, scan_noise_is_per_stripe_and_point)
     }
     stripes += sum / 70. * sum / 70.;
   }
-  // 0.04 of each stripe, 0.08 of each point, and 0.04 / sqrt(12) of steps, of the spacing.
+  // Relative to the spacing, the standard deviations are 0.04 per stripe, 0.08 per point, and 0.04
+  // / sqrt(12) of the rounding to steps.
   const double own = std::hypot(0.08, 0.04 / std::sqrt(12.)), all = std::hypot(0.04, own);
-  // Of 94 squares the mean is known to five times sqrt(2 / 94).
+  // Five standard deviations of the mean of 94 squares.
   const double known = 5. * std::sqrt(2. / 94.);
   EXPECT_NEAR(squares / 6580. / (spacing * spacing), all * all, known * 0.04 * 0.04);
-  // The mean of a stripe has its own error, and little of those of its points.
+  // The mean of a stripe has the error of the stripe and a small part of the errors of its points.
   const double expected = 0.04 * 0.04 + own * own / 70.;
   EXPECT_NEAR(stripes / 94. / (spacing * spacing), expected, known * expected);
 }

@@ -35,7 +35,7 @@ TEST(Path_locations, canonical_form_removes_round_off)
 
 TEST(Path_locations, corner_has_exact_unit_weight)
 {
-  // One that misses it by the rounding of a sum.
+  // The coordinate differs from one by the round-off error of a sum.
   const Mesh_arrays mesh = arrays_of(one_triangle());
   const Surface_location canonical_location =
       canonical(mesh.arrays, location(0, {0., 1. - 2.2e-16, 1e-15}));
@@ -74,7 +74,7 @@ TEST(Path_locations, edge_point_is_same_in_twin_triangle)
     const Surface_location q = location(t.twin[h] / 3, *seen);
     EXPECT_TRUE(is_same_point(t, p, q));
     const Point a = point_at(t, p), c = point_at(t, q);
-    EXPECT_NEAR(distance(a, c), 0., 1e-15); // roundings of coordinates below 1
+    EXPECT_NEAR(distance(a, c), 0., 1e-15); // round-off errors of coordinates below 1
     EXPECT_NE(common_triangle(t, p, q), none);
   }
 }
@@ -95,7 +95,7 @@ TEST(Path_locations, path_length_is_sum_of_segments)
   const Surface_arrays& t = mesh.arrays;
   const double length = path_length(t, {location(0, {1., 0., 0.}), location(0, {0., 0.5, 0.5}),
                                         location(0, {0., 0.5, 0.5}), location(0, {0., 1., 0.})});
-  EXPECT_NEAR(length * t.scale, std::sqrt(2.), 1e-15 * 4); // a few roundings
+  EXPECT_NEAR(length * t.scale, std::sqrt(2.), 1e-15 * 4); // a few round-off errors
 }
 
 } // namespace

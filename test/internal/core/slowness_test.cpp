@@ -22,7 +22,7 @@ TEST(Slowness, is_reciprocal_of_speed)
   EXPECT_EQ(slowness[1], 0.5);
   EXPECT_EQ(slowness[2], 4.);
   EXPECT_EQ(slowness[3], infinity); // an obstacle
-  EXPECT_EQ(slowness[4], infinity); // slower than numbers can tell
+  EXPECT_EQ(slowness[4], infinity); // overflows
 }
 
 TEST(Slowness, throws_on_invalid_speeds)
@@ -37,9 +37,10 @@ TEST(Slowness, of_triangle_is_mean_over_corners)
   std::vector<double> slowness(4);
   for(Index i = 0; i < 4; ++i)
     slowness[surface.vertex(i)] = 1. + i;
-  slowness[surface.vertex(2)] = infinity; // the corner (0,1), of the face 0, 3, 2 alone
+  // The point (0, 1) is a corner of triangle 1 only.
+  slowness[surface.vertex(2)] = infinity;
   const auto mean = mean_over_corners(*surface.triangles(), slowness);
-  EXPECT_NEAR(mean[surface.triangle(0)], (1. + 2. + 4.) / 3., 1e-15); // a few roundings
+  EXPECT_NEAR(mean[surface.triangle(0)], (1. + 2. + 4.) / 3., 1e-15); // a few round-off errors
   EXPECT_EQ(mean[surface.triangle(1)], infinity);
 }
 

@@ -44,7 +44,7 @@ void expect_subdivides(const Split_mesh& mesh, const Surface_arrays& coarse)
   {
     corners[t.corner[h]].insert(h);
     const auto b = mesh.barycentric(h / 3, t.corner[h]);
-    // Sums of a few products in [0, 2).
+    // Round-off errors of sums of a few products in [0, 2).
     EXPECT_LT(norm(t.point[t.corner[h]] -
                    scaled_coordinates(coarse, {mesh.coarse_triangles()[h / 3], none, b})),
               1e-14);
@@ -107,7 +107,7 @@ TEST(Split_mesh, splits_keep_length_of_labeled_edges)
   EXPECT_GT(labeled_length, 0.);
   for(Index i = 0; i < 200; ++i)
     mesh.split_edge(7 * i % Index(mesh.triangles().corner.size()), 0.4);
-  // Sums of at most some dozens of parts.
+  // Round-off errors of sums of at most some dozens of lengths.
   EXPECT_NEAR(length(Split_mesh::curve_label), curve_length, 1e-13 * curve_length);
   EXPECT_NEAR(length(7), labeled_length, 1e-13 * labeled_length);
 }
@@ -160,7 +160,7 @@ TEST(Split_mesh, samples_on_curve_split_curve_edges)
     std::vector<bool> is_curve = no_curve(surface.t());
     is_curve[k] = true;
     Split_mesh mesh(surface.t(), is_curve);
-    mesh.split_edge((k + 1) % 3, 1e-6); // which leaves little height over the curve
+    mesh.split_edge((k + 1) % 3, 1e-6); // leaves a triangle of small height over the feature edge
     const auto halfedges_on_curve = [&]
     { return std::count(mesh.labels().begin(), mesh.labels().end(), Split_mesh::curve_label); };
     for(int i = 1; i < 30; ++i)

@@ -16,7 +16,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The spacing of each side in the caller's unit.
+// Samples feature edges with a spacing per halfedge in the unit of the caller.
 std::vector<Point> sample(const Array_surface& surface, std::vector<double> spacing)
 {
   for(double& s : spacing)
@@ -43,7 +43,7 @@ std::vector<Point> sample_boundary(const Array_surface& surface, double spacing)
 
 bool contains(const std::vector<Point>& points, const Point& p)
 {
-  // Roundings of numbers up to one.
+  // Round-off errors of numbers up to one.
   return std::any_of(points.begin(), points.end(),
                      [&](const Point& q) { return distance(p, q) < 1e-14; });
 }
@@ -63,7 +63,8 @@ TEST(Feature_polylines, square_boundary_keeps_corners)
       EXPECT_TRUE(contains(samples, {x, 1., 0.}) && contains(samples, {1., x, 0.}));
     }
   }
-  // Too far from each other for more than the sharpest: one corner and two places between.
+  // The spacing is too large for more than one corner, the sharpest; a closed polyline gets two
+  // more samples.
   EXPECT_EQ(sample_boundary(surface, 10.).size(), 3u);
 }
 
@@ -112,15 +113,15 @@ TEST(Feature_polylines, sampling_follows_spacing)
   const std::vector<Point> samples = sample(surface, spacing);
   const auto number_left = std::count_if(samples.begin(), samples.end(),
                                          [](const Point& p) { return p[0] < 0.5 - 1e-9; });
-  // One side and two halves take 40, 20 and 20 steps, of which the last place is in the middle; the
-  // others 5, 5 and 10.
+  // On the left, one edge and two halves of the square have 40, 20 and 20 steps, and the last
+  // sample is at x = 0.5.  On the right they have 5, 5 and 10 steps.
   EXPECT_EQ(number_left, 79);
   EXPECT_EQ(samples.size(), 100u);
 }
 
 TEST(Feature_polylines, polyline_may_end_in_interior)
 {
-  // Three points of a line along sides.
+  // A feature polyline through three points.
   const Array_surface surface(square(4));
   std::vector<bool> is_curve(surface.t().corner.size(), false);
   const Index a = surface.vertex(6), b = surface.vertex(7), c = surface.vertex(8);

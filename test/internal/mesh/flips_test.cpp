@@ -52,7 +52,7 @@ double min_angle(const std::vector<Point>& points, const Triangles& triangles)
   return result;
 }
 
-// No circle around a triangle of a plane holds another point: Delaunay's.
+// Returns whether a planar triangulation is Delaunay: no circumcircle contains another point.
 bool is_delaunay(const std::vector<Point>& p, const Triangles& triangles)
 {
   for(const auto& f : triangles)
@@ -68,7 +68,7 @@ bool is_delaunay(const std::vector<Point>& p, const Triangles& triangles)
       const double determinant = square[0] * (x[1] * y[2] - x[2] * y[1]) +
                                  square[1] * (x[2] * y[0] - x[0] * y[2]) +
                                  square[2] * (x[0] * y[1] - x[1] * y[0]);
-      if(determinant > 1e-7) // what a flip is worth
+      if(determinant > 1e-7) // the smallest improvement for which edges are flipped
         return false;
     }
   return true;
@@ -103,14 +103,14 @@ TEST(Flips, constrained_edges_are_kept)
 
 TEST(Flips, creases_are_kept)
 {
-  // The same, bent at the edge by 60 degrees.
+  // The same triangles, bent by 60 degrees at the common edge.
   const double c = 0.5, s = std::sqrt(0.75);
   const std::vector<Point> points = {{0., 0., 0.}, {4., 0., 0.}, {2., 1., 0.}, {2., -c, -s}};
   const Triangles both = {{0, 1, 2}, {1, 0, 3}};
   Triangles triangles = both;
   flip_to_larger_angles(points, std::vector<bool>(4, false), triangles);
   EXPECT_EQ(triangles, both);
-  // Closed: the other edge of a flat tetrahedron is there.
+  // In a flat tetrahedron the flipped edge exists already.
   Triangulation flat = tetrahedron();
   for(Point& p : flat.points)
     p[2] *= 1e-3;
@@ -121,7 +121,8 @@ TEST(Flips, creases_are_kept)
 
 TEST(Flips, needles_at_creases_are_flipped)
 {
-  // A needle upright on the side of a triangle that lies: as high as a twentieth of that side, and as a quarter.
+  // A needle perpendicular to a horizontal triangle, with a height of 1/20 and 1/4 of the common
+  // edge.
   const Triangles both = {{0, 1, 2}, {1, 0, 3}};
   for(const double height : {0.2, 1.})
   {

@@ -39,7 +39,7 @@ void expect_delaunay(const Surface_arrays& t)
     {
       EXPECT_LE(interior_angle(t, previous_halfedge(h)) +
                     interior_angle(t, previous_halfedge(twin)),
-                pi + 1e-9); // the root of the 1e-12 in the cosine that flips leave, times sines
+                pi + 1e-9); // flips end at a sine of 1e-12; the tolerance includes its square root
     }
   }
 }
@@ -54,14 +54,14 @@ TEST(Intrinsic_delaunay, opposite_angles_sum_to_at_most_pi)
     const double before = area(t);
     flip_to_delaunay(t);
     expect_delaunay(t);
-    EXPECT_NEAR(area(t), before, 1e-10 * before); // thousands of roundings
+    EXPECT_NEAR(area(t), before, 1e-10 * before); // thousands of round-off errors
     EXPECT_EQ(flip_to_delaunay(t), 0u);
   }
 }
 
 TEST(Intrinsic_delaunay, planar_lengths_stay_euclidean)
 {
-  // New sides join sites of the plane: their lengths are known.
+  // New edges join vertices of the plane, so that their lengths are known.
   const Triangulation plane = square(15, 0.24);
   const Array_surface surface(plane);
   Surface_arrays t = *surface.triangles();
@@ -70,12 +70,12 @@ TEST(Intrinsic_delaunay, planar_lengths_stay_euclidean)
     EXPECT_NEAR(surface.scale() * t.length[h],
                 distance(surface.point(surface.caller_vertex(t.corner[h])),
                          surface.point(surface.caller_vertex(t.corner[next_halfedge(h)]))),
-                1e-12); // a chain of flips, each with a few roundings
+                1e-12); // some flips with a few round-off errors each
 }
 
 TEST(Intrinsic_delaunay, long_diagonal_is_flipped)
 {
-  // A flat rhombus with diagonals 4 and 1, cut by the long one.
+  // A flat rhombus with diagonals 4 and 1, divided by the long one.
   const Triangulation rhombus = {{{-2., 0., 0.}, {2., 0., 0.}, {0., 0.5, 0.}, {0., -0.5, 0.}},
                                  {0, 1, 2, 1, 0, 3}};
   const Array_surface surface(rhombus);
@@ -87,7 +87,8 @@ TEST(Intrinsic_delaunay, long_diagonal_is_flipped)
 
 TEST(Intrinsic_delaunay, handles_triangles_that_share_two_edges)
 {
-  // Two faces of a pillow: every flip makes a side whose ends are one site.
+  // Two triangles with the same three vertices: a flip makes an edge with the same vertex at both
+  // ends.
   const Triangulation pillow = {{{0., 0., 0.}, {3., 0., 0.}, {1.5, 0.2, 0.}}, {0, 1, 2, 0, 2, 1}};
   Surface_arrays t = *Array_surface(pillow).triangles();
   const double before = area(t);
@@ -99,7 +100,7 @@ TEST(Intrinsic_delaunay, handles_triangles_that_share_two_edges)
 TEST(Intrinsic_delaunay, mollification_is_minimal)
 {
   Triangulation surface = square(6, 0.24);
-  surface.points[23] = surface.points[24]; // a side of length zero
+  surface.points[23] = surface.points[24]; // an edge of length zero
   Surface_arrays t = *Array_surface(surface).triangles();
   const double slack = 1e-4;
   mollify(t, slack);
@@ -107,7 +108,7 @@ TEST(Intrinsic_delaunay, mollification_is_minimal)
   for(Index h = 0; h < t.length.size(); ++h)
     least =
         std::min(least, t.length[h] + t.length[next_halfedge(h)] - t.length[previous_halfedge(h)]);
-  EXPECT_NEAR(least, slack, 1e-15 * 4); // a few roundings of lengths below 2
+  EXPECT_NEAR(least, slack, 1e-15 * 4); // a few round-off errors of lengths below 2
   const auto lengths = t.length;
   mollify(t, 0.5 * slack);
   EXPECT_EQ(t.length, lengths);

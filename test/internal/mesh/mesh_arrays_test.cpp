@@ -18,7 +18,8 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The invariants of Surface_arrays on a mesh, and the way back to the caller's numbers.
+// Expects the invariants of Surface_arrays on a mesh, and consistent maps to the indices of the
+// caller.
 void expect_valid(const Mesh_arrays& mesh, const Triangulation& surface)
 {
   const Surface_arrays& t = mesh.arrays;
@@ -36,7 +37,7 @@ void expect_valid(const Mesh_arrays& mesh, const Triangulation& surface)
       const Index h = 3 * f + k, vertex = surface.corners[3 * mesh.face_of_triangle[f] + k],
                   other = surface.corners[3 * mesh.face_of_triangle[f] + (k + 1) % 3];
       EXPECT_EQ(mesh.caller_vertex[t.corner[h]], vertex);
-      // Two roundings of the largest coordinate.
+      // Two round-off errors of the largest coordinate.
       EXPECT_NEAR(t.scale * t.length[h], distance(surface.points[vertex], surface.points[other]),
                   1e-14 * t.scale);
       longest = std::max(longest, t.length[h]);
@@ -53,7 +54,7 @@ void expect_valid(const Mesh_arrays& mesh, const Triangulation& surface)
     EXPECT_GE(longest, 1.);
     EXPECT_LT(longest, 2.);
   }
-  // Each corner once, at its own site; each fan counterclockwise.
+  // Each corner is listed once, at its vertex, and each fan is counterclockwise.
   std::set<Index> seen;
   for(Index v = 0; v < t.number_of_vertices(); ++v)
     for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
@@ -97,7 +98,7 @@ TEST(Mesh_arrays, handles_empty_input_and_points_without_faces)
 
 TEST(Mesh_arrays, ring_of_pinched_vertex_lists_fans_consecutively)
 {
-  // Two triangles that touch in point 0:   1   3
+  // Two triangles with the common point 0:   1   3
   //                                        |\ /|
   //                                        | 0 |
   //                                        |/ \|
@@ -131,7 +132,7 @@ TEST(Mesh_arrays, scaling_by_powers_of_two_is_exact)
 
 TEST(Mesh_arrays, nonmanifold_edges_become_boundary)
 {
-  // Three triangles at the side 0-1; two triangles that run along 0-1 the same way.
+  // Three triangles at edge 01, and two triangles with 01 in the same direction.
   const std::vector<Index> fin = {0, 1, 2, 1, 0, 3, 0, 1, 4}, flipped = {0, 1, 2, 0, 1, 3};
   for(const auto& corners : {fin, flipped})
     for(const Index twin : twins_of_soup(5, corners))
@@ -145,7 +146,8 @@ TEST(Mesh_arrays, counts_degenerate_triangles)
   EXPECT_EQ(arrays_of(icosphere(2)).number_of_degenerate_triangles, 0u);
   const Triangulation surface = {
       {{0., 0., 0.}, {1., 0., 0.}, {2., 0., 0.}, {0., 1., 0.}, {0., 1., 0.}, {1., 1e-20, 0.}},
-      {0, 1, 2, 0, 3, 4, 0, 2, 5, 0, 2, 3}}; // collinear, zero side, needle below rounding, none
+      // collinear, zero edge, needle below round-off errors, not degenerate
+      {0, 1, 2, 0, 3, 4, 0, 2, 5, 0, 2, 3}};
   EXPECT_EQ(arrays_of(surface).number_of_degenerate_triangles, 3u);
 }
 
@@ -164,8 +166,8 @@ TEST(Mesh_arrays, every_edge_has_positive_length)
     EXPECT_EQ(length[h], length[twin == none ? h : twin]);
   }
   EXPECT_GE(mesh.number_of_degenerate_triangles,
-            4u); // two beside the first side, two beside one of the others
-  // Where there is no other length either, there is none to be given.
+            4u); // two at the first edge, two at another one
+  // If all points coincide, all lengths stay zero.
   for(Point& p : surface.points)
     p = {3., 4., 5.};
   for(const double zero : arrays_of(surface).arrays.length)

@@ -47,7 +47,7 @@ TEST(Morton_order, frame_scales_half_extent_to_one_to_two)
         smallest = std::min(smallest, p[k]);
         largest = std::max(largest, p[k]);
       }
-      EXPECT_NEAR(smallest, -largest, 1e-15); // half an ulp of the box's middle
+      EXPECT_NEAR(smallest, -largest, 1e-15); // half an ulp of the center of the bounding box
       low = std::min(low, largest);
       high = std::max(high, largest);
     }
@@ -64,7 +64,7 @@ TEST(Morton_order, frame_is_invertible)
   to_frame(scaled, frame);
   for(std::size_t i = 0; i < points.size(); ++i)
     for(int k = 0; k < 3; ++k)
-      // An ulp of the coordinates as they were given.
+      // One ulp of the given coordinates.
       EXPECT_NEAR(frame.origin[k] + frame.scale * scaled[i][k], points[i][k],
                   2e-16 * (std::abs(points[i][k]) + 1.));
 }
@@ -100,13 +100,13 @@ TEST(Morton_order, is_permutation_that_keeps_locality)
   std::vector<Index> all(n);
   std::iota(all.begin(), all.end(), 0);
   EXPECT_EQ(sorted, all);
-  // In a box of 3.8 x 1.1 x 3.8 two random points are 1.9 apart in the mean; a curve through cells
-  // that hold one point each steps about a cell, 0.1, with jumps.
+  // In a box of 3.8 x 1.1 x 3.8 the mean distance of two random points is 1.9.  Along a curve
+  // through cells of one point each it is about the size of a cell, 0.1, plus some jumps.
   double sum = 0.;
   for(std::size_t i = 1; i < n; ++i)
     sum += test::distance(points[order[i - 1]], points[order[i]]);
   EXPECT_LT(sum / double(n), 0.25);
-  // Ties by index.
+  // Ties are in the order of indices.
   EXPECT_EQ(morton_order({{1., 1., 1.}, {-1., 0., 0.}, {1., 1., 1.}}),
             (std::vector<Index>{1, 0, 2}));
 }

@@ -15,7 +15,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// A label for each triangle by where its middle is.
+// Labels each triangle by the position of its centroid.
 template <typename Label>
 std::vector<Index> by_middle(const Array_surface& surface, const Label& label)
 {
@@ -52,29 +52,29 @@ TEST(Patches, label_is_majority_or_nearest_corner)
 
 TEST(Patches, disk_topology_is_detected)
 {
-  // Coordinates of the grid are whole numbers over 8.
+  // Coordinates of the grid are multiples of 1/8.
   const Array_surface surface(square(8));
   const auto count = [&](const auto& label, Index number)
   {
     const std::vector<bool> is_disk = are_disks(surface.t(), by_middle(surface, label), number);
     return std::vector<bool>(is_disk.begin(), is_disk.end());
   };
-  // All of it, and nothing at all.
+  // All triangles, and no triangle.
   EXPECT_EQ(count([](const Point&) { return Index(0); }, 1), std::vector<bool>({true}));
   EXPECT_EQ(count([](const Point&) { return none; }, 1), std::vector<bool>({true}));
-  // A block in the middle and the annulus around.
+  // A square block and the annulus around it.
   const auto is_in_middle = [](double x) { return x > 0.25 && x < 0.75; };
   EXPECT_EQ(
       count([&](const Point& p) { return Index(is_in_middle(p[0]) && is_in_middle(p[1])); }, 2),
       std::vector<bool>({false, true}));
-  // A stripe between two pieces.
+  // A stripe between two pieces of the other patch.
   EXPECT_EQ(count([&](const Point& p) { return Index(is_in_middle(p[0])); }, 2),
             std::vector<bool>({false, true}));
-  // Two blocks that meet in a corner alone.
+  // Two blocks that meet only in a vertex.
   EXPECT_EQ(count([&](const Point& p) { return Index((p[0] > 0.5) == (p[1] > 0.5)); }, 2),
             std::vector<bool>({false, false}));
 
-  // Closed surfaces and tubes are none.
+  // Closed surfaces and cylinders are not disks.
   for(const Triangulation& triangulation : {icosphere(2), torus(12, 6), cylinder(8, 5, 1., 3.)})
   {
     const Array_surface whole(triangulation);
@@ -90,7 +90,7 @@ TEST(Patches, disk_topology_is_detected)
 TEST(Patches, fragments_and_pinches_merge_into_neighbors)
 {
   const Array_surface surface(square(8));
-  // Left and right, and in each a block of the other one, which meets its own side nowhere.
+  // Two halves, and in each a block of the other patch that is not connected to its half.
   std::vector<Index> patch =
       by_middle(surface,
                 [](const Point& p)
@@ -101,7 +101,7 @@ TEST(Patches, fragments_and_pinches_merge_into_neighbors)
   merge_patch_fragments(surface.t(), patch);
   EXPECT_EQ(patch, by_middle(surface, [](const Point& p) { return Index(p[0] > 0.5); }));
 
-  // Three quarters and a block that touches the fourth in a corner.
+  // Four quarters and a block that touches one of them only in a vertex.
   const auto quarter = [](const Point& p) { return Index(p[0] > 0.5) + 2 * Index(p[1] > 0.5); };
   std::vector<Index> touching = by_middle(
       surface, [&](const Point& p)
@@ -111,7 +111,7 @@ TEST(Patches, fragments_and_pinches_merge_into_neighbors)
   EXPECT_TRUE(are_disks(surface.t(), touching, 4)[2]);
   EXPECT_TRUE(are_disks(surface.t(), touching, 4)[1]);
 
-  // What has no neighbour stays as it is.
+  // Fragments without an adjacent patch keep their label.
   const Array_surface two_surfaces(disjoint_union(square(4), tetrahedron()));
   std::vector<Index> labels(two_surfaces.t().number_of_triangles(), 0);
   merge_patch_fragments(two_surfaces.t(), labels);
@@ -138,7 +138,7 @@ TEST(Patches, random_labels_become_disks)
       EXPECT_EQ(std::count(is_disk.begin(), is_disk.end(), false), 0);
       for(std::size_t i = 0; i < representatives.size(); ++i)
         EXPECT_EQ(patch[representatives[i]], number + i);
-      // New ones come out of one each.
+      // Each new patch comes from one old patch.
       std::map<Index, std::set<Index>> origins;
       for(Index f = 0; f < patch.size(); ++f)
         origins[patch[f]].insert(before[f]);

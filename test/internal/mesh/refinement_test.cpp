@@ -40,7 +40,7 @@ void expect_same_surface(const Refinement& refinement)
 {
   const Surface_arrays &fine = *refinement.triangles, &coarse = *refinement.coarse;
   EXPECT_EQ(topology(fine.corner), topology(coarse.corner));
-  // Of sums of a thousand terms.
+  // Sums of a thousand terms.
   EXPECT_NEAR(area(fine), area(coarse), 1e-12 * area(coarse));
   for(Index h = 0; h < fine.corner.size(); ++h)
   {
@@ -83,12 +83,12 @@ TEST(Refinement, represents_input_surface)
           const Surface_location location = random_location(*fine.triangles, random);
           const Surface_location image = to_coarse(fine, location);
           const Point p = coordinates(*fine.triangles, location);
-          // A few roundings of numbers up to the scale.
+          // A few round-off errors of numbers up to the scale.
           EXPECT_LT(distance(p, coordinates(surface.t(), image)), 1e-14 * scale);
           EXPECT_LT(distance(p, coordinates(*fine.triangles, to_fine(fine, {image})[0])),
                     1e-13 * scale);
         }
-        // Sites of the surface are sites still, to the last bit.
+        // Vertices of the input are vertices of the refinement, bitwise.
         for(Index i = 0; i < surface.size(); ++i)
         {
           const Surface_location image = to_fine(fine, {surface.at(i)})[0];

@@ -23,7 +23,8 @@ Pairs find_pairs(const Triangulation& surface, std::size_t max_pairs = 1000)
   return self_intersections(surface.points, corners, max_pairs);
 }
 
-// The triangle of (0,0,0), (1,0,0) and (0,1,0), and another one of these points and some more.
+// Returns the intersecting pairs of the triangle (0,0,0), (1,0,0), (0,1,0) and another triangle,
+// whose corners are these points and `more_points`.
 Pairs pairs_with_triangle(const std::vector<Point>& more_points, const std::vector<Index>& corners)
 {
   Triangulation triangles = one_triangle();
@@ -37,7 +38,7 @@ TEST(Self_intersections, finds_crossing_of_two_triangles)
   const Pairs crossing_pair = {{0, 1}};
   EXPECT_EQ(pairs_with_triangle({{0.2, 0.2, -1.}, {0.3, 0.2, 1.}, {0.2, 0.3, 1.}}, {3, 4, 5}),
             crossing_pair);
-  // A corner touches the other's inside.
+  // A corner touches the interior of the other triangle.
   EXPECT_EQ(pairs_with_triangle({{0.25, 0.25, 0.}, {0.3, 0.2, 1.}, {0.2, 0.3, 1.}}, {3, 4, 5}),
             crossing_pair);
   EXPECT_EQ(pairs_with_triangle({{0.25, 0.25, 1e-300}, {0.3, 0.2, 1.}, {0.2, 0.3, 1.}}, {3, 4, 5}),
@@ -48,14 +49,14 @@ TEST(Self_intersections, finds_crossing_of_two_triangles)
 TEST(Self_intersections, ignores_shared_corners_and_edges)
 {
   const Pairs crossing_pair = {{0, 1}};
-  // A corner, and the other's opposite side above or through the triangle.
+  // One common corner; the opposite edge is above the triangle or intersects it.
   EXPECT_EQ(pairs_with_triangle({{1., 0.2, 1.}, {0.2, 1., 1.}}, {0, 3, 4}), Pairs());
   EXPECT_EQ(pairs_with_triangle({{0.3, 0.3, -1.}, {0.3, 0.3, 1.}}, {0, 3, 4}), crossing_pair);
-  // The opposite side touches a side, passes a hair beside it, or is on the other side of the corner.
+  // The opposite edge touches an edge, misses it by 1e-300, or is on the other side of the corner.
   EXPECT_EQ(pairs_with_triangle({{0.5, 0., 0.}, {0.5, -1., 1.}}, {0, 3, 4}), crossing_pair);
   EXPECT_EQ(pairs_with_triangle({{0.5, -1e-300, 0.}, {0.5, -1., 1.}}, {0, 3, 4}), Pairs());
   EXPECT_EQ(pairs_with_triangle({{-1., -1e-300, 0.}, {-1e-300, -1., 0.}}, {0, 3, 4}), Pairs());
-  // A side, and the other beside, above or upon the triangle.
+  // One common edge; the other corner is outside, above or inside the triangle.
   EXPECT_EQ(pairs_with_triangle({{1., 1., 0.}}, {1, 3, 2}), Pairs());
   EXPECT_EQ(pairs_with_triangle({{0.2, 0.2, 1e-9}}, {1, 3, 2}), Pairs());
   EXPECT_EQ(pairs_with_triangle({{0.2, 0.2, 0.}}, {1, 3, 2}), crossing_pair);
@@ -75,7 +76,8 @@ TEST(Self_intersections, embedded_surfaces_have_none_at_any_scale)
       EXPECT_EQ(find_pairs(scaled(surface, scale)), Pairs());
 }
 
-// A triangle crosses the plane z = 0 if it has corners on both sides: here none lies in it.
+// A triangle intersects the plane z = 0 if it has corners on both sides.  No corner is in the
+// plane.
 TEST(Self_intersections, finds_intersection_of_sphere_and_plane)
 {
   Triangulation sphere = icosphere(3);

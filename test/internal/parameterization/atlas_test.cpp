@@ -35,7 +35,8 @@ Atlas_options options_for(std::size_t number, std::size_t texels = 256)
   return options;
 }
 
-// Triangles of the atlas that meet though they share no vertex of a chart, by CGAL's exact predicate.
+// Counts pairs of triangles of the atlas that intersect, without those that share a vertex of a
+// chart, by an exact predicate of CGAL.
 std::size_t number_of_triangle_intersections(const Surface_arrays& t, const Atlas& atlas)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -86,7 +87,7 @@ void expect_atlas(const Triangulation& surface, std::size_t number, std::size_t 
         EXPECT_GT(x, 0.);
         EXPECT_LT(x, 1.);
       }
-    // Neighbours in a chart share the places of their corners.
+    // Adjacent triangles of a chart have equal UV coordinates at their common corners.
     for(Index h = 0; h < t.twin.size(); ++h)
     {
       const Index twin = t.twin[h];
@@ -111,7 +112,7 @@ TEST(atlas, handles_single_triangle_and_needles)
 {
   expect_atlas(one_triangle(), 1, 1, 1);
   expect_atlas(tetrahedron(), 4, 2, 4);
-  // Each triangle of a strip without area.
+  // A strip of triangles without area.
   expect_atlas(grid(8, 2, [](double s, double) -> Point { return {s, 0., 0.}; }), 1, 1, 64);
 }
 

@@ -41,8 +41,8 @@ TEST(base_points, spacing_is_below_surface_width)
     };
     EXPECT_EQ(suitable_number_of_base_points(Array_surface(scaled(square(10), scale)).t()), 200u);
     EXPECT_EQ(suitable_number_of_base_points(strip(100).t()), 200u);
-    // Its width in the mean is 800 / 802, and a hexagon with 0.85 of that between its sides has an area
-    // of 0.6226.
+    // The mean width is 800 / 802.  A hexagon with 0.85 of that between opposite edges has the area
+    // 0.6226.
     EXPECT_EQ(suitable_number_of_base_points(strip(400).t()), 642u);
     EXPECT_EQ(suitable_number_of_base_points(strip(2000).t()), 1000u);
     EXPECT_EQ(suitable_number_of_base_points(Array_surface(scaled(tetrahedron(), scale)).t()),
@@ -64,7 +64,7 @@ TEST(base_points, stores_nearest_points_of_each_vertex)
     std::sort(expected.begin(), expected.end());
     for(std::size_t k = 0; k < 12; ++k)
     {
-      // Where a front ends it may be too long by some thousandths of a side; not so far inside.
+      // At its end, a front can be too long by some thousandths of an edge, but not farther inside.
       const double error = k < 8 ? 1e-6 : 0.01 / 40.;
       EXPECT_NEAR(surface.scale() * base.distance[12 * vertex + k], expected[k], error);
       EXPECT_NEAR(

@@ -16,7 +16,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
 
-// Stairs around an axis: flat they would go around it, and over themselves.
+// A spiral staircase around an axis: flattened, it overlaps itself.
 Triangulation spiral_stairs(double turns, double height)
 {
   return grid(std::size_t(40 * turns), 4,
@@ -34,7 +34,7 @@ std::vector<Chart> charts_of(const Triangulation& surface, const Chart_options& 
                           options);
 }
 
-// Each triangle is in one chart.
+// Expects that each triangle is in exactly one chart.
 void expect_partition(const std::vector<Chart>& charts, std::size_t triangles)
 {
   std::set<Index> seen;
@@ -79,7 +79,7 @@ TEST(charts, extracted_charts_keep_lengths_and_twins)
 TEST(charts, planar_patch_is_isometric)
 {
   for(const double scale : {1e-6, 1., 1e6})
-    for(const std::size_t n : {1u, 4u, 15u}) // triangles, Tutte's start, the embedding's
+    for(const std::size_t n : {1u, 4u, 15u}) // single triangles, Tutte's map, embedding
     {
       const Triangulation surface = scaled(square(n, 0.2), scale);
       const std::vector<Chart> charts = charts_of(surface);
@@ -87,8 +87,8 @@ TEST(charts, planar_patch_is_isometric)
       EXPECT_TRUE(is_injective(charts[0]));
       const Surface_arrays& t = charts[0].surface;
       for(Index h = 0; h < t.corner.size(); ++h)
-        // The last step of Newton's method gained less than a thousandth: lengths are as far off as the
-        // root of the energy that is left.
+        // The last Newton step decreased the energy by less than 1e-3: the relative error of
+        // lengths is about the square root of the remaining energy.
         EXPECT_NEAR(
             norm(charts[0].image[t.corner[h]] - charts[0].image[t.corner[next_halfedge(h)]]),
             t.length[h], 0.05 * t.length[h]);
@@ -100,7 +100,7 @@ TEST(charts, single_triangle_is_a_chart)
   const std::vector<Chart> charts = charts_of(one_triangle());
   ASSERT_EQ(charts.size(), 1u);
   EXPECT_TRUE(is_injective(charts[0]));
-  // Needles without area as well.
+  // Also needles without area.
   const std::vector<Chart> needle = charts_of({{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}}, {0, 1, 2}});
   ASSERT_EQ(needle.size(), 1u);
   EXPECT_TRUE(is_injective(needle[0]));
@@ -112,7 +112,7 @@ TEST(charts, overlapping_spiral_is_cut)
   {
     const Triangulation surface = scaled(spiral_stairs(1.6, 1.), scale);
     Chart_options options;
-    options.max_steps = 200; // to the end, where lengths are kept: from Tutte's map it is far
+    options.max_steps = 200; // until convergence; Tutte's map is far from the optimum
     options.energy_tolerance = 1e-6;
     const std::vector<Chart> charts = charts_of(surface, options);
     expect_partition(charts, surface.corners.size() / 3);
@@ -126,7 +126,7 @@ TEST(charts, overlapping_spiral_is_cut)
 
 TEST(charts, overlapping_image_is_not_injective)
 {
-  // Rolled out by hand: no flip, but the border meets itself.
+  // Unrolled: without inverted triangles, but the boundary intersects itself.
   const Triangulation surface = spiral_stairs(1.6, 0.);
   const Array_surface arrays(surface);
   Chart chart =
@@ -134,7 +134,8 @@ TEST(charts, overlapping_image_is_not_injective)
   chart.image.clear();
   for(const Point& p : arrays.t().point)
     chart.image.push_back({p[0], p[1]});
-  EXPECT_EQ(number_of_flips(chart) % chart.triangles.size(), 0u); // all or none, by the way up
+  // all or none, depending on the orientation
+  EXPECT_EQ(number_of_flips(chart) % chart.triangles.size(), 0u);
   if(number_of_flips(chart) > 0)
     for(Vec2& p : chart.image)
       p[1] = -p[1];

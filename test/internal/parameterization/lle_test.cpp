@@ -34,7 +34,8 @@ Flattening flatten(const Array_surface& surface, std::size_t number, std::size_t
   return result;
 }
 
-// The largest difference of a distance in the image from that in space, of pairs with the first point.
+// Returns the maximum difference between distances in the image and in space, from two points to
+// all others.
 double error_in_plane(const Array_surface& surface, const std::vector<Vec2>& image)
 {
   double result = 0.;
@@ -49,14 +50,14 @@ double error_in_plane(const Array_surface& surface, const std::vector<Vec2>& ima
 TEST(lle, is_isometric_on_planar_patch)
 {
   const Array_surface surface(square(40, 0.25));
-  // Rounding and fronts' ends, some millionths.
+  // Round-off errors, and some millionths from the ends of fronts.
   for(const std::size_t number : {4u, 20u, 100u})
     EXPECT_LT(error_in_plane(surface, flatten(surface, number).image), 2e-5) << number;
 }
 
 TEST(lle, is_isometric_on_developable_patch)
 {
-  // A quarter of a cylinder: chords are shorter than arcs, by less than a ten-thousandth.
+  // A quarter of a cylinder: chords are shorter than arcs by less than 1e-4.
   const Array_surface surface(grid(
       30, 30,
       [](double s, double t) -> Point {
@@ -91,7 +92,7 @@ TEST(lle, interpolates_base_points_continuously)
   const Flattening flattening = flatten(surface, 60);
   for(std::size_t i = 0; i < flattening.base.size(); ++i)
     EXPECT_EQ(flattening.image[flattening.base.vertices[i]], flattening.positions[i]);
-  // Over a hemisphere lengths change by half at most.
+  // On a hemisphere lengths change by less than a factor of two.
   const Surface_arrays& t = surface.t();
   for(Index h = 0; h < t.corner.size(); ++h)
     EXPECT_LT(norm(flattening.image[t.corner[next_halfedge(h)]] - flattening.image[t.corner[h]]),
@@ -108,7 +109,8 @@ TEST(lle, classical_scaling_recovers_known_positions)
   const Eigen::MatrixXd found = classical_scaling(squares);
   for(int i = 0; i < 12; ++i)
     for(int j = 0; j < 12; ++j)
-      EXPECT_NEAR((found.row(i) - found.row(j)).squaredNorm(), squares(i, j), 1e-12); // roundings
+      // round-off errors
+      EXPECT_NEAR((found.row(i) - found.row(j)).squaredNorm(), squares(i, j), 1e-12);
 }
 
 } // namespace

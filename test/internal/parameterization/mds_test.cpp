@@ -25,7 +25,7 @@ TEST(mds, is_isometric_on_planar_patch)
       landmark_mds(surface.t(), Front(surface.triangles(), Front_kind::euclidean), base);
   ASSERT_EQ(image.size(), surface.size());
   for(Index a = 0; a < surface.size(); ++a)
-    // Roundings of squares and sums.
+    // Round-off errors of squares and sums.
     EXPECT_NEAR(surface.scale() * norm(image[surface.vertex(a)] - image[surface.vertex(7)]),
                 distance(surface.point(a), surface.point(7)), 1e-10);
 }

@@ -32,11 +32,11 @@ TEST(outline, simple_polygon_has_no_self_intersection)
 
 TEST(outline, finds_crossing_edges)
 {
-  // A figure of eight.
+  // A figure eight.
   const auto found = find_self_intersection({{0., 0.}, {1., 1.}, {1., 0.}, {0., 1.}});
   ASSERT_TRUE(found);
   EXPECT_EQ(std::minmax(found->first, found->second), std::minmax(std::size_t(0), std::size_t(2)));
-  // Round twice.
+  // Winds twice around the center.
   Outline twice;
   for(int i = 0; i < 40; ++i)
     twice.push_back({(1. + 0.1 * std::sin(i * 0.155)) * std::cos(i * 0.31),
@@ -46,7 +46,7 @@ TEST(outline, finds_crossing_edges)
 
 TEST(outline, touching_is_an_intersection)
 {
-  // A corner in the middle of a side, a corner that comes twice, and a side back on the last one.
+  // A corner on an edge, a repeated corner, an edge that folds back, and an edge of length zero.
   EXPECT_TRUE(find_self_intersection({{0., 0.}, {2., 0.}, {2., 2.}, {1., 0.}, {0., 2.}}));
   EXPECT_TRUE(find_self_intersection({{0., 0.}, {2., 0.}, {1., 1.}, {2., 2.}, {0., 2.}, {1., 1.}}));
   EXPECT_TRUE(find_self_intersection({{0., 0.}, {2., 0.}, {1., 0.}, {1., 1.}}));
@@ -55,7 +55,7 @@ TEST(outline, touching_is_an_intersection)
 
 TEST(outline, predicates_are_exact)
 {
-  // The corner (x, x) of the notch lies on the side from (0, 0) to (3, 3) or one digit beside it.
+  // The corner (x, x) of the notch is on the edge from (0, 0) to (3, 3), or one ulp off it.
   const double x = 1.1, above = std::nextafter(x, 2.);
   const auto notch = [&](double y) {
     return Outline{{0., 0.}, {3., 3.}, {0., 4.}, {x, y}, {-1., 2.}};
@@ -76,7 +76,7 @@ TEST(outline, agrees_with_brute_force)
     Outline polygon = star_polygon(24, 0.3);
     for(Vec2& p : polygon)
       p = p + Vec2{wobble(random), wobble(random)};
-    // By signs of areas in double precision: coordinates are at random, so that none is near zero.
+    // By signs of areas in double precision: for random coordinates no area is close to zero.
     bool expected = false;
     const auto side_of = [&](std::size_t i, const Vec2& p)
     { return cross(polygon[(i + 1) % 24] - polygon[i], p - polygon[i]) > 0.; };

@@ -14,7 +14,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using CGAL::Geodesic_processing::Invalid_argument_error;
 
-// Polygons around points, of all sizes.
+// Star-shaped polygons of all sizes.
 std::vector<Outline> random_outlines(std::size_t number, double scale)
 {
   std::mt19937 random(3);
@@ -67,7 +67,8 @@ bool contains(const Outline& outline, const Vec2& p)
   return result;
 }
 
-// Of disjoint polygons: the least distance of a corner of one from a side of the other.
+// Returns the minimum distance between the corners of one polygon and the edges of another, for
+// disjoint polygons.
 double gap(const Outline& a, const Outline& b)
 {
   double result = infinity;
@@ -98,13 +99,14 @@ TEST(packing, keeps_gutter_and_covers_square)
       for(const Vec2& p : all[i])
         for(const double x : p)
         {
-          EXPECT_GE(x, gutter / 2. - 1e-9); // a place in a cell is rounded
+          EXPECT_GE(x, gutter / 2. - 1e-9); // tolerance of the rounding to cells
           EXPECT_LE(x, texels - gutter / 2. + 1e-9);
         }
       for(std::size_t j = 0; j < i; ++j)
         EXPECT_GE(gap(all[i], all[j]), gutter - 1e-9) << i << ' ' << j;
     }
-    // These stars fill 64 % of their own rectangles on the average, and a twelfth is gutter.
+    // These stars cover on average 64 % of their bounding boxes, and one twelfth of the square is
+    // gutter.
     EXPECT_GT(covered_area / (texels * texels), 0.4);
   }
 }
@@ -112,21 +114,22 @@ TEST(packing, keeps_gutter_and_covers_square)
 TEST(packing, single_square_fills_texture)
 {
   const Packing packing = pack({{{0., 0.}, {2., 0.}, {2., 2.}, {0., 2.}}}, 256, 4, 1);
-  // Within a hundredth of 252 texels: the search ends there; cells are texels.
+  // The search ends within 1 % of 252 texels; a cell is one texel.
   EXPECT_GT(2. * packing.scale, 0.98 * 252.);
   EXPECT_LE(2. * packing.scale, 252.);
 }
 
 TEST(packing, small_outlines_fill_gaps)
 {
-  // A frame that is open at one corner, and squares for its inside.
+  // A frame that is open on one side, and squares that fit inside.
   std::vector<Outline> outlines = {
       {{0., 0.}, {10., 0.}, {10., 10.}, {0., 10.}, {0., 9.}, {9., 9.}, {9., 1.}, {0., 1.}}};
   for(int i = 0; i < 9; ++i)
     outlines.push_back({{0., 0.}, {2., 0.}, {2., 2.}, {0., 2.}});
   const Packing packing = pack(outlines, 512, 2, 1);
   const auto all = placed(outlines, packing);
-  // Were the frame's rectangle its own, squares would need a further strip of two.
+  // If the bounding box of the frame were occupied, the squares would require a further strip of
+  // width 2.
   EXPECT_GT(12. * packing.scale, 512. * 1.05);
 }
 
@@ -143,7 +146,7 @@ TEST(packing, throws_if_it_does_not_fit)
 {
   EXPECT_THROW(pack(random_outlines(100, 1.), 32, 8, 1), Invalid_argument_error);
   EXPECT_THROW(pack(random_outlines(1, 1.), 8, 2, 1), Invalid_argument_error);
-  // The same of charts that are points.
+  // Also charts of extent zero.
   EXPECT_THROW(pack(std::vector<Outline>(200, Outline(3, Vec2{0., 0.})), 16, 1, 1),
                Invalid_argument_error);
   EXPECT_THROW(pack(random_outlines(1, 1.), 20000, 2, 1), Invalid_argument_error);

@@ -30,7 +30,7 @@ Triangulation dome(std::size_t n)
       0.2);
 }
 
-// By singular values, from elsewhere.
+// Computes the energy independently, from singular values.
 double energy(const Surface_arrays& t, const std::vector<Vec2>& image)
 {
   double area = 0., result = 0.;
@@ -64,7 +64,8 @@ TEST(symmetric_dirichlet, counts_flips)
   for(Index i = 0; i < surface.size(); ++i)
     image[surface.vertex(i)] = {surface.point(i)[0], surface.point(i)[1]};
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
-  image[surface.vertex(12)][0] += 0.6; // across the sides of the square that is next, but its own
+  // Moves an interior vertex across edges of its one-ring.
+  image[surface.vertex(12)][0] += 0.6;
   const std::size_t number_flipped = number_of_flips(surface.t(), image);
   EXPECT_GT(number_flipped, 0u);
   for(Vec2& p : image)
@@ -82,7 +83,7 @@ TEST(symmetric_dirichlet, throws_if_not_a_disk)
   for(const Triangulation& surface :
       {icosphere(1), torus(8, 6), disjoint_union(piece, above), Triangulation{}})
     EXPECT_THROW(check_is_disk(Array_surface(surface).t()), Unsupported_surface_error);
-  // A torus that lacks a triangle has a border, and a handle.
+  // A torus without one triangle has a boundary and a handle.
   Triangulation handle = torus(8, 6);
   handle.corners.resize(handle.corners.size() - 3);
   EXPECT_THROW(check_is_disk(Array_surface(handle).t()), Unsupported_surface_error);
@@ -95,7 +96,8 @@ TEST(symmetric_dirichlet, planar_patch_becomes_isometric)
   const Minimization_result found = minimize_symmetric_dirichlet(surface.t(), image, 200);
   EXPECT_TRUE(found.is_complete);
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
-  // The last step gains less than a millionth, and Newton's method has doubled its digits before.
+  // The last step decreased the energy by less than 1e-6, and Newton's method converges
+  // quadratically.
   EXPECT_NEAR(found.energy, 4., 1e-6);
   EXPECT_NEAR(energy(surface.t(), image), found.energy, 1e-9);
 }
@@ -106,14 +108,14 @@ TEST(symmetric_dirichlet, result_is_a_local_minimum)
   std::vector<Vec2> image = tutte_map(surface.t());
   const Minimization_result found = minimize_symmetric_dirichlet(surface.t(), image, 200);
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
-  EXPECT_NEAR(energy(surface.t(), image), found.energy, 1e-9 * found.energy); // roundings
+  EXPECT_NEAR(energy(surface.t(), image), found.energy, 1e-9 * found.energy); // round-off errors
   EXPECT_GT(found.energy, 4.);
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for(int attempt = 0; attempt < 20; ++attempt)
     for(const double size : {1e-4, 1e-3, 1e-2})
     {
-      // Smooth, as the lowest directions are.
+      // Smooth perturbations, to which the energy is least sensitive.
       Vec2 a, b, c;
       for(int axis = 0; axis < 2; ++axis)
       {

@@ -14,7 +14,7 @@ using namespace CGAL::Geodesic_processing::internal;
 
 TEST(texels, texel_center_selects_triangle)
 {
-  // Two triangles of a square from 2 to 6 texels in 8.
+  // Two triangles that form a square from 2 to 6 of 8 texels.
   const std::vector<Vec2> corners = {{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75},
                                      {0.25, 0.25}, {0.75, 0.75}, {0.25, 0.75}};
   const Texel_map texels = rasterize_texels(corners, 8, 1.);
@@ -28,12 +28,13 @@ TEST(texels, texel_center_selects_triangle)
         EXPECT_EQ(texels.squared_distance[texel], 0.);
         const Index expected = i > j   ? 0
                                : i < j ? 1
-                                       : texels.triangle[texel]; // both at the diagonal
+                                       // on the common edge both are valid
+                                       : texels.triangle[texel];
         EXPECT_EQ(texels.triangle[texel], expected);
       }
       else if(i >= 1 && i < 7 && j >= 1 && j < 7)
       {
-        // Half a texel from a side, or the diagonal of that from a corner.
+        // Half a texel from an edge, or the diagonal of half a texel from a corner.
         EXPECT_NE(texels.triangle[texel], none);
         const bool is_corner = (i == 1 || i == 6) && (j == 1 || j == 6);
         EXPECT_NEAR(texels.squared_distance[texel], is_corner ? 0.5 : 0.25, 1e-14);
@@ -58,7 +59,7 @@ TEST(texels, nearest_barycentric_is_closest_point)
     const auto b = nearest_barycentric(image, point);
     const double found = norm(b[0] * image[0] + b[1] * image[1] + b[2] * image[2] - point);
     EXPECT_NEAR(b[0] + b[1] + b[2], 1., 1e-13);
-    // No place of a grid on the triangle is nearer.
+    // No point of a grid on the triangle is closer.
     for(int i = 0; i <= 20; ++i)
       for(int j = 0; i + j <= 20; ++j)
         EXPECT_LE(found, norm((i / 20.) * image[0] + (j / 20.) * image[1] +

@@ -18,7 +18,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
 
-// Where points lie, seen from above.
+// Returns the positions of the points, seen from above.
 std::vector<Vec2> planar_image(const Array_surface& surface, double scale = 1.)
 {
   std::vector<Vec2> image(surface.size());
@@ -35,9 +35,9 @@ double largest_move(const std::vector<Vec2>& a, const std::vector<Vec2>& b)
   return result;
 }
 
-// Newton's method ends where a step takes a ten-thousandth off the energy, of which a triangle stretched by e has
-// 8 e^2 too much: the last step stretches no triangle in a hundred by more than a hundredth or so, of whose
-// sides moves are shares.
+// Newton's method ends if a step decreases the energy by less than 1e-4.  A triangle stretched by e
+// adds 8 e^2.  So the last step stretches no triangle of a region of a hundred by more than about
+// one hundredth.  Displacements are relative to the length of an edge.
 constexpr double edge_length_tolerance = 0.05;
 
 TEST(untangling, restores_displaced_vertex_of_planar_map)
@@ -64,7 +64,7 @@ TEST(untangling, changes_only_neighborhood_of_flips)
   const Array_surface surface(square(n, 0.25));
   std::vector<Vec2> image = planar_image(surface);
   for(Vec2& p : image)
-    p = {p[0] + 0.1 * p[1] * p[1], 0.8 * p[1]}; // distorted
+    p = {p[0] + 0.1 * p[1] * p[1], 0.8 * p[1]}; // a distorted map
   std::vector<Vec2> before = image;
   untangle(surface.t(), image);
   EXPECT_EQ(image, before);
@@ -73,7 +73,7 @@ TEST(untangling, changes_only_neighborhood_of_flips)
   image[surface.vertex(moved)][0] += 2.5 / double(n);
   untangle(surface.t(), image);
   EXPECT_EQ(number_of_flips(surface.t(), image), 0u);
-  // Squares around what was flipped, in as many rings as are moved at most.
+  // Squares of as many rings around the moved vertex as can be moved.
   for(Index i = 0; i < surface.size(); ++i)
   {
     const int column = int(i % (n + 1)), row = int(i / (n + 1));
@@ -84,7 +84,8 @@ TEST(untangling, changes_only_neighborhood_of_flips)
 
 TEST(untangling, limits_total_number_of_moved_triangles)
 {
-  // 49 places, with more than 100 triangles about each, of which two passes move 3,000 each.
+  // 49 regions of more than 100 triangles each; each of the two passes moves at most 3,000
+  // triangles.
   constexpr std::size_t n = 160, spacing = 20, max_moved = 2 * 3000;
   const Array_surface surface(square(n, 0.25));
   std::vector<Vec2> image = planar_image(surface);
@@ -126,7 +127,8 @@ TEST(untangling, never_adds_flips)
   EXPECT_GE(solved, 12u); // of 15
 }
 
-// An inner site with four right angles twice has a map without flips that goes around it twice.
+// An interior vertex with a total angle of 4 pi has a map without inverted triangles that winds
+// around it twice.
 TEST(untangling, does_not_accept_double_winding)
 {
   constexpr std::size_t n = 24, rings = 14;
