@@ -52,7 +52,7 @@ Surface_location checked(const Surface_arrays& t, const Surface_location& locati
   for(const double b : location.barycentric)
   {
     if(!(b >= -1e-6))
-      throw Invalid_argument_error("A location lies outside of its face.");
+      throw Invalid_argument_error("A location is outside of its face.");
     sum += b;
   }
   if(!(std::abs(sum - 1.) <= 1e-6))
@@ -199,8 +199,7 @@ double path_length(const Surface_arrays& t, const std::vector<Surface_location>&
       continue;
     const Index triangle = common_triangle(t, p, q);
     if(triangle == none)
-      throw Invalid_argument_error(
-          "Two consecutive locations of a path lie in no common triangle.");
+      throw Invalid_argument_error("Two consecutive locations of a path have no common triangle.");
     length += distance_in_triangle(t, triangle, *barycentric_in(t, triangle, p),
                                    *barycentric_in(t, triangle, q));
   }

@@ -56,7 +56,7 @@ Refinement build_refinement(const Refinement& from, Refined_soup soup)
 {
   if(soup.corners.size() > (std::size_t(1) << 31))
     throw Unsupported_surface_error(
-        "Triangles small enough for so many samples have more than 2^31 half-edges.");
+        "The refinement for so many samples has more than 2^31 halfedges.");
   Mesh_arrays mesh = build_mesh_arrays(std::move(soup.points), soup.corners, soup.twins);
   Surface_arrays& t = mesh.arrays;
   const Surface_arrays& previous_arrays = *from.triangles;

@@ -373,9 +373,9 @@ private:
 
 [[noreturn]] void throw_does_not_fit(std::size_t number_of_charts, std::size_t texels)
 {
-  throw Invalid_argument_error("There is no room for " + std::to_string(number_of_charts) +
-                               " charts in " + std::to_string(texels) + " x " +
-                               std::to_string(texels) + " texels.");
+  throw Invalid_argument_error(std::to_string(number_of_charts) +
+                               " charts do not fit into a texture of " + std::to_string(texels) +
+                               " x " + std::to_string(texels) + " texels.");
 }
 
 } // namespace
@@ -383,8 +383,9 @@ private:
 void check_fits(std::size_t number_of_outlines, std::size_t texels, std::size_t gutter)
 {
   if(texels < min_texels || texels > max_texels)
-    throw Invalid_argument_error("A texture has between " + std::to_string(min_texels) + " and " +
-                                 std::to_string(max_texels) + " texels along a side.");
+    throw Invalid_argument_error("The size of a texture must be between " +
+                                 std::to_string(min_texels) + " and " + std::to_string(max_texels) +
+                                 " texels.");
   if(gutter > texels)
     throw Invalid_argument_error("The gutter is wider than the texture.");
   // Even a single point occupies a square of the size of the gutter.

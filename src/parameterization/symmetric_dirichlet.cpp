@@ -456,15 +456,15 @@ void check_is_disk(const Surface_arrays& t)
       }
   }
   if(number_reached == 0 || number_reached < t.number_of_triangles())
-    throw Unsupported_surface_error("The surface is not one piece.");
+    throw Unsupported_surface_error("The surface is not connected.");
   const std::size_t number_of_loops = boundary_loops(t).size();
   if(number_of_loops == 0)
     throw Unsupported_surface_error(
-        "The surface has no border, and must be cut before it is flat.");
+        "The surface has no boundary and must be cut before it can be flattened.");
   if(number_of_vertices + t.number_of_triangles() + number_of_loops != number_of_edges + 2)
     throw Unsupported_surface_error(
-        "The surface has handles, or touches itself at a vertex, and must "
-        "be cut before it is flat.");
+        "The surface has handles or a nonmanifold vertex and must be cut before it "
+        "can be flattened.");
 }
 
 std::vector<Vec2> tutte_map(const Surface_arrays& t)

@@ -46,7 +46,7 @@ std::array<double, 3> nearest_barycentric(const std::array<Vec2, 3>& image, cons
 Texel_map rasterize_texels(const std::vector<Vec2>& coordinates, std::size_t size, double margin)
 {
   if(size == 0 || size > 16384)
-    throw Invalid_argument_error("A texture has between 1 and 16384 texels along a side.");
+    throw Invalid_argument_error("The size of a texture must be between 1 and 16384 texels.");
   Texel_map result;
   result.size = size;
   result.triangle.assign(size * size, none);

@@ -262,7 +262,7 @@ TEST_F(Program, exits_with_1_on_wrong_usage)
   expect_failure("atlas square.ply --number 2 --texels 8", 1, "--texels");
   expect_failure("atlas square.ply --number 2 --gutter 300", 1, "--gutter");
   expect_failure("atlas square.ply --number 2 --image nowhere.png", 2, "nowhere.png");
-  expect_failure("atlas square.ply --number 60 --texels 16", 2, "no room");
+  expect_failure("atlas square.ply --number 60 --texels 16", 2, "do not fit");
   expect_failure("atlas cloud.xyz --number 2", 2, "cloud.xyz");
   expect_failure("semiregular square.ply --number 9 --levels 9", 1, "--levels");
   expect_failure("semiregular square.ply --number 9 --maximum-deviation -1", 1,
@@ -744,8 +744,8 @@ TEST_F(Program, flatten_preserves_a_planar_square)
   expect_failure("flatten square.ply --base-points 2", 2, "between 3 and 1000");
   expect_failure("flatten cloud.xyz --injective", 2, "needs a mesh");
   expect_failure("flatten cloud.xyz --method lscm", 2, "needs a mesh");
-  expect_failure("flatten closed.off --injective", 2, "no border");
-  expect_failure("flatten apart.off", 2, "not one piece");
+  expect_failure("flatten closed.off --injective", 2, "no boundary");
+  expect_failure("flatten apart.off", 2, "not connected");
 }
 
 TEST_F(Program, atlas_is_injective)

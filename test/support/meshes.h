@@ -106,7 +106,7 @@ inline std::string model(const std::string& name)
 
 // The reason to skip tests that need the shared models.
 constexpr const char* no_models =
-    "The shared models are not here: set GEODESIC_PROCESSING_DATA to their folder.";
+    "The shared models were not found: set GEODESIC_PROCESSING_DATA to their folder.";
 
 // Reads a shared model.  Returns false if it does not exist.
 template <typename Mesh>

@@ -34,7 +34,7 @@ public:
   {
     if(m_triangles->number_of_triangles() == 0)
       throw Unsupported_surface_error(
-          "No surface can be laid through the surfels: no three of them are near enough.");
+          "No surface can be reconstructed: no three surfels are close enough to each other.");
   }
 
   const std::shared_ptr<const Surface_arrays>& triangles() const { return m_triangles; }

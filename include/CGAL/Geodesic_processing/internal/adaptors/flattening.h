@@ -36,7 +36,7 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
   const auto check_is_connected = [&]
   {
     if(!(sampling.covering_radius() < infinity))
-      throw Unsupported_surface_error("The surface is not one piece.");
+      throw Unsupported_surface_error("The surface is not connected.");
   };
   if constexpr(has_parameter<NamedParameters, internal_np::base_points_t>)
   {
@@ -45,7 +45,7 @@ void sample_base_points(const Domain& domain, const NamedParameters& np, std::si
     {
       const Surface_location location = domain.inner_vertex(vertex);
       if(is_taken[location.vertex])
-        throw Invalid_argument_error("A base point comes twice.");
+        throw Invalid_argument_error("A base point is given twice.");
       is_taken[location.vertex] = true;
       sampling.add(location);
       check_is_connected();
@@ -78,7 +78,7 @@ auto flatten(const Domain& domain, UVMap uv_map, const NamedParameters& np,
              std::size_t default_number, const Map& map)
 {
   static_assert(std::is_base_of_v<Front, Engine<Method>>,
-                "Base points are joined by fronts: Euclidean_front, Fast_marching or Dijkstra.");
+                "The method must be a front: Euclidean_front, Fast_marching or Dijkstra.");
   using Value = typename boost::property_traits<UVMap>::value_type;
   const Surface_arrays& triangles = *domain.triangles();
   const Engine<Method> front(domain.triangles());

@@ -45,7 +45,7 @@ typename Domain::Location exponential(const Domain& domain, const Oriented_tange
                                       const std::array<double, 2>& vector)
 {
   static_assert(!Is_cloud<typename Domain::Surface>::value,
-                "A surfel cloud has no straight lines; go on a mesh.");
+                "The exponential map requires a mesh: it traces straightest geodesics.");
   const double angle = std::atan2(vector[1], vector[0]) - at.rotation;
   const double length = std::hypot(vector[0], vector[1]) / domain.triangles()->scale;
   return domain.outer(at.plane.straightest_path(angle, length).locations.back());

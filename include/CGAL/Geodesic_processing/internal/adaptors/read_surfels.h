@@ -67,7 +67,7 @@ public:
       is_of_range = std::size_t(descriptor) < m_position_of_index.size() &&
                     m_position_of_index[descriptor] != none;
     if(!is_of_range)
-      throw Invalid_argument_error("A surfel is none of the cloud's.");
+      throw Invalid_argument_error("A surfel is not in the cloud.");
   }
 
 private:
@@ -117,9 +117,8 @@ Surfel_input read_surfels(const SurfelRange& range, const NamedParameters& np)
   }
   else
   {
-    static_assert(has_normals,
-                  "A range of surfels needs a normal_map; the points of a mesh need the "
-                  "mesh, not its range of points.");
+    static_assert(has_normals, "A range of surfels requires the named parameter normal_map. "
+                               "If the points are those of a mesh, pass the mesh instead.");
     using Element = std::decay_t<decltype(*range.begin())>;
     read(parameter(np, CGAL::internal_np::point_map, CGAL::Identity_property_map<Element>()),
          CGAL::parameters::get_parameter(plain(np), CGAL::internal_np::normal_map));

@@ -24,7 +24,7 @@ void for_each_halfedge(const Surface& surface, const Domain& domain, const EdgeM
                        const Visitor& visit)
 {
   static_assert(std::is_same_v<Surface, typename Domain::Surface> && !Is_cloud<Surface>::value,
-                "A map of edges takes the mesh itself, not its domain, and no cloud.");
+                "An edge map requires the mesh itself, neither its domain nor a cloud.");
   for(Index f = 0; f < domain.triangles()->number_of_triangles(); ++f)
   {
     auto h = halfedge(domain.face(f), surface);
@@ -59,7 +59,7 @@ std::vector<double> halfedge_spacing([[maybe_unused]] const Surface& surface, co
   const auto checked = [](double spacing)
   {
     if(!(spacing >= 0. && spacing < infinity))
-      throw Invalid_argument_error("A spacing along curves is negative or not finite.");
+      throw Invalid_argument_error("A spacing along feature edges is negative or not finite.");
     return spacing;
   };
   constexpr bool has_map = has_parameter<NamedParameters, internal_np::edge_spacing_map_t>;
@@ -102,7 +102,7 @@ Remeshing_options remeshing_options(const Surface& surface, const Domain& domain
   if(options.slowness && std::any_of(options.slowness->begin(), options.slowness->end(),
                                      [](double s) { return !(s < infinity); }))
     throw Invalid_argument_error(
-        "A speed is zero: a surface cannot be remeshed where no front goes.");
+        "A speed is zero: a surface cannot be remeshed in regions that no front reaches.");
   if constexpr(has_parameter<NamedParameters, internal_np::first_samples_t>)
     for(const Surface_location& sample :
         locations(domain, parameter(np, internal_np::first_samples, 0)))

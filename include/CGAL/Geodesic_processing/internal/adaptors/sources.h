@@ -69,7 +69,7 @@ internal::Front_source source(const Domain& domain,
   for(std::size_t i = 1; i < result.polyline.size(); ++i)
     if(common_triangle(*domain.triangles(), result.polyline[i - 1], result.polyline[i]) == none)
       throw Invalid_argument_error(
-          "Two consecutive locations of a source lie in no common triangle.");
+          "Two consecutive locations of a source have no common triangle.");
   return result;
 }
 
