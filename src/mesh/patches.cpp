@@ -335,9 +335,9 @@ std::vector<Index> split_into_disks(const Surface_arrays& t, std::vector<Index>&
                                     Index number_of_patches)
 {
   const std::size_t number_given = number_of_patches;
-  const auto relabel = [&](const std::vector<Reached_triangle>& part)
+  const auto relabel = [&](const std::vector<Reached_triangle>& triangles)
   {
-    for(const Reached_triangle& found : part)
+    for(const Reached_triangle& found : triangles)
       if(found.seed == 0)
         patch[found.triangle] = number_of_patches;
     ++number_of_patches;

@@ -134,9 +134,7 @@ struct Raster
   std::vector<std::uint32_t> longest_run; // longest run of each row
 };
 
-// Rasterizes an outline.
-//
-// outline  in cells, at least `margin` right of and above the origin
+// Rasterizes an outline, given in units of cells.  Its coordinates must be at least `margin`.
 Raster rasterize(const Outline& outline, double margin)
 {
   Raster result;

@@ -49,10 +49,10 @@ inline Cloud octahedron_sphere(unsigned level)
                                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for(unsigned i = 0; i < level; ++i)
   {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> middle;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoint;
     const auto between = [&](std::size_t a, std::size_t b)
     {
-      const auto [entry, is_new] = middle.try_emplace(std::minmax(a, b), points.size());
+      const auto [entry, is_new] = midpoint.try_emplace(std::minmax(a, b), points.size());
       if(is_new)
         points.push_back(internal::unit(points[a] + points[b]));
       return entry->second;

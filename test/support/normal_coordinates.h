@@ -129,11 +129,11 @@ std::vector<Distorted_face> faces_around(const Mesh& mesh, const Map& map, doubl
   std::vector<Distorted_face> result;
   for(const auto face : faces(mesh))
   {
-    std::array<double, 2> middle = {0., 0.};
+    std::array<double, 2> center = {0., 0.};
     for(const Vertex v : vertices_around_face(halfedge(face, mesh), mesh))
       for(int k = 0; k < 2; ++k)
-        middle[k] += map(v)[k] / 3.;
-    const double distance = std::hypot(middle[0], middle[1]);
+        center[k] += map(v)[k] / 3.;
+    const double distance = std::hypot(center[0], center[1]);
     if(distance >= from && distance <= to) // false for NaN
       result.push_back({distance, face_distortion(face, mesh, uv)});
   }

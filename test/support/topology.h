@@ -32,8 +32,8 @@ struct Topology
   friend std::ostream& operator<<(std::ostream& out, const Topology& topology)
   {
     out << (topology.is_simple ? "simple" : "not simple");
-    for(const auto& [characteristic, borders] : topology.components)
-      out << ", " << characteristic << " with " << borders << " borders";
+    for(const auto& [characteristic, boundaries] : topology.components)
+      out << ", " << characteristic << " with " << boundaries << " boundary cycles";
     return out;
   }
 };
@@ -104,10 +104,10 @@ inline Topology topology(const std::vector<Index>& corners)
   {
     const auto& [a, b] = edge;
     ++degree[a];
-    const bool is_border = opposite_corner.count({b, a}) == 0;
-    if(is_border || a < b)
+    const bool is_boundary = opposite_corner.count({b, a}) == 0;
+    if(is_boundary || a < b)
       --components[root(a)].first;
-    if(is_border)
+    if(is_boundary)
       result.is_simple = next.try_emplace(a, b).second && result.is_simple;
   }
   for(const auto& f : triangles)

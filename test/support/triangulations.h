@@ -207,11 +207,11 @@ inline Triangulation icosphere(unsigned level)
     normalize(p);
   for(unsigned i = 0; i < level; ++i)
   {
-    std::map<std::pair<Index, Index>, Index> middle;
+    std::map<std::pair<Index, Index>, Index> midpoint;
     const auto between = [&](Index a, Index b)
     {
       const auto [entry, is_new] =
-          middle.try_emplace(std::minmax(a, b), Index(result.points.size()));
+          midpoint.try_emplace(std::minmax(a, b), Index(result.points.size()));
       if(is_new)
       {
         Point p;

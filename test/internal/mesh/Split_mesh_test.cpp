@@ -112,7 +112,7 @@ TEST(Split_mesh, splits_keep_length_of_labeled_edges)
   EXPECT_NEAR(length(7), labeled_length, 1e-13 * labeled_length);
 }
 
-TEST(Split_mesh, pinched_vertices_are_split)
+TEST(Split_mesh, nonmanifold_vertices_are_split)
 {
   const Triangulation bow_tie = {
       {{0., 0., 0.}, {1., 0., 0.}, {1., 1., 0.}, {-1., 0., 0.}, {-1., -1., 0.}},

@@ -103,10 +103,10 @@ TEST(Feature_polylines, cube_features_are_its_edges)
 TEST(Feature_polylines, sampling_follows_spacing)
 {
   const Array_surface surface(square(10));
-  const std::vector<bool> border = boundary_and_sharp_halfedges(surface.t());
-  std::vector<double> spacing(border.size(), 0.);
+  const std::vector<bool> is_boundary = boundary_and_sharp_halfedges(surface.t());
+  std::vector<double> spacing(is_boundary.size(), 0.);
   for(Index h = 0; h < spacing.size(); ++h)
-    if(border[h])
+    if(is_boundary[h])
       spacing[h] = coordinates(surface.t(), {h / 3, none, barycentric_on_halfedge(h, 0.5)})[0] < 0.5
                        ? 0.025
                        : 0.1;

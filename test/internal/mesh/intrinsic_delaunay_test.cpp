@@ -104,11 +104,11 @@ TEST(Intrinsic_delaunay, mollification_is_minimal)
   Surface_arrays t = *Array_surface(surface).triangles();
   const double slack = 1e-4;
   mollify(t, slack);
-  double least = infinity;
+  double min_slack = infinity;
   for(Index h = 0; h < t.length.size(); ++h)
-    least =
-        std::min(least, t.length[h] + t.length[next_halfedge(h)] - t.length[previous_halfedge(h)]);
-  EXPECT_NEAR(least, slack, 1e-15 * 4); // a few round-off errors of lengths below 2
+    min_slack = std::min(min_slack,
+                         t.length[h] + t.length[next_halfedge(h)] - t.length[previous_halfedge(h)]);
+  EXPECT_NEAR(min_slack, slack, 1e-15 * 4); // a few round-off errors of lengths below 2
   const auto lengths = t.length;
   mollify(t, 0.5 * slack);
   EXPECT_EQ(t.length, lengths);

@@ -96,7 +96,7 @@ TEST(Mesh_arrays, handles_empty_input_and_points_without_faces)
   EXPECT_EQ(mesh.arrays.number_of_triangles(), 0u);
 }
 
-TEST(Mesh_arrays, ring_of_pinched_vertex_lists_fans_consecutively)
+TEST(Mesh_arrays, ring_of_nonmanifold_vertex_lists_fans_consecutively)
 {
   // Two triangles with the common point 0:   1   3
   //                                        |\ /|

@@ -17,7 +17,7 @@ using namespace CGAL::Geodesic_processing::test;
 
 // Labels each triangle by the position of its centroid.
 template <typename Label>
-std::vector<Index> by_middle(const Array_surface& surface, const Label& label)
+std::vector<Index> label_by_centroid(const Array_surface& surface, const Label& label)
 {
   const Surface_arrays& t = surface.t();
   std::vector<Index> result;
@@ -56,19 +56,20 @@ TEST(Patches, disk_topology_is_detected)
   const Array_surface surface(square(8));
   const auto count = [&](const auto& label, Index number)
   {
-    const std::vector<bool> is_disk = are_disks(surface.t(), by_middle(surface, label), number);
+    const std::vector<bool> is_disk =
+        are_disks(surface.t(), label_by_centroid(surface, label), number);
     return std::vector<bool>(is_disk.begin(), is_disk.end());
   };
   // All triangles, and no triangle.
   EXPECT_EQ(count([](const Point&) { return Index(0); }, 1), std::vector<bool>({true}));
   EXPECT_EQ(count([](const Point&) { return none; }, 1), std::vector<bool>({true}));
   // A square block and the annulus around it.
-  const auto is_in_middle = [](double x) { return x > 0.25 && x < 0.75; };
+  const auto is_in_center = [](double x) { return x > 0.25 && x < 0.75; };
   EXPECT_EQ(
-      count([&](const Point& p) { return Index(is_in_middle(p[0]) && is_in_middle(p[1])); }, 2),
+      count([&](const Point& p) { return Index(is_in_center(p[0]) && is_in_center(p[1])); }, 2),
       std::vector<bool>({false, true}));
   // A stripe between two pieces of the other patch.
-  EXPECT_EQ(count([&](const Point& p) { return Index(is_in_middle(p[0])); }, 2),
+  EXPECT_EQ(count([&](const Point& p) { return Index(is_in_center(p[0])); }, 2),
             std::vector<bool>({false, true}));
   // Two blocks that meet only in a vertex.
   EXPECT_EQ(count([&](const Point& p) { return Index((p[0] > 0.5) == (p[1] > 0.5)); }, 2),
@@ -82,28 +83,28 @@ TEST(Patches, disk_topology_is_detected)
         are_disks(whole.t(), std::vector<Index>(whole.t().number_of_triangles(), 0), 1)[0]);
   }
   const Array_surface sphere(icosphere(2));
-  const std::vector<bool> halves =
-      are_disks(sphere.t(), by_middle(sphere, [](const Point& p) { return Index(p[2] > 0.); }), 2);
+  const std::vector<bool> halves = are_disks(
+      sphere.t(), label_by_centroid(sphere, [](const Point& p) { return Index(p[2] > 0.); }), 2);
   EXPECT_TRUE(halves[0] && halves[1]);
 }
 
-TEST(Patches, fragments_and_pinches_merge_into_neighbors)
+TEST(Patches, fragments_and_touching_sectors_merge_into_neighbors)
 {
   const Array_surface surface(square(8));
   // Two halves, and in each a block of the other patch that is not connected to its half.
-  std::vector<Index> patch =
-      by_middle(surface,
-                [](const Point& p)
-                {
-                  const bool is_block = p[1] > 0.5 && p[1] < 0.625 && std::abs(p[0] - 0.5) > 0.25;
-                  return Index((p[0] > 0.5) != is_block);
-                });
+  std::vector<Index> patch = label_by_centroid(surface,
+                                               [](const Point& p)
+                                               {
+                                                 const bool is_block = p[1] > 0.5 && p[1] < 0.625 &&
+                                                                       std::abs(p[0] - 0.5) > 0.25;
+                                                 return Index((p[0] > 0.5) != is_block);
+                                               });
   merge_patch_fragments(surface.t(), patch);
-  EXPECT_EQ(patch, by_middle(surface, [](const Point& p) { return Index(p[0] > 0.5); }));
+  EXPECT_EQ(patch, label_by_centroid(surface, [](const Point& p) { return Index(p[0] > 0.5); }));
 
   // Four quarters and a block that touches one of them only in a vertex.
   const auto quarter = [](const Point& p) { return Index(p[0] > 0.5) + 2 * Index(p[1] > 0.5); };
-  std::vector<Index> touching = by_middle(
+  std::vector<Index> touching = label_by_centroid(
       surface, [&](const Point& p)
       { return p[0] > 0.5 && p[0] < 0.625 && p[1] > 0.375 && p[1] < 0.5 ? 2u : quarter(p); });
   EXPECT_FALSE(are_disks(surface.t(), touching, 4)[2]);
@@ -153,28 +154,28 @@ TEST(Patches, bisection_of_strip_is_balanced)
   const Array_surface surface(grid(16, 1, [](double s, double t) -> Point { return {s, t, 0.}; }));
   const Surface_arrays& t = surface.t();
   const auto [first, second] = farthest_triangle_pair(t);
-  const auto middle = [&](Index f)
+  const auto centroid_x = [&](Index f)
   {
     double x = 0.;
     for(Index corner = 3 * f; corner < 3 * f + 3; ++corner)
       x += t.point[t.corner[corner]][0] / 3.;
     return x;
   };
-  double low = middle(0), high = low;
+  double low = centroid_x(0), high = low;
   for(Index f = 0; f < t.number_of_triangles(); ++f)
   {
-    low = std::min(low, middle(f));
-    high = std::max(high, middle(f));
+    low = std::min(low, centroid_x(f));
+    high = std::max(high, centroid_x(f));
   }
-  EXPECT_NEAR(std::abs(middle(first) - middle(second)), high - low, 1e-12);
+  EXPECT_NEAR(std::abs(centroid_x(first) - centroid_x(second)), high - low, 1e-12);
   const std::vector<Index> half = bisect_patch(t, first, second);
   EXPECT_EQ(half[first], 0u);
   EXPECT_EQ(half[second], 1u);
   for(Index f = 0; f < half.size(); ++f)
-    if(std::abs(middle(f) - (low + high) / 2.) > 0.1 * (high - low))
+    if(std::abs(centroid_x(f) - (low + high) / 2.) > 0.1 * (high - low))
     {
-      EXPECT_EQ(half[f] == 0,
-                std::abs(middle(f) - middle(first)) < std::abs(middle(f) - middle(second)));
+      EXPECT_EQ(half[f] == 0, std::abs(centroid_x(f) - centroid_x(first)) <
+                                  std::abs(centroid_x(f) - centroid_x(second)));
     }
 }
 

@@ -117,14 +117,14 @@ TEST(Refinement, splits_exactly_given_edges)
   }
 }
 
-TEST(Refinement, pinched_vertices_are_split)
+TEST(Refinement, nonmanifold_vertices_are_split)
 {
   // Two tetrahedra with a common corner.
-  Triangulation pinched = tetrahedron();
+  Triangulation tetrahedra = tetrahedron();
   for(const Point& p : {Point{3., 1., 1.}, Point{3., 3., 1.}, Point{3., 1., 3.}})
-    pinched.points.push_back(p);
-  pinched.corners.insert(pinched.corners.end(), {0, 4, 5, 0, 5, 6, 0, 6, 4, 4, 6, 5});
-  const Array_surface surface(pinched);
+    tetrahedra.points.push_back(p);
+  tetrahedra.corners.insert(tetrahedra.corners.end(), {0, 4, 5, 0, 5, 6, 0, 6, 4, 4, 6, 5});
+  const Array_surface surface(tetrahedra);
   EXPECT_FALSE(topology(surface.t().corner).is_simple);
   const Refinement split_surface = make_refinement(surface.triangles());
   EXPECT_EQ(split_surface.triangles->number_of_vertices(), 8u);
