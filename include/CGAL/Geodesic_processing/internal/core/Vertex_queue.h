@@ -41,9 +41,8 @@ public:
       sift_up(position, vertex, key);
   }
 
-  // Inserts a vertex.
-  // \pre The vertex is not in the queue.  Unlike push(), does not read the position of the vertex,
-  // which can cost a cache miss.
+  // Inserts a vertex that is not in the queue.  Unlike push(), it does not read the position of the
+  // vertex, which can cost a cache miss.
   void insert(Index vertex, double key)
   {
     m_heap.emplace_back();
