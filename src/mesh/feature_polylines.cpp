@@ -111,49 +111,11 @@ private:
 
   void sample_chain(bool is_loop)
   {
-    std::vector<Directed_edge>& chain = m_chain;
-    // The turning angle at the source of each edge.  A closed chain is rotated to begin at the
-    // largest angle.
-    const std::size_t n = chain.size();
-    std::vector<double>& turning_angle = m_turning_angle;
-    turning_angle.assign(n, 0.);
-    for(std::size_t i = is_loop ? 0 : 1; i < n; ++i)
-    {
-      const Vec3 before = direction(chain[(i + n - 1) % n]), after = direction(chain[i]);
-      turning_angle[i] = std::atan2(norm(cross(before, after)), dot(before, after));
-    }
+    parameterize_chain(is_loop);
+    const std::set<double> corners = find_corners();
     if(is_loop)
-    {
-      const auto sharpest =
-          std::max_element(turning_angle.begin(), turning_angle.end()) - turning_angle.begin();
-      std::rotate(turning_angle.begin(), turning_angle.begin() + sharpest, turning_angle.end());
-      std::rotate(chain.begin(), chain.begin() + sharpest, chain.end());
-    }
-    std::vector<double>& arc_length = m_arc_length;
-    arc_length.assign(1, 0.);
-    for(const Directed_edge& edge : chain)
-      arc_length.push_back(arc_length.back() +
-                           m_triangles.length[edge.halfedge] / m_spacing[edge.halfedge]);
-
-    std::vector<std::size_t>& sharp_corners = m_sharp_corners;
-    sharp_corners.clear();
-    for(std::size_t i = 1; i < n; ++i)
-      if(turning_angle[i] > pi / 3.)
-        sharp_corners.push_back(i);
-    std::stable_sort(sharp_corners.begin(), sharp_corners.end(),
-                     [&](std::size_t i, std::size_t j)
-                     { return turning_angle[i] > turning_angle[j]; });
-    std::set<double> corners = {0., arc_length.back()};
-    for(const std::size_t i : sharp_corners)
-    {
-      const auto above = corners.lower_bound(arc_length[i]);
-      if(*above - arc_length[i] >= 0.5 && arc_length[i] - *std::prev(above) >= 0.5)
-        corners.insert(arc_length[i]);
-    }
-
-    if(is_loop)
-      m_result.push_back(vertex_location(m_triangles, source_of(chain[0])));
-    const bool is_closed = is_loop || source_of(chain[0]) == target_of(chain[n - 1]);
+      m_result.push_back(vertex_location(m_triangles, source_of(m_chain[0])));
+    const bool is_closed = is_loop || source_of(m_chain.front()) == target_of(m_chain.back());
     const std::size_t number_of_pieces = corners.size() - 1;
     const double min_steps =
         is_closed && number_of_pieces < 3 ? std::ceil(3. / double(number_of_pieces)) : 1.;
@@ -166,17 +128,68 @@ private:
       {
         const double position =
             k == number_of_steps ? *to : *from + k / number_of_steps * (*to - *from);
-        while(i + 1 < n && arc_length[i + 1] <= position)
+        while(i + 1 < m_chain.size() && m_arc_length[i + 1] <= position)
           ++i;
-        const double fraction =
-            std::clamp((position - arc_length[i]) / (arc_length[i + 1] - arc_length[i]), 0., 1.);
-        const Directed_edge& edge = chain[i];
-        m_result.push_back(canonical(
-            m_triangles,
-            {edge.halfedge / 3, none,
-             barycentric_on_halfedge(edge.halfedge, edge.is_reversed ? 1. - fraction : fraction)}));
+        m_result.push_back(location_on_chain(i, position));
       }
     }
+  }
+
+  // Computes the turning angles and the arc lengths of the chain.  A closed chain is rotated to begin
+  // at the largest angle.
+  void parameterize_chain(bool is_loop)
+  {
+    const std::size_t n = m_chain.size();
+    m_turning_angle.assign(n, 0.);
+    for(std::size_t i = is_loop ? 0 : 1; i < n; ++i)
+    {
+      const Vec3 before = direction(m_chain[(i + n - 1) % n]), after = direction(m_chain[i]);
+      m_turning_angle[i] = std::atan2(norm(cross(before, after)), dot(before, after));
+    }
+    if(is_loop)
+    {
+      const auto sharpest = std::max_element(m_turning_angle.begin(), m_turning_angle.end()) -
+                            m_turning_angle.begin();
+      std::rotate(m_turning_angle.begin(), m_turning_angle.begin() + sharpest,
+                  m_turning_angle.end());
+      std::rotate(m_chain.begin(), m_chain.begin() + sharpest, m_chain.end());
+    }
+    m_arc_length.assign(1, 0.);
+    for(const Directed_edge& edge : m_chain)
+      m_arc_length.push_back(m_arc_length.back() +
+                             m_triangles.length[edge.halfedge] / m_spacing[edge.halfedge]);
+  }
+
+  // Returns the arc lengths of the corners and of both ends of the chain.
+  std::set<double> find_corners()
+  {
+    m_sharp_corners.clear();
+    for(std::size_t i = 1; i < m_chain.size(); ++i)
+      if(m_turning_angle[i] > pi / 3.)
+        m_sharp_corners.push_back(i);
+    std::stable_sort(m_sharp_corners.begin(), m_sharp_corners.end(),
+                     [&](std::size_t i, std::size_t j)
+                     { return m_turning_angle[i] > m_turning_angle[j]; });
+    std::set<double> corners = {0., m_arc_length.back()};
+    for(const std::size_t i : m_sharp_corners)
+    {
+      const auto above = corners.lower_bound(m_arc_length[i]);
+      if(*above - m_arc_length[i] >= 0.5 && m_arc_length[i] - *std::prev(above) >= 0.5)
+        corners.insert(m_arc_length[i]);
+    }
+    return corners;
+  }
+
+  // Returns the location at an arc length on edge i of the chain.
+  Surface_location location_on_chain(std::size_t i, double position) const
+  {
+    const double fraction =
+        std::clamp((position - m_arc_length[i]) / (m_arc_length[i + 1] - m_arc_length[i]), 0., 1.);
+    const Directed_edge& edge = m_chain[i];
+    return canonical(
+        m_triangles,
+        {edge.halfedge / 3, none,
+         barycentric_on_halfedge(edge.halfedge, edge.is_reversed ? 1. - fraction : fraction)});
   }
 
   const Surface_arrays& m_triangles;

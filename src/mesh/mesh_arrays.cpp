@@ -85,12 +85,56 @@ void build_rings(Surface_arrays& t, std::size_t number_of_vertices)
   }
 }
 
+namespace {
+
+// Sorts the triangles and fills the corners, the twins and the maps between faces and triangles.
+void add_triangles(Mesh_arrays& result, const std::vector<Index>& corners,
+                   const std::vector<Index>& twins)
+{
+  Surface_arrays& t = result.arrays;
+  const std::size_t m = corners.size() / 3;
+  std::vector<Index> corner_vertex(corners.size());
+  std::transform(corners.begin(), corners.end(), corner_vertex.begin(),
+                 [&](Index vertex) { return result.internal_vertex[vertex]; });
+  result.face_of_triangle = triangle_order(corner_vertex, result.caller_vertex.size());
+  result.triangle_of_face.resize(m);
+  for(Index f = 0; f < m; ++f)
+    result.triangle_of_face[result.face_of_triangle[f]] = f;
+
+  t.corner.resize(3 * m);
+  t.twin.resize(3 * m);
+  for(std::size_t f = 0; f < m; ++f)
+    for(std::size_t k = 0, from = 3 * std::size_t(result.face_of_triangle[f]); k < 3; ++k)
+    {
+      const Index twin = twins[from + k];
+      t.corner[3 * f + k] = corner_vertex[from + k];
+      t.twin[3 * f + k] = twin == none ? none : 3 * result.triangle_of_face[twin / 3] + twin % 3;
+    }
+}
+
+// Computes the lengths of the halfedges.  Returns the maximum.
+double compute_lengths(Surface_arrays& t)
+{
+  t.length.resize(t.corner.size());
+  double longest = 0.;
+  for(Index h = 0; h < t.corner.size(); ++h)
+  {
+    const Index twin = t.twin[h];
+    t.length[h] = twin < h ? t.length[twin]
+                           : distance(t.point[t.corner[h]], t.point[t.corner[next_halfedge(h)]]);
+    longest = std::max(longest, t.length[h]);
+  }
+  return longest;
+}
+
+} // namespace
+
 Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
                               const std::vector<Index>& corners, const std::vector<Index>& twins)
 {
   Mesh_arrays result;
   Surface_arrays& t = result.arrays;
-  const std::size_t n = points.size(), m = corners.size() / 3;
+  const std::size_t n = points.size();
 
   const Frame frame = unit_frame(points);
   to_frame(points, frame);
@@ -104,35 +148,8 @@ Mesh_arrays build_mesh_arrays(std::vector<std::array<double, 3>> points,
   }
   points = {};
 
-  {
-    std::vector<Index> corner_vertex(corners.size());
-    std::transform(corners.begin(), corners.end(), corner_vertex.begin(),
-                   [&](Index vertex) { return result.internal_vertex[vertex]; });
-    result.face_of_triangle = triangle_order(corner_vertex, n);
-    result.triangle_of_face.resize(m);
-    for(Index f = 0; f < m; ++f)
-      result.triangle_of_face[result.face_of_triangle[f]] = f;
-
-    t.corner.resize(3 * m);
-    t.twin.resize(3 * m);
-    for(std::size_t f = 0; f < m; ++f)
-      for(std::size_t k = 0, from = 3 * std::size_t(result.face_of_triangle[f]); k < 3; ++k)
-      {
-        const Index twin = twins[from + k];
-        t.corner[3 * f + k] = corner_vertex[from + k];
-        t.twin[3 * f + k] = twin == none ? none : 3 * result.triangle_of_face[twin / 3] + twin % 3;
-      }
-  }
-
-  t.length.resize(3 * m);
-  double longest = 0.;
-  for(Index h = 0; h < 3 * m; ++h)
-  {
-    const Index twin = t.twin[h];
-    t.length[h] = twin < h ? t.length[twin]
-                           : distance(t.point[t.corner[h]], t.point[t.corner[next_halfedge(h)]]);
-    longest = std::max(longest, t.length[h]);
-  }
+  add_triangles(result, corners, twins);
+  const double longest = compute_lengths(t);
   result.number_of_degenerate_triangles = count_degenerate_triangles(t.length);
   // The maximum of each length and a constant preserves the triangle inequality.
   if(longest > 0.)
