@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/tutte_map.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/lle.h>
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include "mesh/patches.h"

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/tutte_map.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>

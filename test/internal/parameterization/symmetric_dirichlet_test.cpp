@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
+#include <CGAL/Geodesic_processing/internal/parameterization/tutte_map.h>
 #include <CGAL/Geodesic_processing/internal/numerics/singular_values.h>
 
 #include "Array_surface.h"
@@ -16,7 +16,6 @@ namespace {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
-using CGAL::Geodesic_processing::Unsupported_surface_error;
 
 Triangulation dome(std::size_t n)
 {
@@ -46,17 +45,6 @@ double energy(const Surface_arrays& t, const std::vector<Vec2>& image)
   return result / area;
 }
 
-TEST(symmetric_dirichlet, tutte_map_has_no_flips)
-{
-  for(const Triangulation& surface :
-      {square(20, 0.25), dome(20), annulus(24, 6, 1., 2.), one_triangle()})
-  {
-    const Array_surface arrays(surface);
-    check_is_disk(arrays.t());
-    EXPECT_EQ(number_of_flips(arrays.t(), tutte_map(arrays.t())), 0u);
-  }
-}
-
 TEST(symmetric_dirichlet, counts_flips)
 {
   const Array_surface surface(square(4));
@@ -72,21 +60,6 @@ TEST(symmetric_dirichlet, counts_flips)
     p[0] = -p[0];
   EXPECT_EQ(number_of_flips(surface.t(), image),
             surface.t().number_of_triangles() - number_flipped);
-}
-
-TEST(symmetric_dirichlet, throws_if_not_a_disk)
-{
-  const Triangulation piece = square(3);
-  Triangulation above = piece;
-  for(Point& p : above.points)
-    p[2] += 1.;
-  for(const Triangulation& surface :
-      {icosphere(1), torus(8, 6), disjoint_union(piece, above), Triangulation{}})
-    EXPECT_THROW(check_is_disk(Array_surface(surface).t()), Unsupported_surface_error);
-  // A torus without one triangle has a boundary and a handle.
-  Triangulation handle = torus(8, 6);
-  handle.corners.resize(handle.corners.size() - 3);
-  EXPECT_THROW(check_is_disk(Array_surface(handle).t()), Unsupported_surface_error);
 }
 
 TEST(symmetric_dirichlet, planar_patch_becomes_isometric)

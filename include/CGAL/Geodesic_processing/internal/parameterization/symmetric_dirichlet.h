@@ -31,21 +31,6 @@ double scale_to_area(const Surface_arrays& triangles, const std::vector<Vec2>& i
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_of_flips(const Surface_arrays& triangles, const std::vector<Vec2>& image);
 
-// Returns the boundary cycles, each as a sequence of halfedges; the longest cycle is the first.
-CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<std::vector<Index>> boundary_loops(const Surface_arrays& triangles);
-
-// Throws Unsupported_surface_error unless the surface is a topological disk, possibly with holes:
-// connected, with boundary and of genus zero.  Isolated vertices are ignored.
-CGAL_GEODESIC_PROCESSING_EXPORT
-void check_is_disk(const Surface_arrays& triangles);
-
-// Computes Tutte's map of a disk.  The longest boundary cycle is mapped to a circle and each other
-// vertex to the mean of its neighbors.  Each hole is filled by one additional vertex.  In exact
-// arithmetic no triangle is inverted.
-CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<Vec2> tutte_map(const Surface_arrays& triangles);
-
 // The result of the minimization of the distortion of a map.
 struct Minimization_result
 {
