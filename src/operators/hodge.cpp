@@ -54,9 +54,9 @@ Hodge_components Hodge_solver::decompose(const Field& field) const
   Hodge_components result;
   result.gradient =
       gradient(m_operators, m_vertex_solver->solve(minus_divergence(m_operators, field)));
-  result.rotation = rotated_left(gradient(
-      m_edge_operators,
-      m_edge_solver->solve(minus_divergence(m_edge_operators, rotated_right(field)))));
+  result.rotation = rotated_left(
+      gradient(m_edge_operators,
+               m_edge_solver->solve(minus_divergence(m_edge_operators, rotated_right(field)))));
   result.harmonic = field;
   for(std::size_t f = 0; f < field.size(); ++f)
     result.harmonic[f] = field[f] - result.gradient[f] - result.rotation[f];
