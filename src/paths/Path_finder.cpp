@@ -19,7 +19,7 @@ Path_finder::Path_finder(std::shared_ptr<const Surface_arrays> triangles)
     m_shortcuts.resize(m_triangles->corner.size());
 }
 
-// ----------------------------------------------------------------------------------------- hops
+// ------------------------------------------------------------------------------------ shortcuts
 
 namespace {
 
@@ -27,6 +27,16 @@ namespace {
 bool passes_between(const Vec2& p, const Vec2& q, const Vec2& right, const Vec2& left)
 {
   return cross(q - p, right - p) < 0. && cross(q - p, left - p) > 0.;
+}
+
+// Returns the position of the corner opposite to a halfedge, in the plane in which the halfedge's
+// ends are at `left` and `right`, seen from the other side of its edge.
+Vec2 unfolded_apex(const Surface_arrays& t, Index h, const Vec2& left, const Vec2& right,
+                   double base)
+{
+  const Vec2 local = third_corner(base, t.length[previous_halfedge(h)], t.length[next_halfedge(h)]);
+  const Vec2 direction = (1. / base) * (right - left);
+  return left + local[0] * direction + local[1] * rotated_left(direction);
 }
 
 } // namespace
@@ -56,14 +66,11 @@ const Path_finder::Shortcuts& Path_finder::shortcuts(Index corner)
 
   const auto length_beyond = [&](Index exit, const Vec2& exit_left, const Vec2& exit_right)
   {
-    const Index twin_of_out = t.twin[exit];
+    const Index twin_of_exit = t.twin[exit];
     const double length = t.length[exit];
-    if(twin_of_out == none || !(length > 0.))
+    if(twin_of_exit == none || !(length > 0.))
       return unreachable;
-    const Vec2 local = third_corner(length, t.length[previous_halfedge(twin_of_out)],
-                                    t.length[next_halfedge(twin_of_out)]);
-    const Vec2 direction = (1. / length) * (exit_right - exit_left);
-    const Vec2 end = exit_left + local[0] * direction + local[1] * rotated_left(direction);
+    const Vec2 end = unfolded_apex(t, twin_of_exit, exit_left, exit_right, length);
     return passes_between(start, end, right, left) &&
                    passes_between(start, end, exit_right, exit_left)
                ? static_cast<float>(norm(end - start))
@@ -135,10 +142,7 @@ std::vector<Path_finder::Link> Path_finder::links(const Surface_location& locati
       const double base = t.length[h];
       if(!(base > 0.))
         continue;
-      const Vec2 local =
-          third_corner(base, t.length[previous_halfedge(twin)], t.length[next_halfedge(twin)]);
-      const Vec2 direction = (1. / base) * (right - left);
-      const Vec2 target = left + local[0] * direction + local[1] * rotated_left(direction);
+      const Vec2 target = unfolded_apex(t, twin, left, right, base);
       if(!passes_between(x, target, right, left))
         continue;
       const double right_area = -cross(target - x, right - x),
@@ -255,29 +259,11 @@ void Path_finder::add_landmarks(unsigned number_of_landmarks)
   m_number_of_landmarks = static_cast<unsigned>(new_number);
 }
 
-std::vector<Surface_location> Path_finder::operator()(const Surface_location& input_from,
-                                                      const Surface_location& input_to)
+// --------------------------------------------------------------------------------------- queries
+
+void Path_finder::set_goal(const Surface_location& to, const std::vector<Link>& goal_links)
 {
   const Surface_arrays& t = *m_triangles;
-  const Surface_location from = canonical(t, input_from), to = canonical(t, input_to);
-  m_number_of_visited_vertices = 0;
-  const Index from_vertex = vertex_of(t, from), to_vertex = vertex_of(t, to);
-  const bool is_same =
-      t.is_cloud() ? from_vertex == to_vertex &&
-                         (from_vertex != none ||
-                          (from.triangle == to.triangle && from.barycentric == to.barycentric))
-                   : is_same_point(t, from, to);
-  if(is_same)
-    return {from};
-  if(from.triangle != none && to.triangle != none &&
-     (t.is_cloud() ? from.triangle == to.triangle : common_triangle(t, from, to) != none))
-    return {from, to};
-
-  m_stamp += 2;
-  m_queue.clear();
-  const std::vector<Link> start_links = links(from), goal_links = links(to);
-
-  // The lower bound at the goal
   m_uses_heuristic = true;
   if(!t.point.empty())
   {
@@ -306,6 +292,10 @@ std::vector<Surface_location> Path_finder::operator()(const Surface_location& in
     if(goal_link == none || goal_links[i].length < goal_links[goal_link].length)
       goal_link = i;
   }
+}
+
+Index Path_finder::search(const std::vector<Link>& start_links, const std::vector<Link>& goal_links)
+{
   for(Index i = 0; i < start_links.size(); ++i)
     relax(start_links[i].vertex, start_links[i].length, i, Step::start);
 
@@ -324,22 +314,20 @@ std::vector<Surface_location> Path_finder::operator()(const Surface_location& in
     }
   }
   m_queue.clear();
-  if(last_vertex == none)
-    return {};
+  return last_vertex;
+}
 
-  std::vector<Surface_location> path;
-  const auto add = [&](const Surface_location& location)
-  {
-    if(path.empty() || t.is_cloud() || !is_same_point(t, path.back(), location))
-      path.push_back(location);
-  };
-  add(to);
-  const Link& end = goal_links[m_vertices[last_vertex].goal_link];
-  if(end.crossing.triangle != none)
-    add(end.crossing);
-  if(to_vertex == none)
-    add(vertex_location(t, last_vertex));
-  Index vertex = last_vertex;
+void Path_finder::append_location(std::vector<Surface_location>& path,
+                                  const Surface_location& location) const
+{
+  const Surface_arrays& t = *m_triangles;
+  if(path.empty() || t.is_cloud() || !is_same_point(t, path.back(), location))
+    path.push_back(location);
+}
+
+Index Path_finder::append_predecessors(std::vector<Surface_location>& path, Index vertex) const
+{
+  const Surface_arrays& t = *m_triangles;
   while(m_vertices[vertex].step != Step::start)
   {
     const Vertex& current = m_vertices[vertex];
@@ -349,7 +337,7 @@ std::vector<Surface_location> Path_finder::operator()(const Surface_location& in
       Surface_location location;
       location.triangle = h / 3;
       location.barycentric = barycentric_on_halfedge(h, 0.5);
-      add(location);
+      append_location(path, location);
     };
     // The point on a side that a hop crosses matters to no one: straighten() moves it.
     if(current.step == Step::to_right)
@@ -359,13 +347,50 @@ std::vector<Surface_location> Path_finder::operator()(const Surface_location& in
     if(current.step != Step::edge)
       add_edge_midpoint(next_halfedge(corner));
     vertex = t.is_cloud() ? current.predecessor : t.corner[corner];
-    add(vertex_location(t, vertex));
+    append_location(path, vertex_location(t, vertex));
   }
-  const Link& begin = start_links[m_vertices[vertex].predecessor];
+  return vertex;
+}
+
+std::vector<Surface_location> Path_finder::operator()(const Surface_location& input_from,
+                                                      const Surface_location& input_to)
+{
+  const Surface_arrays& t = *m_triangles;
+  const Surface_location from = canonical(t, input_from), to = canonical(t, input_to);
+  m_number_of_visited_vertices = 0;
+  const Index from_vertex = vertex_of(t, from), to_vertex = vertex_of(t, to);
+  const bool is_same =
+      t.is_cloud() ? from_vertex == to_vertex &&
+                         (from_vertex != none ||
+                          (from.triangle == to.triangle && from.barycentric == to.barycentric))
+                   : is_same_point(t, from, to);
+  if(is_same)
+    return {from};
+  if(from.triangle != none && to.triangle != none &&
+     (t.is_cloud() ? from.triangle == to.triangle : common_triangle(t, from, to) != none))
+    return {from, to};
+
+  m_stamp += 2;
+  m_queue.clear();
+  const std::vector<Link> start_links = links(from), goal_links = links(to);
+  set_goal(to, goal_links);
+  const Index last_vertex = search(start_links, goal_links);
+  if(last_vertex == none)
+    return {};
+
+  // The path is collected from the goal back to the start.
+  std::vector<Surface_location> path = {to};
+  const Link& end = goal_links[m_vertices[last_vertex].goal_link];
+  if(end.crossing.triangle != none)
+    append_location(path, end.crossing);
+  if(to_vertex == none)
+    append_location(path, vertex_location(t, last_vertex));
+  const Index first_vertex = append_predecessors(path, last_vertex);
+  const Link& begin = start_links[m_vertices[first_vertex].predecessor];
   if(begin.crossing.triangle != none)
-    add(begin.crossing);
+    append_location(path, begin.crossing);
   if(from_vertex == none)
-    add(from);
+    append_location(path, from);
   std::reverse(path.begin(), path.end());
   return path;
 }

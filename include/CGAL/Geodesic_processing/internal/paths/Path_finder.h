@@ -82,6 +82,15 @@ private:
   double heuristic(Index vertex) const;
   void compute_all_distances(Index vertex, std::vector<double>& distance);
 
+  // Sets the lower bound of distances to the goal, and marks the vertices that are linked to it.
+  void set_goal(const Surface_location& to, const std::vector<Link>& goal_links);
+  // Returns the vertex before the goal on the shortest path found, or none if there is no path.
+  Index search(const std::vector<Link>& start_links, const std::vector<Link>& goal_links);
+  // Appends a location unless the path already ends there.
+  void append_location(std::vector<Surface_location>& path, const Surface_location& location) const;
+  // Appends the path from a vertex back to the first one, which is returned.
+  Index append_predecessors(std::vector<Surface_location>& path, Index vertex) const;
+
   std::shared_ptr<const Surface_arrays> m_triangles;
   std::vector<Shortcuts> m_shortcuts; // #corners, on meshes
   std::vector<Vertex> m_vertices;
