@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "surfels/denoise.h"
+#include <CGAL/Geodesic_processing/internal/paths/path_curve.h>
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
 

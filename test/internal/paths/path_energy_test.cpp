@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/paths/path_energy.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/paths/path_curve.h>
 
 #include "clouds.h"
 
@@ -57,23 +58,15 @@ std::vector<Projection> perturbed_great_circle(std::size_t nodes, double angle)
   return path;
 }
 
-struct Evaluation
-{
-  std::vector<Vec3> points;
-  std::vector<Projection> feet, midpoint_feet;
-  Path_energy energy;
-};
-
-Evaluation evaluate_on_sphere(const Path_options& options,
+Path_state evaluate_on_sphere(const Path_options& options,
                               const std::vector<double>& relative_length,
                               const std::vector<Vec3>& points)
 {
-  Evaluation result{points,
+  Path_state result{points,
                     std::vector<Projection>(points.size()),
                     std::vector<Projection>(points.size() - 1),
                     {}};
-  evaluate_energy(Sphere(), options, relative_length, 0.3, result.points, result.feet,
-                  result.midpoint_feet, result.energy);
+  evaluate_energy(Sphere(), options, relative_length, 0.3, result);
   return result;
 }
 
@@ -111,13 +104,13 @@ TEST(path_energy, value_matches_equation_4_of_paper)
   options.alpha = 3.;
   options.beta = 5.;
   // One segment of length 2 through the unit sphere's centre, and a node at a distance of 1.
-  const Evaluation evaluation =
+  const Path_state state =
       evaluate_on_sphere(options, {1., 1.}, {{1., 0., 0.}, {2., 0., 0.}, {2., 0., 4.}});
   const double distance_of_midpoint = std::sqrt(4. + 4.) - 1.,
                expected = 1. + 16. + 3. * 1. +
                           5. * 0.3 * 0.3 *
                               (0.5 * 0.5 / 1. + distance_of_midpoint * distance_of_midpoint / 16.);
-  EXPECT_NEAR(evaluation.energy.value, expected, 1e-13); // rounding of numbers near 20
+  EXPECT_NEAR(state.energy.value, expected, 1e-13); // rounding of numbers near 20
 }
 
 TEST(path_energy, converges_to_great_circle)
@@ -263,27 +256,6 @@ TEST(path_energy, shortens_paths_on_implicit_torus)
   // The inner equator is the shortest between places nearby; step^4, and the gradient's differences.
   EXPECT_NEAR(shorten_path(squared_distance_from_torus, options, equator).length, 1.5 * 0.6, 1e-5);
   EXPECT_NEAR(shorten_path(squared_distance_from_torus, options, meridian).length, 2.5 * 0.4, 1e-5);
-}
-
-TEST(path_energy, arc_lengths_are_exact_on_circle)
-{
-  std::vector<Projection> edge(11);
-  for(std::size_t i = 0; i < edge.size(); ++i)
-  {
-    edge[i].point = {std::cos(0.1 * double(i)), std::sin(0.1 * double(i)), 0.};
-    edge[i].normal = edge[i].point;
-  }
-  EXPECT_NEAR(curve_length(edge), 1., 1e-14); // a circle is exact
-  EXPECT_NEAR(polyline_length(edge), 20. * std::sin(0.05), 1e-14);
-  EXPECT_NEAR(arc_length(edge[0], edge[3]), 0.3, 1e-14);
-}
-
-TEST(path_energy, arc_length_unfolds_sharp_edge)
-{
-  // From one side of a right angle to the other, also along the edge.
-  const Projection from = {{-1., 0., 0.}, {0., 0., 1.}, {0., 0., 0.}, 0},
-                   to = {{0., 2., -3.}, {1., 0., 0.}, {0., 0., 0.}, 0};
-  EXPECT_NEAR(arc_length(from, to), std::hypot(4., 2.), 1e-14);
 }
 
 TEST(path_energy, throws_on_invalid_polyline)

@@ -47,6 +47,15 @@ struct Path_energy
   std::vector<Vec3> gradient; // #nodes; zero at the ends
 };
 
+// A path with its energy.
+struct Path_state
+{
+  std::vector<Vec3> points;              // #nodes
+  std::vector<Projection> feet;          // #nodes: the closest surface points of the nodes
+  std::vector<Projection> midpoint_feet; // #segments: those of the midpoints of segments
+  Path_energy energy;
+};
+
 // At points, which move to their feet where nodes are projected.
 //
 // share  #segments; feet, middles  of the nodes and of the middles of segments; those given tell
@@ -54,8 +63,7 @@ struct Path_energy
 CGAL_GEODESIC_PROCESSING_EXPORT
 void evaluate_energy(const Path_surface& surface, const Path_options& options,
                      const std::vector<double>& relative_length, double mean_length,
-                     std::vector<Vec3>& points, std::vector<Projection>& feet,
-                     std::vector<Projection>& midpoint_feet, Path_energy& energy);
+                     Path_state& state);
 
 // A minimum of the energy near to a path, whose ends stay: Polak-Ribiere conjugate gradients,
 // preconditioned by the first sum's own matrix, which is tridiagonal, with a line search that
@@ -93,20 +101,6 @@ Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_di
 CGAL_GEODESIC_PROCESSING_EXPORT
 void fit_curve(const Path_surface& surface, const std::vector<Projection>& nodes,
                Shortened_path& path);
-
-CGAL_GEODESIC_PROCESSING_EXPORT
-double polyline_length(const std::vector<Projection>& points);
-
-// Along the arc of a circle between two points that makes the angles with their normals that their
-// chord makes in the mean, or around the edge of their tangent planes where the normals differ by more
-// than 40 degrees: what a chord cuts short counts.
-CGAL_GEODESIC_PROCESSING_EXPORT
-double arc_length(const Projection& from, const Projection& to);
-
-// Of a smooth curve through points: the circle through three consecutive ones says by how much an
-// arc is longer than its chord.  Where they turn by more than 30 degrees there is a corner.
-CGAL_GEODESIC_PROCESSING_EXPORT
-double curve_length(const std::vector<Projection>& points);
 
 } // namespace CGAL::Geodesic_processing::internal
 

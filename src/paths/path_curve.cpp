@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/paths/path_curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+double cosine_between(const Vec3& p, const Vec3& q)
+{
+  const double size = norm(p) * norm(q);
+  return size > 0. ? dot(p, q) / size : 1.;
+}
+
+// The length of an arc over a chord, by the sine of half of its angle.
+double arc_length_over_chord(double chord, double sine)
+{
+  return chord * (sine > 1e-4 && sine < 1. ? std::asin(sine) / sine : 1. + sine * sine / 6.);
+}
+
+constexpr double corner_cosine = 0.86602540378443865; // the cosine of 30 degrees
+
+// Normals that differ by more than 40 degrees have a sharp edge between them.
+constexpr double sharp_edge_cosine = 0.76604444311897804;
+
+// Where the shortest way between two points passes the line in which their tangent planes meet, and
+// how long it is; false where there is no sharp edge.
+bool find_sharp_edge(const Projection& from, const Projection& to, Vec3& point, double& length)
+{
+  const Vec3 chord = to.point - from.point;
+  const double cosine = dot(from.normal, to.normal);
+  if(cosine > sharp_edge_cosine || cosine < -0.99 || dot(from.normal, from.normal) == 0. ||
+     dot(to.normal, to.normal) == 0.)
+    return false;
+  const Vec3 edge_direction = unit(cross(from.normal, to.normal));
+  // The point of the line above `from`, in the plane of the two normals.
+  const Vec3 perpendicular = chord - dot(chord, edge_direction) * edge_direction;
+  const double height = dot(perpendicular, to.normal), square = 1. - cosine * cosine;
+  const double a = -cosine * height / square, b = height / square;
+  const Vec3 projection = a * from.normal + b * to.normal; // of the line, seen from `from`
+  const double distance_before = norm(projection),
+               distance_after = norm(projection - perpendicular);
+  // An edge beside the two is not between them.
+  if(distance_before + distance_after > 2. * norm(chord))
+    return false;
+  const double distance_along_edge = dot(chord, edge_direction);
+  const double fraction = distance_before + distance_after > 0.
+                              ? distance_before / (distance_before + distance_after)
+                              : 0.5;
+  point = from.point + projection + fraction * distance_along_edge * edge_direction;
+  length = std::hypot(distance_before + distance_after, distance_along_edge);
+  return true;
+}
+
+} // namespace
+
+// The same path with a point on each sharp edge.
+std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path)
+{
+  std::vector<Projection> result = {path.front()};
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    Projection edge_foot = path[i];
+    double length;
+    if(find_sharp_edge(path[i], path[i + 1], edge_foot.point, length))
+      result.push_back(edge_foot);
+    result.push_back(path[i + 1]);
+  }
+  return result;
+}
+
+// A point between each two: on the cubic through four (Dyn, Levin and Gregory 1987) where there is
+// no corner.
+std::vector<Projection> subdivide_curve(const Path_surface& surface,
+                                        const std::vector<Projection>& path)
+{
+  std::vector<Projection> result;
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    const Vec3 &p = path[i].point, &q = path[i + 1].point;
+    Vec3 midpoint = 0.5 * (p + q);
+    const auto second_difference = [&](std::size_t j) -> Vec3
+    {
+      if(j == 0 || j + 1 == path.size())
+        return {0., 0., 0.};
+      const Vec3 before = path[j].point - path[j - 1].point,
+                 after = path[j + 1].point - path[j].point;
+      return cosine_between(before, after) > corner_cosine ? before - after : Vec3{0., 0., 0.};
+    };
+    const bool has_left = i > 0, has_right = i + 2 < path.size();
+    const double weight = has_left && has_right ? 1. / 16. : 1. / 8.;
+    midpoint = midpoint + weight * (second_difference(i) + second_difference(i + 1));
+    result.push_back(path[i]);
+    result.push_back(surface.project(midpoint, path[i].vertex));
+  }
+  result.push_back(path.back());
+  return result;
+}
+
+double polyline_length(const std::vector<Projection>& points)
+{
+  double sum = 0.;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    sum += norm(points[i + 1].point - points[i].point);
+  return sum;
+}
+
+double arc_length(const Projection& from, const Projection& to)
+{
+  Vec3 edge_point;
+  double length_around_edge;
+  if(find_sharp_edge(from, to, edge_point, length_around_edge))
+    return length_around_edge;
+  const Vec3 chord = to.point - from.point;
+  const double length = norm(chord);
+  const auto angle = [&](const Vec3& normal)
+  { return length > 0. ? std::asin(std::clamp(dot(chord, normal) / length, -1., 1.)) : 0.; };
+  return arc_length_over_chord(length,
+                               std::sin(0.5 * std::abs(angle(from.normal) - angle(to.normal))));
+}
+
+double curve_length(const std::vector<Projection>& points)
+{
+  const std::size_t n = points.size();
+  std::vector<double> curvature(n, 0.);
+  for(std::size_t i = 1; i + 1 < n; ++i)
+  {
+    const Vec3 before = points[i].point - points[i - 1].point,
+               after = points[i + 1].point - points[i].point;
+    if(cosine_between(before, after) > corner_cosine)
+      curvature[i] = 2. * norm(cross(before, after)) /
+                     std::max(norm(before) * norm(after) * norm(before + after), 1e-300);
+  }
+  if(n > 2)
+  {
+    curvature[0] = curvature[1];
+    curvature[n - 1] = curvature[n - 2];
+  }
+  double sum = 0.;
+  for(std::size_t i = 0; i + 1 < n; ++i)
+  {
+    const double chord = norm(points[i + 1].point - points[i].point);
+    // Half of the angle of the arc.
+    const double sine = 0.25 * (curvature[i] + curvature[i + 1]) * chord;
+    // arc_length_over_chord() multiplies in another order, which changes the last bits.
+    sum +=
+        sine > 1e-4 && sine < 1. ? chord * std::asin(sine) / sine : chord * (1. + sine * sine / 6.);
+  }
+  return sum;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
