@@ -98,6 +98,13 @@ struct Descent::Tracer
     return sum;
   }
 
+  // Returns the position of the first piece of a source in a triangle, if there is one.
+  std::vector<Piece>::const_iterator first_piece(Index triangle) const
+  {
+    return std::lower_bound(descent.m_pieces.begin(), descent.m_pieces.end(), triangle,
+                            [](const Piece& p, Index f) { return p.triangle < f; });
+  }
+
   void move_to(const Surface_location& next)
   {
     current = next;
@@ -114,8 +121,7 @@ struct Descent::Tracer
     Index source = none;
     const auto try_triangle = [&](Index triangle)
     {
-      auto piece = std::lower_bound(descent.m_pieces.begin(), descent.m_pieces.end(), triangle,
-                                    [](const Piece& p, Index f) { return p.triangle < f; });
+      auto piece = first_piece(triangle);
       if(piece == descent.m_pieces.end() || piece->triangle != triangle)
         return;
       const auto corners = unfolded(t, triangle);
@@ -267,9 +273,7 @@ struct Descent::Tracer
       for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1] && !is_goal; ++i)
       {
         const Index triangle = t.ring[i] / 3;
-        const auto piece =
-            std::lower_bound(descent.m_pieces.begin(), descent.m_pieces.end(), triangle,
-                             [](const Piece& p, Index f) { return p.triangle < f; });
+        const auto piece = first_piece(triangle);
         is_goal = piece != descent.m_pieces.end() && piece->triangle == triangle;
       }
       if(is_goal)
