@@ -5,6 +5,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
+#include "paths/triangle_strip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,26 +18,6 @@ namespace {
 // Angles nearer to pi than this count as pi: cutting such a corner, with legs a and b, shortens the
 // path by less than 1e-18 (a + b).
 constexpr double angle_tolerance = 1e-9;
-
-// Sides that a path crosses one after the other, each given in the triangle that it leaves.
-struct Strip
-{
-  Index triangle = none; // where it begins
-  std::vector<Index> halfedges;
-
-  Index last_triangle(const Surface_arrays& t) const
-  {
-    return halfedges.empty() ? triangle : t.twin[halfedges.back()] / 3;
-  }
-  // Crosses one more side; going straight back undoes the crossing before.
-  void append(const Surface_arrays& t, Index h)
-  {
-    if(!halfedges.empty() && t.twin[halfedges.back()] == h)
-      halfedges.pop_back();
-    else
-      halfedges.push_back(h);
-  }
-};
 
 // A point where the path may bend, and the straight part that leaves it.
 struct Path_vertex
@@ -57,21 +38,6 @@ struct Path_vertex
   bool is_queued = false; // in the list of knots to be looked at
 };
 
-// A strip in the plane, its begin at the origin.
-struct Unfolded_strip
-{
-  std::vector<Vec2> left, right; // ends of the sides that are crossed
-  Vec2 end;
-  Vec2 first_leg, last_leg; // at the corners opposite to the first and the last side crossed
-};
-
-// Where a funnel bends.
-struct Bend
-{
-  Index strip_index; // place in the strip of the first side that ends there
-  bool is_left;
-};
-
 class Geodesic_shortener
 {
 public:
@@ -83,6 +49,7 @@ private:
   void initialize(const std::vector<Surface_location>& path);
   bool shorten_globally();
   void shorten_locally();
+  bool shorten_around(Index& first, Index& last);
   Locally_shortest_path make_result();
 
   Index new_path_vertex(const Surface_location& location);
@@ -91,9 +58,7 @@ private:
   double insert_shortest_path(Strip strip, Index first, Index last);
   void merge_duplicates(Index first, Index last);
   bool reroute_around(Strip& strip, Index first, Index last) const;
-  void trim(Strip& strip, const Surface_location& begin, const Surface_location& end) const;
   void unfold(const Strip& strip, const Surface_location& begin, const Surface_location& end);
-  void find_bends(const Strip& strip);
   void update_length_and_angles(Index path_vertex);
   Index corner_at(const Surface_location& location, Index triangle) const;
   void compute_angles(Index path_vertex, double& left, double& right) const;
@@ -104,186 +69,21 @@ private:
   Index m_begin = none, m_end = none;
   std::size_t m_number_of_visited_halfedges = 0;
 
-  // Of the strip in hand
+  // Buffers for the strip that is processed
   Unfolded_strip m_unfolded;
-  std::vector<Bend> m_bends;
-  struct Funnel_point
-  {
-    Vec2 point;
-    Bend bend;
-  };
-  std::vector<Funnel_point> m_left, m_right;
+  Funnel m_funnel;
 };
 
-// --------------------------------------------------------------------------- strips in the plane
-
-bool is_incident(const Surface_arrays& t, Index h, Index vertex, Index location_halfedge)
-{
-  if(vertex != none)
-    return t.corner[h] == vertex || t.corner[next_halfedge(h)] == vertex;
-  return location_halfedge != none && (h == location_halfedge || t.twin[h] == location_halfedge);
-}
-
-// Drops the sides at both ends of a strip that the path's ends lie on.
-void Geodesic_shortener::trim(Strip& strip, const Surface_location& begin,
-                              const Surface_location& end) const
-{
-  auto& halfedges = strip.halfedges;
-  {
-    const Index vertex = vertex_of(t, begin), h = halfedge_of(begin);
-    std::size_t count = 0;
-    while(count < halfedges.size() && is_incident(t, halfedges[count], vertex, h))
-      ++count;
-    if(count > 0)
-    {
-      strip.triangle = t.twin[halfedges[count - 1]] / 3;
-      halfedges.erase(halfedges.begin(), halfedges.begin() + count);
-    }
-  }
-  const Index vertex = vertex_of(t, end), h = halfedge_of(end);
-  while(!halfedges.empty() && is_incident(t, halfedges.back(), vertex, h))
-    halfedges.pop_back();
-}
+// --------------------------------------------------------------------------------------- angles
 
 double angle_between(const Vec2& p, const Vec2& q) { return std::atan2(cross(p, q), dot(p, q)); }
 
+// Unfolds a strip to m_unfolded and counts the work.
 void Geodesic_shortener::unfold(const Strip& strip, const Surface_location& begin,
                                 const Surface_location& end)
 {
-  Unfolded_strip& u = m_unfolded;
-  const std::size_t count = strip.halfedges.size();
-  m_number_of_visited_halfedges += count + 1;
-  u.left.resize(count);
-  u.right.resize(count);
-
-  auto corners = unfolded(t, strip.triangle);
-  const Vec2 origin = unfolded_point(corners, *barycentric_in(t, strip.triangle, begin));
-  for(Vec2& corner : corners)
-    corner = corner - origin;
-  if(count == 0)
-  {
-    u.end = unfolded_point(corners, *barycentric_in(t, strip.triangle, end));
-    return;
-  }
-
-  Index h = strip.halfedges.front();
-  Vec2 right = corners[h % 3], left = corners[next_halfedge(h) % 3];
-  u.first_leg = right - corners[previous_halfedge(h) % 3];
-  // The vector across, left to right, and its direction are carried along: differences of
-  // positions far from the origin would lose the digits of small triangles.
-  Vec2 across = right - left, direction = {1., 0.};
-  Vec2 forward = u.first_leg; // from the corner opposite to a side
-  for(std::size_t i = 0;; ++i)
-  {
-    u.left[i] = left;
-    u.right[i] = right;
-    const Index entered = t.twin[strip.halfedges[i]];
-    const double length = norm(across), forward_length = norm(forward);
-    if(length > 0.)
-      direction = (1. / length) * across;
-    else if(forward_length > 0.) // a side of length zero is seen as the limit of short ones
-      direction = (-1. / forward_length) * rotated_left(forward);
-    const double base = t.length[entered];
-    const Vec2 local =
-        third_corner(base, t.length[previous_halfedge(entered)], t.length[next_halfedge(entered)]);
-    const Vec2 height = local[1] * rotated_left(direction);
-    const Vec2 from_left = local[0] * direction + height;
-    const Vec2 from_right = (local[0] - base) * direction + height;
-    if(i + 1 == count)
-    {
-      const auto barycentric = *barycentric_in(t, entered / 3, end);
-      u.end = left + barycentric[next_halfedge(entered) % 3] * across +
-              barycentric[previous_halfedge(entered) % 3] * from_left;
-      u.last_leg = -1. * from_left;
-      return;
-    }
-    if(strip.halfedges[i + 1] == next_halfedge(entered))
-    {
-      forward = across;
-      left = left + from_left;
-      across = -1. * from_right;
-    }
-    else
-    {
-      forward = -1. * across;
-      right = left + from_left;
-      across = from_left;
-    }
-  }
-}
-
-// The bends of the shortest path in the unfolded strip.  Ends of sides that the path passes nearer
-// than rounding can tell count as bends: which side of a site is the shorter one is decided by the
-// angles there.
-void Geodesic_shortener::find_bends(const Strip& strip)
-{
-  const Unfolded_strip& u = m_unfolded;
-  m_bends.clear();
-  // The two chains of the funnel start with its apex.
-  m_left.assign(1, {Vec2{0., 0.}, {0, true}});
-  m_right.assign(1, {Vec2{0., 0.}, {0, false}});
-  std::size_t left_apex = 0, right_apex = 0;
-
-  // Adds a point to the end of the chain `near`; `sign` is 1 for the right chain.
-  const auto add = [&](std::vector<Funnel_point>& near, std::size_t& near_apex,
-                       std::vector<Funnel_point>& far, std::size_t& far_apex, double sign,
-                       const Vec2& point, double width, Bend bend)
-  {
-    // A hundred roundings of the farthest position.  Points nearer to each other are one.
-    const double tolerance = 2e-14 * (norm(point) + width);
-    while(near.size() > near_apex + 1)
-    {
-      const Vec2& last = near.back().point;
-      std::size_t before = near.size() - 2;
-      while(before > near_apex && norm(last - near[before].point) <= tolerance)
-        --before;
-      const Vec2 leg = last - near[before].point, step = point - last;
-      const double turn = sign * cross(leg, step);
-      const bool is_ahead = turn < -tolerance * norm(leg) || dot(leg, step) >= 0.;
-      if(norm(leg) > tolerance && turn <= tolerance * norm(leg + step) && is_ahead)
-        break;
-      near.pop_back();
-    }
-    if(near.size() == near_apex + 1)
-    {
-      const std::size_t apex = far_apex;
-      while(far_apex + 1 < far.size())
-      {
-        // A point at the place of the apex is a bend too, so that both are gone around together.
-        const Vec2 leg = far[far_apex + 1].point - far[far_apex].point;
-        const Vec2 chord = point - far[far_apex].point;
-        const double turn = sign * cross(leg, chord), margin = tolerance * norm(chord);
-        if(turn < -margin || norm(chord) <= tolerance ||
-           (turn <= margin && dot(leg, chord - leg) < 0.))
-          break;
-        ++far_apex;
-        m_bends.push_back(far[far_apex].bend);
-      }
-      if(far_apex != apex)
-      {
-        near.assign(1, far[far_apex]);
-        near_apex = 0;
-      }
-    }
-    near.push_back({point, bend});
-  };
-
-  const std::size_t count = strip.halfedges.size();
-  for(std::size_t i = 0; i < count; ++i)
-  {
-    const Index strip_index = static_cast<Index>(i);
-    const bool left_is_shared =
-        i > 0 && strip.halfedges[i] == previous_halfedge(t.twin[strip.halfedges[i - 1]]);
-    const bool right_is_shared = i > 0 && !left_is_shared;
-    const double width = t.length[strip.halfedges[i]];
-    if(!right_is_shared)
-      add(m_right, right_apex, m_left, left_apex, 1., u.right[i], width, {strip_index, false});
-    if(!left_is_shared)
-      add(m_left, left_apex, m_right, right_apex, -1., u.left[i], width, {strip_index, true});
-  }
-  add(m_right, right_apex, m_left, left_apex, 1., u.end, 0., {static_cast<Index>(count), false});
-  for(std::size_t i = right_apex + 1; i + 1 < m_right.size(); ++i)
-    m_bends.push_back(m_right[i].bend);
+  m_number_of_visited_halfedges += strip.halfedges.size() + 1;
+  m_unfolded.unfold(t, strip, begin, end);
 }
 
 Index Geodesic_shortener::corner_at(const Surface_location& location, Index triangle) const
@@ -443,9 +243,8 @@ bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) c
 // Puts the shortest path in a strip between two knots; returns its length.
 double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index last)
 {
-  trim(strip, m_path_vertices[first].location, m_path_vertices[last].location);
+  strip.trim(t, m_path_vertices[first].location, m_path_vertices[last].location);
   unfold(strip, m_path_vertices[first].location, m_path_vertices[last].location);
-  find_bends(strip);
 
   // Bends touch the sides begin .. end - 1 of the strip; the knots at both ends touch none.
   const auto& halfedges = strip.halfedges;
@@ -463,7 +262,7 @@ double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index 
     else // both are ends of one side
       segment.triangle = halfedges[std::max(begin, next_begin)] / 3;
   };
-  for(const Bend& bend : m_bends)
+  for(const Bend& bend : m_funnel.find_bends(t, strip, m_unfolded))
   {
     Surface_location location;
     location.triangle = halfedges[bend.strip_index] / 3;
@@ -486,10 +285,10 @@ double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index 
   for(Index path_vertex = first; path_vertex != last;
       path_vertex = m_path_vertices[path_vertex].next)
   {
-    trim(m_path_vertices[path_vertex].strip, m_path_vertices[path_vertex].location,
-         m_path_vertices[m_path_vertices[path_vertex].next].location);
+    Path_vertex& segment = m_path_vertices[path_vertex];
+    segment.strip.trim(t, segment.location, m_path_vertices[segment.next].location);
     update_length_and_angles(path_vertex);
-    length += m_path_vertices[path_vertex].length;
+    length += segment.length;
   }
   return length;
 }
@@ -605,6 +404,45 @@ bool Geodesic_shortener::shorten_globally()
   return is_changed;
 }
 
+// Reroutes the path around the path vertices between two others.  Extends the range until it holds
+// all path vertices at the same points.  Returns false, and leaves the path as it is, if this does
+// not shorten it.
+bool Geodesic_shortener::shorten_around(Index& first, Index& last)
+{
+  while(first != m_begin && m_path_vertices[first].length == 0.)
+    first = m_path_vertices[first].previous;
+  while(last != m_end && m_path_vertices[m_path_vertices[last].previous].length == 0.)
+    last = m_path_vertices[last].next;
+  const Index cluster_begin = m_path_vertices[first].next,
+              cluster_end = m_path_vertices[last].previous;
+  Strip strip = m_path_vertices[first].strip;
+  if(!reroute_around(strip, cluster_begin, cluster_end))
+    return false;
+
+  const Path_vertex saved_first = m_path_vertices[first], saved_last = m_path_vertices[last];
+  double length = m_path_vertices[first].length;
+  for(Index path_vertex = cluster_begin; path_vertex != last;
+      path_vertex = m_path_vertices[path_vertex].next)
+    length += m_path_vertices[path_vertex].length;
+  if(insert_shortest_path(std::move(strip), first, last) < length)
+  {
+    for(Index path_vertex = cluster_begin;; path_vertex = m_path_vertices[path_vertex].next)
+    {
+      release(path_vertex);
+      if(path_vertex == cluster_end)
+        break;
+    }
+    return true;
+  }
+  // The gain is below round-off errors.
+  for(Index path_vertex = m_path_vertices[first].next; path_vertex != last;
+      path_vertex = m_path_vertices[path_vertex].next)
+    release(path_vertex);
+  m_path_vertices[first] = saved_first;
+  m_path_vertices[last] = saved_last;
+  return false;
+}
+
 void Geodesic_shortener::shorten_locally()
 {
   std::deque<Index> queue;
@@ -634,46 +472,15 @@ void Geodesic_shortener::shorten_locally()
       continue; // merged or replaced meanwhile
     m_path_vertices[index].is_queued = false;
     Index first = m_path_vertices[index].previous, last = m_path_vertices[index].next;
-    while(first != m_begin && m_path_vertices[first].length == 0.)
-      first = m_path_vertices[first].previous;
-    while(last != m_end && m_path_vertices[m_path_vertices[last].previous].length == 0.)
-      last = m_path_vertices[last].next;
-    const Index cluster_begin = m_path_vertices[first].next,
-                cluster_end = m_path_vertices[last].previous;
-    Strip strip = m_path_vertices[first].strip;
-    if(!reroute_around(strip, cluster_begin, cluster_end))
+    if(!shorten_around(first, last))
       continue;
-
-    const Path_vertex saved_first = m_path_vertices[first], saved_last = m_path_vertices[last];
-    double length = m_path_vertices[first].length;
-    for(Index path_vertex = cluster_begin; path_vertex != last;
-        path_vertex = m_path_vertices[path_vertex].next)
-      length += m_path_vertices[path_vertex].length;
-    if(insert_shortest_path(std::move(strip), first, last) < length)
+    for(Index path_vertex = first;; path_vertex = m_path_vertices[path_vertex].next)
     {
-      for(Index path_vertex = cluster_begin;; path_vertex = m_path_vertices[path_vertex].next)
-      {
-        release(path_vertex);
-        if(path_vertex == cluster_end)
-          break;
-      }
-      for(Index path_vertex = first;; path_vertex = m_path_vertices[path_vertex].next)
-      {
-        enqueue(path_vertex);
-        if(path_vertex == last)
-          break;
-      }
-      merge_duplicates(first, last);
+      enqueue(path_vertex);
+      if(path_vertex == last)
+        break;
     }
-    else
-    {
-      // Shorter by less than rounding: leave it.
-      for(Index path_vertex = m_path_vertices[first].next; path_vertex != last;
-          path_vertex = m_path_vertices[path_vertex].next)
-        release(path_vertex);
-      m_path_vertices[first] = saved_first;
-      m_path_vertices[last] = saved_last;
-    }
+    merge_duplicates(first, last);
   }
 }
 
