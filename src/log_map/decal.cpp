@@ -13,12 +13,15 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// Returns the length of the longest edge of a triangle.
 double longest_edge_of(const Surface_arrays& t, Index triangle)
 {
   return *std::max_element(&t.length[3 * triangle], &t.length[3 * triangle] + 3);
 }
 
-// Whether a line across an axis parts a polygon from the rectangle; `reach` is that of the rectangle.
+// Returns whether the projections of a polygon and of the rectangle to an axis are disjoint.
+//
+// extent  the rectangle projects to [-extent, extent]
 template <std::size_t N>
 bool is_separated(const std::array<Vec2, N>& polygon, const Vec2& axis, double extent)
 {
@@ -31,8 +34,8 @@ bool is_separated(const std::array<Vec2, N>& polygon, const Vec2& axis, double e
   return low >= extent || high <= -extent;
 }
 
-// Whether a point, a segment or a triangle meets the inside of the rectangle: no line along a side of
-// either parts them.
+// Returns whether a point, a segment or a triangle intersects the interior of the rectangle
+// (separating axis theorem).
 template <std::size_t N>
 bool intersects(const std::array<Vec2, N>& polygon, const Vec2& half_size)
 {
@@ -57,8 +60,8 @@ bool is_edge_cut(const Surface_arrays& t, const Triangle_image& image, Index k)
   return is_cut(t, 3 * image.triangle + k, image.corners[k], image.corners[(k + 1) % 3]);
 }
 
-// Makes a triangle that is cut whole: similar to itself, on its longest side that is not cut.  False where it
-// has none.
+// Replaces the image of a cut triangle.  The new one is similar to the triangle and attached to its
+// longest edge that is not cut.  Returns false if all edges are cut.
 bool complete_image(const Surface_arrays& t, Triangle_image& image)
 {
   Index longest = none;
@@ -80,7 +83,7 @@ bool complete_image(const Surface_arrays& t, Triangle_image& image)
   return true;
 }
 
-// Of a triangle without all of its images.
+// Returns whether a known corner or edge of an incomplete image intersects the rectangle.
 bool may_intersect(const Surface_arrays& t, const Triangle_image& image, const Vec2& half_size)
 {
   for(Index k = 0; k < 3; ++k)
@@ -113,7 +116,8 @@ Decal_triangles find_decal_triangles(const Surface_arrays& t, const std::vector<
     for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
     {
       Triangle_image image = {t.ring[i] / 3, {}};
-      bool is_first = true /* of its reached corners */, is_reached = true;
+      // Each triangle is processed at the first of its reached corners only.
+      bool is_first = true, is_reached = true;
       for(Index k = 0; k < 3; ++k)
       {
         const Index corner = t.corner[3 * image.triangle + k];
@@ -163,7 +167,7 @@ std::array<Vec2, 3> Texture_cells::corners(std::size_t triangle) const
 {
   const std::size_t origin = first_texel(triangle);
   const Vec2 texel = {1. / double(width()), 1. / double(height())};
-  // Of the middle of a texel of the cell.
+  // Returns the texture coordinates of the center of texel (i, j) of the cell.
   const auto texel_center = [&](std::size_t i, std::size_t j) -> Vec2
   {
     return {(double(origin % width() + i) + 0.5) * texel[0],

@@ -13,10 +13,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Of the length of a stencil, that a path must have got on before a border.
+// The minimum length of a path that ends at the boundary, as a fraction of the stencil's length.
 constexpr double min_length_ratio = 0.3;
 
-// The sums of products of vectors.
+// The 2 x 2 matrix of a least-squares problem: the sum of q q^T.
 struct Normal_matrix
 {
   double xx = 0., xy = 0., yy = 0.;
@@ -28,7 +28,7 @@ struct Normal_matrix
     yy += q[1] * q[1];
   }
   double determinant() const { return xx * yy - xy * xy; }
-  // Whether the vectors have two directions, and not almost one.
+  // Returns whether the vectors are not almost parallel.
   bool is_regular() const
   {
     const double trace = xx + yy;
@@ -157,7 +157,7 @@ Vec2 transported_step(const Tangent_plane& plane, const Vec3& normal, const Vec3
 {
   const Vec3 base_normal = plane.normal();
   Vec3 transported = step - dot(step, normal) * normal;
-  // Where the normals are opposite to each other, no rotation is the least one.
+  // If the normals are opposite, the smallest rotation is not unique, and none is applied.
   if(const double sum = 1. + dot(normal, base_normal); sum > 0.)
     transported = transported - (dot(transported, base_normal) / sum) * (normal + base_normal);
   const Vec2 projected = {dot(transported, plane.x()), dot(transported, plane.y())};

@@ -19,7 +19,7 @@ Vec3 edge_vector(const Surface_arrays& t, Index h)
   return t.point[t.corner[next_halfedge(h)]] - t.point[t.corner[h]];
 }
 
-// Twice the area, along the normal.
+// Returns the normal of a corner's triangle, whose length is twice the area.
 Vec3 area_vector(const Surface_arrays& t, Index corner)
 {
   return cross(edge_vector(t, corner), -1. * edge_vector(t, previous_halfedge(corner)));
@@ -76,7 +76,7 @@ Tangent_plane::Tangent_plane(const Surface_arrays& t, const Surface_location& lo
                                 -1. * edge_vector(t, previous_halfedge(corner)));
       }
     }
-    // Around a needle's tip there may be no angle at all.
+    // The total angle can be zero at the tip of a degenerate triangle.
     const double angle_scale = m_total_polar_angle > 0. ? 2. * pi / m_total_polar_angle : 1.;
     m_angle_scale = is_on_boundary ? std::min(1., angle_scale) : angle_scale;
   }
@@ -103,7 +103,10 @@ Tangent_plane::Tangent_plane(const Surface_arrays& t, const Surface_location& lo
   set_axes(directions, unit(normal));
 }
 
-// Turns a frame of the normal such that tangent angles agree with the sides' directions.
+// Sets the axes in the plane of a normal such that the angles of projected directions agree with
+// their tangent angles on average.
+//
+// directions  polar angles and vectors in space
 void Tangent_plane::set_axes(const std::vector<std::pair<double, Vec3>>& directions,
                              const Vec3& normal)
 {
@@ -124,7 +127,7 @@ void Tangent_plane::set_axes(const std::vector<std::pair<double, Vec3>>& directi
 double Tangent_plane::tangent_angle(const Vec3& direction) const
 {
   const double tangential_length = std::hypot(dot(direction, m_x), dot(direction, m_y));
-  // What a unit vector along the normal leaves in the plane is rounding.
+  // The projection of a unit normal vector consists of round-off errors.
   if(!(tangential_length > 1e-14 * norm(direction)) || !std::isfinite(tangential_length))
     throw Invalid_argument_error("A direction is zero, not finite, or normal to the surface.");
   return std::atan2(dot(direction, m_y), dot(direction, m_x));

@@ -15,15 +15,16 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// How often noise is removed, until the level is this.
+// Denoising is repeated up to this number of times, until the noise level is at most this.
 constexpr int max_denoising_passes = 3;
 constexpr double residual_noise = 0.05;
 
-// How often a path that steps over gaps is drawn again with twice as many control points: a third time
-// changes nothing.
+// The maximum number of times that a path over gaps is recomputed with twice as many control
+// points.  A third time has no effect.
 constexpr int max_refinements = 2;
 
-// Up to here the shortest chain of all is found in less time than the path is drawn from it.
+// In clouds of at most this number of surfels, finding the shortest graph path takes less time than
+// shortening it.  No regions are used then.
 constexpr std::size_t small_cloud_size = 50000;
 
 Surfel_fit surfel_fit(Surfel_path_method method)
@@ -55,6 +56,8 @@ Path_constraint path_constraint(Surfel_path_method method)
              : Path_constraint::energy;
 }
 
+// Returns the options with the constraint that follows from the method.  Throws
+// Invalid_argument_error if an option is invalid.
 Cloud_path_options validated(Cloud_path_options options)
 {
   const Path_options& path = options.path;
@@ -95,14 +98,14 @@ Fitted_cloud::Fitted_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
             if(options.noise == Surfel_noise::kept ||
                (is_conditional && m_noise < significant_noise_level))
             {
-              // Arcs of another kind, or by the caller's radii, do not tell who is near.
+              // Coverage is defined by the graph of extended spheres with default radii.
               if(options.cloud.graph != Surfel_graph::extended_spheres || !radii.empty())
                 store_given_cloud();
               return build(m_given_cloud.number_of_vertices() == 0 ? nullptr
                                                                    : &m_given_cloud.frame);
             }
             store_given_cloud();
-            // Where there is much noise, normals are wrong by so much that a second time finds more.
+            // If the noise level is high, normals are so inaccurate that one pass is not enough.
             double noise_level_left = m_noise;
             for(int i = 0;
                 i < max_denoising_passes && (i == 0 || noise_level_left > residual_noise); ++i)
@@ -132,7 +135,8 @@ Fitted_cloud::Fitted_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
     m_regions = make_regions(m_cloud.graph, m_cloud.point, m_cloud.component);
 }
 
-// Moves surfels, where noise has been removed, no farther than paths may be.
+// Limits the displacement of denoised surfels: they stay in the region covered by the given
+// surfels.
 void Fitted_cloud::limit_displacements(std::vector<Vec3>& points, unsigned threads) const
 {
   const auto& [origin, scale] = m_given_cloud.frame;
@@ -177,8 +181,9 @@ Cloud_path_finder::Cloud_path_finder(std::shared_ptr<const Fitted_cloud> cloud)
       m_search(m_cloud->cloud().graph, m_cloud->cloud().point, m_cloud->regions())
 {}
 
-// Where a curve goes to a surfel that no short chain of arcs joins to the one before, over a gap or to
-// another sheet, it takes the shortest one.  Returns whether there are such places.
+// Replaces segments of a path that cross a gap or jump to another sheet by shortest graph paths.
+// Such a segment joins two surfels between which there is no short graph path.  Returns whether
+// there are any.
 bool Cloud_path_finder::reroute_over_gaps(Shortened_path& path)
 {
   const Surfel_cloud& cloud = m_cloud->cloud();
@@ -239,7 +244,7 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
   options.min_spacing = 0.5 * cloud.radius[from.vertex];
   result.path = shorten_path(m_cloud->surface(), options, chain);
   bool has_gaps = reroute_over_gaps(result.path);
-  // Control points nearer to each other see the gap.
+  // With closer control points, the projections detect the gap.
   Path_options finer_options = options;
   for(int i = 0; i < max_refinements && has_gaps; ++i)
   {
@@ -252,12 +257,14 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
   }
   if(result.path.length > result.start_length)
   {
-    // Noise and narrow valleys make arcs shorter than the surface below them.
+    // Because of noise and narrow valleys, graph edges can be shorter than paths on the surface.
+    // Compare with the curve along the graph path instead.
     Shortened_path start = result.path;
     fit_curve(m_cloud->surface(), chain, start);
     reroute_over_gaps(start);
     result.start_length = start.length;
-    // Where surfels are too far apart for what they show, fits jump from one to the next; disks overlap.
+    // If the sampling is too sparse, the fitted surfaces of adjacent surfels do not match.  Their
+    // disks overlap.
     if(result.path.length > start.length)
     {
       options.constraint = Path_constraint::energy;

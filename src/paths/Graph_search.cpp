@@ -8,19 +8,22 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Sums of the same lengths in another order differ by rounding: the bound must not cut by it.
+// Sums of the same lengths in another order differ by round-off errors.  This factor keeps the
+// heuristic a lower bound.
 constexpr double round_off_factor = 1. - 1e-14;
 
-// Chains of leaders go to and fro, and are longer than the way in space: with a bound of so much more
-// a search visits half as many, and on spheres and tori finds chains as short.
+// Coarse paths zigzag between leaders and are longer than the Euclidean distance.  With a heuristic
+// 1.1 times as large, a search visits half as many regions, and on spheres and tori the paths are
+// equally short.
 constexpr double coarse_heuristic_factor = 1.1;
 
-// Where the way crosses so few regions, nothing is left out.
+// If the coarse path has at most this number of regions, the search is not restricted.
 constexpr std::size_t min_corridor_length = 16;
 
-// Where it crosses so many, a search that fills them all takes longer than the path does that is drawn
-// from its chain.  It is led from each region to the leader so many farther along the way, by distances
-// so much larger than those in space that it hardly looks aside: it visits a third.
+// If the coarse path has more than `min_guided_length` regions, visiting the whole corridor takes
+// longer than shortening the resulting path.  The search is then guided from each region to the
+// leader that is `look_ahead` regions ahead on the coarse path.  With distances scaled by
+// `guidance_factor`, it visits a third of the vertices.
 constexpr std::size_t min_guided_length = 40, look_ahead = 8;
 constexpr double guidance_factor = 1.1;
 
@@ -83,7 +86,7 @@ Index Graph_search::expand(Frontier& frontier)
   return index;
 }
 
-// Leads a search from the open regions along the way.
+// Computes the waypoints of a search that is guided along a coarse path.
 void Graph_search::set_waypoints(const std::vector<Index>& coarse_path, Index to)
 {
   const Proximity_graph& graph = m_regions->graph;
@@ -96,7 +99,8 @@ void Graph_search::set_waypoints(const std::vector<Index>& coarse_path, Index to
   for(std::size_t i = n; i-- > 0;)
     m_remaining_length[i] =
         m_remaining_length[i + look_ahead] + norm(m_waypoints[i + look_ahead] - m_waypoints[i]);
-  // Neighbours of several follow the last; those on the way know their place.
+  // A region next to several regions of the path is guided by the last of them.  Regions on the
+  // path override this.
   for(Index i = 0; i < n; ++i)
     for(Index e = graph.begin[coarse_path[i]]; e < graph.begin[coarse_path[i] + 1]; ++e)
       m_waypoint_ahead[graph.target[e]] = i + look_ahead;
@@ -104,7 +108,7 @@ void Graph_search::set_waypoints(const std::vector<Index>& coarse_path, Index to
     m_waypoint_ahead[coarse_path[i]] = i + look_ahead;
 }
 
-// What a search in the direction of a goal takes for the length of the rest.
+// Returns the estimated distance from a vertex to the goal, or zero if there is no goal.
 double Graph_search::heuristic(const Frontier& frontier, Index vertex) const
 {
   if(frontier.goal == nullptr)
@@ -116,7 +120,8 @@ double Graph_search::heuristic(const Frontier& frontier, Index vertex) const
   return guidance_factor * (norm(point - m_waypoints[waypoint]) + m_remaining_length[waypoint]);
 }
 
-// Opens the regions on the way and their neighbours.  Returns false where there is no way.
+// Restricts the search to the regions of a coarse path and their neighbors, if that path is long
+// enough.  Returns false if there is no coarse path.
 bool Graph_search::restrict_to_corridor(Index from, Index to)
 {
   const Proximity_graph& graph = m_regions->graph;

@@ -23,14 +23,18 @@ Path_finder::Path_finder(std::shared_ptr<const Surface_arrays> triangles)
 
 namespace {
 
-// Whether the line between two points passes between two others, one on each side of it.
+// Returns whether the line from p to q has the point `right` strictly on its right and the point
+// `left` strictly on its left.
 bool passes_between(const Vec2& p, const Vec2& q, const Vec2& right, const Vec2& left)
 {
   return cross(q - p, right - p) < 0. && cross(q - p, left - p) > 0.;
 }
 
-// Returns the position of the corner opposite to a halfedge, in the plane in which the halfedge's
-// ends are at `left` and `right`, seen from the other side of its edge.
+// Unfolds the triangle of a halfedge across its edge.  Returns the position of the corner opposite
+// to the halfedge.
+//
+// left, right  positions of the edge's endpoints, seen from the adjacent triangle
+// base         length of the edge; positive
 Vec2 unfolded_apex(const Surface_arrays& t, Index h, const Vec2& left, const Vec2& right,
                    double base)
 {
@@ -53,7 +57,8 @@ const Path_finder::Shortcuts& Path_finder::shortcuts(Index corner)
   if(twin == none)
     return shortcuts;
 
-  // The side lies on the first axis, its left end (seen from the corner) at the origin.
+  // The opposite edge lies on the first axis.  Its left endpoint, seen from the corner, is the
+  // origin.
   const double base = t.length[h];
   const Vec2 left = {0., 0.}, right = {base, 0.};
   Vec2 start = third_corner(base, t.length[previous_halfedge(corner)], t.length[corner]);
@@ -81,7 +86,7 @@ const Path_finder::Shortcuts& Path_finder::shortcuts(Index corner)
   return shortcuts;
 }
 
-// Calls f with each site that one step leads to, the step's length, where it comes from, and how.
+// Calls f(target vertex, length, predecessor, type of step) for each step from a vertex.
 template <typename Function>
 void Path_finder::for_each_step(Index vertex, Function f)
 {
@@ -113,7 +118,9 @@ void Path_finder::for_each_step(Index vertex, Function f)
   }
 }
 
-// The sites that a location sees in its triangles and behind their sides.
+// Returns the links of a location.  A vertex is linked to itself.  Any other location is linked to
+// the corners of its triangles.  It is also linked across each of their edges to the opposite
+// vertex, if the segment stays in both triangles.
 std::vector<Path_finder::Link> Path_finder::links(const Surface_location& location) const
 {
   const Surface_arrays& t = *m_triangles;
@@ -136,7 +143,7 @@ std::vector<Path_finder::Link> Path_finder::links(const Surface_location& locati
       result.push_back({t.corner[h], norm(corners[h % 3] - x), {}});
       if(t.is_cloud() || t.twin[h] == none || barycentric[previous_halfedge(h) % 3] == 0.)
         continue;
-      // Behind the side: its right end, seen from inside, is where it begins.
+      // Seen from inside the triangle, a halfedge starts at the right end of its edge.
       const Index twin = t.twin[h];
       const Vec2 right = corners[h % 3], left = corners[next_halfedge(h) % 3];
       const double base = t.length[h];
@@ -172,7 +179,7 @@ double Path_finder::heuristic(Index vertex) const
   }
   for(unsigned i = 0; i < m_number_of_landmarks; ++i)
   {
-    // Comparisons with NaN are false.
+    // Comparisons with NaN are false: unreachable landmarks do not change the bound.
     const double distance = m_landmarks[std::size_t(vertex) * m_number_of_landmarks + i];
     if(distance - m_goal_distance_range[i][1] > result)
       result = distance - m_goal_distance_range[i][1];
@@ -228,7 +235,8 @@ void Path_finder::add_landmarks(unsigned number_of_landmarks)
   const std::size_t n = m_vertices.size();
   if(n == 0 || number_of_landmarks == 0)
     return;
-  // Each is the site farthest from those before, the first from site 0.
+  // Each landmark is the vertex farthest from all previous ones.  The first is farthest from vertex
+  // 0.
   std::vector<double> distance_to_nearest(n, infinity), distance;
   const std::size_t old_number = m_number_of_landmarks,
                     new_number = old_number + number_of_landmarks;
@@ -339,7 +347,8 @@ Index Path_finder::append_predecessors(std::vector<Surface_location>& path, Inde
       location.barycentric = barycentric_on_halfedge(h, 0.5);
       append_location(path, location);
     };
-    // The point on a side that a hop crosses matters to no one: straighten() moves it.
+    // Midpoints suffice: only the crossed edges matter, because shorten_geodesic() moves the
+    // points.
     if(current.step == Step::to_right)
       add_edge_midpoint(next_halfedge(t.twin[next_halfedge(corner)]));
     if(current.step == Step::to_left)

@@ -16,7 +16,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Calls f with each triangle that holds a clean location.
+// Calls f with each triangle that contains a canonical location.
 template <typename Function>
 void for_each_incident_triangle(const Surface_arrays& t, const Surface_location& location,
                                 Function f)
@@ -58,7 +58,7 @@ Descent::Descent(const Surface_arrays& t, const std::vector<Front_source>& sourc
       else
         for_each_incident_triangle(t, begin, add);
     }
-    // The last location, seen from the triangles that do not hold the one before.
+    // The last location is added as a point, for triangles that do not contain the previous one.
     if(source.polyline.size() > 1)
     {
       const Surface_location end = canonical(t, source.polyline.back());
@@ -75,7 +75,7 @@ Descent::Descent(const Surface_arrays& t, const std::vector<Front_source>& sourc
                    [](const Piece& a, const Piece& b) { return a.triangle < b.triangle; });
 }
 
-// A path under way.
+// A path while it is traced.
 struct Descent::Tracer
 {
   const Descent& descent;
@@ -113,7 +113,9 @@ struct Descent::Tracer
       path.locations.push_back(next);
   }
 
-  // Ends at the nearest source in a common triangle; at one that explains the value if asked to.
+  // Ends the path at the closest source in a triangle of the current location.  If
+  // `must_match_value`, the path ends only if the distance to the source is at most the value of
+  // the field.  Returns whether the path has ended.
   bool try_finish(bool must_match_value)
   {
     double best_distance = infinity;
@@ -144,7 +146,7 @@ struct Descent::Tracer
       }
     };
     for_each_incident_triangle(t, current, try_triangle);
-    // Interpolated distances are above true ones; the slack is for approximate fields.
+    // Interpolated distances exceed exact ones.  The tolerance is for approximate fields.
     if(source == none || (must_match_value && !(best_distance <= value * (1. + 1e-6))))
       return false;
     end = canonical(t, end);
@@ -160,7 +162,7 @@ struct Descent::Tracer
     double slope = 0.;
   };
 
-  // Keeps a step if it is the steepest so far and really goes down.
+  // Replaces the best step if another one decreases the field and is steeper.
   void consider_step(Step& best, const Surface_location& to, double length) const
   {
     const double drop = value - interpolated_value(to);
@@ -171,7 +173,8 @@ struct Descent::Tracer
       best = {to, slope};
   }
 
-  // Steps to the corners of a triangle and, unless only these are wanted, down its gradient.
+  // Considers the steps to the corners of a triangle and, unless `vertices_only`, the step along
+  // the negative gradient to the triangle's boundary.
   void consider_steps(Step& best, Index triangle, bool vertices_only) const
   {
     const auto barycentric = *barycentric_in(t, triangle, current);
@@ -196,7 +199,7 @@ struct Descent::Tracer
     {
       if(barycentric[(k + 2) % 3] == 0.)
       {
-        // On this side: the way down must lead inside.
+        // The location is on this edge: the descent direction must point inside.
         if(!(cross(corners[(k + 1) % 3] - corners[k], descent_direction) > 0.))
           return;
       }
@@ -214,7 +217,7 @@ struct Descent::Tracer
         continue;
       Surface_location to;
       to.triangle = triangle;
-      // Near a corner that is lower, rather the corner itself: it saves a fan of small steps.
+      // Snap to a close corner with a smaller value: it avoids many small steps around it.
       const double snap_fraction = 1e-4;
       if(fraction < snap_fraction && values[k] < value)
         to.barycentric = barycentric_at_corner(3 * triangle + k);
@@ -226,7 +229,8 @@ struct Descent::Tracer
     }
   }
 
-  // Along the shortest chain of arcs to a site that is lower, or that has a source in its star.
+  // Moves along the shortest path of edges to a vertex with a smaller value, or to one with a
+  // source in an incident triangle.  Returns false if there is no such vertex.
   bool escape_local_minimum()
   {
     struct Visited_vertex
@@ -295,6 +299,7 @@ struct Descent::Tracer
     return false;
   }
 
+  // Traces the path.  Returns whether it reaches a source.
   bool run(const Surface_location& from)
   {
     move_to(from);
@@ -323,8 +328,8 @@ struct Descent::Tracer
         return try_finish(false);
       move_to(vertex_location(t, start_vertex));
     }
-    // A step across a triangle lowers the value by an amount that has no lower bound: after more of
-    // them than the mesh has sides only steps to sites are made, of which there are finitely many.
+    // The decrease of a step across a triangle has no positive lower bound.  After more steps than
+    // the mesh has halfedges, only steps to vertices are made, which guarantees termination.
     for(std::size_t number_of_steps = 0;; ++number_of_steps)
     {
       if(try_finish(true))
@@ -356,7 +361,7 @@ Descent_path Descent::operator()(const Surface_location& from,
   const Surface_location begin = canonical(m_triangles, from);
   if(begin.triangle == none)
   {
-    // A site without triangles is reached from itself alone.
+    // An isolated vertex is reached only if it is a source.
     for(const auto& [vertex, source] : m_isolated)
       if(vertex == begin.vertex)
         return {{begin}, source};

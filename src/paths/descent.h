@@ -15,30 +15,33 @@ namespace CGAL::Geodesic_processing::internal {
 struct Descent_path
 {
   std::vector<Surface_location>
-      locations;       // as in Locally_shortest_path; empty when no source can be reached
-  Index source = none; // the position among the sources of the one where it ends
+      locations;       // as in Locally_shortest_path; empty if no source can be reached
+  Index source = none; // index of the source at which the path ends
 };
 
-// Paths down a distance field on a mesh, from anywhere to the sources of the field.
+// Traces paths on a mesh by descending a distance field to its sources.
 class CGAL_GEODESIC_PROCESSING_EXPORT Descent
 {
 public:
-  // Keeps a reference to the triangles.  Linear in the triangles around the sources.
+  // Keeps a reference to the triangles.  Takes O(n log n) time for n triangles that contain a
+  // source location.  Throws Unsupported_surface_error on a cloud.
   Descent(const Surface_arrays& triangles, const std::vector<Front_source>& sources);
 
-  // The path of steepest descent of the linearly interpolated field.  Each step lowers the field,
-  // so that it never turns in circles; in a pit of the field that holds no source it climbs out
-  // along arcs, to the nearest site that is lower.  It ends at a source as soon as one in the same
-  // triangle explains the field's value, or in a pit next to one.  Where the value at `from` is
-  // infinite it begins at the nearest corner where it is not.
+  // Returns the path of steepest descent of the linearly interpolated field.
   //
-  // distance  of each site, in any unit; infinite where no source reaches.  How it was found does
-  //           not matter.
+  // Each step decreases the field, so that the path has no cycles.  From a local minimum without a
+  // source, the path continues along edges to the nearest vertex with a smaller value.  The path
+  // ends if a source in the same triangle is at most as far as the field's value.  It also ends at
+  // a local minimum in a triangle that contains a source.  If the value at `from` is infinite, the
+  // path starts with the closest corner at which it is finite.
+  //
+  // distance  returns the distance of a vertex in the scale of the surface arrays; infinite if no
+  //           source reaches it.  The distances may be approximate.
   Descent_path operator()(const Surface_location& from,
                           const std::function<double(Index)>& distance) const;
 
 private:
-  // A straight part of a source in a triangle, by the coordinates of its ends.
+  // The segment of a source in a triangle; its endpoints have barycentric coordinates.
   struct Piece
   {
     Index triangle;
@@ -49,8 +52,8 @@ private:
   struct Tracer;
 
   const Surface_arrays& m_triangles;
-  std::vector<Piece> m_pieces;                     // by triangle
-  std::vector<std::pair<Index, Index>> m_isolated; // sites without triangles, and their sources
+  std::vector<Piece> m_pieces;                     // sorted by triangle
+  std::vector<std::pair<Index, Index>> m_isolated; // isolated vertices and their sources
 };
 
 } // namespace CGAL::Geodesic_processing::internal

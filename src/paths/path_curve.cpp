@@ -10,25 +10,29 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// Returns the cosine of the angle between two vectors, or 1 if one of them is zero.
 double cosine_between(const Vec3& p, const Vec3& q)
 {
   const double size = norm(p) * norm(q);
   return size > 0. ? dot(p, q) / size : 1.;
 }
 
-// The length of an arc over a chord, by the sine of half of its angle.
+// Returns the length of a circular arc over a chord from the sine of half its central angle.  Below
+// 1e-4 the series of asin(x) / x is exact to round-off errors.
 double arc_length_over_chord(double chord, double sine)
 {
   return chord * (sine > 1e-4 && sine < 1. ? std::asin(sine) / sine : 1. + sine * sine / 6.);
 }
 
-constexpr double corner_cosine = 0.86602540378443865; // the cosine of 30 degrees
+// A path that turns by 30 degrees or more at a point has a corner there.
+constexpr double corner_cosine = 0.86602540378443865;
 
-// Normals that differ by more than 40 degrees have a sharp edge between them.
+// Points whose normals differ by more than 40 degrees are separated by a sharp edge.
 constexpr double sharp_edge_cosine = 0.76604444311897804;
 
-// Where the shortest way between two points passes the line in which their tangent planes meet, and
-// how long it is; false where there is no sharp edge.
+// Computes the shortest path between two points across the line of intersection of their tangent
+// planes.  Sets the point on that line and the length of the path.  Returns false if the points are
+// not separated by a sharp edge.
 bool find_sharp_edge(const Projection& from, const Projection& to, Vec3& point, double& length)
 {
   const Vec3 chord = to.point - from.point;
@@ -37,14 +41,14 @@ bool find_sharp_edge(const Projection& from, const Projection& to, Vec3& point, 
      dot(to.normal, to.normal) == 0.)
     return false;
   const Vec3 edge_direction = unit(cross(from.normal, to.normal));
-  // The point of the line above `from`, in the plane of the two normals.
+  // Project the line to the plane through `from` that is spanned by both normals.
   const Vec3 perpendicular = chord - dot(chord, edge_direction) * edge_direction;
   const double height = dot(perpendicular, to.normal), square = 1. - cosine * cosine;
   const double a = -cosine * height / square, b = height / square;
-  const Vec3 projection = a * from.normal + b * to.normal; // of the line, seen from `from`
+  const Vec3 projection = a * from.normal + b * to.normal; // relative to `from`
   const double distance_before = norm(projection),
                distance_after = norm(projection - perpendicular);
-  // An edge beside the two is not between them.
+  // If the detour over the edge is that long, the edge does not lie between the points.
   if(distance_before + distance_after > 2. * norm(chord))
     return false;
   const double distance_along_edge = dot(chord, edge_direction);
@@ -58,7 +62,6 @@ bool find_sharp_edge(const Projection& from, const Projection& to, Vec3& point, 
 
 } // namespace
 
-// The same path with a point on each sharp edge.
 std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path)
 {
   std::vector<Projection> result = {path.front()};
@@ -73,8 +76,6 @@ std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path)
   return result;
 }
 
-// A point between each two: on the cubic through four (Dyn, Levin and Gregory 1987) where there is
-// no corner.
 std::vector<Projection> subdivide_curve(const Path_surface& surface,
                                         const std::vector<Projection>& path)
 {
@@ -144,7 +145,7 @@ double curve_length(const std::vector<Projection>& points)
   for(std::size_t i = 0; i + 1 < n; ++i)
   {
     const double chord = norm(points[i + 1].point - points[i].point);
-    // Half of the angle of the arc.
+    // Half of the central angle, which is close to its sine.
     const double sine = 0.25 * (curvature[i] + curvature[i + 1]) * chord;
     // arc_length_over_chord() multiplies in another order, which changes the last bits.
     sum +=

@@ -13,6 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// Removes the component of a vector along a direction.
 Vec3 project_out(const Vec3& unit_direction, const Vec3& p)
 {
   return p - dot(p, unit_direction) * unit_direction;
@@ -26,7 +27,8 @@ double inner_product(const std::vector<Vec3>& p, const std::vector<Vec3>& q)
   return sum;
 }
 
-// The matrix of the first sum, and `shift` on the diagonal, for the inner nodes.
+// The LDL^T factorization of the Hessian of the energy's first sum with respect to the inner nodes,
+// with `shift` added to its diagonal.
 class Tridiagonal_factorization
 {
 public:
@@ -54,7 +56,7 @@ public:
 
 private:
   std::vector<double> m_off_diagonal,
-      m_inverse_pivot; // #nodes: the off-diagonal, negated, and one over the pivots
+      m_inverse_pivot; // #nodes: the negated off-diagonal entries; the reciprocals of the pivots
 };
 
 class Energy_minimizer
@@ -97,7 +99,7 @@ public:
       if(std::max(decrease, last_decrease) < m_options.tolerance * previous_energy)
         break;
       last_decrease = decrease;
-      // Polak and Ribiere, with a fresh start where their factor is negative.
+      // Polak-Ribiere, restarted if the factor is negative.
       const std::vector<Vec3> preconditioned_gradient = preconditioned(m_current.energy.gradient);
       const double current_product =
           inner_product(m_current.energy.gradient, preconditioned_gradient);
@@ -129,19 +131,21 @@ private:
     internal::evaluate_energy(m_surface, m_options, m_relative_length, m_mean_length, state);
   }
 
-  // What a projected node can do of a step.
+  // Returns the component of a step along which a node can move: for projected nodes, the
+  // tangential component.
   Vec3 tangential(std::size_t i, Vec3 step) const
   {
     if(m_options.constraint == Path_constraint::energy)
       return step;
     const Projection& projection = m_current.feet[i];
     step = project_out(projection.normal, step);
-    // Against the rim it can only slide.
+    // If descent leads beyond the surface's boundary, the node can only slide along it.
     if(dot(m_current.energy.gradient[i], projection.conormal) < 0.)
       step = project_out(projection.conormal, step);
     return step;
   }
 
+  // Applies the preconditioner to a gradient.
   std::vector<Vec3> preconditioned(const std::vector<Vec3>& gradient) const
   {
     std::vector<Vec3> step = gradient;
@@ -154,7 +158,7 @@ private:
         step[i] = tangential(i, step[i]);
       return step;
     }
-    // Across the surface the distances pull as well.
+    // The squared distances contribute to the Hessian in the normal direction only.
     std::vector<Vec3> normal_components(step.size());
     for(std::size_t i = 0; i < step.size(); ++i)
     {
@@ -172,6 +176,7 @@ private:
     return step;
   }
 
+  // Sets a state to the current path plus a step.
   void take_step(const std::vector<Vec3>& direction, double step_length, Path_state& state) const
   {
     state.points = m_current.points;
@@ -182,18 +187,18 @@ private:
     evaluate_energy(state);
   }
 
-  // Goes down along a direction; false where it cannot.  The preconditioner is Newton's on a plane:
-  // the whole step is right where the surface hardly bends.
+  // Decreases the energy along a direction.  Returns false if no trial step does.  The first trial
+  // is the full step: on a plane, the preconditioner is the exact Hessian.
   bool line_search(const std::vector<Vec3>& direction, double slope)
   {
-    constexpr double sufficient_decrease = 1e-4; // of what the slope promises (Armijo)
+    constexpr double sufficient_decrease = 1e-4; // fraction of the linear prediction (Armijo)
     double step_length = 1.;
     const double initial_energy = m_current.energy.value;
     for(int i = 0; i < 12; ++i)
     {
       take_step(direction, step_length, m_trial);
       const double increase = m_trial.energy.value - initial_energy;
-      // The least place of the parabola through what is known.
+      // The minimum of the parabola through both energies with the initial slope.
       const double parabola_minimum =
           -0.5 * slope * step_length * step_length / (increase - slope * step_length);
       if(increase <= sufficient_decrease * step_length * slope)
@@ -213,8 +218,9 @@ private:
     return false;
   }
 
-  // Moves one projected node after the other between its neighbours: where feet jump, at sharp edges and
-  // where surfels disagree, no step of all nodes goes down although most of them could.
+  // Moves one projected node after another to the minimum between its neighbors.  Returns false if
+  // the energy does not decrease.  Projections are discontinuous at sharp edges and at inconsistent
+  // surfels.  There, one node can make every common step fail, although most nodes could move.
   bool gauss_seidel_sweep()
   {
     if(m_options.constraint == Path_constraint::energy)
@@ -260,7 +266,7 @@ private:
   Path_state m_current, m_trial, m_second_trial;
 };
 
-// The point after the share of a polyline's length.
+// Returns the point of a polyline at a given length along it.
 Projection point_at_length(const std::vector<Projection>& chain,
                            const std::vector<double>& cumulative_length, double length)
 {
@@ -276,6 +282,7 @@ Projection point_at_length(const std::vector<Projection>& chain,
   return projection;
 }
 
+// Returns the length of a polyline up to each of its points.
 std::vector<double> cumulative_lengths(const std::vector<Projection>& chain)
 {
   std::vector<double> cumulative_length = {0.};
@@ -285,7 +292,7 @@ std::vector<double> cumulative_lengths(const std::vector<Projection>& chain)
   return cumulative_length;
 }
 
-// The feet of evenly spaced points of a chain, and its ends.
+// Returns evenly spaced points of a polyline, projected to the surface.  The endpoints are kept.
 std::vector<Projection> resample(const Path_surface& surface, const std::vector<Projection>& chain,
                                  std::size_t number_of_nodes)
 {
@@ -302,7 +309,8 @@ std::vector<Projection> resample(const Path_surface& surface, const std::vector<
   return result;
 }
 
-// How far a chain strays from `nodes` of its points, as a part of the distance between them.
+// Returns the maximum distance between a polyline and its resampling with fewer nodes, divided by
+// the spacing of these nodes.
 double relative_deviation(const std::vector<Projection>& chain, std::size_t number_of_nodes)
 {
   const std::vector<double> cumulative_length = cumulative_lengths(chain);
@@ -326,14 +334,15 @@ double relative_deviation(const std::vector<Projection>& chain, std::size_t numb
   return spacing > 0. ? max_deviation / spacing : 0.;
 }
 
-// Relative decreases of the energy at which a level with fewer control points ends.
+// The minimum tolerance of all levels but the finest: a level ends if the energy decreases by less
+// than this fraction.
 constexpr double coarse_level_tolerance = 1e-6;
 
-// How often segments that leave the surface are halved.
+// The maximum number of times that segments off the surface are halved.
 constexpr int max_refinements = 4;
 
-// Inserts control points where the middle of a segment is farther from the surface than a twentieth
-// of its length, or beyond the border; false where there are none.
+// Halves the segments whose midpoint is farther from the surface, or from its boundary, than a
+// twentieth of the segment's length.  Returns false if there are no such segments.
 bool refine_segments(const Path_surface& surface, std::vector<double>& relative_length,
                      std::vector<Projection>& path)
 {
@@ -388,7 +397,7 @@ void evaluate_energy(const Path_surface& surface, const Path_options& options,
     const Vec3 segment = points[i + 1] - points[i];
     const double square = dot(segment, segment);
     energy.value += square / relative_length[i];
-    Vec3 segment_gradient = 2. / relative_length[i] * segment; // the derivative by the segment
+    Vec3 segment_gradient = 2. / relative_length[i] * segment; // derivative with respect to s_i
     if(is_energy_constrained && beta > 0. && square > 0.)
     {
       const Vec3 midpoint = 0.5 * (points[i] + points[i + 1]);
@@ -397,7 +406,8 @@ void evaluate_energy(const Path_surface& surface, const Path_options& options,
       const double term = beta * dot(offset, offset) / square;
       energy.value += term;
       segment_gradient = segment_gradient - 2. * term / square * segment;
-      const Vec3 midpoint_gradient = beta / square * offset; // half of the derivative by the middle
+      // Half of the derivative with respect to the midpoint: each endpoint moves it by half.
+      const Vec3 midpoint_gradient = beta / square * offset;
       energy.gradient[i] = energy.gradient[i] + midpoint_gradient;
       energy.gradient[i + 1] = energy.gradient[i + 1] + midpoint_gradient;
     }
@@ -428,8 +438,8 @@ void fit_curve(const Path_surface& surface, const std::vector<Projection>& nodes
 
 namespace {
 
-// What is known of a surface by squared distances: their gradient at p is twice the way from the foot
-// to p.
+// A surface given by its squared distance function, whose gradient at p is 2 (p - q) for the
+// closest point q.  The gradient is computed by central differences.
 class Squared_distance_surface : public Path_surface
 {
 public:
@@ -480,8 +490,8 @@ Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_di
       throw Invalid_argument_error("A point of the polyline is not finite.");
   }
   options.constraint = Path_constraint::energy;
-  // A hundredth of a segment: what distances from a plane leave is rounding, and what curvature
-  // leaves is as small as a hundredth of the sagitta.
+  // The step of the differences is a hundredth of a segment.  On a plane, only round-off errors
+  // remain; on a curved surface, the error is below a hundredth of the sagitta.
   const Squared_distance_surface surface(
       squared_distance, 0.01 * length / double(options.number_of_control_points + 1));
   return shorten_path(surface, options, feet);
@@ -501,7 +511,8 @@ Shortened_path shorten_path(const Path_surface& surface, const Path_options& opt
   if(options.min_spacing > 0.)
     max_nodes = std::min<std::size_t>(max_nodes,
                                       std::size_t(std::min(length / options.min_spacing, 1e9)) + 9);
-  // At each level half of the segments of the next one; the first follows the chain.
+  // Each level has half of the segments of the next.  The coarsest level must still approximate
+  // the chain to a tenth of its spacing.
   std::size_t number_of_nodes = max_nodes;
   while(number_of_nodes > 16 && relative_deviation(chain, (number_of_nodes + 1) / 2) < 0.1)
     number_of_nodes = (number_of_nodes + 1) / 2;

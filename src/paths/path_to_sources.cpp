@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The place of a source that is nearest in space to a point.
+// Returns the location on a source with the smallest Euclidean distance to a point.
 Surface_location nearest_location_on(const Surface_arrays& t, const Front_source& source,
                                      const Vec3& point)
 {
@@ -45,6 +45,7 @@ Surface_location nearest_location_on(const Surface_arrays& t, const Front_source
   return result;
 }
 
+// Returns the path along predecessors from a location to its source.
 std::vector<Surface_location> trace_predecessors(const Surface_arrays& t,
                                                  const Surface_location& from,
                                                  const std::vector<Front_source>& sources,

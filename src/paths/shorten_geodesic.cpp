@@ -15,27 +15,27 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Angles nearer to pi than this count as pi: cutting such a corner, with legs a and b, shortens the
-// path by less than 1e-18 (a + b).
+// Angles that differ from pi by less than this are treated as pi.  Cutting such a corner with legs
+// a and b shortens the path by less than 1e-18 (a + b).
 constexpr double angle_tolerance = 1e-9;
 
-// A point where the path may bend, and the straight part that leaves it.
+// A point at which the path may bend, and the straight segment that starts there.
 struct Path_vertex
 {
-  Surface_location location; // an end of the path, or a site
+  Surface_location location; // an endpoint of the path, or a vertex
   Index vertex = none;
   Index previous = none, next = none;
 
-  // To the next knot; no side of it contains either
+  // The strip to the next path vertex.  Its edges contain neither of the two.
   Strip strip;
   double length = 0.;
 
-  // At a site: the direction in which the path leaves and the one back to where it came from, each
-  // as an angle from the side that leaves a corner.
+  // At a vertex: the directions to the next and to the previous path vertex.  Each is given by the
+  // corner of its triangle and the angle from that corner's halfedge.
   Index corner_out = none, corner_in = none;
   double angle_out = 0., angle_in = 0.;
 
-  bool is_queued = false; // in the list of knots to be looked at
+  bool is_queued = false; // whether it is in the queue of shorten_locally()
 };
 
 class Geodesic_shortener
@@ -64,7 +64,7 @@ private:
   void compute_angles(Index path_vertex, double& left, double& right) const;
 
   const Surface_arrays& t;
-  std::deque<Path_vertex> m_path_vertices; // linked; front() is the path's begin
+  std::deque<Path_vertex> m_path_vertices; // a linked list; front() is the first one
   std::vector<Index> m_free_indices;
   Index m_begin = none, m_end = none;
   std::size_t m_number_of_visited_halfedges = 0;
@@ -86,6 +86,7 @@ void Geodesic_shortener::unfold(const Strip& strip, const Surface_location& begi
   m_unfolded.unfold(t, strip, begin, end);
 }
 
+// Returns the corner of a triangle at which a location lies, or `none`.
 Index Geodesic_shortener::corner_at(const Surface_location& location, Index triangle) const
 {
   const auto barycentric = barycentric_in(t, triangle, location);
@@ -95,7 +96,7 @@ Index Geodesic_shortener::corner_at(const Surface_location& location, Index tria
   return none;
 }
 
-// The length of the straight part that leaves a knot, and its directions at both ends.
+// Computes the length of the segment that starts at a path vertex, and its directions at both ends.
 void Geodesic_shortener::update_length_and_angles(Index index)
 {
   Path_vertex& from = m_path_vertices[index];
@@ -119,7 +120,8 @@ void Geodesic_shortener::update_length_and_angles(Index index)
           std::clamp(angle_between(u.last_leg, -1. * u.end), 0., interior_angle(t, to.corner_in));
     return;
   }
-  // In one triangle; along a side the angles are those of the triangle, without rounding.
+  // The segment lies in one triangle.  Along an edge, the angles are zero or the triangle's own
+  // angles, without round-off errors.
   const auto corners = unfolded(t, strip.triangle);
   const auto angle_at = [&](Index corner, Index other_corner, const Vec2& direction)
   {
@@ -138,7 +140,7 @@ void Geodesic_shortener::update_length_and_angles(Index index)
     to.angle_in = angle_at(to.corner_in, from.vertex == none ? none : from.corner_out, -1. * u.end);
 }
 
-// ---------------------------------------------------------------------------------------- knots
+// -------------------------------------------------------------------------------- path vertices
 
 Index Geodesic_shortener::new_path_vertex(const Surface_location& location)
 {
@@ -171,13 +173,13 @@ void Geodesic_shortener::link(Index a, Index b)
   m_path_vertices[b].previous = a;
 }
 
-// The angles on both sides of a path at a site.
+// Computes the total angles on the left and on the right of the path at a vertex.
 void Geodesic_shortener::compute_angles(Index index, double& left, double& right) const
 {
   const Path_vertex& path_vertex = m_path_vertices[index];
   const Index corner_in = path_vertex.corner_in, corner_out = path_vertex.corner_out;
   const double full_angle_in = interior_angle(t, corner_in);
-  // From the way back to the way on, counterclockwise: on the right of the path.
+  // Counterclockwise from the incoming to the outgoing direction are the triangles on the right.
   const auto sum_angles = [&](bool counterclockwise)
   {
     double total = counterclockwise ? full_angle_in - path_vertex.angle_in : path_vertex.angle_in;
@@ -191,7 +193,7 @@ void Geodesic_shortener::compute_angles(Index index, double& left, double& right
         return total +
                (counterclockwise ? path_vertex.angle_out : full_angle - path_vertex.angle_out);
       if(corner == corner_in)
-        return infinity; // another fan of a pinched site
+        return infinity; // the outgoing direction is in another fan of a nonmanifold vertex
       total += full_angle;
     }
   };
@@ -200,10 +202,10 @@ void Geodesic_shortener::compute_angles(Index index, double& left, double& right
   left = corner_in == corner_out && angle_difference <= 0. ? -angle_difference : sum_angles(false);
 }
 
-// Leads a strip that goes from before the first to the last of some knots around their sites, on
-// the side where the angle is below pi, and on to where the last knot's part ends.  Knots at one
-// point in space are seen as one: the angles between them are those of a straight line. False when
-// both angles are large enough.
+// Extends a strip that ends at path vertex `first` around the vertices up to `last` and then by the
+// strip of `last`.  The strip is led around the side on which the total angle is smaller.  Returns
+// false if both angles are at least pi.  Several path vertices at the same point in space are
+// treated as one vertex: pi is subtracted for each connection between two of them.
 bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) const
 {
   double left = 0., right = 0.;
@@ -240,13 +242,14 @@ bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) c
   }
 }
 
-// Puts the shortest path in a strip between two knots; returns its length.
+// Replaces the path between two path vertices by the shortest path in a strip.  Returns its length.
 double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index last)
 {
   strip.trim(t, m_path_vertices[first].location, m_path_vertices[last].location);
   unfold(strip, m_path_vertices[first].location, m_path_vertices[last].location);
 
-  // Bends touch the sides begin .. end - 1 of the strip; the knots at both ends touch none.
+  // The current bend is incident to the edges begin, ..., end - 1 of the strip.  The path vertices
+  // `first` and `last` are incident to no edge.
   const auto& halfedges = strip.halfedges;
   std::size_t begin = 0, end = 0;
   Index from = first;
@@ -259,7 +262,7 @@ double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index 
       segment.triangle = end == 0 ? strip.triangle : t.twin[halfedges[end - 1]] / 3;
       segment.halfedges.assign(halfedges.begin() + end, halfedges.begin() + next_begin);
     }
-    else // both are ends of one side
+    else // both are endpoints of the same edge
       segment.triangle = halfedges[std::max(begin, next_begin)] / 3;
   };
   for(const Bend& bend : m_funnel.find_bends(t, strip, m_unfolded))
@@ -293,7 +296,7 @@ double Geodesic_shortener::insert_shortest_path(Strip strip, Index first, Index 
   return length;
 }
 
-// Merges knots at the same site that nothing separates, from `first` up to `last`.
+// Merges consecutive path vertices at the same vertex, from `first` to `last`.
 void Geodesic_shortener::merge_duplicates(Index first, Index last)
 {
   for(Index index = first; index != last;)
@@ -330,6 +333,7 @@ void Geodesic_shortener::merge_duplicates(Index first, Index last)
 
 // ---------------------------------------------------------------------------------------- paths
 
+// Converts the input to strips between the vertices that it passes, and shortens it in each strip.
 void Geodesic_shortener::initialize(const std::vector<Surface_location>& input)
 {
   std::vector<Surface_location> path;
@@ -376,7 +380,8 @@ void Geodesic_shortener::initialize(const std::vector<Surface_location>& input)
   merge_duplicates(m_begin, m_end);
 }
 
-// Leads the path around all sites at once, as long strips; false when there is none to go around.
+// Reroutes the path around all touched vertices with an angle below pi at once, so that strips
+// become long.  Returns false if there is no such vertex.
 bool Geodesic_shortener::shorten_globally()
 {
   bool is_changed = false;
@@ -443,6 +448,7 @@ bool Geodesic_shortener::shorten_around(Index& first, Index& last)
   return false;
 }
 
+// Reroutes the path around one touched vertex after the other until all angles are at least pi.
 void Geodesic_shortener::shorten_locally()
 {
   std::deque<Index> queue;
@@ -461,8 +467,8 @@ void Geodesic_shortener::shorten_locally()
     size += m_path_vertices[path_vertex].strip.halfedges.size() + 1;
     enqueue(path_vertex);
   }
-  // Every turn shortens the path, so this ends; the bound is for surfaces on which each does so by
-  // next to nothing.
+  // Each rerouting shortens the path, so that the loop terminates.  The limit is for surfaces on
+  // which each shortens it by almost nothing.
   const std::size_t work_limit = m_number_of_visited_halfedges + 10000000 + 1000 * size;
   while(!queue.empty() && m_number_of_visited_halfedges < work_limit)
   {
@@ -484,6 +490,7 @@ void Geodesic_shortener::shorten_locally()
   }
 }
 
+// Returns the path with its points on crossed edges.
 Locally_shortest_path Geodesic_shortener::make_result()
 {
   Locally_shortest_path result;
@@ -508,11 +515,11 @@ Locally_shortest_path Geodesic_shortener::make_result()
     unfold(path_vertex.strip, path_vertex.location, m_path_vertices[path_vertex.next].location);
     for(std::size_t i = 0; i < path_vertex.strip.halfedges.size(); ++i)
     {
-      // The share of the side, from its right to its left end.
+      // The fraction of the edge, from its right to its left endpoint.
       const double right = -cross(m_unfolded.end, m_unfolded.right[i]);
       const double left = cross(m_unfolded.end, m_unfolded.left[i]);
       double fraction = right / (left + right);
-      if(!(left + right > 0.)) // along the side, or nowhere
+      if(!(left + right > 0.)) // the path runs along the edge, or has length zero
         fraction = norm(m_unfolded.right[i]) <= norm(m_unfolded.left[i]) ? 0. : 1.;
       fraction = std::clamp(fraction, 0., 1.);
       Surface_location location;
@@ -530,7 +537,8 @@ Locally_shortest_path Geodesic_shortener::operator()(const std::vector<Surface_l
   initialize(path);
   if(m_end != none)
   {
-    // Turns all along the path are cheaper together, the last ones one by one.
+    // Global steps are cheaper while most touched vertices are rerouted.  Local steps are cheaper
+    // for the last ones.
     for(int i = 0; i < 8 && shorten_globally(); ++i)
       ;
     shorten_locally();

@@ -10,8 +10,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A site that a path runs through, and the angles of the surface on both sides of the path there:
-// infinite on a side where a border is.
+// A vertex that a path passes through, with the total angles of the triangles on the left and on
+// the right of the path.  If the boundary is on that side, the angle is infinite.
 struct Touched_vertex
 {
   std::size_t location_index; // in the path's locations
@@ -21,30 +21,38 @@ struct Touched_vertex
 struct Locally_shortest_path
 {
   std::vector<Surface_location>
-      locations;      // never empty, no point twice in a row, consecutive ones in a
-                      //   common triangle; crossed sides with one zero coordinate
-  double length = 0.; // in the domain's scale
-  std::vector<Touched_vertex> touched_vertices; // in order, without the ends
+      locations;      // not empty; no two consecutive ones are equal, and they lie in a common
+                      //   triangle; points on crossed edges have one zero coordinate
+  double length = 0.; // in the scale of the surface arrays
+  std::vector<Touched_vertex> touched_vertices; // in order, without the endpoints
 };
 
-// Pulls a path taut: the result joins the same ends, is not longer, and is locally shortest:
-// straight in the triangles that it crosses, with an angle of at least pi on both sides of every
-// site that it touches.  It is the shortest of all that cross the same strip of triangles, but not
-// always the shortest of all: it stays on the side of every hill on which the path was.
+// Shortens a path on a mesh to a locally shortest one with the same endpoints.
 //
-// path  not empty; consecutive locations lie in a common triangle (of a mesh), anywhere in it.
-//       Coordinates below 1e-14 count as zero.
+// path  not empty; consecutive locations lie in a common triangle.  Barycentric coordinates below
+//       1e-14 are treated as zero.
 //
-// The strip of triangles is unfolded and its shortest path found by a funnel (Lee and Preparata
-// 1984); where an angle is below pi, the strip is led around the site on that side (Xin and Wang
-// 2007), and the part between the neighbouring touched sites is pulled taut again.  Each turn
-// shortens the path, so that it ends.  Corners that gain less than rounding stay: angles short of
-// pi by up to 1e-7, and more at sites nearer to each other than some hundred roundings of the
-// path's length, which glue() keeps apart.  The cost is proportional to the strip, times the turns
-// near each place; nothing of the size of the mesh is touched.
+// The result is not longer than the path.  It is straight in the unfolded triangles, and both
+// angles at each vertex that it touches are at least pi.  It is the shortest path in its strip of
+// triangles, but not always the globally shortest path.  For example, it does not pass to the other
+// side of a hill.
 //
-// Throws Invalid_argument_error when the path is empty or two consecutive locations lie in no
-// common triangle, Unsupported_surface_error on a cloud.
+// Algorithm: The strip of triangles is unfolded, and the shortest path in it is computed by the
+// funnel algorithm (Lee and Preparata 1984).  If an angle at a touched vertex is below pi, the
+// strip is rerouted around the vertex on that side (Xin and Wang 2007).  The path between the
+// adjacent touched vertices is then recomputed.  The algorithm terminates because each rerouting
+// shortens the path.
+//
+// Tolerance: Corners are kept if cutting them shortens the path by less than round-off errors.
+// Their angles are at least pi - 1e-7.  Smaller angles are possible if vertices almost coincide:
+// closer than some hundred round-off errors of the path's length.  build_mesh_arrays() prevents
+// this.
+//
+// Complexity: the length of the strip times the number of reroutings near each of its triangles,
+// independent of the size of the mesh.
+//
+// Throws Invalid_argument_error if the path is empty or two consecutive locations lie in no common
+// triangle.  Throws Unsupported_surface_error on a cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Locally_shortest_path shorten_geodesic(const Surface_arrays& triangles,
                                        const std::vector<Surface_location>& path);

@@ -16,9 +16,9 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 constexpr double margin = Split_mesh::min_split_fraction;
-// Of angles, in radians: gains beyond rounding.
+// In radians: a smaller difference to pi shortens the path by less than round-off errors.
 constexpr double turn_tolerance = 1e-7;
-// Sides that are looked at to straighten a path: a tenth of a second.
+// The maximum number of edges visited by reroutings, which take about a tenth of a second.
 constexpr std::size_t max_work = 1000000;
 
 class Strip_shortener
@@ -31,15 +31,15 @@ public:
   {
     simplify();
     run_funnel();
-    // Through webs of needles some strips have thousands of sides, and as many turns to take: any of
-    // them is a valid one.
+    // In regions of thin triangles, strips can have thousands of edges and need as many reroutings.
+    // The path is valid after each of them, so that their number can be limited.
     std::size_t max_turns = 20 + max_work / (m_halfedges.size() + 1);
     while(!m_halfedges.empty() && max_turns-- > 0 && reroute_around_vertex())
       ;
   }
 
   const std::vector<Index>& halfedges() const { return m_halfedges; }
-  // Where the path crosses each.
+  // Returns the fraction of each edge at which the path crosses it.
   std::vector<double> fractions() const
   {
     std::vector<double> result(m_halfedges.size());
@@ -63,11 +63,11 @@ private:
   struct Bend
   {
     Vec2 position;
-    std::size_t strip_index; // in the strip; the begin's number wraps to zero when one is added
+    std::size_t strip_index; // index of its edge; that of the path's start is -1 (unsigned)
     bool is_left;
   };
 
-  // Takes loops out, and sides at the ends, which lead around them.
+  // Removes loops from the strip, and edges at both ends that are incident to the path's endpoints.
   void simplify()
   {
     std::map<Index, std::size_t> position_in_strip;
@@ -103,7 +103,7 @@ private:
                        result.begin() + std::ptrdiff_t(end));
   }
 
-  // Unfolds the strip: where the ends of its sides are, seen on the way to the left and to the right.
+  // Computes the positions of the left and right endpoints of the edges in the unfolded strip.
   void unfold()
   {
     m_left.clear();
@@ -136,7 +136,7 @@ private:
     }
   }
 
-  // The funnel (Lee and Preparata 1984) between sides that are shorter by a margin at both ends.
+  // Runs the funnel algorithm (Lee and Preparata 1984) on edges shortened by a margin at both ends.
   void run_funnel()
   {
     unfold();
@@ -183,6 +183,7 @@ private:
       m_bends.push_back({m_end, n, true});
   }
 
+  // Returns the length of the path.
   double length() const
   {
     double result = 0.;
@@ -191,8 +192,9 @@ private:
     return result;
   }
 
-  // Leads the strip around the other side of a site, if the path is shorter there (Xin and Wang 2007);
-  // margins may make it longer.
+  // Reroutes the strip around the first vertex whose outer angle is below pi (Xin and Wang 2007).
+  // Because of the margins, the path may become longer; the rerouting is then undone.  Returns
+  // false if there is no vertex to try.
   bool reroute_around_vertex()
   {
     for(std::size_t k = 1; k + 1 < m_bends.size(); ++k)
@@ -227,6 +229,8 @@ private:
     return false;
   }
 
+  // Replaces the edges incident to a vertex by those on the other side of the vertex.  Returns
+  // false if these reach the boundary.
   bool reroute(std::size_t strip_index, bool is_left, Index vertex)
   {
     const auto is_incident = [&](std::size_t i)
@@ -261,7 +265,7 @@ private:
   const std::vector<bool>& m_is_barred;
   Index m_from, m_to;
   std::vector<Index> m_halfedges;
-  std::vector<Index> m_rejected_vertices; // sites behind which the path is longer
+  std::vector<Index> m_rejected_vertices; // vertices around which the path is longer
   std::vector<Vec2> m_left, m_right;
   Vec2 m_end = {};
   std::vector<Bend> m_bends;

@@ -9,22 +9,26 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A path from a site to another that runs through no site between, by the sides that it crosses, each
-// given in the triangle that it leaves, and where it crosses each.
+// A path between two vertices that touches no other vertex, given by the edges that it crosses.
 struct Strip_path
 {
-  std::vector<Index> halfedges; // empty when the sites are in a common triangle, or it crosses none
-  std::vector<double> fractions;
+  std::vector<Index> halfedges;  // each in the triangle that is left; empty if no edge is crossed
+  std::vector<double> fractions; // #halfedges: the crossing points, from source to target
 };
 
-// Pulls a path taut, which keeps off the ends of the sides it crosses by Split_mesh::margin: the
-// funnel of its strip (Lee and Preparata 1984), led around the other side of a site as long as that
-// makes it shorter (Xin and Wang 2007).  Unlike straighten(), it meets no site.
+// Shortens a path between two vertices.  The path keeps away from the endpoints of the edges that
+// it crosses, by Split_mesh::min_split_fraction times the edge's length.  Unlike
+// shorten_geodesic(), it touches no vertex.
 //
-// is_barred  #sites: those around whose other side it is not led
-// sides      that some path crosses; loops are taken out
+// The shortest path in the strip is computed by the funnel algorithm (Lee and Preparata 1984).  The
+// strip is rerouted around the other side of a vertex while that shortens the path (Xin and Wang
+// 2007).
 //
-// Proportional to the strip times the turns, of which there are less in very long strips.
+// is_barred  #vertices: whether the strip must not be rerouted around a vertex
+// halfedges  the edges that the initial path crosses; loops are removed
+//
+// Complexity: the length of the strip times the number of reroutings.  In strips of thousands of
+// edges, the number of reroutings is limited.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Strip_path shorten_in_strip(const Split_mesh& mesh, const std::vector<bool>& is_barred, Index from,
                             Index to, std::vector<Index> halfedges);

@@ -17,18 +17,20 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// Patches contain the triangles in this k-ring of the path.
 constexpr unsigned number_of_rings = 6;
 
-// A surface of some of the triangles of a cloud, and the way back.
+// A mesh of some of a cloud's triangles, with the maps between both.
 struct Patch
 {
   Mesh_arrays mesh;
-  std::vector<Index> cloud_vertex;   // in the cloud
-  std::vector<Index> cloud_triangle; // in the cloud
-  std::unordered_map<Index, Index> patch_vertex, patch_face;
+  std::vector<Index> cloud_vertex;   // #vertices of the patch: the vertex of the cloud
+  std::vector<Index> cloud_triangle; // #faces of the patch: the triangle of the cloud
+  std::unordered_map<Index, Index> patch_vertex, patch_face; // the inverse maps
 };
 
-// Triangles with all corners near a path; those that hold a location of it first, then by weight.
+// Returns the triangles whose corners are all in the k-ring of a path.  Triangles that contain a
+// location of the path come first, then all others by decreasing weight.
 std::vector<Index> collect_triangles_near(const Surface_arrays& cloud,
                                           const std::vector<Surface_location>& path)
 {
@@ -62,7 +64,7 @@ std::vector<Index> collect_triangles_near(const Surface_arrays& cloud,
     for(Index k = cloud.ring_begin[vertex]; k < cloud.ring_begin[vertex + 1]; ++k)
     {
       const Index triangle = cloud.ring[k] / 3;
-      // Once for each triangle: at the first of its corners.
+      // Each triangle is visited at its first corner only.
       bool is_inside = cloud.ring[k] == 3 * triangle;
       for(Index c = 3 * triangle; is_inside && c < 3 * triangle + 3; ++c)
         is_inside = visited.count(cloud.corner[c]) > 0;
@@ -76,11 +78,13 @@ std::vector<Index> collect_triangles_near(const Surface_arrays& cloud,
   return result;
 }
 
+// Builds a patch from triangles near a path.  A triangle is added if its halfedges are not yet
+// used.
 Patch build_patch(const Surface_arrays& cloud, const std::vector<Surface_location>& path)
 {
   Patch patch;
   std::vector<Index> corners;
-  std::unordered_map<std::uint64_t, Index> halfedge_between; // from one site to another
+  std::unordered_map<std::uint64_t, Index> halfedge_between; // by its source and its target
   const auto key = [](Index a, Index b) { return std::uint64_t(a) << 32 | b; };
   for(const Index triangle : collect_triangles_near(cloud, path))
   {
@@ -114,7 +118,8 @@ Patch build_patch(const Surface_arrays& cloud, const std::vector<Surface_locatio
   return patch;
 }
 
-// A location of the cloud on the patch; its triangle or site must be there.
+// Converts a location on the cloud to one on the patch.  Returns false if the patch does not
+// contain its vertex or triangle.
 bool locate_on_patch(const Patch& patch, const Surface_arrays& cloud,
                      const Surface_location& location, Surface_location& result)
 {
@@ -146,8 +151,8 @@ std::vector<Surface_location> shorten_on_cloud(const Surface_arrays& cloud,
     return path;
   double length = polyline_length(cloud, path);
 
-  // Each time the path moves by up to the width of the patch; eight times is far enough for any
-  // path that started as the shortest chain of arcs.
+  // In each iteration, the path can move by the width of the patch.  Eight iterations suffice for a
+  // path that starts as a shortest path of graph edges.
   for(int i = 0; i < 8; ++i)
   {
     const Patch patch = build_patch(cloud, path);

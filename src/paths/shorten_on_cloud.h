@@ -9,16 +9,18 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Smooths a path on a cloud over the local triangles; the ends stay.  The result is not longer than
-// the path: where it would be (arcs are chords, which cut curved surfaces short), the path itself
-// is returned.
+// Shortens a path on a surfel cloud on its local triangles.  The endpoints are fixed.  The result
+// is not longer than the path.  If no shorter path is found, the path itself is returned.  This can
+// happen because edges of the proximity graph are chords of the curved surface.
 //
-// path  consecutive locations are joined by an arc or lie in a common triangle
+// path  consecutive locations are joined by a graph edge or lie in a common triangle
 //
-// Of the overlapping triangles within six rings of the path a surface is chosen, the heaviest
-// first, in which no side is used twice; on it the shortest way along sides and hops is pulled
-// taut, as on a mesh, and again around the new path until it stays where it is.  The cost is that
-// of a few thousand triangles for each hundred sites on the path.
+// Algorithm: A manifold patch is selected greedily, by decreasing weight, from the overlapping
+// triangles in the 6-ring of the path.  On this mesh, a path is computed by Path_finder and
+// shortened by shorten_geodesic().  This is repeated around the new path until it converges, at
+// most eight times.
+//
+// Complexity: a few thousand triangles are processed per hundred vertices of the path.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Surface_location> shorten_on_cloud(const Surface_arrays& cloud,
                                                const std::vector<Surface_location>& path);

@@ -14,11 +14,11 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// A path nearer than this fraction of a side to its end hits the site: on lattices it would
-// otherwise pass it on the side that rounding chooses.
+// A path that crosses an edge closer to an endpoint than this fraction of its length hits the
+// vertex.  Otherwise, on regular grids, round-off errors would decide on which side it passes.
 constexpr double hit_tolerance = 1e-12;
 
-// The same direction as an angle as near as can be to the middle of a corner.
+// Adds a multiple of 2 pi to an angle such that it is closest to the bisector of a corner.
 double wrap_to_corner(double angle, double corner)
 {
   return std::remainder(angle - corner / 2., 2. * pi) + corner / 2.;
@@ -91,10 +91,10 @@ private:
       m_path.locations.push_back(location);
   }
 
-  // Goes straight from m_point to the triangle's boundary, or as far as the length allows.
+  // Moves straight from m_point to the triangle's boundary, or to the end of the path.
   void cross_triangle()
   {
-    // The side left through: of those not entered by, the one that the direction meets first.
+    // Find the edge, other than the one of entry, that the ray meets first.
     Index out = none;
     double exit_distance = infinity, fraction = 0.;
     for(Index h = 3 * m_triangle; h < 3 * m_triangle + 3; ++h)
@@ -103,7 +103,7 @@ private:
         continue;
       const Vec2 v = edge_vector(h), w = corner_position(h) - m_point;
       const double denominator = internal::cross(m_direction, v);
-      // Both ends seen from the point: the share at which the ray passes between them.
+      // The fraction of the edge at which the ray crosses it.
       const double exit_fraction =
           -internal::cross(m_direction, w) / (denominator > 0. ? denominator : 1.);
       if(!(denominator > 0.))
@@ -118,7 +118,7 @@ private:
     }
     if(out == none)
     {
-      // Without area: straight on to the far end of the longest side there is.
+      // In a degenerate triangle, continue to the midpoint of the next edge.
       out = m_from_corner != none      ? next_halfedge(m_from_corner)
             : m_entry_halfedge != none ? next_halfedge(m_entry_halfedge)
                                        : 3 * m_triangle;
@@ -144,6 +144,7 @@ private:
     }
   }
 
+  // Ends the path between its last location and the exit from the triangle.
   void stop_in_triangle(Index out, double exit_distance, double fraction)
   {
     const auto from = *barycentric_in(t, m_triangle, m_path.locations.back());
@@ -161,6 +162,7 @@ private:
     add(m_triangle, canonical(t, end).barycentric);
   }
 
+  // Enters the adjacent triangle at a fraction of an edge.  Ends the path if it is on the boundary.
   void cross_edge(Index h, double fraction)
   {
     const Index twin = t.twin[h];
@@ -169,7 +171,7 @@ private:
       m_path.end = Straightest_path_end::boundary;
       return;
     }
-    // The direction in terms of the common side, which turns by pi from one triangle to the other.
+    // Express the direction relative to the common edge, whose halfedges have opposite directions.
     const Vec2 edge = edge_vector(h);
     const double length = norm(edge);
     const Vec2 local = length > 0. ? (1. / length) * rotated_back(m_direction, edge) : m_direction;
@@ -184,12 +186,12 @@ private:
     m_from_corner = none;
   }
 
-  // Leaves a corner of this triangle at an angle counterclockwise from the side that leaves it.
+  // Leaves a corner of this triangle at an angle counterclockwise from the corner's halfedge.
   void leave_corner(Index corner, double angle)
   {
     double full_angle = interior_angle(t, corner);
     angle = wrap_to_corner(angle, full_angle);
-    // Every triangle around the site takes its share of the angle, once around at most.
+    // Subtract the angles of the triangles around the vertex; visit each triangle at most once.
     std::size_t max_turns = t.ring_begin[t.corner[corner] + 1] - t.ring_begin[t.corner[corner]] + 1;
     while((angle < 0. || angle > full_angle) && max_turns-- > 0)
     {
@@ -197,7 +199,7 @@ private:
       const Index next = is_left ? next_corner_ccw(t, corner) : next_corner_cw(t, corner);
       if(next == none)
       {
-        // Along the border, when the angle leaves it by rounding only.
+        // If the angle exceeds the corner by round-off errors only, follow the boundary.
         if(std::min(std::abs(angle), std::abs(angle - full_angle)) > 1e-9)
           m_path.end = Straightest_path_end::boundary;
         break;
@@ -222,18 +224,18 @@ private:
     m_path.locations.back().barycentric = barycentric_at_corner(corner);
   }
 
-  // Goes on from a corner of this triangle that the path has hit.
+  // Continues from a corner of this triangle that the path has hit.
   void pass_vertex(Index corner)
   {
     add(m_triangle, barycentric_at_corner(corner));
-    // The way back, counterclockwise from the side that leaves the corner.  It lies in another
-    // triangle where the path came into this one so near to the corner that it has hit it since.
+    // The backward direction, counterclockwise from the corner's halfedge.  It can point out of
+    // this triangle if the path entered close to the corner.
     const double full_angle = interior_angle(t, corner);
     const Vec2 edge = edge_vector(corner), back = -1. * m_direction;
     const double back_angle =
         wrap_to_corner(std::atan2(internal::cross(edge, back), dot(edge, back)), full_angle);
 
-    // Angles on the right of the path (counterclockwise from the way back) and on its left.
+    // The angles on the right (counterclockwise from the backward direction) and on the left.
     double right_angle = full_angle - back_angle, left_angle = back_angle;
     bool is_boundary = false;
     Index rotated_corner = next_corner_ccw(t, corner);
@@ -257,7 +259,7 @@ private:
       m_path.end = Straightest_path_end::boundary;
   }
 
-  // Leaves a corner at an angle that may be far outside of it.
+  // Leaves a corner at an angle that may point out of it by several triangles.
   void rotate_and_leave(Index corner, double angle)
   {
     std::size_t max_turns = t.ring_begin[t.corner[corner] + 1] - t.ring_begin[t.corner[corner]] + 1;
@@ -283,15 +285,16 @@ private:
 
   const Surface_arrays& t;
   Straightest_path m_path;
-  double m_remaining_length; // of the length
-  const double
-      m_length_tolerance; // a path that reaches the border with so little left has its length
+  double m_remaining_length;
+  // The path ends in a triangle if the remaining length exceeds the distance to the exit by at most
+  // this.  A path that reaches the boundary with such a remainder has its full length.
+  const double m_length_tolerance;
 
   Index m_triangle;
   std::array<Vec2, 3> m_corners;
   Vec2 m_point, m_direction;
-  Index m_entry_halfedge = none; // the side on which m_point lies, or none
-  Index m_from_corner = none;    // the corner at which m_point lies, or none
+  Index m_entry_halfedge = none; // the edge on which m_point lies, or `none`
+  Index m_from_corner = none;    // the corner at which m_point lies, or `none`
 };
 
 } // namespace
@@ -317,7 +320,7 @@ Straightest_path trace_straightest(const Surface_arrays& t, const Surface_locati
 
 namespace {
 
-// A direction in the plane of a triangle, from the side that leaves the corner.
+// Projects a direction to the plane of a triangle; the corner's halfedge is the first axis.
 Vec2 project_to_triangle(const Surface_arrays& t, Index corner, const Vec3& direction)
 {
   const Vec3& origin = t.point[t.corner[corner]];
@@ -342,7 +345,7 @@ Straightest_path trace_straightest_in_space(const Surface_arrays& t, const Surfa
   Vec2 planar_direction = project_to_triangle(t, 3 * start.triangle, unit_direction);
   if(const Index vertex = vertex_of(t, start); vertex != none)
   {
-    // How well a triangle holds the direction: whether it does, then the nearer plane.
+    // Prefer triangles that contain the projection, then those with the longest projection.
     std::pair<bool, double> best_fit = {false, -1.};
     for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
     {
@@ -358,7 +361,7 @@ Straightest_path trace_straightest_in_space(const Surface_arrays& t, const Surfa
       }
     }
   }
-  // What a unit vector along the normal leaves in the plane is rounding.
+  // The projection of a unit normal vector consists of round-off errors.
   if(!(norm(planar_direction) > 1e-14))
     throw Invalid_argument_error(
         "The direction of a straightest geodesic is normal to the surface.");

@@ -65,10 +65,10 @@ struct Bend
 class Funnel
 {
 public:
-  // Returns the vertices, in order, at which the shortest path in an unfolded strip bends.  Vertices
-  // whose distance to the path is within round-off errors are included: the caller decides by the
-  // angles there on which side of such a vertex the path is shorter.  The result is valid until
-  // the next call.  Linear in the length of the strip.
+  // Returns the vertices, in order, at which the shortest path in an unfolded strip bends.
+  // Vertices that touch the path up to round-off errors are included.  By their angles, the caller
+  // decides on which side of them the path is shorter.  The result is valid until the next call.
+  // Linear in the length of the strip.
   CGAL_GEODESIC_PROCESSING_EXPORT
   const std::vector<Bend>& find_bends(const Surface_arrays& t, const Strip& strip,
                                       const Unfolded_strip& unfolded);

@@ -12,63 +12,77 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The longest side of the triangles that hold a location.
+// Returns the length of the longest edge of the triangles that contain a location.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double longest_edge_at(const Surface_arrays& triangles, const Surface_location& location);
 
-// A triangle with the images of its corners.
+// A triangle with the images of its corners in the plane.
 struct Triangle_image
 {
   Index triangle;
   std::array<Vec2, 3> corners;
 };
 
-// The triangles that a rectangle around the base of a map to the plane lies on.
+// The triangles whose images intersect a rectangle.
 struct Decal_triangles
 {
-  std::vector<Triangle_image> covered; // all corners of which have an image
-  double longest_edge = 0.; // of those that have not; zero when all of the rectangle is inside
+  std::vector<Triangle_image> covered; // triangles with images of all corners
+  // The longest edge of intersecting triangles that lack an image of a corner.  Zero if there are
+  // no such triangles: then `covered` covers the whole rectangle.
+  double longest_edge = 0.;
 };
 
-// One that is cut has the image that its longest side that is not gives it, as long as that is there: so
-// on either side of a cut locus the image goes on as far as that, without a hole.
+// Finds the triangles whose images under a map to the plane intersect the interior of a rectangle
+// centered at the origin.
 //
-// A triangle belongs to the rectangle when the inner parts of both meet in the plane.  One without all
-// of its images is noticed by a corner or a side that meets it: as a rectangle is connected, those that
-// it goes through are when the triangles at the base have theirs.
+// A triangle that is cut (see is_cut()) gets the image that is similar to the triangle and attached
+// to its longest edge that is not cut.  So the image extends across a cut locus without holes.  A
+// triangle whose edges are all cut is omitted.
 //
-// reached  sites; coordinates  #sites, those of the others are not a number
-// half     of the width and of the height of the rectangle
+// A triangle without images of all corners is detected if the image of a corner or an edge
+// intersects the rectangle.  If there are such triangles, at least one is detected: the rectangle
+// is connected, and all triangles at the base point must have images.
+//
+// reached      the vertices that have an image
+// coordinates  #vertices: the images; NaN for vertices that are not reached
+// half_size    half of the width and of the height of the rectangle
+//
+// Linear in the number of triangles at reached vertices.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Decal_triangles find_decal_triangles(const Surface_arrays& triangles,
                                      const std::vector<Index>& reached,
                                      const std::vector<Vec2>& coordinates, const Vec2& half_size);
 
-// Red, green, blue and opacity in [0, 1]; the colours are not multiplied by the opacity.
+// Red, green, blue and opacity in [0, 1]; the colors are not premultiplied by the opacity.
 using Rgba = std::array<double, 4>;
 
-// What is seen of a colour through another one in front of it (Porter and Duff 1984, "over").
+// Returns the composite of a color in front of another one (operator "over", Porter and Duff 1984).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Rgba blend_over(const Rgba& front, const Rgba& back);
 
-// Where triangles lie in a texture of square texels: two in each square cell, their corners in the
-// middle of texels.  Around each triangle texels are its own as far as interpolation between the middles
-// of four of them looks.
+// The layout of triangles in a texture: a grid of square cells with two right triangles each, whose
+// corners are at texel centers.  All texels that bilinear interpolation reads inside a triangle
+// belong to that triangle.
 class CGAL_GEODESIC_PROCESSING_EXPORT Texture_cells
 {
 public:
-  // Along a leg of each triangle lie `segments` texels and one.
-  // Throws Invalid_argument_error for none, and for more than 2^28 texels altogether.
+  // segments  the length of each triangle's legs, in texels; a leg contains segments + 1 texel
+  //           centers
+  //
+  // Throws Invalid_argument_error if `segments` is zero or the texture has more than 2^28 texels.
   Texture_cells(std::size_t number_of_triangles, std::size_t segments);
 
+  // Return the size of the texture, in texels.
   std::size_t width() const { return m_columns * cell_size(); }
   std::size_t height() const { return m_rows * cell_size(); }
 
-  // The corners of a triangle, in [0, 1] x [0, 1] from the lower left corner of the texture.
+  // Returns the texture coordinates of a triangle's corners, in [0, 1] x [0, 1].  The lower left
+  // corner of the texture is (0, 0).
   std::array<Vec2, 3> corners(std::size_t triangle) const;
 
-  // Calls f(texel, barycentric coordinates of its middle) for all texels that belong to a triangle;
-  // coordinates are negative outside.  Texels are counted in rows from the lowest one up.
+  // Calls f(texel, barycentric coordinates of its center) for all texels that belong to a triangle.
+  // Some of them are outside the triangle and have negative coordinates.  Texels are numbered by
+  // rows, from the lowest row up.
   template <typename Function>
   void for_each_texel(std::size_t triangle, Function f) const
   {
@@ -88,8 +102,8 @@ public:
   }
 
 private:
-  // The corners of the lower triangle are at 1 and 1 + segments, those of the upper one at
-  // 3 + segments and 3.
+  // In each direction of a cell, the lower triangle extends from texel 1 to 1 + segments, and the
+  // upper one from 3 to 3 + segments.
   std::size_t cell_size() const { return m_segments + 5; }
   std::size_t first_texel(std::size_t triangle) const
   {

@@ -12,77 +12,95 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Places around a place, and the tangent vectors that lead to them.
+// Locations around a base point with their tangent vectors at the base point.
 struct Stencil
 {
   std::vector<Surface_location> locations;
   std::vector<Vec2> vectors;
 };
 
-// The ends of straightest paths of one length in evenly spread directions: on a mesh the tangent
-// vectors are known to rounding.  Those that meet a border soon are left out; where less than two
-// directions are left, the length is halved.
+// Returns the endpoints of straightest paths of equal length in evenly spaced directions, on a
+// mesh.  Their tangent vectors are exact up to round-off errors.  A path that reaches the boundary
+// after less than 30 % of the length is omitted.  If the remaining vectors are almost parallel, the
+// length is halved.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Stencil straightest_stencil(const Tangent_plane& plane, double length, std::size_t count);
 
-// Of surfels, or of other sites whose distances are known: in each of evenly spread directions the
-// farthest one up to a length, at its distance.  The length is doubled where less than two directions
-// have one.
+// Returns a stencil of vertices.  In each of `count` sectors of the tangent plane, it contains the
+// farthest vertex within a distance.  The tangent vector has the direction of the projected offset
+// and the length of the distance.  If the vectors are almost parallel, the length is doubled.
 //
-// distances  #sites, from the place; sites  those to choose among
+// vertices   the candidates
+// distances  #vertices: distances from the base point
+// length     the maximum distance
 CGAL_GEODESIC_PROCESSING_EXPORT
 Stencil vertex_stencil(const Surface_arrays& triangles, const Tangent_plane& plane,
                        const std::vector<Index>& vertices, const std::vector<double>& distances,
                        double length, std::size_t count);
 
-// The mean length of the sides around a place.
+// Returns the mean length of the edges of the triangles that contain a location.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double mean_edge_length(const Surface_arrays& triangles, const Surface_location& location);
 
-// The mean angle between the normals at the ends of these sides: how far they are from flat, or how rough.
+// Returns the mean angle, in radians, between the vertex normals at the endpoints of these edges.
+// It measures curvature relative to the edge lengths, or roughness.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double mean_normal_angle(const Surface_arrays& triangles, const Surface_location& location);
 
-// Tangent vectors from distances (Brun, Westin, Herberthson and Knutsson 2005): of the place p and
-// of the stencil q_j, the squares d^2(q_j, x) - d^2(p, x) - |q_j|^2 are -2 <log x, q_j> but for terms
-// of higher order in q_j, the odd ones of which a stencil that is symmetric does not see.
+// Fits tangent vectors to distances (Brun, Westin, Herberthson and Knutsson 2005).
+//
+// For a base point p and stencil locations with tangent vectors q_j,
+//   d^2(q_j, x) - d^2(p, x) - |q_j|^2 = -2 <log x, q_j>
+// up to terms of higher order in q_j.  In a symmetric stencil, the terms of odd order cancel.  The
+// direction of log x is the least-squares solution.
 class CGAL_GEODESIC_PROCESSING_EXPORT Log_map_fit
 {
 public:
   explicit Log_map_fit(std::vector<Vec2> stencil);
 
-  // As long as `distance` says.  Of the distances from the stencil those that are infinite do not count;
-  // zero where they leave no direction.
+  // Returns the tangent vector of a point x.  Its length is the distance.
+  //
+  // distance           d(p, x)
+  // stencil_distances  #stencil: d(q_j, x); infinite ones are ignored
+  //
+  // Returns zero if the remaining stencil vectors are almost parallel.
   Vec2 operator()(double distance, const double* stencil_distances) const;
 
 private:
   std::vector<Vec2> m_stencil;
 };
 
-// What the discrete exponential map (Schmidt, Grimm and Wyvill 2006) adds for a step from a site with
-// a normal: the step, laid into the site's own plane at its full length, which the least rotation between
-// the normals takes to the plane of the base.
+// Returns the tangent vector that the discrete exponential map (Schmidt, Grimm and Wyvill 2006)
+// adds for a step from a vertex.
+//
+// The step is projected to the tangent plane of the vertex and rotated to the plane of the base
+// point by the smallest rotation between both normals.  The result has the length of the step.
+//
+// normal  unit normal of the vertex
+// step    in space, in the scale of the surface arrays
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vec2 transported_step(const Tangent_plane& plane, const Vec3& normal, const Vec3& step);
 
-// What a map of sites to the plane does to triangles.
+// The defects of a piecewise linear map to the plane.
 struct Log_map_defects
 {
-  std::vector<Index> cut_triangles; // across which the map jumps
-  std::size_t number_of_folded = 0; // of the others, those turned round
+  std::vector<Index> cut_triangles; // triangles with an edge that is cut, see is_cut()
+  std::size_t number_of_folded = 0; // number of all other triangles with negative orientation
 };
 
-// Whether a map jumps along a side: the images of its ends are four times as far apart as it is long.  On a
-// sphere the map stretches as much 2.47 radii away from its base, and jumps behind a cut locus are as
-// large as the distance.
+// Returns whether a map is discontinuous along an edge: the images of its endpoints are farther
+// apart than four times its length.  On a sphere, the logarithmic map stretches by this factor at a
+// distance of 2.47 radii.  At a cut locus, discontinuities are as large as the distance from the
+// base point.
 inline bool is_cut(const Surface_arrays& triangles, Index h, const Vec2& p, const Vec2& q)
 {
   return norm(q - p) > 4. * triangles.length[h];
 }
 
-// Looks at the triangles all of whose corners have been reached.
+// Finds the defects of a map in the triangles whose corners are all reached.
 //
-// reached  sites; coordinates  #sites, those of the others are not a number
+// reached      the vertices that have an image
+// coordinates  #vertices: the images; NaN for vertices that are not reached
 CGAL_GEODESIC_PROCESSING_EXPORT
 Log_map_defects find_map_defects(const Surface_arrays& triangles, const std::vector<Index>& reached,
                                  const std::vector<Vec2>& coordinates);

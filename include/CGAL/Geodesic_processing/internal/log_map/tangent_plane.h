@@ -14,33 +14,38 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The unit normal of a site: the surfel's own, or on a mesh that of the triangles around, weighted by their
-// areas; zero where these have none.
+// Returns the unit normal of a vertex.  On a cloud, it is the surfel's normal.  On a mesh, it is
+// the area-weighted average of the incident triangles' normals, or zero if these have no area.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vec3 vertex_normal(const Surface_arrays& triangles, Index vertex);
 
-// The directions in which a surface leaves a place.
+// The tangent plane at a location: converts between angles on the surface, angles in the plane, and
+// directions in space.
 //
-// A polar angle is the angle on the surface, as of a Departure: counterclockwise, around a site from the
-// side that leaves the first corner of its star, on a side from the one of its two that comes first,
-// and inside of a triangle from its side 0.  Around a site inside of the surface all of them need
-// not be 2 pi; stretched to 2 pi they are the angles of tangent vectors.  At a border they are not
-// stretched, but pressed where they are more than 2 pi.
+// Polar angles are angles on the surface, as in Departure.  They are counterclockwise:
+// - at a vertex, from the halfedge of the first corner of its one-ring;
+// - on an edge, from its halfedge with the smaller index;
+// - inside a triangle, from its halfedge 0.
 //
-// On a cloud, angles are those in the plane of the nearest surfel, from the first axis of its frame.
+// The total polar angle at an interior vertex can differ from 2 pi.  Polar angles are scaled such
+// that it becomes 2 pi; the results are the angles of tangent vectors.  At a boundary vertex, they
+// are scaled only if the total exceeds 2 pi.
+//
+// On a cloud, angles are measured in the plane of the closest surfel, from the first axis of its
+// frame.
 class CGAL_GEODESIC_PROCESSING_EXPORT Tangent_plane
 {
 public:
-  // The triangles stay with the caller.
-  // Throws Invalid_argument_error at a site without triangles.
+  // Keeps a reference to the triangles.
+  // Throws Invalid_argument_error at an isolated vertex of a mesh.
   Tangent_plane(const Surface_arrays& triangles, const Surface_location& location);
 
-  // The place, in a triangle, and where it is, scaled.
+  // Return the canonical location, and its position in the scale of the surface arrays.
   const Surface_location& location() const { return m_location; }
   const Vec3& point() const { return m_point; }
 
-  // The unit vectors in space at the tangent angles 0 and pi / 2; around a site that is no plane, such
-  // that its sides are at their own angles in the mean.
+  // Return the unit vectors in space at the tangent angles 0 and pi / 2.  At a vertex, the frame is
+  // rotated such that the projected edges have their tangent angles on average.
   const Vec3& x() const { return m_x; }
   const Vec3& y() const { return m_y; }
   Vec3 normal() const { return cross(m_x, m_y); }
@@ -49,15 +54,17 @@ public:
     return std::cos(tangent_angle) * m_x + std::sin(tangent_angle) * m_y;
   }
 
-  // Up to which tangent angle there is a surface: 2 pi but at a border.
+  // Returns the maximum tangent angle: 2 pi, or less on the boundary.
   double total_angle() const { return m_angle_scale * m_total_polar_angle; }
 
-  // Of a polar angle, and of the part of a direction in space that lies in the plane.
-  // The second throws Invalid_argument_error when there is none.
+  // Return the tangent angle of a polar angle, and that of a direction in space, which is projected
+  // to the plane.  The second throws Invalid_argument_error if the direction is zero, not finite or
+  // normal to the plane.
   double tangent_angle(double polar_angle) const { return m_angle_scale * polar_angle; }
   double tangent_angle(const Vec3& direction) const;
 
-  // The straightest path in a direction; on a mesh.
+  // Traces the straightest path in a direction, on a mesh.  If the angle exceeds the total angle,
+  // the path has length zero and ends at the boundary.
   Straightest_path straightest_path(double tangent_angle, double length) const;
 
 private:
@@ -67,8 +74,8 @@ private:
   Surface_location m_location;
   Vec3 m_point, m_x, m_y;
   double m_total_polar_angle = 2. * pi, m_angle_scale = 1.;
-  // Where each triangle around begins: a side that leaves the place, or has it inside, and its polar
-  // angle; empty inside of a triangle.
+  // The incident triangles of a vertex or an edge, counterclockwise: the first halfedge of each and
+  // its polar angle.  Empty inside a triangle.
   std::vector<std::pair<Index, double>> m_sectors;
 };
 

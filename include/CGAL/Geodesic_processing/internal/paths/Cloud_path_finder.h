@@ -25,29 +25,36 @@ struct Cloud_path_options
   Surfel_path_method method = Surfel_path_method::projected_quadrics;
   Surfel_noise noise = Surfel_noise::removed_when_found;
   Surfel_search search = Surfel_search::coarse_to_fine;
-  Path_options path; // what holds it follows from the method
+  Path_options path; // its constraint is set according to the method
 };
 
-// A cloud, and the surface fitted to it, that any number of finders share.
+// A surfel cloud and the surface fitted to it.  It can be shared by several finders.
 class CGAL_GEODESIC_PROCESSING_EXPORT Fitted_cloud
 {
 public:
-  // Points, normals and radii as for make_cloud().
+  // Builds the proximity graph of a cloud.  If requested, estimates and removes noise.
+  //
+  // points, normals, radii  as for make_cloud()
+  //
+  // Throws Invalid_argument_error if an option is invalid or the arrays differ in size.
   Fitted_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
                const std::vector<double>& radii, const Cloud_path_options& options);
   Fitted_cloud(const Fitted_cloud&) = delete;
 
   const Surfel_cloud& cloud() const { return m_cloud; }
-  // None where the search needs none.
+  // Returns the regions for coarse-to-fine search, or null if the search does not use them.
   const Vertex_regions* regions() const { return m_regions.size() == 0 ? nullptr : &m_regions; }
   const Surfel_surface& surface() const { return m_surface; }
   const Surfel_surface& disks() const { return m_disks; }
   const Cloud_path_options& options() const { return m_options; }
+  // Returns the estimated noise level, see noise_level(); zero if noise is kept.
   double noise() const { return m_noise; }
 
-  // The foot of a place in a surfel's tangent plane, in the cloud's scale.
+  // Returns the projection of a location in a surfel's tangent plane to the surface, in the cloud's
+  // scale.
   Projection project(const Tangent_location& location) const;
-  // Where a point of a path lies in the tangent plane of the caller's surfel, in the cloud's scale.
+  // Returns the location of a path's point in the tangent plane of the caller's surfel, in the
+  // cloud's scale.
   Tangent_location location(const Projection& projection) const;
 
 private:
@@ -62,10 +69,10 @@ private:
 
   void limit_displacements(std::vector<Vec3>& points, unsigned threads) const;
 
-  double m_noise = 0.; // as noise_level() says
+  double m_noise = 0.;
   Cloud_path_options m_options;
-  // What the caller has given, without arcs, and the place of each site there; empty where they are the
-  // cloud's own.
+  // The caller's cloud, without a graph.  It is empty if it is the same as m_cloud; then so is
+  // m_given_vertex, the vertex of m_given_cloud for each vertex of m_cloud.
   Surfel_cloud m_given_cloud;
   std::unique_ptr<Surfel_coverage> m_coverage;
   Surfel_cloud m_cloud;
@@ -76,12 +83,15 @@ private:
 
 struct Cloud_path
 {
-  Shortened_path path;      // in the cloud's scale; no points when there is none
-  std::vector<Index> start; // the sites of the chain of arcs
-  double start_length = 0.; // of that chain, along arcs
+  Shortened_path path;      // in the cloud's scale; has no points if there is no path
+  std::vector<Index> start; // the vertices of the graph path from which the search started
+  double start_length = 0.; // length of the smooth curve along that path; infinite if there is none
 };
 
-// Finds paths, one pair after the other; copies share the cloud, and may search at the same time.
+// Finds shortest paths on a surfel cloud between pairs of locations.
+//
+// A path in the proximity graph is computed by Graph_search and shortened by shorten_path().
+// Copies share the cloud; different copies can be used concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Cloud_path_finder
 {
 public:
@@ -89,10 +99,13 @@ public:
 
   const std::shared_ptr<const Fitted_cloud>& fitted_cloud() const { return m_cloud; }
 
-  // Never longer than the chain of arcs that it starts from: where it would be, it is drawn to the disks
-  // of the surfels, and where that is longer as well, it is the chain.
-  // All its points are near surfels, as Surfel_coverage says, and consecutive ones at surfels that a
-  // short chain of arcs joins: it crosses neither a gap nor to another sheet.
+  // Returns the path between two locations.
+  //
+  // The path is not longer than the graph path from which it starts.  If it would be, it is
+  // recomputed on the disks of the surfels.  If that path is longer too, the result is a curve
+  // along the graph path.  All points are covered by surfels, see Surfel_coverage.  The surfels of
+  // consecutive points are joined by short graph paths, so that the path neither crosses gaps nor
+  // jumps between sheets.
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
 
 private:
@@ -102,7 +115,7 @@ private:
   Graph_search m_search;
 };
 
-// A path for each pair; the same for any number of threads.
+// Finds a path for each pair of locations.  The result does not depend on the number of threads.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Cloud_path>
 find_paths(const Cloud_path_finder& finder,

@@ -15,23 +15,31 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Shortest chains of arcs between two sites, one pair after the other; each search touches what it
-// visits and nothing else.  Three methods find chains of one length, and the same chain where no
-// other is as short; from coarse to fine, chains are the shortest within the regions of a short
-// chain of leaders and their neighbours, 0.3 % longer on average.  On long ways they follow that chain,
-// 1 to 2 % longer.  About 20 bytes a site, or 40 from both ends.
+// Finds shortest paths in a proximity graph between pairs of vertices.
+//
+// Dijkstra's algorithm, bidirectional search and A* return shortest paths.  These paths are the
+// same if the shortest path is unique.  The coarse-to-fine search returns the shortest path in a
+// corridor: the regions on a path in the coarse graph and their neighbors.  It is on average 0.3 %
+// longer.  If the coarse path is long, the search is guided along it, and the result is 1 to 2 %
+// longer.
+//
+// The cost of a search is that of the visited vertices.  Memory: about 20 bytes per vertex, or 40
+// after a bidirectional search.
 class CGAL_GEODESIC_PROCESSING_EXPORT Graph_search
 {
 public:
-  // All stay with the caller; a point for each site, no farther apart than their arc is long.
-  // Without regions, searches from coarse to fine search the graph itself.
+  // Keeps references to the arguments.
+  //
+  // point    #vertices: the Euclidean length of an edge is at most its length in the graph
+  // regions  optional; without it, coarse-to-fine searches are A* searches
   Graph_search(const Proximity_graph& graph, const std::vector<Vec3>& point,
                const Vertex_regions* regions = nullptr);
 
-  // The sites of the chain, both ends among them; none when they are not connected.
+  // Returns the vertices of the path, including both endpoints.  Returns an empty path if the
+  // endpoints are not connected.
   std::vector<Index> operator()(Index from, Index to, Surfel_search method);
 
-  // How many sites the last search has visited.
+  // Returns the number of vertices that the last search visited.
   std::size_t number_of_visited_vertices() const { return m_number_of_visited_vertices; }
 
 private:
@@ -39,9 +47,9 @@ private:
   {
     double distance;
     Index predecessor;
-    Index stamp = 0; // the search that it belongs to, plus one when it is final
+    Index stamp = 0; // the search that set the distance; one more if the vertex is finalized
   };
-  // A search from one end, in the direction of a goal when it has one.
+  // The state of a search from one endpoint; of A* if it has a goal.
   struct Frontier
   {
     std::vector<Vertex> vertices;
@@ -64,15 +72,15 @@ private:
   const Proximity_graph* m_graph;
   const std::vector<Vec3>* m_point;
   const Vertex_regions* m_regions;
-  std::vector<Graph_search> m_coarse_search; // over the regions, if any
-  std::vector<Index> m_corridor_stamp;       // #regions: the last search that has gone there
-  bool m_is_restricted = false;              // whether this one goes to open regions alone
-  bool m_is_guided = false;                  // and is led by the way through these
-  std::vector<Index> m_waypoint_ahead; // #regions: the place of the way that an open one leads to
-  std::vector<Vec3> m_waypoints;       // the leaders on the way, and the goal for the rest
-  std::vector<double> m_remaining_length; // #places of the way: how far the goal is from there
-  double m_heuristic_factor;              // of the rest of a chain, in distances in space
-  std::array<Frontier, 2> m_frontiers;    // the second for searches from both ends
+  std::vector<Graph_search> m_coarse_search; // one search in the graph of regions, if there are any
+  std::vector<Index> m_corridor_stamp;       // #regions: the last search with it in the corridor
+  bool m_is_restricted = false;              // whether the search is restricted to the corridor
+  bool m_is_guided = false;                  // whether waypoints define the heuristic
+  std::vector<Index> m_waypoint_ahead;       // #regions: the waypoint to which a region is guided
+  std::vector<Vec3> m_waypoints;             // leaders on the coarse path, then copies of the goal
+  std::vector<double> m_remaining_length;    // #waypoints: length of the way from it to the goal
+  double m_heuristic_factor;                 // of the Euclidean distance to the goal
+  std::array<Frontier, 2> m_frontiers;       // the second one for bidirectional searches
   Index m_stamp = 0;
   std::size_t m_number_of_visited_vertices = 0;
 };

@@ -14,63 +14,70 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Short paths between two locations, one pair after the other, without a distance field.
+// Finds short paths between pairs of locations without computing a distance field.
 //
-// A* (Hart, Nilsson and Raphael 1968) over the arcs, bounded below by the distance in space where
-// the domain has points.  On meshes there are hops as well: straight lines from a site across one
-// or two sides to the opposite site, unfolded.  What they gain is not the length, which
-// straighten() finds, but the right strip of triangles to begin with: straightened, paths on scans
-// of 10,000 to 500,000 vertices are 0.002 to 0.07 % longer than the shortest in the mean and 0.1 to
-// 2 % at worst; along arcs alone three to seven times as much.
+// The search is A* (Hart, Nilsson and Raphael 1968) on the graph of edges.  If the surface has
+// points, the lower bound is the Euclidean distance to the goal.  On meshes, the graph also has
+// shortcuts: straight segments from a vertex across one or two edges to the opposite vertex in the
+// unfolded triangles.  Shortcuts lead to a better strip of triangles, in which shorten_geodesic()
+// then computes the shortest path.  On scans of 10,000 to 500,000 vertices, the shortened paths are
+// on average 0.002 to 0.07 % longer than exact shortest paths, and 0.1 to 2 % in the worst case.
+// Without shortcuts, these errors are three to seven times larger.
 //
-// A query touches what it visits and nothing else.  About 110 bytes a site; hops are found when
-// they are first needed and kept.  Copies share the triangles and may run at the same time.
+// The cost of a query is that of the visited vertices, not of the surface.  Memory: about 110 bytes
+// per vertex.  Shortcuts are computed when they are first used, and cached.  Copies share the
+// triangles; different copies can be used concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Path_finder
 {
 public:
   explicit Path_finder(std::shared_ptr<const Surface_arrays> triangles);
 
-  // Sharpens the lower bound by distances from `number` sites far from each other (Goldberg and
-  // Harrelson 2005): on scans a query visits 2 to 4 times fewer sites.  Takes as many times as long
-  // as a front over the whole domain, and 4 bytes a site.
+  // Adds landmarks: vertices far from each other whose distances to all vertices are stored and
+  // improve the lower bound (Goldberg and Harrelson 2005).  On scans, a query then visits 2 to 4
+  // times fewer vertices.  Each landmark takes one Dijkstra search on the whole surface and 4 bytes
+  // per vertex.
   void add_landmarks(unsigned number_of_landmarks);
 
-  // A chain of sites from one location to the other, with the points where hops cross sides;
-  // consecutive locations are joined by an arc or lie in a common triangle.  One location when the
-  // two are the same, none when they are not connected.  The path is not yet straight.
+  // Returns a path from one location to the other, which is not yet shortened.  It consists of
+  // vertices and of one point on each edge that a shortcut crosses.  Consecutive locations are
+  // joined by a graph edge or lie in a common triangle.  Returns one location if both are the same
+  // point, and an empty path if they are not connected.
   std::vector<Surface_location> operator()(const Surface_location& from,
                                            const Surface_location& to);
 
-  // How many sites the last search has visited.
+  // Returns the number of vertices that the last query visited.
   std::size_t number_of_visited_vertices() const { return m_number_of_visited_vertices; }
 
 private:
   enum class Step : std::uint8_t
   {
-    start,    // from the location itself
-    edge,     // along a side, or an arc of a cloud
-    across,   // over the opposite side of `corner`
-    to_right, // and then over the side that leaves its right end
-    to_left   // and then over the side that arrives at its left end
+    start,    // from the start location
+    edge,     // along an edge
+    across,   // across the edge opposite to the corner from which the step starts
+    to_right, // across that edge and the next one at its right endpoint
+    to_left   // across that edge and the next one at its left endpoint
   };
   struct Vertex
   {
-    double distance, heuristic; // from the begin, and at least to the end
-    Index predecessor;          // the corner that the way came from; on a cloud, the site
-    Index stamp = 0;            // the search that it belongs to, plus one when it is final
-    Index goal_link;            // its place among the goals, or none
+    double distance, heuristic; // distance from the start; lower bound of that to the goal
+    Index predecessor; // the corner from which the step starts (on a cloud, the vertex); for
+                       //   Step::start, the index of the start link
+    Index stamp = 0;   // the search that set the distance; one more if the vertex is finalized
+    Index goal_link;   // index of the shortest goal link of this vertex, or `none`
     Step step;
   };
-  // The straight way between a location and a site near it.
+  // The straight segment between a location and a vertex near it.
   struct Link
   {
     Index vertex;
     double length;
-    Surface_location crossing; // where it passes a side; triangle == none when it passes none
+    Surface_location crossing; // the point on the edge that is crossed; `triangle` is `none` if the
+                               //   segment crosses no edge
   };
   struct Shortcuts
   {
-    float across = -1.f, to_right, to_left; // -1: not yet known; infinite: not straight
+    // The lengths of the shortcuts from a corner; infinite if the segment leaves its triangles.
+    float across = -1.f, to_right, to_left; // across == -1: not yet computed
   };
 
   std::vector<Link> links(const Surface_location& location) const;
@@ -82,13 +89,13 @@ private:
   double heuristic(Index vertex) const;
   void compute_all_distances(Index vertex, std::vector<double>& distance);
 
-  // Sets the lower bound of distances to the goal, and marks the vertices that are linked to it.
+  // Prepares the lower bounds of distances to the goal, and marks the vertices linked to it.
   void set_goal(const Surface_location& to, const std::vector<Link>& goal_links);
-  // Returns the vertex before the goal on the shortest path found, or none if there is no path.
+  // Runs A*.  Returns the last vertex before the goal on the path, or `none` if there is no path.
   Index search(const std::vector<Link>& start_links, const std::vector<Link>& goal_links);
   // Appends a location unless the path already ends there.
   void append_location(std::vector<Surface_location>& path, const Surface_location& location) const;
-  // Appends the path from a vertex back to the first one, which is returned.
+  // Appends the predecessors of a vertex to the path.  Returns the first vertex after the start.
   Index append_predecessors(std::vector<Surface_location>& path, Index vertex) const;
 
   std::shared_ptr<const Surface_arrays> m_triangles;
@@ -96,14 +103,14 @@ private:
   std::vector<Vertex> m_vertices;
   Vertex_queue m_queue;
   unsigned m_number_of_landmarks = 0;
-  std::vector<float> m_landmarks; // #sites times #landmarks: distances; NaN where not reached
+  std::vector<float> m_landmarks; // #vertices x #landmarks: distances; NaN if not reachable
   Index m_stamp = 0;
   std::size_t m_number_of_visited_vertices = 0;
 
-  // Of the running search
+  // State of the running search
   std::array<double, 3> m_goal_point;
   std::vector<std::array<double, 2>>
-      m_goal_distance_range; // #landmarks: of the goal's distance from it
+      m_goal_distance_range; // #landmarks: bounds of the distance from the landmark to the goal
   bool m_uses_heuristic = false;
 };
 

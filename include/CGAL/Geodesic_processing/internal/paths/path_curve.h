@@ -10,30 +10,39 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Smooth curves through points on a surface, and their lengths.  All functions are linear in the
-// number of points.
+// Smooth curves through points on a surface, and their lengths.  All functions take linear time.
 
-// Inserts a point on each sharp edge that a segment of a path crosses.
+// Inserts a point on each sharp edge that a segment of a path crosses.  Such an edge exists if the
+// normals at the segment's endpoints differ by more than 40 degrees.  It is the intersection line
+// of both tangent planes, which must pass between the endpoints.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path);
 
-// Inserts one point per segment by four-point subdivision (Dyn, Levin and Gregory 1987) and projects
-// it to the surface.  At corners of more than 30 degrees the curve is not smoothed.
+// Inserts one point per segment by four-point subdivision (Dyn, Levin and Gregory 1987) and
+// projects it to the surface.  Points at which the path turns by 30 degrees or more remain corners.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Projection> subdivide_curve(const Path_surface& surface,
                                         const std::vector<Projection>& path);
 
+// Returns the sum of the lengths of the segments.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double polyline_length(const std::vector<Projection>& points);
 
-// Along the arc of a circle between two points that makes the angles with their normals that their
-// chord makes in the mean, or around the edge of their tangent planes where the normals differ by more
-// than 40 degrees: what a chord cuts short counts.
+// Returns the estimated length of the surface path between two points with normals.
+//
+// The estimate is the length of a circular arc over their chord.  The arc's central angle is the
+// difference of the signed angles between the chord and the two tangent planes.  If a sharp edge
+// separates the points (see insert_sharp_edges()), the shortest path across it in both tangent
+// planes is measured instead.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double arc_length(const Projection& from, const Projection& to);
 
-// Of a smooth curve through points: the circle through three consecutive ones says by how much an
-// arc is longer than its chord.  Where they turn by more than 30 degrees there is a corner.
+// Returns the length of a smooth curve through points.
+//
+// Each segment is replaced by a circular arc whose curvature is the average of those at its
+// endpoints.  The curvature at a point is that of the circle through the point and both neighbors.
+// It is zero at corners of 30 degrees or more.  The first and the last point have the curvature of
+// their neighbor.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double curve_length(const std::vector<Projection>& points);
 

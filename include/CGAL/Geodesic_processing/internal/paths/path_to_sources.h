@@ -10,13 +10,19 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A path made as short as it gets nearby: pulled taut on a mesh, smoothed on a cloud.
+// Shortens a path locally: by shorten_geodesic() on a mesh, by shorten_on_cloud() on a cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Surface_location> shorten_path(const Surface_arrays& triangles,
                                            const std::vector<Surface_location>& path);
 
-// The shortened path from a location to the nearest source: on a mesh traced down the distances, on
-// a cloud along predecessors.  Empty when no source can be reached.
+// Computes the shortened path from a location to the closest source of a distance field.  On a
+// mesh, the path is traced by Descent; on a cloud, it follows the predecessors.  Returns an empty
+// path if no source can be reached.
+//
+// sources      those of the field
+// distance     returns the distance of a vertex; infinite if it is not reached
+// predecessor  returns the previous vertex on the path from the source, or `none` (clouds only)
+// source       returns the index of the source of a vertex (clouds only)
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Surface_location> path_to_sources(const Surface_arrays& triangles,
                                               const Surface_location& from,

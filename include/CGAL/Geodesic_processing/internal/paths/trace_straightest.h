@@ -10,43 +10,48 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Why a straightest path ended.
+// The reason why a straightest path ended.
 enum class Straightest_path_end
 {
-  length,    // it has the length asked for
-  boundary,  // it met a border, or a border site that it cannot pass straight on
-  degenerate // it crossed ten thousand triangles without getting on
+  length,    // it has the requested length
+  boundary,  // it reached a boundary edge, or a boundary vertex that it cannot pass
+  degenerate // it crossed ten thousand triangles without becoming longer
 };
 
 struct Straightest_path
 {
-  std::vector<Surface_location>
-      locations;      // as in Locally_shortest_path; the last one in the triangle of `angle`
-  double length = 0.; // reached, in the domain's scale
-  double angle = 0.;  // direction at the end, from side 0 of the last triangle
+  std::vector<Surface_location> locations; // as in Locally_shortest_path
+  double length = 0.;                      // of the path, in the scale of the surface arrays
+  double angle = 0.; // direction at the end, counterclockwise from halfedge 0 of the triangle of
+                     //   the last location
   Straightest_path_end end = Straightest_path_end::length;
 };
 
-// The path that leaves a location in a direction and goes straight on for a length: the exponential
-// map.  Triangles are unfolded one after the other; a site that the path hits is left with equal
-// angles on both sides (Polthier and Schmies 1998).  A border site is passed when there is
-// an angle of at least pi on one side, and then left at exactly pi on it.
+// Traces the straightest geodesic from a location in a direction (Polthier and Schmies 1998).  Its
+// endpoint is the exponential map.
 //
-// from    on a mesh, in a triangle (as vertex_location() makes it of a site)
-// angle   of the direction in the plane of that triangle, counterclockwise from its side 0; where
-//         it points out of the triangle, from a corner or a side, the neighbours are unfolded into
-//         that plane, the nearer way round
-// length  finite and not negative, in the domain's scale
+// Triangles are unfolded one after the other.  If the path hits a vertex, it continues with equal
+// angles on both sides.  It passes a boundary vertex if the angle on one side is at least pi, and
+// continues with an angle of exactly pi on that side.
 //
-// Throws Invalid_argument_error when the angle or the length is not so.  The cost is proportional
-// to the triangles crossed.
+// from    on a mesh; a location in a triangle, such as the result of vertex_location()
+// angle   the direction in the plane of that triangle, counterclockwise from halfedge 0.  If it
+//         points out of the triangle, the adjacent triangles are unfolded to that plane.
+// length  finite and not negative, in the scale of the surface arrays
+//
+// Throws Invalid_argument_error if the angle is not finite or the length is invalid.  Throws
+// Unsupported_surface_error on a cloud.  Linear in the number of triangles that the path crosses.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Straightest_path trace_straightest(const Surface_arrays& triangles, const Surface_location& from,
                                    double angle, double length);
 
-// The same in a direction of space, which is projected to the plane of the location's triangle; at
-// a site to that of the triangle, of those that hold the projection, whose plane is the nearest.
-// Throws Invalid_argument_error also when the projection vanishes, or at a site without triangles.
+// Traces the straightest geodesic from a location in a direction in space.  The direction is
+// projected to the plane of the location's triangle.  At a vertex, the triangle that contains the
+// projected direction is used.  If several do, it is the one to whose plane the direction is
+// closest.
+//
+// Also throws Invalid_argument_error if the direction is zero, not finite or normal to the surface.
+// The location must not be an isolated vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Straightest_path trace_straightest_in_space(const Surface_arrays& triangles,
                                             const Surface_location& from,
