@@ -153,12 +153,12 @@ Texture_cells::Texture_cells(std::size_t number_of_triangles, std::size_t segmen
 {
   constexpr double max_number_of_texels = 268435456.;
   if(segments == 0)
-    throw Invalid_argument_error("A face of a texture has one texel or more along its sides.");
+    throw Invalid_argument_error("The number of texels per edge must be positive.");
   const std::size_t cells = std::max<std::size_t>(1, (number_of_triangles + 1) / 2);
   const double size = double(segments) + 5.;
   if(double(cells) * size * size > max_number_of_texels)
     throw Invalid_argument_error(
-        "The texture has more than 2^28 texels; take fewer for each face.");
+        "The texture would have more than 2^28 texels: use fewer texels per edge.");
   m_columns = std::size_t(std::ceil(std::sqrt(double(cells))));
   m_rows = (cells + m_columns - 1) / m_columns;
 }

@@ -62,9 +62,9 @@ Cloud_path_options validated(Cloud_path_options options)
 {
   const Path_options& path = options.path;
   if(!(path.alpha >= 0.) || !(path.beta >= 0.) || !std::isfinite(path.alpha + path.beta))
-    throw Invalid_argument_error("A weight of the energy is negative or not finite.");
+    throw Invalid_argument_error("A weight of the path energy is negative or not finite.");
   if(path.number_of_control_points == 0)
-    throw Invalid_argument_error("A path needs a control point.");
+    throw Invalid_argument_error("The number of control points is zero.");
   if(!(path.tolerance >= 0.))
     throw Invalid_argument_error("The tolerance is negative or not a number.");
   options.path.constraint = path_constraint(options.method);

@@ -38,7 +38,8 @@ void for_each_incident_triangle(const Surface_arrays& t, const Surface_location&
 Descent::Descent(const Surface_arrays& t, const std::vector<Front_source>& sources) : m_triangles(t)
 {
   if(t.is_cloud())
-    throw Unsupported_surface_error("No path can be traced on a cloud: nothing is glued.");
+    throw Unsupported_surface_error(
+        "Gradient descent requires a mesh, because the triangles of a cloud are not connected.");
   for(Index s = 0; s < sources.size(); ++s)
   {
     const Front_source& source = sources[s];

@@ -460,7 +460,7 @@ public:
       half_gradient[k] = (m_squared_distance(point_ahead) - m_squared_distance(point_behind)) /
                          (2. * (point_ahead[k] - point_behind[k]));
       if(!std::isfinite(half_gradient[k]))
-        throw Invalid_argument_error("A squared distance is not a finite number.");
+        throw Invalid_argument_error("A squared distance is not finite.");
     }
     projection.point = point - half_gradient;
     projection.normal = unit(half_gradient);
@@ -478,7 +478,7 @@ Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_di
                             Path_options options, const std::vector<Vec3>& chain)
 {
   if(chain.size() < 2)
-    throw Invalid_argument_error("A polyline needs two points.");
+    throw Invalid_argument_error("The polyline has fewer than two points.");
   std::vector<Projection> feet(chain.size());
   double length = 0.;
   for(std::size_t i = 0; i < chain.size(); ++i)

@@ -352,7 +352,7 @@ void Geodesic_shortener::initialize(const std::vector<Surface_location>& input)
     const Index next_triangle = common_triangle(t, path[i], path[i + 1]);
     if(next_triangle == none)
       throw Invalid_argument_error(
-          "Two consecutive locations of a path lie in no common triangle.");
+          "Two consecutive locations of a path are not in a common triangle.");
     if(i == 0)
       strip.triangle = next_triangle;
     else if(next_triangle != triangle)
@@ -552,9 +552,10 @@ Locally_shortest_path shorten_geodesic(const Surface_arrays& t,
                                        const std::vector<Surface_location>& path)
 {
   if(path.empty())
-    throw Invalid_argument_error("A path to be straightened has no location.");
+    throw Invalid_argument_error("The path has no location.");
   if(t.is_cloud())
-    throw Unsupported_surface_error("Paths on a cloud cannot be straightened: nothing is glued.");
+    throw Unsupported_surface_error(
+        "Shortening a path requires a mesh, because the triangles of a cloud are not connected.");
   return Geodesic_shortener(t)(path);
 }
 

@@ -303,10 +303,11 @@ Straightest_path trace_straightest(const Surface_arrays& t, const Surface_locati
                                    double angle, double length)
 {
   if(!std::isfinite(angle) || !std::isfinite(length) || length < 0.)
-    throw Invalid_argument_error(
-        "A straightest path needs a finite direction and a finite length that is not negative.");
+    throw Invalid_argument_error("The direction or the length of a straightest geodesic is not "
+                                 "finite, or the length is negative.");
   if(t.is_cloud())
-    throw Unsupported_surface_error("A cloud has no straightest paths: nothing is glued.");
+    throw Unsupported_surface_error("Straightest geodesics require a mesh, because the triangles "
+                                    "of a cloud are not connected.");
   const Surface_location start = canonical(t, from);
   if(start.triangle == none)
   {
