@@ -143,10 +143,10 @@ Straightest_path Tangent_plane::straightest_path(double tangent_angle, double le
   polar /= m_angle_scale;
   if(polar > m_total_polar_angle * (1. + 1e-12))
     return {{m_location}, 0., 0., Straightest_path_end::boundary};
-  const auto sector =
-      std::upper_bound(m_sectors.begin() + 1, m_sectors.end(), polar,
-                       [](double angle, const auto& edge) { return angle < edge.second; }) -
-      1;
+  const auto sector = std::upper_bound(m_sectors.begin() + 1, m_sectors.end(), polar,
+                                       [](double angle, const auto& candidate)
+                                       { return angle < candidate.second; }) -
+                      1;
   const Index triangle = sector->first / 3;
   const auto corners = unfolded(m_triangles, triangle);
   const Vec2 edge = corners[next_halfedge(sector->first) % 3] - corners[sector->first % 3];

@@ -67,10 +67,10 @@ std::vector<Projection> insert_sharp_edges(const std::vector<Projection>& path)
   std::vector<Projection> result = {path.front()};
   for(std::size_t i = 0; i + 1 < path.size(); ++i)
   {
-    Projection edge_foot = path[i];
+    Projection edge_point = path[i];
     double length;
-    if(find_sharp_edge(path[i], path[i + 1], edge_foot.point, length))
-      result.push_back(edge_foot);
+    if(find_sharp_edge(path[i], path[i + 1], edge_point.point, length))
+      result.push_back(edge_point);
     result.push_back(path[i + 1]);
   }
   return result;

@@ -71,9 +71,9 @@ public:
   {
     for(const Projection& projection : path)
       m_current.points.push_back(projection.point);
-    m_current.feet = path;
+    m_current.projections = path;
     if(m_options.constraint == Path_constraint::energy)
-      m_current.midpoint_feet.assign(path.begin(), path.end() - 1);
+      m_current.midpoint_projections.assign(path.begin(), path.end() - 1);
     evaluate_energy(m_current);
   }
 
@@ -119,7 +119,7 @@ public:
     level.last_energy = m_current.energy.value;
     for(std::size_t i = 0; i < m_path.size(); ++i)
     {
-      m_path[i] = m_current.feet[i];
+      m_path[i] = m_current.projections[i];
       m_path[i].point = m_current.points[i];
     }
     return level;
@@ -137,7 +137,7 @@ private:
   {
     if(m_options.constraint == Path_constraint::energy)
       return step;
-    const Projection& projection = m_current.feet[i];
+    const Projection& projection = m_current.projections[i];
     step = project_out(projection.normal, step);
     // If descent leads beyond the surface's boundary, the node can only slide along it.
     if(dot(m_current.energy.gradient[i], projection.conormal) < 0.)
@@ -162,7 +162,7 @@ private:
     std::vector<Vec3> normal_components(step.size());
     for(std::size_t i = 0; i < step.size(); ++i)
     {
-      const Vec3& normal = m_current.feet[i].normal;
+      const Vec3& normal = m_current.projections[i].normal;
       normal_components[i] = dot(step[i], normal) * normal;
       step[i] = step[i] - normal_components[i];
     }
@@ -170,7 +170,7 @@ private:
     m_normal_preconditioner.solve(normal_components);
     for(std::size_t i = 0; i < step.size(); ++i)
     {
-      const Vec3& normal = m_current.feet[i].normal;
+      const Vec3& normal = m_current.projections[i].normal;
       step[i] = project_out(normal, step[i]) + dot(normal_components[i], normal) * normal;
     }
     return step;
@@ -180,8 +180,8 @@ private:
   void take_step(const std::vector<Vec3>& direction, double step_length, Path_state& state) const
   {
     state.points = m_current.points;
-    state.feet = m_current.feet;
-    state.midpoint_feet = m_current.midpoint_feet;
+    state.projections = m_current.projections;
+    state.midpoint_projections = m_current.midpoint_projections;
     for(std::size_t i = 1; i + 1 < direction.size(); ++i)
       state.points[i] = state.points[i] + step_length * direction[i];
     evaluate_energy(state);
@@ -241,11 +241,11 @@ private:
         const Projection projection =
             m_surface.project(1. / (weight_before + weight_after) *
                                   (weight_before * points[i - 1] + weight_after * points[i + 1]),
-                              m_trial.feet[i].vertex);
+                              m_trial.projections[i].vertex);
         if(energy(projection.point) < energy(points[i]))
         {
           points[i] = projection.point;
-          m_trial.feet[i] = projection;
+          m_trial.projections[i] = projection;
         }
       }
     evaluate_energy(m_trial);
@@ -374,20 +374,20 @@ void evaluate_energy(const Path_surface& surface, const Path_options& options,
                      const std::vector<double>& relative_length, double mean_length,
                      Path_state& state)
 {
-  auto& [points, feet, midpoint_feet, energy] = state;
+  auto& [points, projections, midpoint_projections, energy] = state;
   const std::size_t n = points.size();
   const bool is_energy_constrained = options.constraint == Path_constraint::energy;
   energy.value = 0.;
   energy.gradient.assign(n, {0., 0., 0.});
   for(std::size_t i = 1; i + 1 < n; ++i)
   {
-    feet[i] = surface.project(points[i], feet[i].vertex);
+    projections[i] = surface.project(points[i], projections[i].vertex);
     if(!is_energy_constrained)
     {
-      points[i] = feet[i].point;
+      points[i] = projections[i].point;
       continue;
     }
-    const Vec3 offset = points[i] - feet[i].point;
+    const Vec3 offset = points[i] - projections[i].point;
     energy.value += options.alpha * dot(offset, offset);
     energy.gradient[i] = 2. * options.alpha * offset;
   }
@@ -401,8 +401,8 @@ void evaluate_energy(const Path_surface& surface, const Path_options& options,
     if(is_energy_constrained && beta > 0. && square > 0.)
     {
       const Vec3 midpoint = 0.5 * (points[i] + points[i + 1]);
-      midpoint_feet[i] = surface.project(midpoint, midpoint_feet[i].vertex);
-      const Vec3 offset = midpoint - midpoint_feet[i].point;
+      midpoint_projections[i] = surface.project(midpoint, midpoint_projections[i].vertex);
+      const Vec3 offset = midpoint - midpoint_projections[i].point;
       const double term = beta * dot(offset, offset) / square;
       energy.value += term;
       segment_gradient = segment_gradient - 2. * term / square * segment;
@@ -479,11 +479,11 @@ Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_di
 {
   if(chain.size() < 2)
     throw Invalid_argument_error("The polyline has fewer than two points.");
-  std::vector<Projection> feet(chain.size());
+  std::vector<Projection> projections(chain.size());
   double length = 0.;
   for(std::size_t i = 0; i < chain.size(); ++i)
   {
-    feet[i].point = chain[i];
+    projections[i].point = chain[i];
     if(i > 0)
       length += norm(chain[i] - chain[i - 1]);
     if(!std::isfinite(length) || !std::isfinite(norm(chain[i])))
@@ -494,7 +494,7 @@ Shortened_path shorten_path(const std::function<double(const Vec3&)>& squared_di
   // remain; on a curved surface, the error is below a hundredth of the sagitta.
   const Squared_distance_surface surface(
       squared_distance, 0.01 * length / double(options.number_of_control_points + 1));
-  return shorten_path(surface, options, feet);
+  return shorten_path(surface, options, projections);
 }
 
 Shortened_path shorten_path(const Path_surface& surface, const Path_options& options,

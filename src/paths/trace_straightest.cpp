@@ -40,7 +40,7 @@ public:
     if(length > 0.)
     {
       if(const Index corner = corner_of(from); corner != none)
-        leave_corner(corner, angle - angle_of_side(corner));
+        leave_corner(corner, angle - angle_of_halfedge(corner));
       else if(const Index h = halfedge_of(from); h != none && points_out(h))
         cross_edge(h, from.barycentric[next_halfedge(h) % 3]);
       else
@@ -67,7 +67,7 @@ public:
 private:
   const Vec2& corner_position(Index corner) const { return m_corners[corner % 3]; }
   Vec2 edge_vector(Index h) const { return corner_position(next_halfedge(h)) - corner_position(h); }
-  double angle_of_side(Index h) const
+  double angle_of_halfedge(Index h) const
   {
     const Vec2 v = edge_vector(h);
     return std::atan2(v[1], v[0]);

@@ -40,8 +40,8 @@ public:
   std::vector<Vec3> points(const Cloud_path& found) const
   {
     std::vector<Vec3> result;
-    for(const Projection& foot : found.path.points)
-      result.push_back(m_cloud->cloud().frame.origin + scale() * foot.point);
+    for(const Projection& projection : found.path.points)
+      result.push_back(m_cloud->cloud().frame.origin + scale() * projection.point);
     return result;
   }
   const Fitted_cloud& fitted_cloud() const { return *m_cloud; }
@@ -303,13 +303,13 @@ void expect_steps_along_edges(const Surfel_cloud& cloud, const Cloud_path& found
 {
   for(std::size_t k = 1; k < found.path.points.size(); ++k)
   {
-    const Projection &previous = found.path.points[k - 1], &foot = found.path.points[k];
-    if(previous.vertex == foot.vertex)
+    const Projection &previous = found.path.points[k - 1], &projection = found.path.points[k];
+    if(previous.vertex == projection.vertex)
       continue;
-    EXPECT_TRUE(
-        is_connected_within(cloud, previous.vertex, foot.vertex,
-                            2. * norm(foot.point - previous.point) +
-                                3. * (cloud.radius[previous.vertex] + cloud.radius[foot.vertex])));
+    EXPECT_TRUE(is_connected_within(
+        cloud, previous.vertex, projection.vertex,
+        2. * norm(projection.point - previous.point) +
+            3. * (cloud.radius[previous.vertex] + cloud.radius[projection.vertex])));
   }
 }
 

@@ -43,7 +43,7 @@ TEST(Path_finder, yields_shortest_paths_on_sphere)
   const Surface_arrays& t = surface.t();
   Path_finder finder(surface.triangles());
   std::mt19937 random(2);
-  const double side_length = 2. / 16.; // about the length of a side
+  const double edge_length = 2. / 16.; // about the length of a side
   for(int i = 0; i < 100; ++i)
   {
     const Index a = Index(random() % 2562), b = Index(random() % 2562);
@@ -53,7 +53,7 @@ TEST(Path_finder, yields_shortest_paths_on_sphere)
         shorten_geodesic(t, finder(surface.at(a), surface.at(b))).length * t.scale;
     // Great circles on the sphere; the polyhedron lies inside, by less than h^2 / 8 of the radius.
     EXPECT_LE(length, angle * (1. + round_off) + round_off);
-    EXPECT_GE(length, angle * (1. - side_length * side_length / 4.) - round_off);
+    EXPECT_GE(length, angle * (1. - edge_length * edge_length / 4.) - round_off);
   }
 }
 

@@ -22,15 +22,15 @@ struct Plane : Path_surface
 
 TEST(path_curve, arc_lengths_are_exact_on_circle)
 {
-  std::vector<Projection> edge(11);
-  for(std::size_t i = 0; i < edge.size(); ++i)
+  std::vector<Projection> arc(11);
+  for(std::size_t i = 0; i < arc.size(); ++i)
   {
-    edge[i].point = {std::cos(0.1 * double(i)), std::sin(0.1 * double(i)), 0.};
-    edge[i].normal = edge[i].point;
+    arc[i].point = {std::cos(0.1 * double(i)), std::sin(0.1 * double(i)), 0.};
+    arc[i].normal = arc[i].point;
   }
-  EXPECT_NEAR(curve_length(edge), 1., 1e-14); // a circle is exact
-  EXPECT_NEAR(polyline_length(edge), 20. * std::sin(0.05), 1e-14);
-  EXPECT_NEAR(arc_length(edge[0], edge[3]), 0.3, 1e-14);
+  EXPECT_NEAR(curve_length(arc), 1., 1e-14); // a circle is exact
+  EXPECT_NEAR(polyline_length(arc), 20. * std::sin(0.05), 1e-14);
+  EXPECT_NEAR(arc_length(arc[0], arc[3]), 0.3, 1e-14);
 }
 
 TEST(path_curve, arc_length_unfolds_sharp_edge)

@@ -178,11 +178,10 @@ struct Right_angle : Path_surface
 {
   Projection project(const Vec3& p, Index) const override
   {
-    const Vec3 on_top = {std::min(p[0], 0.), p[1], 0.},
-               barycentric_on_halfedge = {0., p[1], std::min(p[2], 0.)};
-    return norm(p - on_top) < norm(p - barycentric_on_halfedge)
+    const Vec3 on_top = {std::min(p[0], 0.), p[1], 0.}, on_wall = {0., p[1], std::min(p[2], 0.)};
+    return norm(p - on_top) < norm(p - on_wall)
                ? Projection{on_top, {0., 0., 1.}, {0., 0., 0.}, 0}
-               : Projection{barycentric_on_halfedge, {1., 0., 0.}, {0., 0., 0.}, 0};
+               : Projection{on_wall, {1., 0., 0.}, {0., 0., 0.}, 0};
   }
 };
 

@@ -107,7 +107,7 @@ TEST(Shorten_geodesic, passes_through_saddle_vertex)
 TEST(Shorten_geodesic, keeps_winding_number_on_cylinder)
 {
   const std::size_t n = 10, number_of_rings = 8;
-  const double side_length = 2. * std::sin(pi / n), perimeter = n * side_length;
+  const double edge_length = 2. * std::sin(pi / n), perimeter = n * edge_length;
   const Array_surface surface(cylinder(n, number_of_rings, 1., 3.));
   for(Index number_of_turns = 1; number_of_turns < 4; ++number_of_turns)
   {

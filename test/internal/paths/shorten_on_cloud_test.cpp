@@ -94,10 +94,10 @@ TEST(Shorten_on_cloud, follows_great_circles_on_sphere)
       const auto path = shorten_on_cloud(cloud.t(), find(p, q));
       const double length = polyline_length(cloud.t(), path) * cloud.t().scale;
       const double chord = distance(point_at(cloud.t(), p), point_at(cloud.t(), q));
-      const double edge = 2. * std::asin(std::min(1., chord / 2.));
+      const double expected = 2. * std::asin(std::min(1., chord / 2.));
       // Sides h have h^2 about 12.6 / n; a polyline inscribed with steps 2 h is shorter by h^2 / 6,
       // and half of it again for the triangles' depth below the sphere.
-      EXPECT_NEAR(length, edge, edge * 12.6 / double(n)) << n;
+      EXPECT_NEAR(length, expected, expected * 12.6 / double(n)) << n;
       // Each location lies on a triangle near the sphere.
       for(const Surface_location& location : path)
       {

@@ -52,9 +52,10 @@ struct Path_energy
 // The nodes of a path with their projections to the surface and the energy.
 struct Path_state
 {
-  std::vector<Vec3> points;              // #nodes
-  std::vector<Projection> feet;          // #nodes: the projections of the nodes
-  std::vector<Projection> midpoint_feet; // #segments: the projections of the segments' midpoints
+  std::vector<Vec3> points;            // #nodes
+  std::vector<Projection> projections; // #nodes: the projections of the nodes
+  std::vector<Projection>
+      midpoint_projections; // #segments: the projections of the segments' midpoints
   Path_energy energy;
 };
 
