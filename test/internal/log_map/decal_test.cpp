@@ -20,7 +20,8 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The points of a square around its middle, as a map of itself; in reach of a distance.
+// The identity map of the unit square, relative to its center.  Only vertices up to a distance from
+// the center are reached.
 struct Flat_map
 {
   std::vector<Index> reached;
@@ -43,8 +44,8 @@ struct Flat_map
 
 TEST(decal, finds_triangles_of_intersected_cells)
 {
-  // Ten cells a side, of two triangles each.  From 0.31 to 0.69 and from 0.45 to 0.55: cells 3 to 6 and
-  // 4 to 5.
+  // A grid of 10 x 10 cells with two triangles each.  The rectangle [0.31, 0.69] x [0.45, 0.55]
+  // intersects columns 3 to 6 and rows 4 to 5.
   const Array_surface surface(square(10));
   const Flat_map map(surface.t());
   const Vec2 half_size = {0.19 / surface.scale(), 0.05 / surface.scale()};
@@ -66,7 +67,7 @@ TEST(decal, finds_triangles_of_intersected_cells)
     const double column = std::round(10. * low[0]) + 5., row = std::round(10. * low[1]) + 5.;
     const bool is_in_cell = column >= 3. && column <= 6. && row >= 4. && row <= 5.;
     cells += is_in_cell;
-    // A cell that is met in a corner only may have a triangle that is not.
+    // If the rectangle intersects only a corner of a cell, one of its triangles may not be covered.
     if(!is_in_cell)
     {
       EXPECT_EQ(inside.count(f), 0u);
@@ -81,7 +82,7 @@ TEST(decal, finds_triangles_of_intersected_cells)
 
 TEST(decal, excludes_triangles_touched_at_boundary)
 {
-  const Array_surface surface(square(4)); // its lines are multiples of 1/4: exact
+  const Array_surface surface(square(4)); // coordinates are multiples of 1/4, which are exact
   const Flat_map map(surface.t());
   const Vec2 half_size = {0.25 / surface.scale(), 0.25 / surface.scale()};
   EXPECT_EQ(
@@ -96,13 +97,13 @@ TEST(decal, reports_longest_edge_of_incomplete_triangles)
   const Decal_triangles all =
       find_decal_triangles(surface.t(), Flat_map(surface.t()).reached,
                            Flat_map(surface.t()).coordinates, {half_size, half_size});
-  // As far as the rectangle's corners: sides beyond it are missing.
+  // Only vertices up to the distance of the rectangle's corners are reached.
   const Flat_map small_map(surface.t(), half_size * std::sqrt(2.));
   const Decal_triangles partial = find_decal_triangles(
       surface.t(), small_map.reached, small_map.coordinates, {half_size, half_size});
   EXPECT_GT(partial.longest_edge, 0.);
   EXPECT_LT(partial.covered.size(), all.covered.size());
-  // Farther by as much as it says, everything is there.
+  // With the distance increased by the reported length, all triangles are complete.
   const Flat_map large_map(surface.t(), half_size * std::sqrt(2.) + partial.longest_edge);
   const Decal_triangles found = find_decal_triangles(surface.t(), large_map.reached,
                                                      large_map.coordinates, {half_size, half_size});
@@ -117,16 +118,16 @@ TEST(decal, completes_cut_triangles)
   const Flat_map original = map;
   const Vec2 half_size = {1. / surface.scale(), 1. / surface.scale()};
   const Index moved = surface.vertex(60);
-  map.coordinates[moved] = 0.9 * half_size; // as if behind a cut locus
+  map.coordinates[moved] = 0.9 * half_size; // as across a cut locus
   const auto found = find_decal_triangles(surface.t(), map.reached, map.coordinates, half_size);
   EXPECT_EQ(found.covered.size(), surface.t().number_of_triangles());
   for(const auto& [triangle, corners] : found.covered)
     for(Index k = 0; k < 3; ++k)
     {
       const Vec2& position = original.coordinates[surface.t().corner[3 * triangle + k]];
-      EXPECT_LT(norm(corners[k] - position), 1e-13); // rounding
+      EXPECT_LT(norm(corners[k] - position), 1e-13); // round-off errors
     }
-  // Those without a whole side stay out.
+  // Triangles whose edges are all cut are omitted.
   for(const Index neighbor : {Index(61), Index(71), Index(70)})
     map.coordinates[surface.vertex(neighbor)] = (double(neighbor) - 65.) * half_size;
   EXPECT_LT(
@@ -140,7 +141,7 @@ TEST(decal, longest_edge_is_local)
   const double edge_length = 0.1 / surface.scale();
   EXPECT_NEAR(longest_edge_at(surface.t(), {none, surface.vertex(60), {}}),
               std::sqrt(2.) * edge_length,
-              1e-15); // rounding
+              1e-15); // round-off errors
   EXPECT_NEAR(longest_edge_at(surface.t(), {0, none, {0.2, 0.3, 0.5}}), std::sqrt(2.) * edge_length,
               1e-15);
 }
@@ -153,12 +154,12 @@ TEST(decal, blending_is_associative)
   EXPECT_EQ(blend_over(clear, red), red);
   EXPECT_EQ(blend_over(green, clear), green);
   EXPECT_EQ(blend_over(clear, clear)[3], 0.);
-  // In whatever order three are put together.
+  // The result does not depend on the order in which three colors are composed.
   const Rgba glass = {0.2, 0.4, 0.8, 0.25};
   const Rgba first = blend_over(blend_over(glass, green), red),
              last = blend_over(glass, blend_over(green, red));
   for(int c = 0; c < 4; ++c)
-    EXPECT_NEAR(first[c], last[c], 1e-15); // rounding
+    EXPECT_NEAR(first[c], last[c], 1e-15); // round-off errors
 }
 
 TEST(decal, each_texel_belongs_to_at_most_one_triangle)
@@ -175,7 +176,7 @@ TEST(decal, each_texel_belongs_to_at_most_one_triangle)
             {
               ++use_count.at(texel);
               EXPECT_NEAR(barycentric[0] + barycentric[1] + barycentric[2], 1., 1e-14);
-              // Where the texel is, seen from the corners.
+              // The barycentric coordinates determine the center of the texel.
               const auto corners = cells.corners(f);
               const Vec2 position = barycentric[0] * corners[0] + barycentric[1] * corners[1] +
                                     barycentric[2] * corners[2];
@@ -204,7 +205,7 @@ TEST(decal, interpolation_uses_only_own_texels)
                               (double(steps - i - j) / steps) * corners[2];
         const double x = position[0] * double(cells.width()) - 0.5,
                      y = position[1] * double(cells.height()) - 0.5;
-        // Rounding is not seen.
+        // The four texels of bilinear interpolation, up to round-off errors of the position.
         for(const double right : {1e-9, 1. - 1e-9})
           for(const double up : {1e-9, 1. - 1e-9})
             EXPECT_EQ(

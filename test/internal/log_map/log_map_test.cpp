@@ -81,7 +81,7 @@ TEST(log_map, fit_is_exact_in_the_plane)
     for(const Vec2& q : stencil)
       distances.push_back(norm(x - q));
     EXPECT_LT(norm(fit(norm(x), distances.data()) - x), 1e-12 * (1. + norm(x)));
-    // What no front has reached does not count.
+    // Infinite distances are ignored.
     distances[2] = infinity;
     EXPECT_LT(norm(fit(norm(x), distances.data()) - x), 1e-12 * (1. + norm(x)));
     distances[0] = distances[3] = infinity;
@@ -91,8 +91,8 @@ TEST(log_map, fit_is_exact_in_the_plane)
 
 TEST(log_map, mean_normal_angle_matches_sphere)
 {
-  // Normals at vertices of a subdivided icosahedron are nearly those of the sphere: an angle is as long as
-  // its side, but for what arcs are longer than chords and normals are off.
+  // The vertex normals of a subdivided icosahedron approximate those of the sphere.  So the angle
+  // between two of them is approximately the length of the edge.
   const Array_surface surface(icosphere(3));
   const double scale = surface.t().scale;
   for(const Index vertex : {0u, 20u, 300u})
@@ -110,7 +110,7 @@ TEST(log_map, steps_are_transported_along_great_circles)
   for(const double angle : {0., 1., 2., 4.})
     for(const double distance : {0., 0.5, 2., 3.1})
     {
-      // The direction in which the great circle goes on, and that to its left.
+      // The direction of the great circle, and the direction to its left.
       const Vec3 outward = plane.direction(angle), up = plane.normal();
       const Vec3 normal = std::cos(distance) * up + std::sin(distance) * outward,
                  forward = std::cos(distance) * outward + -std::sin(distance) * up;
@@ -118,7 +118,7 @@ TEST(log_map, steps_are_transported_along_great_circles)
       const Vec2 u = {std::cos(angle), std::sin(angle)};
       EXPECT_LT(norm(transported_step(plane, normal, 0.1 * forward) - 0.1 * u), 1e-13);
       EXPECT_LT(norm(transported_step(plane, normal, 0.1 * left) - 0.1 * Vec2{-u[1], u[0]}), 1e-13);
-      // What leaves the plane is laid into it, at its full length.
+      // A step out of the tangent plane is projected to it and keeps its length.
       const Vec3 tilted = 0.3 * forward + 0.4 * normal;
       EXPECT_LT(norm(transported_step(plane, normal, tilted) - 0.5 * u), 1e-13);
     }
@@ -140,7 +140,7 @@ TEST(log_map, counts_cut_and_folded_triangles)
   for(Vec2& u : coordinates)
     u[0] = -u[0];
   EXPECT_EQ(find_map_defects(t, reached, coordinates).number_of_folded, 18u);
-  // Six triangles around an inner site that has been moved far away.
+  // Cut the six triangles at an interior vertex by moving its image far away.
   Index inner = 0;
   while(t.ring_begin[inner + 1] - t.ring_begin[inner] != 6)
     ++inner;

@@ -17,13 +17,13 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// A few roundings of coordinates below 2.
+// A few round-off errors of coordinates below 2.
 constexpr double round_off_tolerance = 1e-13;
 
 TEST(tangent_plane, is_exact_on_planes)
 {
   const Array_surface surface(square(10, 0.25));
-  const Index inner = 60; // in the middle of 11 x 11
+  const Index inner = 60; // the center of 11 x 11 vertices
   for(const Surface_location& at :
       {surface.at(inner), surface.in(57, {0.2, 0.5, 0.3}), surface.on(57, 1, 0.3)})
   {
@@ -59,19 +59,19 @@ TEST(tangent_plane, is_limited_at_boundary)
 
 TEST(tangent_plane, rescales_angles_around_a_cone)
 {
-  // Three quarters of the plane, rolled up.
+  // The cone consists of three quarters of a disk.
   const Array_surface surface(cone(9, 3, 1.5 * pi));
   const Tangent_plane plane(surface.t(), surface.at(0));
   EXPECT_NEAR(plane.total_angle(), 2. * pi, round_off_tolerance);
   EXPECT_NEAR(plane.tangent_angle(0.75 * pi), pi, round_off_tolerance);
-  // Nine sides leave the tip: along each, straight on.
+  // Trace a path along each of the nine edges at the apex.
   for(int i = 0; i < 9; ++i)
   {
     const double length = 0.01;
     const Straightest_path path = plane.straightest_path(2. * pi * i / 9., length);
     const Vec3 offset = scaled_coordinates(surface.t(), path.locations.back()) - plane.point();
     EXPECT_NEAR(norm(offset), length, round_off_tolerance);
-    // In space the sides are where the axes say, seen from the axis of the cone.
+    // By symmetry, the projected edges have exactly their tangent angles.
     EXPECT_NEAR(std::remainder(plane.tangent_angle(offset) - 2. * pi * i / 9., 2. * pi), 0., 1e-9);
   }
 }
@@ -84,7 +84,7 @@ TEST(tangent_plane, is_orthogonal_to_vertex_normal)
     const Vec3 normal = Tangent_plane(surface.t(), surface.at(i)).normal();
     EXPECT_LT(norm(normal - vertex_normal(surface.t(), surface.vertex(i))), round_off_tolerance);
   }
-  // By symmetry.
+  // By symmetry, the vertex normal is radial.
   const Triangulation sphere = icosphere(2);
   const Array_surface sphere_surface(sphere);
   EXPECT_LT(norm(vertex_normal(sphere_surface.t(), sphere_surface.vertex(0)) - sphere.points[0]),

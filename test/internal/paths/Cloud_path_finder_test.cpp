@@ -92,7 +92,7 @@ TEST(Cloud_path_finder, follows_great_circles)
       const double expected =
           2. * std::asin(std::min(1., norm(sphere.points[b] - sphere.points[a]) / 2.));
       const Cloud_path found = finder(a, b);
-      // Spheres are fitted exactly; what is left is of fourth order in steps of a hundredth.
+      // Spheres are fitted exactly.  The error is of fourth order in the step, 1/100.
       EXPECT_NEAR(finder.scale() * found.path.length, expected, 1e-8);
       EXPECT_LE(found.path.length, found.start_length * (1. + round_off));
       EXPECT_LE(found.path.polyline_length, found.path.length * (1. + round_off));
@@ -118,10 +118,10 @@ TEST(Cloud_path_finder, follows_great_circles_with_coarse_to_fine_search)
     const double expected =
         2. * std::asin(std::min(1., norm(sphere.points[b] - sphere.points[a]) / 2.));
     const Cloud_path found = finder(a, b);
-    // As above: the chain leaves no trace.
+    // The accuracy is independent of the graph path.
     EXPECT_NEAR(finder.scale() * found.path.length, expected, 1e-8);
     EXPECT_LE(found.path.length, found.start_length * (1. + round_off));
-    // Nor than the shortest chain, of which this one needs to know nothing.
+    // It is also not longer than the shortest graph path.
     const Surfel_cloud& cloud = finder.fitted_cloud().cloud();
     const std::vector<Index> shortest = Graph_search(cloud.graph, cloud.point)(
         finder.location(a).vertex, finder.location(b).vertex, Surfel_search::dijkstra);
@@ -143,9 +143,9 @@ TEST(Cloud_path_finder, is_exact_on_cylinders)
     const Vec3 &p = cylinder.points[a], &q = cylinder.points[b];
     const double turn = std::remainder(std::atan2(q[1], q[0]) - std::atan2(p[1], p[0]), 2. * pi);
     if(a == b || std::abs(turn) > 3.)
-      continue; // the other way round may be as short
+      continue; // a path around the other side may be equally short
     const double expected = std::hypot(15. * turn, q[2] - p[2]);
-    // What surfaces of second order leave is of fourth order in the step over the radius.
+    // The error of quadrics is of fourth order in the step divided by the radius.
     EXPECT_NEAR(finder.scale() * finder(a, b).path.length, expected,
                 0.2 * std::pow(1.03 / 15., 4) * expected);
   }
@@ -173,16 +173,16 @@ TEST(Cloud_path_finder, is_robust_to_noise)
     sum_kept += std::abs(
         finder_with_noise_kept.scale() * finder_with_noise_kept(a, b).path.length / expected - 1.);
   }
-  // Planes fitted to the nearest surfels alone follow the noise.
+  // If noise is kept, planes fitted to the nearest surfels follow it.
   EXPECT_LT(sum, 0.05 * sum_kept);
-  EXPECT_LT(sum / 20., 2e-4); // the benchmark has 1.3e-5 with four times as many surfels
+  EXPECT_LT(sum / 20., 2e-4); // the benchmark measures 1.3e-5 with four times as many surfels
 }
 
 TEST(Cloud_path_finder, is_robust_to_outliers)
 {
-  // On a sphere with 5 % of outliers, and a little noise or none, which is kept.
+  // On a sphere with 5 % of outliers, without noise or with a little noise that is kept.
   const Cloud sphere = octahedron_sphere(4);
-  const std::vector<double> radii(sphere.size(), 0.11); // the 8th neighbour's distance over sqrt(2)
+  const std::vector<double> radii(sphere.size(), 0.11); // distance of the 8th neighbor / sqrt(2)
   for(const double level : {0., 0.02})
   {
     const Cloud noisy = level > 0. ? with_noise(sphere, radii, level, 1) : sphere;
@@ -209,7 +209,7 @@ TEST(Cloud_path_finder, is_robust_to_outliers)
     const double robust = error(with_outliers_added, Surfel_path_method::robust_spheres);
     EXPECT_LT(robust,
               (level > 0. ? 0.5 : 0.1) * error(with_outliers_added, Surfel_path_method::spheres));
-    // One outlier in fifty is as low as noise: one surfel in a thousand, and chance.
+    // One outlier in fifty is too small to be detected.  These are one in a thousand surfels.
     if(level > 0.)
     {
       EXPECT_LT(robust, 1.2 * error(noisy, Surfel_path_method::robust_spheres));
@@ -230,8 +230,8 @@ TEST(Cloud_path_finder, crosses_sharp_edges_of_cube)
     Finder finder(cube, make_options(method));
     ASSERT_EQ(finder.fitted_cloud().cloud().number_of_components, 1u);
     const Cloud_path found = finder(from, to);
-    // A chord of the last refinement cuts the corner: 1 - sqrt(1/2) of a sixteenth of a segment of a
-    // 28th.  Disks end half a spacing before the edge.
+    // After the last refinement, segments are 1/16 of 1/28 long.  One of them cuts the edge, which
+    // shortens the path by 1 - sqrt(1/2) of its length.  Disks end half a spacing before the edge.
     EXPECT_NEAR(finder.scale() * found.path.length, expected,
                 method == Surfel_path_method::projected_quadrics ? 2e-3 : 0.02)
         << int(method);
@@ -242,7 +242,7 @@ TEST(Cloud_path_finder, crosses_sharp_edges_of_cube)
 
 TEST(Cloud_path_finder, does_not_cross_gaps)
 {
-  // A square without its middle.
+  // A square with a square hole.
   const auto is_inside = [](const Vec3& p)
   { return std::abs(p[0] - 0.5) > 0.2 || std::abs(p[1] - 0.5) > 0.2; };
   const Cloud square = part_of(square_cloud(41), is_inside);
@@ -250,8 +250,8 @@ TEST(Cloud_path_finder, does_not_cross_gaps)
   const std::size_t from = nearest_point(square, {0.1, 0.5, 0.}),
                     to = nearest_point(square, {0.9, 0.5, 0.});
   const Cloud_path found = finder(from, to);
-  // Around two corners of the gap, whose surfels reach 1.5 radii into it: a radius is one step, and some more at the
-  // border.
+  // The path passes two corners of the gap.  The disks of surfels extend 1.5 radii into it.  A
+  // radius is one step, and 1.3 steps at the boundary.
   const double step = 1. / 40., surfel_reach = 1.5 * 1.3 * step;
   const double max_length = 2. * std::hypot(0.1 + step, 0.2 + step) + 0.4 + 2. * step,
                min_length = 2. * std::hypot(0.1 + surfel_reach, 0.2 - surfel_reach) + 0.4 -
@@ -263,12 +263,13 @@ TEST(Cloud_path_finder, does_not_cross_gaps)
     for(int k = 0; k < 8; ++k)
     {
       const Vec3 x = points[i] + k / 8. * (points[i + 1] - points[i]);
-      // Nowhere deeper in the gap than a surfel reaches.
+      // The path is nowhere deeper in the gap than the reach of a surfel.
       EXPECT_LE(norm(square.points[nearest_point(square, x)] - x), surfel_reach * (1. + 0.01));
     }
 }
 
-// A strip folded over itself: two sheets two spacings apart, joined at one end by half a cylinder.
+// A folded strip: two parallel sheets at a distance of two spacings, joined at one end by half a
+// cylinder.
 constexpr double fold_step = 0.025, fold_radius = fold_step;
 
 Cloud folded_strip()
@@ -315,7 +316,7 @@ void expect_steps_along_edges(const Surfel_cloud& cloud, const Cloud_path& found
 
 TEST(Cloud_path_finder, goes_around_fold_with_few_control_points)
 {
-  // Two control points slide to the ends, one above the other.
+  // With two control points, both can slide to the endpoints, which are on different sheets.
   const Cloud fold = folded_strip();
   Cloud_path_options options;
   for(const std::size_t number_of_control_points : {1, 2, 5})
@@ -332,8 +333,8 @@ TEST(Cloud_path_finder, goes_around_fold_with_few_control_points)
 
 TEST(Cloud_path_finder, stays_near_surfels_of_anisotropic_sampling)
 {
-  // As a scanner sees a plain: rows farther apart than the sixth neighbour in a row, but not than the
-  // twentieth, with or without noise.
+  // A plane sampled in rows, as by a scanner.  The distance between rows is between those of the
+  // sixth and the twentieth neighbor in a row.
   for(const double noise : {0., 1.})
   {
     std::mt19937 random(1);

@@ -16,7 +16,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-constexpr double round_off = 1e-12; // sums of some hundreds of lengths
+constexpr double round_off = 1e-12; // sums of some hundred lengths
 
 bool has_edge(const Proximity_graph& graph, Index from, Index to)
 {
@@ -25,7 +25,7 @@ bool has_edge(const Proximity_graph& graph, Index from, Index to)
   return std::find(begin + graph.begin[from], end, to) != end;
 }
 
-// Of arcs, between these two.
+// Expects a path of graph edges between two vertices.
 void expect_chain(const Proximity_graph& graph, const std::vector<Index>& chain, Index from,
                   Index to)
 {
@@ -70,7 +70,7 @@ TEST(Graph_search, agrees_between_search_methods)
 
 TEST(Graph_search, finds_equally_short_paths_on_lattices)
 {
-  // Many chains are as short there.
+  // On a lattice, shortest paths are not unique.
   const Cloud square = square_cloud(30);
   const Surfel_cloud cloud = make_cloud(square.points, square.normals);
   Graph_search search(cloud.graph, cloud.point);
@@ -78,7 +78,7 @@ TEST(Graph_search, finds_equally_short_paths_on_lattices)
     for(Index b = 0; b < 900; b += 41)
     {
       const double expected = chain_length(cloud, search(a, b, Surfel_search::dijkstra));
-      // Sums of at most 60 roundings.
+      // Sums of at most 60 lengths.
       EXPECT_NEAR(chain_length(cloud, search(a, b, Surfel_search::bidirectional)), expected, 1e-14);
       EXPECT_NEAR(chain_length(cloud, search(a, b, Surfel_search::a_star)), expected, 1e-14);
     }
@@ -105,8 +105,8 @@ TEST(Graph_search, finds_short_paths_with_coarse_to_fine_search)
       const std::vector<Index> chain = search(a, b, Surfel_search::coarse_to_fine);
       visited += search.number_of_visited_vertices();
       expect_chain(cloud.graph, chain, a, b);
-      // Lengths of 16 regions or more, each a tenth too long or too short, are known to some percent:
-      // by so much may the chain be the shortest of another way round.
+      // The length of a coarse path of 16 regions or more has an error of some percent, because
+      // each step has an error of 10 %.  So the corridor may follow a path that is longer by this.
       const double excess = chain_length(cloud, chain) / shortest_length - 1.;
       EXPECT_LT(excess, 0.06);
       EXPECT_GT(excess, -round_off);
@@ -119,7 +119,7 @@ TEST(Graph_search, finds_short_paths_with_coarse_to_fine_search)
 
 TEST(Graph_search, is_guided_on_long_paths)
 {
-  // Once half around are 350 surfels, or 60 regions.
+  // Half of the circumference is 350 surfels or 60 regions.
   const Cloud torus = torus_cloud(100000, 0.4);
   const Surfel_cloud cloud = make_cloud(torus.points, torus.normals);
   const Vertex_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
@@ -140,7 +140,7 @@ TEST(Graph_search, is_guided_on_long_paths)
     visited += search.number_of_visited_vertices();
     expect_chain(cloud.graph, chain, a, b);
     const double excess = chain_length(cloud, chain) / shortest_length - 1.;
-    // What the chain of leaders is too long by, and as much because distances count a tenth more.
+    // The error of the coarse path, and a similar one because distances are scaled by 1.1.
     EXPECT_LT(excess, 0.1);
     EXPECT_GT(excess, -round_off);
     sum += excess;

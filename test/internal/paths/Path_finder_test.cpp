@@ -13,7 +13,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-constexpr double round_off = 1e-12; // a few hundred roundings of lengths below 10
+constexpr double round_off = 1e-12; // a few hundred round-off errors of lengths below 10
 
 TEST(Path_finder, connects_arbitrary_locations)
 {
@@ -32,7 +32,7 @@ TEST(Path_finder, connects_arbitrary_locations)
     expect_path_on_surface(t, path, from, to);
     const double length = shorten_geodesic(t, path).length * t.scale;
     EXPECT_GE(length, distance(point_at(t, from), point_at(t, to)) - round_off);
-    // The other way round the length is the same, unless two ways are equally long up to 1 %.
+    // The reversed query can return another path if two have almost the same length.
     EXPECT_NEAR(shorten_geodesic(t, finder(to, from)).length * t.scale, length, 0.02 * length);
   }
 }
@@ -43,7 +43,7 @@ TEST(Path_finder, yields_shortest_paths_on_sphere)
   const Surface_arrays& t = surface.t();
   Path_finder finder(surface.triangles());
   std::mt19937 random(2);
-  const double edge_length = 2. / 16.; // about the length of a side
+  const double edge_length = 2. / 16.; // approximate length of an edge, h
   for(int i = 0; i < 100; ++i)
   {
     const Index a = Index(random() % 2562), b = Index(random() % 2562);
@@ -51,7 +51,8 @@ TEST(Path_finder, yields_shortest_paths_on_sphere)
     const double angle = 2. * std::asin(std::min(1., distance(p, q) / 2.));
     const double length =
         shorten_geodesic(t, finder(surface.at(a), surface.at(b))).length * t.scale;
-    // Great circles on the sphere; the polyhedron lies inside, by less than h^2 / 8 of the radius.
+    // Paths are compared with great circles.  The polyhedron is inside the sphere, at a depth below
+    // h^2 / 8 times the radius.
     EXPECT_LE(length, angle * (1. + round_off) + round_off);
     EXPECT_GE(length, angle * (1. - edge_length * edge_length / 4.) - round_off);
   }
@@ -98,7 +99,7 @@ TEST(Path_finder, works_without_point_coordinates)
   {
     const auto a = finder(surface.at(0), surface.at(k)),
                b = bare_finder(surface.at(0), surface.at(k));
-    // Both are shortest along the same hops, which are kept as floats.
+    // Both are shortest paths in the same graph, whose shortcut lengths are floats.
     EXPECT_NEAR(shorten_geodesic(surface.t(), a).length, shorten_geodesic(surface.t(), b).length,
                 1e-2);
     EXPECT_LE(finder.number_of_visited_vertices(), bare_finder.number_of_visited_vertices());
@@ -121,23 +122,23 @@ TEST(Path_finder, visits_fewer_vertices_with_landmarks)
                            to = random_location(surface.t(), random);
     const double a = shorten_geodesic(surface.t(), finder(from, to)).length;
     const double b = shorten_geodesic(surface.t(), guided(from, to)).length;
-    // A search visits the sites from which the bound is less than what remains; landmarks raise it.
+    // A larger lower bound excludes more vertices, and landmarks increase it.
     EXPECT_LE(guided.number_of_visited_vertices(), finder.number_of_visited_vertices());
     guided_more(from, to);
     EXPECT_LE(guided_more.number_of_visited_vertices(), guided.number_of_visited_vertices());
     visited += finder.number_of_visited_vertices();
     number_visited_guided_more += guided_more.number_of_visited_vertices();
-    // Ways whose lengths differ by less than floats tell apart may be exchanged.
+    // Paths can differ if their lengths are equal in single precision.
     EXPECT_NEAR(a, b, 1e-2 * a);
   }
-  // A landmark tells what remains where it lies about straight behind.  A sphere has no far ends
-  // behind which most paths are: eight landmarks, a right angle apart, leave two thirds of the
-  // visits, sixteen less than half.
+  // The bound of a landmark is tight if the goal is between it and the vertex.  On a sphere, this
+  // is rare: with eight landmarks, a search visits two thirds of the vertices, with sixteen fewer
+  // than half.
   EXPECT_LT(2 * number_visited_guided_more, visited);
   const Index vertex = 17, corner = surface.t().ring[surface.t().ring_begin[vertex]];
   finder(vertex_location(surface.t(), vertex),
          vertex_location(surface.t(), surface.t().corner[next_halfedge(corner)]));
-  EXPECT_EQ(finder.number_of_visited_vertices(), 0u); // a side joins them
+  EXPECT_EQ(finder.number_of_visited_vertices(), 0u); // joined by an edge
 }
 
 TEST(Path_finder, is_independent_of_previous_queries)
@@ -159,7 +160,7 @@ TEST(Path_finder, is_independent_of_previous_queries)
 
 TEST(Path_finder, follows_proximity_graph_of_cloud)
 {
-  //  0 - 1 - 2        4 is alone
+  //  0 - 1 - 2        4 is isolated
   //    \     |
   //      ----3
   Surface_arrays cloud;

@@ -11,9 +11,9 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-constexpr double round_off = 1e-12; // a few hundred roundings of lengths below 10
+constexpr double round_off = 1e-12; // a few hundred round-off errors of lengths below 10
 
-// A field from distances in the caller's space.
+// The field of a function of the caller's coordinates.
 std::function<double(Index)> field(const Array_surface& surface,
                                    const std::function<double(const Point&)>& f)
 {
@@ -67,7 +67,8 @@ TEST(Descent, descends_distance_field_to_its_source)
     EXPECT_NEAR(geodesic.length, expected, round_off);
     EXPECT_LE(geodesic.length, path_length(surface.t(), path.locations) + round_off);
   }
-  // Interpolated over triangles that are not Delaunay, even exact distances have a few pits.
+  // On triangles that are not Delaunay, the interpolation of exact distances has a few local
+  // minima.
   EXPECT_LE(100 * number_of_ascents, number_of_steps);
 }
 
@@ -86,7 +87,7 @@ TEST(Descent, ends_at_nearest_source)
     const Surface_location from = random_location(surface.t(), random);
     const Point x = point_at(surface.t(), from);
     const double first = distance(x, p), second = 0.5 * scale + distance(x, q);
-    if(std::abs(first - second) > 0.2) // farther from the ridge than triangles are wide
+    if(std::abs(first - second) > 0.2) // not in a triangle on the bisector
     {
       const auto path = descent(from, distances);
       EXPECT_EQ(path.source, first < second ? 0u : 1u);
@@ -97,7 +98,7 @@ TEST(Descent, ends_at_nearest_source)
 TEST(Descent, ends_on_polyline_sources)
 {
   const Array_surface surface(square(20, 0.25));
-  // The lower border.
+  // The lower boundary.
   Front_source boundary;
   for(Index i = 0; i <= 20; ++i)
     boundary.polyline.push_back(surface.at(i));
@@ -110,9 +111,9 @@ TEST(Descent, ends_on_polyline_sources)
     const auto path = descent(from, height);
     ASSERT_FALSE(path.locations.empty());
     const Point p = point_at(surface.t(), from), q = point_at(surface.t(), path.locations.back());
-    // The height is linear: straight down.
+    // The height is linear, so that the path is straight.
     EXPECT_NEAR(q[1], 0., round_off);
-    EXPECT_NEAR(q[0], p[0], 1e-3); // steps go to corners that are nearer than 1e-4 of a side
+    EXPECT_NEAR(q[0], p[0], 1e-3); // steps snap to corners closer than 1e-4 edge lengths
   }
 }
 
@@ -145,7 +146,7 @@ TEST(Descent, terminates_on_arbitrary_fields)
       {
       case 0:
         value = 1.;
-        break; // flat
+        break; // constant
       case 1:
         value = double(random() % 3);
         break; // steps
@@ -173,13 +174,13 @@ TEST(Descent, starts_from_reached_corner_of_partly_reached_triangle)
   const Array_surface surface(square(10));
   const Point center = {0., 0., 0.};
   const Descent descent(surface.t(), {source_at(surface.at(0))});
-  // Reached up to a distance of 0.5 only.
+  // Distances are finite up to 0.5 only.
   const auto distances =
       field(surface, [&](const Point& p)
             { return distance(p, center) < 0.5 ? distance(p, center) : infinity; });
   const auto path = descent(surface.at(30), distances); // at (0.8, 0.2)
   EXPECT_TRUE(path.locations.empty());
-  // In a triangle with a corner that was reached
+  // A triangle with a reached corner is sufficient.
   for(Index f = 0; f < surface.t().number_of_triangles(); ++f)
   {
     int number_of_reached_corners = 0;

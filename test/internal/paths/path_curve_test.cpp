@@ -28,14 +28,14 @@ TEST(path_curve, arc_lengths_are_exact_on_circle)
     arc[i].point = {std::cos(0.1 * double(i)), std::sin(0.1 * double(i)), 0.};
     arc[i].normal = arc[i].point;
   }
-  EXPECT_NEAR(curve_length(arc), 1., 1e-14); // a circle is exact
+  EXPECT_NEAR(curve_length(arc), 1., 1e-14); // exact on circles
   EXPECT_NEAR(polyline_length(arc), 20. * std::sin(0.05), 1e-14);
   EXPECT_NEAR(arc_length(arc[0], arc[3]), 0.3, 1e-14);
 }
 
 TEST(path_curve, arc_length_unfolds_sharp_edge)
 {
-  // From one side of a right angle to the other, also along the edge.
+  // The points are on two orthogonal planes; the path also has a component along their edge.
   const Projection from = {{-1., 0., 0.}, {0., 0., 1.}, {0., 0., 0.}, 0},
                    to = {{0., 2., -3.}, {1., 0., 0.}, {0., 0., 0.}, 0};
   EXPECT_NEAR(arc_length(from, to), std::hypot(4., 2.), 1e-14);

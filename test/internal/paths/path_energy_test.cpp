@@ -18,7 +18,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using CGAL::Geodesic_processing::internal::operator-;
 
-// The sphere of a radius around the origin.
+// A sphere around the origin.
 struct Sphere : Path_surface
 {
   double radius = 1.;
@@ -29,7 +29,7 @@ struct Sphere : Path_surface
   }
 };
 
-// The torus of radii 1 and 0.4 around the z-axis.
+// The squared distance to the torus of radii 1 and 0.4 around the z-axis.
 double squared_distance_from_torus(const Vec3& p)
 {
   const double distance_to_axis = std::hypot(p[0], p[1]) - 1.,
@@ -43,7 +43,7 @@ Vec3 on_torus(double u, double v)
   return {r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v)};
 }
 
-// A path that strays around a great circle.
+// A path that oscillates around a great circle.
 std::vector<Projection> perturbed_great_circle(std::size_t nodes, double angle)
 {
   std::vector<Projection> path(nodes);
@@ -92,7 +92,8 @@ TEST(path_energy, gradient_matches_finite_differences)
                             evaluate_on_sphere(options, relative_length, behind).energy.value) /
                            (2. * step);
       const bool is_end = i == 0 || i + 1 == points.size();
-      // Differences of second order in the step, and rounding over it.
+      // The error of the differences is of second order in the step, plus round-off errors divided
+      // by it.
       EXPECT_NEAR(energy.gradient[i][k], is_end ? 0. : slope, 1e-8);
     }
 }
@@ -103,14 +104,14 @@ TEST(path_energy, value_matches_equation_4_of_paper)
   options.constraint = Path_constraint::energy;
   options.alpha = 3.;
   options.beta = 5.;
-  // One segment of length 2 through the unit sphere's centre, and a node at a distance of 1.
+  // Two segments of lengths 1 and 4.  The node between them is at distance 1 from the unit sphere.
   const Path_state state =
       evaluate_on_sphere(options, {1., 1.}, {{1., 0., 0.}, {2., 0., 0.}, {2., 0., 4.}});
   const double distance_of_midpoint = std::sqrt(4. + 4.) - 1.,
                expected = 1. + 16. + 3. * 1. +
                           5. * 0.3 * 0.3 *
                               (0.5 * 0.5 / 1. + distance_of_midpoint * distance_of_midpoint / 16.);
-  EXPECT_NEAR(state.energy.value, expected, 1e-13); // rounding of numbers near 20
+  EXPECT_NEAR(state.energy.value, expected, 1e-13); // round-off errors of numbers near 20
 }
 
 TEST(path_energy, converges_to_great_circle)
@@ -125,13 +126,13 @@ TEST(path_energy, converges_to_great_circle)
     EXPECT_LT(level.last_energy, level.first_energy);
     EXPECT_LT(level.number_of_iterations, 50u);
     for(const Projection& projection : path)
-      EXPECT_NEAR(projection.point[2], 0., 1e-4); // the energy is flat to 1e-11: its root, and some
+      EXPECT_NEAR(projection.point[2], 0., 1e-4); // above the square root of the tolerance, 1e-11
   }
 }
 
 TEST(path_energy, never_increases)
 {
-  // After any number of iterations it is no higher than after one less.
+  // The final energy must not increase with the maximum number of iterations.
   for(const Path_constraint constraint : {Path_constraint::projected, Path_constraint::energy})
   {
     double previous_energy = infinity;
@@ -149,7 +150,7 @@ TEST(path_energy, never_increases)
   }
 }
 
-// The plane z = 0 but for a high block behind y = 0.
+// The plane z = 0 with a narrow block of height 5 at y > 0.
 struct Block : Path_surface
 {
   Projection project(const Vec3& p, Index) const override
@@ -161,7 +162,7 @@ struct Block : Path_surface
 
 TEST(path_energy, decreases_if_foot_points_jump)
 {
-  // To and fro; the node before the block would climb it with the smallest step of all.
+  // The path zigzags.  The node before the block jumps to its top after an arbitrarily small step.
   const Block surface;
   std::vector<Projection> path(41);
   for(std::size_t i = 0; i < path.size(); ++i)
@@ -173,7 +174,7 @@ TEST(path_energy, decreases_if_foot_points_jump)
   EXPECT_LT(polyline_length(path) - shortest_length, 0.1 * (initial_length - shortest_length));
 }
 
-// The quarter of space below z = 0 and before x = 0.
+// The boundary of the quarter space x <= 0, z <= 0, with a sharp edge along the y-axis.
 struct Right_angle : Path_surface
 {
   Projection project(const Vec3& p, Index) const override
@@ -217,7 +218,7 @@ TEST(path_energy, keeps_ratio_of_segment_lengths)
   std::vector<Projection> path = perturbed_great_circle(21, 1.);
   minimize_energy(Sphere(), {}, relative_length, path);
   const auto length = [&](std::size_t i) { return norm(path[i + 1].point - path[i].point); };
-  EXPECT_NEAR(length(7) / length(3), 0.25, 1e-3); // chords of arcs of a twentieth
+  EXPECT_NEAR(length(7) / length(3), 0.25, 1e-3); // chords of arcs of 1/20 radian
   EXPECT_NEAR(length(8) / length(12), 0.25, 1e-3);
 }
 
@@ -233,7 +234,8 @@ TEST(path_energy, shortens_paths_on_sphere)
     const Shortened_path path = shorten_path(sphere, {}, chain);
     EXPECT_EQ(path.number_of_control_points, 75u);
     EXPECT_GE(path.points.size(), 300u);
-    EXPECT_NEAR(path.length, 2.5 * radius, 1e-8 * radius); // fourth order in steps of 2.5 / 300
+    EXPECT_NEAR(path.length, 2.5 * radius,
+                1e-8 * radius); // error of fourth order in steps of 2.5 / 300
     EXPECT_LT(path.polyline_length, path.length);
     ASSERT_FALSE(path.levels.empty());
     for(const Path_energy_level& level : path.levels)
@@ -243,7 +245,7 @@ TEST(path_energy, shortens_paths_on_sphere)
 
 TEST(path_energy, shortens_paths_on_implicit_torus)
 {
-  // The inner equator, from a chain that strays, and a meridian.
+  // Polylines that oscillate around the inner equator and around a meridian.
   std::vector<Vec3> equator, meridian;
   for(int i = 0; i <= 60; ++i)
   {
@@ -252,7 +254,8 @@ TEST(path_energy, shortens_paths_on_implicit_torus)
     meridian.push_back(on_torus(0.2 * std::sin(pi * t), 2.5 * t));
   }
   const Path_options options;
-  // The inner equator is the shortest between places nearby; step^4, and the gradient's differences.
+  // The inner equator is a shortest path locally.  The tolerance is the error of fourth order in
+  // the step, and that of the gradient's differences.
   EXPECT_NEAR(shorten_path(squared_distance_from_torus, options, equator).length, 1.5 * 0.6, 1e-5);
   EXPECT_NEAR(shorten_path(squared_distance_from_torus, options, meridian).length, 2.5 * 0.4, 1e-5);
 }

@@ -39,9 +39,10 @@ TEST(Path_to_sources, is_straight_in_plane)
       front.run({surface.source(to)});
       const auto path = find_path(t, front, from, {surface.source(to)});
       expect_path_on_surface(t, path, from, to);
-      // Straightening makes any path in a convex region of the plane the straight one.
+      // In a convex region of the plane, every shortened path is straight.
       EXPECT_NEAR(surface.scale() * path_length(t, path),
-                  distance(point_at(t, from), point_at(t, to)), 1e-12); // some tens of crossings
+                  distance(point_at(t, from), point_at(t, to)),
+                  1e-12); // round-off errors of some tens of crossings
     }
   }
 }
@@ -65,7 +66,8 @@ TEST(Path_to_sources, ends_at_nearest_source)
                                      { return candidate.polyline[0].vertex == end; });
     ASSERT_NE(source, sources.end());
     expect_path_on_surface(t, path, surface.at(i), source->polyline[0]);
-    // Where two are about as near it may be either: their distances differ by less than a side.
+    // If two sources are almost equally far, the path may end at either.  Their distances then
+    // differ by less than the length of an edge.
     const double length_with_offset = surface.scale() * (source->offset + path_length(t, path)),
                  distance = surface.scale() * front.distance(surface.vertex(i));
     EXPECT_GT(length_with_offset, distance - 0.5 / 20.);
@@ -117,8 +119,8 @@ TEST(Path_to_sources, ends_at_nearest_point_of_polyline)
     const Surface_location from = random_location(t, random);
     const auto path = find_path(t, front, from, {surface.line(edge_vertices)});
     ASSERT_FALSE(path.empty());
-    // The end of a traced path is kept: by first order in the side 1/20 beside the foot, which
-    // costs by second order.
+    // Shortening keeps the end of the traced path.  Its error is of first order in the edge length
+    // 1/20, so that the error of the length is of second order.
     const Point p = point_at(t, from), q = point_at(t, path.back());
     EXPECT_NEAR(q[1], 0., 1e-15);
     EXPECT_LT(surface.scale() * path_length(t, path), p[1] * 1.02 + 1e-3);
@@ -148,7 +150,7 @@ TEST(Path_to_sources, joins_end_points_on_point_set)
     EXPECT_LT(distance(point_at(*triangles, path.back()), points[0]), 1e-14);
     const double length = triangles->scale * polyline_length(*triangles, path);
     EXPECT_GE(length, chord * (1. - 1e-12));
-    // Near the border a path may have to turn around a gap of some radii, 0.06.
+    // Near the boundary, a path may have to go around a gap of some radii, 0.06.
     EXPECT_LE(length, 1.02 * chord + 0.02);
   }
 }

@@ -15,11 +15,11 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Lengths are sums of at most a few thousand roundings.
+// Lengths are sums of at most a few thousand terms.
 constexpr double round_off = 1e-12;
 
-// Corners of the path are cut when they gain more than rounding, so angles are right to the square
-// root of rounding at worst.
+// Corners are cut if this shortens the path by more than round-off errors, which is quadratic in
+// the angle.  So the error of angles is at most the square root of round-off errors.
 constexpr double angle_tolerance = 1e-6;
 
 Locally_shortest_path checked_shortening(const Array_surface& surface,
@@ -57,7 +57,7 @@ TEST(Shorten_geodesic, is_exact_on_irregular_flat_mesh)
 TEST(Shorten_geodesic, is_exact_through_lattice_vertices)
 {
   const Array_surface surface(square(16));
-  // Along the border, then up the other border: the diagonal of the square.
+  // The path follows the lower and the right boundary.  The shortest path is the diagonal.
   std::vector<Index> vertices;
   for(Index i = 0; i <= 16; ++i)
     vertices.push_back(i);
@@ -80,7 +80,8 @@ TEST(Shorten_geodesic, keeps_homotopy_class_around_cone_apex)
       vertices.push_back(Index(1 + n * 4 + i));
     vertices.push_back(Index(1 + n * 3 + k));
     const auto path = checked_shortening(surface, surface.along(vertices));
-    // Around the tip when less than a half turn lies on this side, else over to the other.
+    // If the angle at the apex is below pi, the path stays on this side; otherwise it passes to the
+    // other side.
     const double angle = k * step < pi ? k * step : total - k * step;
     EXPECT_NEAR(path.length * surface.t().scale, std::sqrt(25. + 16. - 2. * 20. * std::cos(angle)),
                 10. * round_off)
@@ -111,18 +112,19 @@ TEST(Shorten_geodesic, keeps_winding_number_on_cylinder)
   const Array_surface surface(cylinder(n, number_of_rings, 1., 3.));
   for(Index number_of_turns = 1; number_of_turns < 4; ++number_of_turns)
   {
-    // Around ring 2 several times, then up two rings: one step to the side (half a step a ring).
+    // The path goes around ring 2 several times and then up two rings, which are rotated by one
+    // step.
     std::vector<Index> vertices;
     for(Index i = 0; i <= number_of_turns * n; ++i)
       vertices.push_back(Index(2 * n + i % n));
     vertices.push_back(Index(3 * n));
     vertices.push_back(Index(4 * n));
-    // Neighbouring rings are turned by half a step: a zigzag of chords, flat when unrolled only in
-    // the limit.  So the certificate here is that of a local geodesic that still winds.
+    // Consecutive rings are rotated by half a step, so that the surface is not a prism and the
+    // exact length is unknown.  The test checks that the path is locally shortest and still winds.
     const auto path = checked_shortening(surface, surface.along(vertices));
     EXPECT_GT(path.length * surface.t().scale, 0.95 * number_of_turns * perimeter);
   }
-  // A closed path around, from a site to itself.
+  // A closed path around the cylinder, from a vertex to itself.
   std::vector<Index> loop;
   for(Index i = 0; i <= n; ++i)
     loop.push_back(Index(4 * n + i % n));
@@ -133,7 +135,7 @@ TEST(Shorten_geodesic, keeps_winding_number_on_cylinder)
 
 TEST(Shorten_geodesic, is_exact_on_prism)
 {
-  // Rings without twist: the strips between them unroll to a flat band.
+  // The rings are not rotated, so that the surface unrolls to a flat band.
   const std::size_t n = 10;
   const double perimeter = n * 2. * std::sin(pi / n);
   const Array_surface surface(rings(
@@ -157,12 +159,13 @@ TEST(Shorten_geodesic, follows_boundary_of_hole)
 {
   const std::size_t n = 24;
   const Array_surface surface(annulus(n, 4, 1., 3.));
-  // Half around, on the outer ring.
+  // The path follows half of the outer ring.
   std::vector<Index> vertices;
   for(Index i = 0; i <= n / 2; ++i)
     vertices.push_back(i);
   const auto path = checked_shortening(surface, surface.along(vertices));
-  // Between the taut string around the hole's inscribed and around its circumscribed circle.
+  // The length is between those of the shortest paths around the inscribed and the circumscribed
+  // circle of the hole.
   const auto taut_length = [](double r)
   { return 2. * std::sqrt(9. - r * r) + 2. * r * (pi / 2. - std::acos(r / 3.)); };
   EXPECT_GT(path.length * surface.t().scale, taut_length(std::cos(pi / n)) - round_off);
@@ -217,7 +220,7 @@ TEST(Shorten_geodesic, ends_on_edges)
 TEST(Shorten_geodesic, passes_straight_through_pinched_vertex)
 {
   //  0---1      4
-  //   \ / \    / \       two fans meet at 2 alone
+  //   \ / \    / \       two fans share vertex 2 only
   //    5---2--+   |
   //        |   \ /
   const Array_surface surface(
@@ -234,13 +237,13 @@ TEST(Shorten_geodesic, shortens_random_walks_on_rough_surfaces)
 {
   for(unsigned seed = 1; seed <= 6; ++seed)
   {
-    // Edges are about 0.15 long: from smooth to crumpled.
+    // Edges are about 0.15 long: the surfaces range from smooth to crumpled.
     const Array_surface surface(jittered(icosphere(3), 0.02 * seed, seed));
     const Surface_arrays& t = surface.t();
     std::mt19937 random(seed);
     for(int i = 0; i < 60; ++i)
     {
-      // A random walk along arcs: many loops and reversals.
+      // A random walk along edges has many loops and reversals.
       Index vertex = Index(random() % t.number_of_vertices());
       std::vector<Surface_location> path = {vertex_location(t, vertex)};
       for(int k = 0; k < 40; ++k)
@@ -282,7 +285,7 @@ TEST(Shorten_geodesic, is_scale_invariant)
 TEST(Shorten_geodesic, handles_slivers_and_zero_length_edges)
 {
   Triangulation flat = square(10);
-  // Rows of points fall together, others nearly so.
+  // Two columns of points coincide, and two rows almost do.
   for(std::size_t i = 0; i < flat.points.size(); ++i)
   {
     const std::size_t column = i % 11, row = i / 11;
@@ -302,8 +305,8 @@ TEST(Shorten_geodesic, handles_slivers_and_zero_length_edges)
     const auto path = shorten_geodesic(t, chain);
     expect_path_on_surface(t, path.locations, surface.at(p), surface.at(q));
     EXPECT_LE(path.length, path_length(t, chain) * (1. + round_off) + round_off);
-    // Where nothing but a fold of no width lies between, the straight line is found; the sliver's
-    // width is all that may be lost.
+    // The straight line is found across the degenerate triangles.  The error is at most the width
+    // of the slivers.
     EXPECT_NEAR(path.length * t.scale, distance(flat.points[p], flat.points[q]), 2e-9);
     expect_locally_shortest(path, angle_tolerance);
   }
@@ -312,7 +315,7 @@ TEST(Shorten_geodesic, handles_slivers_and_zero_length_edges)
 TEST(Shorten_geodesic, is_locally_shortest_at_coincident_vertices)
 {
   Triangulation sphere = icosphere(2);
-  // Both ends of a side, and all corners of a triangle elsewhere.
+  // Merge the endpoints of an edge, and all corners of another triangle.
   sphere.points[sphere.corners[0]] = sphere.points[sphere.corners[1]];
   for(std::size_t k = 1; k < 3; ++k)
     sphere.points[sphere.corners[600 + k]] = sphere.points[sphere.corners[600]];

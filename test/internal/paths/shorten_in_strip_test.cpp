@@ -17,7 +17,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The sides of a strip with the fewest triangles.
+// Returns the edges crossed by the strip with the fewest triangles between two vertices.
 std::vector<Index> shortest_strip(const Split_mesh& mesh, Index from, Index to)
 {
   const Surface_arrays& t = mesh.triangles();
@@ -72,7 +72,7 @@ double length(const std::vector<Vec3>& path)
   return result;
 }
 
-// What keeping off sites can cost: at most two margins at each side.
+// The margins at vertices make a path longer by at most two margins per edge.
 double length_tolerance(const Split_mesh& mesh, const Strip_path& strip)
 {
   double result = 0.;
@@ -125,8 +125,8 @@ TEST(Shorten_in_strip, is_straight_in_plane_and_shortest_on_sphere)
       windows.run({surface.source(surface.caller_vertex(from))});
       const double exact = windows.distance(to),
                    length_in_strip = length(points_along(mesh, from, to, strip));
-      EXPECT_GE(length_in_strip, exact * (1. - 1e-12)); // a sum of as many roundings as sides
-      // On a sphere it can be a longer geodesic, around another side of its few creases.
+      EXPECT_GE(length_in_strip, exact * (1. - 1e-12)); // a sum of one term per edge
+      // On the coarse sphere, it can be a longer geodesic that passes vertices on the other side.
       EXPECT_LE(length_in_strip, 1.02 * exact + length_tolerance(mesh, strip));
       ++number_of_paths;
     }
@@ -156,7 +156,7 @@ TEST(Shorten_in_strip, does_not_cross_barred_vertices)
       EXPECT_LE(length(points_along(mesh, a, b, unconstrained)),
                 length(points_along(mesh, a, b, constrained)) +
                     length_tolerance(mesh, unconstrained));
-      // Not led around any site, it has no side that the rough one has not.
+      // Without reroutings, it crosses only edges of the initial strip.
       for(const Index h : constrained.halfedges)
         EXPECT_NE(std::find(initial_strip.begin(), initial_strip.end(), h), initial_strip.end());
     }

@@ -72,12 +72,12 @@ TEST(Shorten_on_cloud, is_straight_on_plane)
     const auto path = shorten_on_cloud(cloud.t(), chain);
     const double length = polyline_length(cloud.t(), path) * cloud.t().scale;
     const double euclidean = distance(point_at(cloud.t(), p), point_at(cloud.t(), q));
-    EXPECT_GE(length, euclidean * (1. - 1e-12)); // rounding
+    EXPECT_GE(length, euclidean * (1. - 1e-12)); // round-off errors
     EXPECT_LE(length, polyline_length(cloud.t(), chain) * cloud.t().scale * (1. + 1e-12));
     sum_of_errors += length / euclidean - 1.;
     sum_of_initial_errors += polyline_length(cloud.t(), chain) * cloud.t().scale / euclidean - 1.;
   }
-  // Straight but for gaps in the cover and the border of the samples.
+  // Paths are straight except at gaps between triangles and at the boundary of the samples.
   EXPECT_LE(sum_of_errors, 0.02 * sum_of_initial_errors);
 }
 
@@ -95,8 +95,8 @@ TEST(Shorten_on_cloud, follows_great_circles_on_sphere)
       const double length = polyline_length(cloud.t(), path) * cloud.t().scale;
       const double chord = distance(point_at(cloud.t(), p), point_at(cloud.t(), q));
       const double expected = 2. * std::asin(std::min(1., chord / 2.));
-      // Sides h have h^2 about 12.6 / n; a polyline inscribed with steps 2 h is shorter by h^2 / 6,
-      // and half of it again for the triangles' depth below the sphere.
+      // Edges of length h have h^2 of about 12.6 / n.  An inscribed polyline with steps of 2 h is
+      // shorter by h^2 / 6, and by half of this again because the triangles are inside the sphere.
       EXPECT_NEAR(length, expected, expected * 12.6 / double(n)) << n;
       // Each location lies on a triangle near the sphere.
       for(const Surface_location& location : path)
@@ -124,7 +124,7 @@ TEST(Shorten_on_cloud, keeps_end_points)
     EXPECT_NEAR(distance(point_at(cloud.t(), path.front()), point_at(cloud.t(), p)), 0., 1e-12);
     EXPECT_NEAR(distance(point_at(cloud.t(), path.back()), point_at(cloud.t(), q)), 0., 1e-12);
     EXPECT_LE(polyline_length(cloud.t(), path),
-              polyline_length(cloud.t(), chain) * (1. + 1e-12)); // rounding
+              polyline_length(cloud.t(), chain) * (1. + 1e-12)); // round-off errors
   }
 }
 

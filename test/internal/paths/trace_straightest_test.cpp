@@ -13,7 +13,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Some hundred crossings of triangles of size 1, each with a few roundings.
+// Some hundred crossings of triangles of size 1, each with a few round-off errors.
 constexpr double round_off = 1e-12;
 
 struct Surface
@@ -28,7 +28,7 @@ struct Surface
   }
   double scale() const { return t().scale; }
 
-  // The angle from side 0 of a location's triangle to a direction in space, all in one plane z = 0.
+  // Returns the angle from halfedge 0 of a location's triangle to a direction in the plane z = 0.
   double angle_of(const Surface_location& location, const Point& direction) const
   {
     const auto& a = t().point[t().corner[3 * location.triangle]];
@@ -70,7 +70,7 @@ TEST(Trace_straightest, is_straight_in_plane)
     {
       ASSERT_EQ(path.end, Straightest_path_end::length);
       EXPECT_NEAR(distance(point_at(surface.t(), path.locations.back()), q), 0., round_off);
-      // The direction at the end is the one at the begin.
+      // The direction at the end is the initial one.
       EXPECT_NEAR(std::remainder(path.angle - surface.angle_of(path.locations.back(),
                                                                {std::cos(a), std::sin(a), 0.}),
                                  2. * pi),
@@ -78,7 +78,7 @@ TEST(Trace_straightest, is_straight_in_plane)
     }
     else
     {
-      // It ends on the border, where the line leaves the square.
+      // The path ends on the boundary, at the intersection with the line.
       ASSERT_EQ(path.end, Straightest_path_end::boundary);
       const Point r = point_at(surface.t(), path.locations.back());
       EXPECT_NEAR(std::min({r[0], r[1], 1. - r[0], 1. - r[1]}), 0., round_off);
@@ -93,7 +93,7 @@ TEST(Trace_straightest, passes_through_lattice_vertices)
   for(const Point& direction : {Point{1., 0., 0.}, Point{0., 1., 0.}, Point{1., 1., 0.},
                                 Point{2., 1., 0.}, Point{1., 2., 0.}})
   {
-    // Also along the border, which goes straight on at each of its sites.
+    // Some paths follow the boundary, which is straight at each of its vertices.
     const Surface_location from = surface.at(0);
     const double length =
         std::hypot(direction[0], direction[1]) / std::max(direction[0], direction[1]);
@@ -118,8 +118,8 @@ TEST(Trace_straightest, is_straight_past_nearly_hit_vertices)
     const Surface_location at =
         surface.at(Index((n + 1) * (1 + random() % (n - 1)) + 1 + random() % (n - 1)));
     const Point p = point_at(surface.t(), from), q = point_at(surface.t(), at);
-    // Around the distance at which a site counts as hit: one of the sides there may tell that it is
-    // hit, and the other one that it is not.
+    // The distance to the vertex is close to the tolerance of a hit.  One of the edges at the
+    // vertex may be hit at its endpoint, and another one may not.
     const double offset = (i % 41 - 20) * 1e-13 / n;
     const Point direction = {q[0] - p[0] - offset * (q[1] - p[1]),
                              q[1] - p[1] + offset * (q[0] - p[0]), 0.};
@@ -138,11 +138,11 @@ TEST(Trace_straightest, is_straight_on_unrolled_prism)
   const std::size_t n = 9;
   const Surface surface(rings(
       n, 6, [](double) { return 1.; }, [](double s) { return 4. * s; }, 0.));
-  // From a point of the lowest ring, along the side to the next one and up.
+  // The path starts at a vertex of the lowest ring, at an angle to the edge of the ring.
   for(const double slope : {0.1, 0.5, 1.2})
   {
     const Surface_location from = surface.at(0);
-    Index corner = none; // of the triangle with the side from point 0 to point 1
+    Index corner = none; // whose halfedge runs from point 0 to point 1
     for(Index c = 0; c < surface.t().corner.size(); ++c)
       if(surface.t().corner[c] == surface.mesh.internal_vertex[0] &&
          surface.t().corner[next_halfedge(c)] == surface.mesh.internal_vertex[1])
@@ -167,14 +167,15 @@ TEST(Trace_straightest, bisects_total_angle_at_vertices)
   for(const double total_angle : {0.9 * pi, 1.7 * pi, 2. * pi, 2.6 * pi, 3. * pi})
   {
     const Surface surface(cone(n, 4, total_angle));
-    // From ring 3 in direction 2 to the tip and as far beyond: half of the angle is half of n.
+    // From ring 3 in direction 2 to the apex, and on to ring 2: half of the total angle is n / 2
+    // directions.
     const Surface_location from = surface.at(1 + 3 * n + 2), apex = surface.at(0);
     const auto path_to_apex =
         shorten_geodesic(surface.t(), {from, surface.at(1 + 2 * n + 2), surface.at(1 + n + 2),
                                        surface.at(1 + 2), apex});
     ASSERT_NEAR(path_to_apex.length * surface.scale(), 4., round_off);
     const Surface_location start = path_to_apex.locations.front();
-    // Along the arc to the next ring inwards.
+    // The initial direction is that of the first segment.
     const Surface_location next = path_to_apex.locations[1];
     const Index triangle = common_triangle(surface.t(), start, next);
     const auto corners = unfolded(surface.t(), triangle);
@@ -188,7 +189,7 @@ TEST(Trace_straightest, bisects_total_angle_at_vertices)
     EXPECT_EQ(path.end, Straightest_path_end::length);
     EXPECT_NEAR(distance(point_at(surface.t(), path.locations.back()),
                          point_at(surface.t(), surface.at(Index(1 + 2 * n + 8)))),
-                0., 1e-10) // the tip is hit to 1e-12 of a side only
+                0., 1e-10) // the apex is hit up to 1e-12 of an edge
         << total_angle;
   }
 }
@@ -204,7 +205,7 @@ TEST(Trace_straightest, is_reversible)
     const auto there = checked_trace(surface, from, angle(random), 2. / surface.scale());
     const auto back =
         checked_trace(surface, there.locations.back(), there.angle + pi, there.length);
-    // Errors grow along the way where the surface is curved like a saddle.
+    // Errors grow along the path in regions of negative curvature.
     EXPECT_NEAR(distance(point_at(surface.t(), from), point_at(surface.t(), back.locations.back())),
                 0., 1e-9);
   }
@@ -237,7 +238,7 @@ TEST(Trace_straightest, ends_at_boundary)
     EXPECT_EQ(path.end, Straightest_path_end::boundary);
     EXPECT_LT(path.length * surface.scale(), 1.);
   }
-  // From a corner out of the triangle, and with no length.
+  // A direction that points out of the triangle at a corner, and a path of length zero.
   const auto out = checked_trace(surface, surface.at(0), 0.75 * pi + 0.1 * pi, 1.);
   EXPECT_EQ(out.locations.size(), 1u);
   EXPECT_EQ(checked_trace(surface, barycenter, 1., 0.).locations.size(), 1u);
@@ -267,7 +268,7 @@ TEST(Trace_straightest, passes_through_slivers)
 
 TEST(Trace_straightest, accepts_directions_in_space)
 {
-  // The square in a tilted plane, so that directions have a part across it.
+  // The square is in a tilted plane, so that directions have a normal component.
   const double c = std::cos(0.7), d = std::sin(0.7);
   Triangulation tilted = square(12, 0.25);
   for(Point& p : tilted.points)
@@ -278,7 +279,7 @@ TEST(Trace_straightest, accepts_directions_in_space)
   for(int i = 0; i < 100; ++i)
   {
     Surface_location from = random_location(surface.t(), random);
-    if(i % 2 == 0) // an inner point of the square
+    if(i % 2 == 0) // an interior vertex of the square
       from = surface.at(Index(14 + random() % 11 + 13 * (random() % 11)));
     const double a = angle(random), length = 0.02, normal_component = i % 3 - 1.;
     const Point tangent_direction = {std::cos(a), c * std::sin(a), d * std::sin(a)};
