@@ -58,7 +58,7 @@ TEST(Path_finder, yields_shortest_paths_on_sphere)
   }
 }
 
-TEST(Path_finder, returns_one_or_two_locations_if_sufficient)
+TEST(Path_finder, returns_only_end_points_in_common_triangle)
 {
   const Array_surface surface(square(5, 0.2));
   Path_finder finder(surface.triangles());
