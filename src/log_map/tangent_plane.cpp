@@ -43,64 +43,72 @@ Tangent_plane::Tangent_plane(const Surface_arrays& t, const Surface_location& lo
   const Index vertex = m_location.triangle == none ? m_location.vertex : vertex_of(t, m_location);
   if(t.is_cloud())
   {
-    const Index nearest = vertex != none
-                              ? vertex
-                              : t.corner[3 * std::size_t(m_location.triangle) +
-                                         (std::max_element(m_location.barycentric.begin(),
-                                                           m_location.barycentric.end()) -
-                                          m_location.barycentric.begin())];
-    m_point = m_location.triangle == none ? t.point[vertex] : scaled_coordinates(t, m_location);
-    std::tie(m_x, m_y) = tangent_frame(t.normal[nearest]);
+    initialize_on_cloud(vertex);
     return;
   }
   if(m_location.triangle == none)
     throw Invalid_argument_error("An isolated vertex has no tangent plane.");
   m_point = scaled_coordinates(t, m_location);
-  std::vector<std::pair<double, Vec3>> directions; // polar angles and directions
-  Vec3 normal = {0., 0., 0.};
   if(vertex != none)
+    initialize_at_vertex(vertex);
+  else if(const Index h = halfedge_of(m_location); h != none)
+    initialize_on_edge(h);
+  else
+    set_axes({{0., edge_vector(t, 3 * m_location.triangle)}},
+             unit(area_vector(t, 3 * m_location.triangle)));
+}
+
+void Tangent_plane::initialize_on_cloud(Index vertex)
+{
+  const Surface_arrays& t = m_triangles;
+  const Index nearest = vertex != none ? vertex
+                                       : t.corner[3 * std::size_t(m_location.triangle) +
+                                                  (std::max_element(m_location.barycentric.begin(),
+                                                                    m_location.barycentric.end()) -
+                                                   m_location.barycentric.begin())];
+  m_point = m_location.triangle == none ? t.point[vertex] : scaled_coordinates(t, m_location);
+  std::tie(m_x, m_y) = tangent_frame(t.normal[nearest]);
+}
+
+void Tangent_plane::initialize_at_vertex(Index vertex)
+{
+  const Surface_arrays& t = m_triangles;
+  std::vector<std::pair<double, Vec3>> directions;
+  m_total_polar_angle = 0.;
+  bool is_on_boundary = false;
+  for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
   {
-    m_total_polar_angle = 0.;
-    normal = vertex_normal(t, vertex);
-    bool is_on_boundary = false;
-    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    const Index corner = t.ring[i];
+    m_sectors.emplace_back(corner, m_total_polar_angle);
+    directions.emplace_back(m_total_polar_angle, edge_vector(t, corner));
+    m_total_polar_angle += interior_angle(t, corner);
+    if(t.twin[previous_halfedge(corner)] == none)
     {
-      const Index corner = t.ring[i];
-      m_sectors.emplace_back(corner, m_total_polar_angle);
-      directions.emplace_back(m_total_polar_angle, edge_vector(t, corner));
-      m_total_polar_angle += interior_angle(t, corner);
-      if(t.twin[previous_halfedge(corner)] == none)
-      {
-        is_on_boundary = true;
-        directions.emplace_back(m_total_polar_angle,
-                                -1. * edge_vector(t, previous_halfedge(corner)));
-      }
-    }
-    // The total angle can be zero at the tip of a degenerate triangle.
-    const double angle_scale = m_total_polar_angle > 0. ? 2. * pi / m_total_polar_angle : 1.;
-    m_angle_scale = is_on_boundary ? std::min(1., angle_scale) : angle_scale;
-  }
-  else if(Index h = halfedge_of(m_location); h != none)
-  {
-    const Index twin = t.twin[h];
-    const Index first_halfedge = std::min(h, twin);
-    m_sectors.emplace_back(first_halfedge, 0.);
-    directions.emplace_back(0., edge_vector(t, first_halfedge));
-    normal = area_vector(t, first_halfedge);
-    if(twin == none)
-      m_total_polar_angle = pi;
-    else
-    {
-      m_sectors.emplace_back(t.twin[first_halfedge], pi);
-      normal = normal + area_vector(t, t.twin[first_halfedge]);
+      is_on_boundary = true;
+      directions.emplace_back(m_total_polar_angle, -1. * edge_vector(t, previous_halfedge(corner)));
     }
   }
+  // The total angle can be zero at the tip of a degenerate triangle.
+  const double angle_scale = m_total_polar_angle > 0. ? 2. * pi / m_total_polar_angle : 1.;
+  m_angle_scale = is_on_boundary ? std::min(1., angle_scale) : angle_scale;
+  set_axes(directions, unit(vertex_normal(t, vertex)));
+}
+
+void Tangent_plane::initialize_on_edge(Index h)
+{
+  const Surface_arrays& t = m_triangles;
+  const Index twin = t.twin[h];
+  const Index first_halfedge = std::min(h, twin);
+  m_sectors.emplace_back(first_halfedge, 0.);
+  Vec3 normal = area_vector(t, first_halfedge);
+  if(twin == none)
+    m_total_polar_angle = pi;
   else
   {
-    directions.emplace_back(0., edge_vector(t, 3 * m_location.triangle));
-    normal = area_vector(t, 3 * m_location.triangle);
+    m_sectors.emplace_back(t.twin[first_halfedge], pi);
+    normal = normal + area_vector(t, t.twin[first_halfedge]);
   }
-  set_axes(directions, unit(normal));
+  set_axes({{0., edge_vector(t, first_halfedge)}}, unit(normal));
 }
 
 // Sets the axes in the plane of a normal such that the angles of projected directions agree with

@@ -217,6 +217,25 @@ bool Cloud_path_finder::reroute_over_gaps(Shortened_path& path)
   return true;
 }
 
+// Returns the points of a graph path between two locations.
+std::vector<Projection> Cloud_path_finder::initial_path(const Tangent_location& from,
+                                                        const std::vector<Index>& vertices,
+                                                        const Tangent_location& to) const
+{
+  const Surfel_cloud& cloud = m_cloud->cloud();
+  const Projection first = m_cloud->project(from), last = m_cloud->project(to);
+  std::vector<Projection> chain = {first};
+  const auto add = [&](const Projection& projection)
+  {
+    if(projection.point != chain.back().point)
+      chain.push_back(projection);
+  };
+  for(const Index vertex : vertices)
+    add({cloud.point[vertex], cloud.normal[vertex], {0., 0., 0.}, vertex});
+  add(last);
+  return chain;
+}
+
 Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tangent_location& to)
 {
   const Surfel_cloud& cloud = m_cloud->cloud();
@@ -227,16 +246,7 @@ Cloud_path Cloud_path_finder::operator()(const Tangent_location& from, const Tan
     result.start_length = infinity;
     return result;
   }
-  const Projection first = m_cloud->project(from), last = m_cloud->project(to);
-  std::vector<Projection> chain = {first};
-  const auto add = [&](const Projection& projection)
-  {
-    if(projection.point != chain.back().point)
-      chain.push_back(projection);
-  };
-  for(const Index vertex : result.start)
-    add({cloud.point[vertex], cloud.normal[vertex], {0., 0., 0.}, vertex});
-  add(last);
+  const std::vector<Projection> chain = initial_path(from, result.start, to);
   for(std::size_t i = 0; i + 1 < chain.size(); ++i)
     result.start_length += arc_length(chain[i], chain[i + 1]);
 

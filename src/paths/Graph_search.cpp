@@ -156,29 +156,28 @@ std::vector<Index> Graph_search::operator()(Index from, Index to, Surfel_search 
 
 std::vector<Index> Graph_search::find(Index from, Index to, Surfel_search method)
 {
+  if(method == Surfel_search::bidirectional)
+    return find_bidirectional(from, to);
+  Frontier& frontier = m_frontiers[0];
+  initialize(frontier, from, method == Surfel_search::a_star ? &(*m_point)[to] : nullptr);
+  Index last = none;
+  while(last == none && !frontier.queue.empty())
+    if(expand(frontier) == to)
+      last = to;
+  return path_to(frontier, last);
+}
+
+std::vector<Index> Graph_search::find_bidirectional(Index from, Index to)
+{
   Frontier &forward = m_frontiers[0], &backward = m_frontiers[1];
-  const bool is_bidirectional = method == Surfel_search::bidirectional;
-  initialize(forward, from, method == Surfel_search::a_star ? &(*m_point)[to] : nullptr);
-  if(is_bidirectional)
-    initialize(backward, to, nullptr);
+  initialize(forward, from, nullptr);
+  initialize(backward, to, nullptr);
 
   Index meeting_vertex = none;
   double best_length = infinity;
-  const auto is_unfinished = [&]
+  while(!forward.queue.empty() && !backward.queue.empty() &&
+        forward.queue.front().key + backward.queue.front().key < best_length)
   {
-    if(!is_bidirectional)
-      return meeting_vertex == none && !forward.queue.empty();
-    return !forward.queue.empty() && !backward.queue.empty() &&
-           forward.queue.front().key + backward.queue.front().key < best_length;
-  };
-  while(is_unfinished())
-  {
-    if(!is_bidirectional)
-    {
-      if(expand(forward) == to)
-        meeting_vertex = to;
-      continue;
-    }
     const bool is_forward = forward.queue.front().key <= backward.queue.front().key;
     Frontier &current = is_forward ? forward : backward,
              &opposite = is_forward ? backward : forward;
@@ -199,15 +198,22 @@ std::vector<Index> Graph_search::find(Index from, Index to, Surfel_search method
     for(Index e = m_graph->begin[vertex]; e < m_graph->begin[vertex + 1]; ++e)
       update_meeting(m_graph->target[e]);
   }
-  std::vector<Index> chain;
-  for(Index vertex = meeting_vertex; vertex != none; vertex = forward.vertices[vertex].predecessor)
-    chain.push_back(vertex);
-  std::reverse(chain.begin(), chain.end());
-  if(is_bidirectional && meeting_vertex != none)
+  std::vector<Index> path = path_to(forward, meeting_vertex);
+  if(meeting_vertex != none)
     for(Index vertex = backward.vertices[meeting_vertex].predecessor; vertex != none;
         vertex = backward.vertices[vertex].predecessor)
-      chain.push_back(vertex);
-  return chain;
+      path.push_back(vertex);
+  return path;
+}
+
+// Returns the path from the start of a search to a vertex, which may be `none`.
+std::vector<Index> Graph_search::path_to(const Frontier& frontier, Index vertex) const
+{
+  std::vector<Index> path;
+  for(; vertex != none; vertex = frontier.vertices[vertex].predecessor)
+    path.push_back(vertex);
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -191,8 +191,17 @@ struct Descent::Tracer
       if(barycentric[k] != 1.)
         consider_step(best, corner, norm(corners[k] - x));
     }
-    if(vertices_only || !std::isfinite(values[0] + values[1] + values[2]) || !(corners[2][1] > 0.))
-      return;
+    if(!vertices_only && std::isfinite(values[0] + values[1] + values[2]) && corners[2][1] > 0.)
+      consider_gradient_step(best, triangle, barycentric, corners, values);
+  }
+
+  // Considers the step along the negative gradient to the boundary of a triangle with positive
+  // area.
+  void consider_gradient_step(Step& best, Index triangle, const std::array<double, 3>& barycentric,
+                              const std::array<Vec2, 3>& corners,
+                              const std::array<double, 3>& values) const
+  {
+    const Vec2 x = unfolded_point(corners, barycentric);
     const double gradient_x = (values[1] - values[0]) / corners[1][0];
     const double gradient_y = (values[2] - values[0] - gradient_x * corners[2][0]) / corners[2][1];
     const Vec2 descent_direction = {-gradient_x, -gradient_y};
@@ -300,31 +309,39 @@ struct Descent::Tracer
     return false;
   }
 
+  // Returns the corner vertex with the smallest sum of its value and its distance from the location,
+  // or `none` if all values are infinite.
+  Index closest_finite_corner(const Surface_location& from) const
+  {
+    double best = infinity;
+    Index start_vertex = none;
+    for_each_incident_triangle(t, from,
+                               [&](Index triangle)
+                               {
+                                 const auto barycentric = *barycentric_in(t, triangle, from);
+                                 for(Index c = 3 * triangle; c < 3 * triangle + 3; ++c)
+                                 {
+                                   const double candidate =
+                                       distance(t.corner[c]) +
+                                       distance_in_triangle(t, triangle, barycentric,
+                                                            barycentric_at_corner(c));
+                                   if(candidate < best)
+                                   {
+                                     best = candidate;
+                                     start_vertex = t.corner[c];
+                                   }
+                                 }
+                               });
+    return start_vertex;
+  }
+
   // Traces the path.  Returns whether it reaches a source.
   bool run(const Surface_location& from)
   {
     move_to(from);
     if(!std::isfinite(value))
     {
-      double best = infinity;
-      Index start_vertex = none;
-      for_each_incident_triangle(t, from,
-                                 [&](Index triangle)
-                                 {
-                                   const auto barycentric = *barycentric_in(t, triangle, from);
-                                   for(Index c = 3 * triangle; c < 3 * triangle + 3; ++c)
-                                   {
-                                     const double candidate =
-                                         distance(t.corner[c]) +
-                                         distance_in_triangle(t, triangle, barycentric,
-                                                              barycentric_at_corner(c));
-                                     if(candidate < best)
-                                     {
-                                       best = candidate;
-                                       start_vertex = t.corner[c];
-                                     }
-                                   }
-                                 });
+      const Index start_vertex = closest_finite_corner(from);
       if(start_vertex == none)
         return try_finish(false);
       move_to(vertex_location(t, start_vertex));

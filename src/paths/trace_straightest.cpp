@@ -91,12 +91,18 @@ private:
       m_path.locations.push_back(location);
   }
 
-  // Moves straight from m_point to the triangle's boundary, or to the end of the path.
-  void cross_triangle()
+  // The point at which the path leaves a triangle.
+  struct Exit
   {
-    // Find the edge, other than the one of entry, that the ray meets first.
-    Index out = none;
-    double exit_distance = infinity, fraction = 0.;
+    Index halfedge = none;
+    double distance = infinity, fraction = 0.;
+  };
+
+  // Returns the point on an edge, other than the one of entry, that the ray from m_point meets
+  // first.
+  Exit find_exit() const
+  {
+    Exit exit;
     for(Index h = 3 * m_triangle; h < 3 * m_triangle + 3; ++h)
     {
       if(h == m_entry_halfedge || (m_from_corner != none && h != next_halfedge(m_from_corner)))
@@ -109,22 +115,24 @@ private:
       if(!(denominator > 0.))
         continue;
       const double distance = std::max(0., internal::cross(w, v) / denominator);
-      if(distance < exit_distance)
-      {
-        exit_distance = distance;
-        out = h;
-        fraction = std::clamp(exit_fraction, 0., 1.);
-      }
+      if(distance < exit.distance)
+        exit = {h, distance, std::clamp(exit_fraction, 0., 1.)};
     }
-    if(out == none)
+    if(exit.halfedge == none)
     {
       // In a degenerate triangle, continue to the midpoint of the next edge.
-      out = m_from_corner != none      ? next_halfedge(m_from_corner)
-            : m_entry_halfedge != none ? next_halfedge(m_entry_halfedge)
-                                       : 3 * m_triangle;
-      fraction = 0.5;
-      exit_distance = norm(corner_position(out) + 0.5 * edge_vector(out) - m_point);
+      const Index h = m_from_corner != none      ? next_halfedge(m_from_corner)
+                      : m_entry_halfedge != none ? next_halfedge(m_entry_halfedge)
+                                                 : 3 * m_triangle;
+      exit = {h, norm(corner_position(h) + 0.5 * edge_vector(h) - m_point), 0.5};
     }
+    return exit;
+  }
+
+  // Moves straight from m_point to the triangle's boundary, or to the end of the path.
+  void cross_triangle()
+  {
+    const auto [out, exit_distance, fraction] = find_exit();
     if(m_remaining_length <= exit_distance + m_length_tolerance)
     {
       stop_in_triangle(out, exit_distance, fraction);

@@ -68,6 +68,9 @@ public:
   Straightest_path straightest_path(double tangent_angle, double length) const;
 
 private:
+  void initialize_on_cloud(Index vertex);
+  void initialize_at_vertex(Index vertex);
+  void initialize_on_edge(Index h);
   void set_axes(const std::vector<std::pair<double, Vec3>>& directions, const Vec3& normal);
 
   const Surface_arrays& m_triangles;

@@ -109,6 +109,9 @@ public:
   Cloud_path operator()(const Tangent_location& from, const Tangent_location& to);
 
 private:
+  std::vector<Projection> initial_path(const Tangent_location& from,
+                                       const std::vector<Index>& vertices,
+                                       const Tangent_location& to) const;
   bool reroute_over_gaps(Shortened_path& path);
 
   std::shared_ptr<const Fitted_cloud> m_cloud;

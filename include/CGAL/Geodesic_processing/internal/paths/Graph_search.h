@@ -59,6 +59,8 @@ private:
 
   bool restrict_to_corridor(Index from, Index to);
   std::vector<Index> find(Index from, Index to, Surfel_search method);
+  std::vector<Index> find_bidirectional(Index from, Index to);
+  std::vector<Index> path_to(const Frontier& frontier, Index vertex) const;
   void set_waypoints(const std::vector<Index>& coarse_path, Index to);
   double heuristic(const Frontier& frontier, Index vertex) const;
   void initialize(Frontier& frontier, Index vertex, const Vec3* goal);
