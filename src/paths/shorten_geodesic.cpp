@@ -179,7 +179,8 @@ void Geodesic_shortener::compute_angles(Index index, double& left, double& right
   const Path_vertex& path_vertex = m_path_vertices[index];
   const Index corner_in = path_vertex.corner_in, corner_out = path_vertex.corner_out;
   const double full_angle_in = interior_angle(t, corner_in);
-  // Counterclockwise from the incoming to the outgoing direction are the triangles on the right.
+  // The right angle is counterclockwise from the direction to the previous path vertex to that to
+  // the next one.
   const auto sum_angles = [&](bool counterclockwise)
   {
     double total = counterclockwise ? full_angle_in - path_vertex.angle_in : path_vertex.angle_in;
@@ -202,10 +203,10 @@ void Geodesic_shortener::compute_angles(Index index, double& left, double& right
   left = corner_in == corner_out && angle_difference <= 0. ? -angle_difference : sum_angles(false);
 }
 
-// Extends a strip that ends at path vertex `first` around the vertices up to `last` and then by the
-// strip of `last`.  The strip is led around the side on which the total angle is smaller.  Returns
-// false if both angles are at least pi.  Several path vertices at the same point in space are
-// treated as one vertex: pi is subtracted for each connection between two of them.
+// Extends a strip that ends at path vertex `first` such that it passes the path vertices from
+// `first` to `last` and ends with the strip of `last`.  It passes them on the side with the smaller
+// total angle.  Returns false if both angles are at least pi.  The path vertices are at the same
+// point in space and are treated as one: pi is subtracted for each connection between two of them.
 bool Geodesic_shortener::reroute_around(Strip& strip, Index first, Index last) const
 {
   double left = 0., right = 0.;
@@ -475,7 +476,7 @@ void Geodesic_shortener::shorten_locally()
     const Index index = queue.front();
     queue.pop_front();
     if(!m_path_vertices[index].is_queued)
-      continue; // merged or replaced meanwhile
+      continue; // it has been merged or replaced since it was queued
     m_path_vertices[index].is_queued = false;
     Index first = m_path_vertices[index].previous, last = m_path_vertices[index].next;
     if(!shorten_around(first, last))

@@ -11,7 +11,10 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Returns whether an edge contains a location, which is at a vertex or inside an edge if given.
+// Returns whether the edge of a halfedge contains a location.
+//
+// vertex             the vertex at which the location lies, or `none`
+// location_halfedge  the halfedge inside which it lies, or `none`
 bool is_incident(const Surface_arrays& t, Index h, Index vertex, Index location_halfedge)
 {
   if(vertex != none)

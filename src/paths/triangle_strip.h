@@ -57,7 +57,7 @@ struct Unfolded_strip
 // A vertex at which the shortest path in a strip bends.
 struct Bend
 {
-  Index strip_index; // the first halfedge of the strip that is incident to the vertex
+  Index strip_index; // index of the strip's first halfedge that is incident to the vertex
   bool is_left;      // whether the vertex is on the left of the path
 };
 
