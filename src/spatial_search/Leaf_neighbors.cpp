@@ -17,6 +17,8 @@ namespace {
 // More would take longer to go through than the tree does.
 constexpr std::size_t max_gathered = 768, max_candidates = 160;
 
+constexpr std::size_t max_leaf_size = 64;
+
 constexpr std::size_t batch_size = 4;
 
 struct Coordinates
@@ -139,74 +141,87 @@ Leaf_neighbors::Leaf_neighbors(const std::vector<Kd_tree::Point>& points, const 
     : m_points(points), m_tree(tree), m_size(std::min(k, tree.size()))
 {}
 
-const std::vector<Kd_tree::Neighbor>& Leaf_neighbors::find(Index first, Index last)
+// Keeps the gathered points within a squared distance of a point.  Ranks them by distance, unless there
+// are more than `max_candidates`.
+std::size_t Leaf_neighbors::filter_and_rank(Index point, double bound, std::int64_t* rank)
 {
-  std::int64_t rank[max_candidates + batch_size];
-  double bound[64];
-  const std::size_t n = last - first;
-  m_candidate_distances.resize(max_gathered + 2 * batch_size);
-  m_candidate_indices.resize(max_gathered + 2 * batch_size);
-  const auto filter_and_rank = [&](Index i, double bound)
-  {
-    const Coordinates coordinate_arrays = {m_gathered.x.data(), m_gathered.y.data(),
-                                           m_gathered.z.data(), m_gathered.x.size()};
-    const std::size_t number_kept =
-        dispatched_filter_near(coordinate_arrays, m_points[i], bound, m_candidate_distances.data(),
-                               m_candidate_indices.data());
-    std::fill_n(m_candidate_distances.begin() + number_kept, batch_size, infinity);
-    if(number_kept <= max_candidates)
-      dispatched_rank(m_candidate_distances.data(), number_kept, rank);
-    return number_kept;
-  };
+  const Coordinates coordinate_arrays = {m_gathered.x.data(), m_gathered.y.data(),
+                                         m_gathered.z.data(), m_gathered.x.size()};
+  const std::size_t number_kept =
+      dispatched_filter_near(coordinate_arrays, m_points[point], bound,
+                             m_candidate_distances.data(), m_candidate_indices.data());
+  std::fill_n(m_candidate_distances.begin() + number_kept, batch_size, infinity);
+  if(number_kept <= max_candidates)
+    dispatched_rank(m_candidate_distances.data(), number_kept, rank);
+  return number_kept;
+}
 
-  // Among enough points there are as many as that within this distance of each.
-  m_gathered.clear();
+// Gathers all points that can be neighbors of points first .. last - 1, and sets `bound` to an upper
+// bound of the squared distance of the last neighbor of each.  Returns false if the points are too many.
+bool Leaf_neighbors::gather(Index first, Index last, double* bound, std::int64_t* rank)
+{
+  // An ancestor with slightly more than size() points gives the bounds.
   const auto ancestor = m_tree.ancestor(first, m_size + m_size / 4);
-  bool is_gathered = ancestor.second - ancestor.first <= max_candidates && n <= 64;
-  if(is_gathered)
-  {
-    m_gathered.append(m_points, ancestor);
-    m_gathered.pad();
-  }
+  m_gathered.clear();
+  if(ancestor.second - ancestor.first > max_candidates || last - first > max_leaf_size)
+    return false;
+  m_gathered.append(m_points, ancestor);
+  m_gathered.pad();
   double farthest = 0.;
-  for(std::size_t i = 0; is_gathered && i < n; ++i)
+  for(Index i = 0; i < last - first; ++i)
   {
     const std::size_t number_kept =
-        filter_and_rank(first + Index(i), std::numeric_limits<double>::max());
-    // The largest one with a rank below the number: as many are not larger.
+        filter_and_rank(first + i, std::numeric_limits<double>::max(), rank);
+    // The largest distance with a rank below size(): at least size() points are not farther.
     bound[i] = 0.;
     for(std::size_t j = 0; j < number_kept; ++j)
       bound[i] = std::max(bound[i], rank[j] < std::int64_t(m_size) ? m_candidate_distances[j] : 0.);
     farthest = std::max(farthest, bound[i]);
   }
-  if(is_gathered)
+  const bool is_complete =
+      m_tree.leaves_near(m_points, first, last, farthest, max_gathered, m_leaves);
+  m_gathered.clear();
+  for(const auto& leaf : m_leaves)
+    m_gathered.append(m_points, leaf);
+  m_gathered.pad();
+  return is_complete;
+}
+
+// Writes the neighbors of a point by a query of the tree.  `previous`, if not null, is the row of another
+// point: the same size() points bound the distance of the last neighbor.
+void Leaf_neighbors::find_in_tree(Index point, const Neighbor* previous, Neighbor* row)
+{
+  double max_squared_distance = previous == nullptr ? infinity : 0.;
+  for(std::size_t j = 0; previous != nullptr && j < m_size; ++j)
   {
-    is_gathered = m_tree.leaves_near(m_points, first, last, farthest, max_gathered, m_leaves);
-    m_gathered.clear();
-    for(const auto& leaf : m_leaves)
-      m_gathered.append(m_points, leaf);
-    m_gathered.pad();
+    const Vec3 offset = m_points[previous[j].point] - m_points[point];
+    max_squared_distance = std::max(max_squared_distance, dot(offset, offset));
   }
+  m_tree.nearest(m_points, m_points[point], m_size, m_row, max_squared_distance);
+  std::copy(m_row.begin(), m_row.end(), row);
+}
+
+const std::vector<Kd_tree::Neighbor>& Leaf_neighbors::find(Index first, Index last)
+{
+  std::int64_t rank[max_candidates + batch_size];
+  double bound[max_leaf_size];
+  const std::size_t n = last - first;
+  m_candidate_distances.resize(max_gathered + 2 * batch_size);
+  m_candidate_indices.resize(max_gathered + 2 * batch_size);
+  const bool is_gathered = gather(first, last, bound, rank);
   m_rows.resize(n * m_size);
   Neighbor* row = m_rows.data();
   for(std::size_t i = 0; i < n; ++i, row += m_size)
   {
     const std::size_t number_kept =
-        is_gathered ? filter_and_rank(first + Index(i), bound[i]) : max_candidates + 1;
+        is_gathered ? filter_and_rank(first + Index(i), bound[i], rank) : max_candidates + 1;
     if(number_kept > max_candidates)
     {
-      // As many were found around the point before: none of ours is farther than they.
-      double max_squared_distance = i == 0 ? infinity : 0.;
-      for(std::size_t j = 0; i > 0 && j < m_size; ++j)
-      {
-        const Vec3 offset = m_points[(row - m_size)[j].point] - m_points[first + i];
-        max_squared_distance = std::max(max_squared_distance, dot(offset, offset));
-      }
-      m_tree.nearest(m_points, m_points[first + i], m_size, m_row, max_squared_distance);
-      std::copy(m_row.begin(), m_row.end(), row);
+      find_in_tree(first + Index(i), i == 0 ? nullptr : row - m_size, row);
       continue;
     }
-    // Of equal ones the first gets the first place.
+    // Points at equal distances have equal ranks and are sorted by index: the first one takes the
+    // first free position.
     m_is_taken.assign(m_size, 0);
     for(std::size_t j = 0; j < number_kept; ++j)
     {

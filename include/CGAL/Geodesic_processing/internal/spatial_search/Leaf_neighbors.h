@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/internal/spatial_search/Kd_tree.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,10 @@ private:
     void pad();
     void append(const std::vector<Kd_tree::Point>& points, std::pair<Index, Index> range);
   };
+
+  std::size_t filter_and_rank(Index point, double bound, std::int64_t* rank);
+  bool gather(Index first, Index last, double* bound, std::int64_t* rank);
+  void find_in_tree(Index point, const Neighbor* previous, Neighbor* row);
 
   const std::vector<Kd_tree::Point>& m_points;
   const Kd_tree& m_tree;
