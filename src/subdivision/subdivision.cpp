@@ -202,14 +202,77 @@ std::vector<Coarse_location> coarse_locations(const Subdivision& subdivision)
 
 namespace {
 
-// Vertices of quads, each the centre of those that it stems from.
-struct Quad_builder
-{
-  Quad_subdivision& result;
+using Coordinates = std::array<Index, 3>; // barycentric, times the common denominator
 
-  // With its place in a base triangle, in whose coordinates those of its parents are given.
-  Index add(std::vector<Index> parents, Index triangle,
-            const std::vector<std::array<Index, 3>>& coordinates)
+// Builds a subdivision into quads level by level.
+class Quad_subdivider
+{
+public:
+  Quad_subdivider(const std::vector<Triangle>& triangles, Index number_of_vertices, unsigned levels)
+      : m_triangles(triangles), m_denominator(Index(6) << (2 * (levels - 1))),
+        m_unit({Coordinates{m_denominator, 0, 0}, {0, m_denominator, 0}, {0, 0, m_denominator}})
+  {
+    m_base.levels.push_back(coarsest_level(triangles, number_of_vertices));
+    for(Index v = 0; v < number_of_vertices; ++v)
+      m_base.parents.push_back({v, v});
+    add_midpoints(m_base.levels.front(), m_base.parents);
+    add_base_vertices(number_of_vertices);
+    split_triangles();
+    add_level();
+  }
+
+  // Splits each quad into four.
+  void refine()
+  {
+    const std::vector<std::array<Index, 4>> midpoints = add_edge_midpoints();
+    std::vector<Quad> finer;
+    std::vector<std::array<Coordinates, 4>> finer_corners;
+    for(std::size_t q = 0; q < m_quads.size(); ++q)
+    {
+      const auto& p = m_corners[q];
+      const Index center =
+          add_vertex({m_quads[q].begin(), m_quads[q].end()}, triangle_of(q), {p.begin(), p.end()});
+      const Coordinates& center_coordinates = m_result.locations[center].coordinates;
+      for(int k = 0; k < 4; ++k)
+      {
+        const int before = (k + 3) % 4, after = (k + 1) % 4, across = (k + 2) % 4;
+        Quad child;
+        child[k] = m_quads[q][k];
+        child[after] = midpoints[q][k];
+        child[across] = center;
+        child[before] = midpoints[q][before];
+        finer.push_back(child);
+        std::array<Coordinates, 4> locations;
+        locations[k] = p[k];
+        locations[after] = midpoint(p[k], p[after]);
+        locations[across] = center_coordinates;
+        locations[before] = midpoint(p[before], p[k]);
+        finer_corners.push_back(locations);
+      }
+    }
+    m_quads = std::move(finer);
+    m_corners = std::move(finer_corners);
+    m_quads_per_triangle *= 4;
+    add_level();
+  }
+
+  Quad_subdivision result() { return std::move(m_result); }
+
+private:
+  static Coordinates midpoint(const Coordinates& p, const Coordinates& q)
+  {
+    Coordinates result;
+    for(int i = 0; i < 3; ++i)
+      result[i] = Index((std::size_t(p[i]) + q[i]) / 2);
+    return result;
+  }
+
+  // Returns the base triangle that contains a quad: quads of one triangle are consecutive.
+  Index triangle_of(std::size_t quad) const { return Index(quad / m_quads_per_triangle); }
+
+  // Adds the centroid of its parents, whose coordinates in a base triangle are given.
+  Index add_vertex(std::vector<Index> parents, Index triangle,
+                   const std::vector<Coordinates>& coordinates)
   {
     std::array<std::size_t, 3> sum = {0, 0, 0};
     for(const auto& c : coordinates)
@@ -218,10 +281,82 @@ struct Quad_builder
     Coarse_location location{triangle, {}};
     for(int k = 0; k < 3; ++k)
       location.coordinates[k] = Index(sum[k] / coordinates.size());
-    result.locations.push_back(location);
-    result.parents.push_back(std::move(parents));
-    return Index(result.parents.size() - 1);
+    m_result.locations.push_back(location);
+    m_result.parents.push_back(std::move(parents));
+    return Index(m_result.parents.size() - 1);
   }
+
+  void add_level()
+  {
+    m_result.levels.push_back(m_quads);
+    m_result.number_of_vertices.push_back(Index(m_result.parents.size()));
+  }
+
+  // Adds the vertices of the triangles and the midpoints of their edges.
+  void add_base_vertices(Index number_of_vertices)
+  {
+    m_result.parents.resize(number_of_vertices);
+    m_result.locations.resize(number_of_vertices);
+    for(Index f = 0; f < m_triangles.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        if(Coarse_location& location = m_result.locations[m_triangles[f][k]];
+           location.triangle == none)
+          location = {f, m_unit[k]};
+    const Level& level = m_base.levels.front();
+    for(Index h = 0; h < level.twin.size(); ++h)
+      if(is_edge_representative(level, h))
+      {
+        const auto [a, b] = edge_vertices(level, h);
+        add_vertex({a, b}, h / 3, {m_unit[h % 3], m_unit[(h + 1) % 3]});
+      }
+  }
+
+  // Splits each triangle into three quads.
+  void split_triangles()
+  {
+    const std::vector<Index>& midpoints = m_base.levels.front().midpoint;
+    for(Index f = 0; f < m_triangles.size(); ++f)
+    {
+      const Triangle& t = m_triangles[f];
+      const Index center = add_vertex({t[0], t[1], t[2]}, f, {m_unit[0], m_unit[1], m_unit[2]});
+      const Coordinates& center_coordinates = m_result.locations[center].coordinates;
+      for(int k = 0; k < 3; ++k)
+      {
+        const int before = (k + 2) % 3;
+        m_quads.push_back({t[k], midpoints[3 * f + k], center, midpoints[3 * f + before]});
+        m_corners.push_back({m_unit[k], midpoint(m_unit[k], m_unit[(k + 1) % 3]),
+                             center_coordinates, midpoint(m_unit[before], m_unit[k])});
+      }
+    }
+  }
+
+  // Adds the midpoints of all edges.  Returns those of the four edges of each quad.
+  std::vector<std::array<Index, 4>> add_edge_midpoints()
+  {
+    std::map<std::array<Index, 2>, Index> edge_midpoint;
+    std::vector<std::array<Index, 4>> result(m_quads.size());
+    for(std::size_t q = 0; q < m_quads.size(); ++q)
+      for(int k = 0; k < 4; ++k)
+      {
+        const Index a = m_quads[q][k], b = m_quads[q][(k + 1) % 4];
+        const auto [it, is_new] = edge_midpoint.try_emplace({std::min(a, b), std::max(a, b)}, none);
+        if(is_new)
+          it->second =
+              add_vertex({a, b}, triangle_of(q), {m_corners[q][k], m_corners[q][(k + 1) % 4]});
+        result[q][k] = it->second;
+      }
+    return result;
+  }
+
+  const std::vector<Triangle>& m_triangles;
+  Index m_denominator;
+  std::array<Coordinates, 3> m_unit; // of the corners of a triangle
+  Subdivision m_base;
+  Quad_subdivision m_result;
+  std::vector<Quad> m_quads; // of the finest level
+  std::vector<std::array<Coordinates, 4>>
+      m_corners; // #quads: coordinates of the corners in the base triangle of the quad
+  std::size_t m_quads_per_triangle = 3;
 };
 
 } // namespace
@@ -232,108 +367,10 @@ Quad_subdivision subdivide_into_quads(const std::vector<Triangle>& triangles,
   if(levels == 0)
     throw Invalid_argument_error("A subdivision into quads has one level at least.");
   check_size(triangles.size(), levels);
-  Subdivision coarse;
-  coarse.levels.push_back(coarsest_level(triangles, number_of_vertices));
-  for(Index v = 0; v < number_of_vertices; ++v)
-    coarse.parents.push_back({v, v});
-  Level& base = coarse.levels.front();
-  add_midpoints(base, coarse.parents);
-
-  Quad_subdivision result;
-  Quad_builder builder{result};
-  using Coordinates = std::array<Index, 3>;
-  const Index denominator = Index(6) << (2 * (levels - 1));
-  result.parents.resize(number_of_vertices);
-  result.locations.resize(number_of_vertices);
-  const std::array<Coordinates, 3> unit = {
-      Coordinates{denominator, 0, 0}, {0, denominator, 0}, {0, 0, denominator}};
-  for(Index f = 0; f < triangles.size(); ++f)
-    for(int k = 0; k < 3; ++k)
-      if(Coarse_location& location = result.locations[triangles[f][k]]; location.triangle == none)
-        location = {f, unit[k]};
-  for(Index h = 0; h < base.twin.size(); ++h)
-    if(is_edge_representative(base, h))
-    {
-      const auto [a, b] = edge_vertices(base, h);
-      builder.add({a, b}, h / 3, {unit[h % 3], unit[(h + 1) % 3]});
-    }
-  // The quads of triangle f, now and later, are a block: their corners' coordinates are in f.
-  std::vector<std::array<Coordinates, 4>> corners;
-  std::vector<Quad> quads;
-  for(Index f = 0; f < triangles.size(); ++f)
-  {
-    const Triangle& t = triangles[f];
-    const Index center = builder.add({t[0], t[1], t[2]}, f, {unit[0], unit[1], unit[2]});
-    const Coordinates& center_coordinates = result.locations[center].coordinates;
-    const auto midpoint = [&](int k)
-    {
-      Coordinates c = {0, 0, 0};
-      c[k] = c[(k + 1) % 3] = denominator / 2;
-      return c;
-    };
-    for(int k = 0; k < 3; ++k)
-    {
-      const int before = (k + 2) % 3;
-      quads.push_back({t[k], base.midpoint[3 * f + k], center, base.midpoint[3 * f + before]});
-      corners.push_back({unit[k], midpoint(k), center_coordinates, midpoint(before)});
-    }
-  }
-  result.levels.push_back(quads);
-  result.number_of_vertices.push_back(Index(result.parents.size()));
-
+  Quad_subdivider subdivider(triangles, number_of_vertices, levels);
   for(unsigned level = 1; level < levels; ++level)
-  {
-    const std::size_t per_triangle = std::size_t(3) << (2 * (level - 1));
-    std::map<std::array<Index, 2>, Index> edge_midpoint;
-    std::vector<std::array<Index, 4>> midpoints(quads.size());
-    for(std::size_t q = 0; q < quads.size(); ++q)
-      for(int k = 0; k < 4; ++k)
-      {
-        const Index a = quads[q][k], b = quads[q][(k + 1) % 4];
-        const auto [it, is_new] = edge_midpoint.try_emplace({std::min(a, b), std::max(a, b)}, none);
-        if(is_new)
-          it->second = builder.add({a, b}, Index(q / per_triangle),
-                                   {corners[q][k], corners[q][(k + 1) % 4]});
-        midpoints[q][k] = it->second;
-      }
-    std::vector<Quad> finer;
-    std::vector<std::array<Coordinates, 4>> finer_corners;
-    for(std::size_t q = 0; q < quads.size(); ++q)
-    {
-      const auto& p = corners[q];
-      const Index center = builder.add({quads[q].begin(), quads[q].end()}, Index(q / per_triangle),
-                                       {p.begin(), p.end()});
-      const Coordinates& center_coordinates = result.locations[center].coordinates;
-      const auto midpoint = [&](int k)
-      {
-        Coordinates c;
-        for(int i = 0; i < 3; ++i)
-          c[i] = Index((std::size_t(p[k][i]) + p[(k + 1) % 4][i]) / 2);
-        return c;
-      };
-      for(int k = 0; k < 4; ++k)
-      {
-        const int before = (k + 3) % 4, after = (k + 1) % 4, across = (k + 2) % 4;
-        Quad child;
-        child[k] = quads[q][k];
-        child[after] = midpoints[q][k];
-        child[across] = center;
-        child[before] = midpoints[q][before];
-        finer.push_back(child);
-        std::array<Coordinates, 4> locations;
-        locations[k] = p[k];
-        locations[after] = midpoint(k);
-        locations[across] = center_coordinates;
-        locations[before] = midpoint(before);
-        finer_corners.push_back(locations);
-      }
-    }
-    quads = std::move(finer);
-    corners = std::move(finer_corners);
-    result.levels.push_back(quads);
-    result.number_of_vertices.push_back(Index(result.parents.size()));
-  }
-  return result;
+    subdivider.refine();
+  return subdivider.result();
 }
 
 } // namespace CGAL::Geodesic_processing::internal

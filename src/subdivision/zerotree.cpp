@@ -4,219 +4,16 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "subdivision/arithmetic_coding.h"
-
-#include <boost/crc.hpp>
+#include "subdivision/wavelet_stream.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-constexpr char magic[] = {'G', 'P', 'W', '1'};
-constexpr unsigned max_planes = 48, max_number_of_levels = 15;
-constexpr std::size_t max_channels = 16;
-
-// ------------------------------------------------------------------------------------- bytes
-
-void append(Bytes& bytes, std::uint64_t number, int size)
-{
-  for(int i = 0; i < size; ++i)
-    bytes.push_back(std::uint8_t(number >> (8 * i)));
-}
-
-void append(Bytes& bytes, double number)
-{
-  std::uint64_t bits;
-  std::memcpy(&bits, &number, sizeof bits);
-  append(bytes, bits, 8);
-}
-
-std::uint32_t checksum(const std::uint8_t* bytes, std::size_t size)
-{
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes, size);
-  return crc.checksum();
-}
-
-void append_packet(Bytes& bytes, const Bytes& packet)
-{
-  append(bytes, packet.size(), 4);
-  append(bytes, checksum(packet.data(), packet.size()), 4);
-  bytes.insert(bytes.end(), packet.begin(), packet.end());
-}
-
-struct Reader
-{
-  const std::uint8_t *next, *end;
-
-  std::size_t remaining_size() const { return std::size_t(end - next); }
-  std::uint64_t read_integer(int size)
-  {
-    if(remaining_size() < std::size_t(size))
-      throw Invalid_argument_error("The stream of wavelets ends in its header.");
-    std::uint64_t result = 0;
-    for(int i = 0; i < size; ++i)
-      result |= std::uint64_t(*next++) << (8 * i);
-    return result;
-  }
-  double read_double()
-  {
-    const std::uint64_t bits = read_integer(8);
-    double result;
-    std::memcpy(&result, &bits, sizeof result);
-    return result;
-  }
-};
-
-struct Packet
-{
-  const std::uint8_t* bytes = nullptr;
-  std::size_t size = 0;
-  bool is_complete = false, is_damaged = false;
-};
-
-// What is there of the next one.
-Packet read_packet(Reader& reader)
-{
-  Packet result;
-  if(reader.remaining_size() < 8)
-  {
-    reader.next = reader.end;
-    return result;
-  }
-  const std::size_t size = reader.read_integer(4), expected_checksum = reader.read_integer(4);
-  result.bytes = reader.next;
-  result.size = std::min(size, reader.remaining_size());
-  result.is_complete = result.size == size;
-  result.is_damaged =
-      result.is_complete && checksum(result.bytes, result.size) != expected_checksum;
-  reader.next += result.size;
-  return result;
-}
-
-// ------------------------------------------------------------------------------------ header
-
-struct Header
-{
-  std::size_t channels = 0, vertices = 0, triangles = 0;
-  unsigned levels = 0, planes = 0, tangent_shift = 0;
-  Prediction prediction = Prediction::butterfly;
-  bool use_update = false, is_in_frames = false;
-  int exponent = 0;           // all numbers are below 2^exponent
-  std::vector<double> origin; // #channels: what the values of the base mesh are counted from
-};
-
-Bytes encode_header(const Header& h)
-{
-  Bytes result(std::begin(magic), std::end(magic));
-  append(result, h.channels, 1);
-  append(result,
-         unsigned(h.prediction == Prediction::butterfly) | unsigned(h.use_update) << 1 |
-             unsigned(h.is_in_frames) << 2,
-         1);
-  append(result, h.levels, 1);
-  append(result, h.planes, 1);
-  append(result, h.tangent_shift, 1);
-  append(result, std::uint64_t(h.exponent + 32768), 2);
-  append(result, h.vertices, 4);
-  append(result, h.triangles, 4);
-  for(const double x : h.origin)
-    append(result, x);
-  append(result, checksum(result.data(), result.size()), 4);
-  return result;
-}
-
-Header read_header(Reader& reader)
-{
-  const std::uint8_t* const begin = reader.next;
-  for(const char letter : magic)
-    if(reader.read_integer(1) != std::uint8_t(letter))
-      throw Invalid_argument_error("The bytes are no stream of wavelets.");
-  Header h;
-  h.channels = std::size_t(reader.read_integer(1));
-  const std::uint64_t flags = reader.read_integer(1);
-  h.prediction = (flags & 1) != 0 ? Prediction::butterfly : Prediction::linear;
-  h.use_update = (flags & 2) != 0;
-  h.is_in_frames = (flags & 4) != 0;
-  h.levels = unsigned(reader.read_integer(1));
-  h.planes = unsigned(reader.read_integer(1));
-  h.tangent_shift = unsigned(reader.read_integer(1));
-  h.exponent = int(reader.read_integer(2)) - 32768;
-  h.vertices = std::size_t(reader.read_integer(4));
-  h.triangles = std::size_t(reader.read_integer(4));
-  for(std::size_t c = 0; c < h.channels; ++c)
-    h.origin.push_back(reader.read_double());
-  const std::uint32_t expected_checksum = checksum(begin, std::size_t(reader.next - begin));
-  // Numbers stay finite: below 2^exponent, of a few hundred of them each.
-  const bool is_valid =
-      reader.read_integer(4) == expected_checksum && h.channels > 0 && h.channels <= max_channels &&
-      flags < 8 && h.levels <= max_number_of_levels && h.planes > 0 && h.planes <= max_planes &&
-      h.tangent_shift <= max_planes && std::abs(h.exponent) < 960 &&
-      (!h.is_in_frames || h.channels == 3) &&
-      std::all_of(h.origin.begin(), h.origin.end(), [](double x) { return std::abs(x) < 1e300; });
-  if(!is_valid)
-    throw Invalid_argument_error("The header of the stream of wavelets is damaged.");
-  return h;
-}
-
-// ------------------------------------------------------------------------------ base triangles
-
-unsigned bit_width(std::size_t number)
-{
-  unsigned result = 0;
-  for(; number > 0; number >>= 1)
-    ++result;
-  return result;
-}
-
-// A corner is the next vertex that none has named yet, or one of those before it.
-Bytes encode_triangles(const std::vector<Triangle>& triangles, std::size_t vertices)
-{
-  Bit_encoder encoder;
-  std::size_t next = 0;
-  for(const Triangle& t : triangles)
-    for(const Index v : t)
-    {
-      encoder.put(v == next);
-      if(v == next)
-        ++next;
-      else
-        for(unsigned bit = bit_width(vertices - 1); bit-- > 0;)
-          encoder.put(((v >> bit) & 1) != 0);
-    }
-  return encoder.finish();
-}
-
-std::vector<Triangle> decode_triangles(const Packet& packet, const Header& header)
-{
-  const char* const message = "The base mesh of the stream of wavelets is damaged or incomplete.";
-  // Each corner takes a bit.
-  if(!packet.is_complete || packet.is_damaged || 3 * header.triangles > 8 * packet.size)
-    throw Invalid_argument_error(message);
-  Bit_decoder decoder(packet.bytes, packet.size, true);
-  std::vector<Triangle> result(header.triangles);
-  Index next = 0;
-  for(Triangle& t : result)
-    for(Index& v : t)
-    {
-      if(decoder.get())
-        v = next++;
-      else
-      {
-        v = 0;
-        for(unsigned bit = bit_width(header.vertices - 1); bit-- > 0;)
-          v = 2 * v + Index(decoder.get());
-      }
-    }
-  return result;
-}
 
 // ---------------------------------------------------------------------------------------- trees
 
@@ -407,7 +204,7 @@ private:
 };
 
 // By what numbers are multiplied before they are cut into planes.
-std::vector<double> scale_factors(const Subdivision& s, const Header& header)
+std::vector<double> scale_factors(const Subdivision& s, const Stream_header& header)
 {
   const std::vector<double> norms = detail_norms(s);
   const double tangent_factor = std::ldexp(1., -int(header.tangent_shift));
@@ -422,11 +219,17 @@ std::vector<double> scale_factors(const Subdivision& s, const Header& header)
   return result;
 }
 
+// Coefficients as integers below 2^planes: #vertices * channels.
+struct Quantized_coefficients
+{
+  std::vector<std::uint64_t> magnitude;
+  std::vector<std::uint64_t> max_descendant; // the largest magnitude of all descendants
+  std::vector<bool> negative;
+};
+
 struct Plane_encoder
 {
-  const std::vector<std::uint64_t>& magnitude;      // #vertices * channels
-  const std::vector<std::uint64_t>& max_descendant; // the same: of all descendants
-  const std::vector<bool>& negative;
+  const Quantized_coefficients& coefficients;
   std::size_t channels;
   unsigned plane = 0;
   Bit_encoder bits{};
@@ -447,16 +250,16 @@ struct Plane_encoder
   }
   bool is_significant(Index v, std::size_t c) const
   {
-    return magnitude[channels * v + c] >> plane != 0;
+    return coefficients.magnitude[channels * v + c] >> plane != 0;
   }
-  bool is_negative(Index v, std::size_t c) const { return negative[channels * v + c]; }
+  bool is_negative(Index v, std::size_t c) const { return coefficients.negative[channels * v + c]; }
   bool is_set(Index v, std::size_t c) const
   {
-    return ((magnitude[channels * v + c] >> plane) & 1) != 0;
+    return ((coefficients.magnitude[channels * v + c] >> plane) & 1) != 0;
   }
   bool has_significant_descendant(Index v, std::size_t c) const
   {
-    return max_descendant[channels * v + c] >> plane != 0;
+    return coefficients.max_descendant[channels * v + c] >> plane != 0;
   }
   bool is_at_end() const { return false; }
   void begin(Index, std::size_t, bool) {}
@@ -497,24 +300,12 @@ struct Plane_decoder
   }
 };
 
-} // namespace
-
-std::vector<std::uint8_t> encode(const Subdivision& s, const Wavelet_signal& signal,
-                                 unsigned planes, unsigned tangent_shift,
-                                 std::size_t max_number_of_bytes)
+Stream_header make_header(const Subdivision& s, const Wavelet_signal& signal, unsigned planes,
+                          unsigned tangent_shift)
 {
-  const std::size_t n = s.number_of_vertices(), channels = signal.channels;
-  const Index number_of_base_vertices = s.levels.front().number_of_vertices;
-  if(n == 0 || channels == 0 || channels > max_channels)
-    throw Invalid_argument_error("There are no values to encode, or too many for each vertex.");
-  if(planes == 0 || planes > max_planes || tangent_shift > max_planes)
-    throw Invalid_argument_error("A stream of wavelets has 1 to 48 bit planes.");
-  if(signal.is_in_frames && channels != 3)
-    throw Invalid_argument_error("Local frames are for three channels.");
-
-  Header header;
-  header.channels = channels;
-  header.vertices = number_of_base_vertices;
+  Stream_header header;
+  header.channels = signal.channels;
+  header.vertices = s.levels.front().number_of_vertices;
   header.triangles = s.levels.front().triangles.size();
   header.levels = unsigned(s.levels.size() - 1);
   header.planes = planes;
@@ -522,18 +313,26 @@ std::vector<std::uint8_t> encode(const Subdivision& s, const Wavelet_signal& sig
   header.prediction = signal.prediction;
   header.use_update = signal.use_update;
   header.is_in_frames = signal.is_in_frames;
+  return header;
+}
 
+// Returns the scaled coefficients (#vertices * channels).  The values of the base vertices are centered
+// first.  Sets the origin and the exponent of the header.
+std::vector<double> scaled_coefficients(const Subdivision& s, const Wavelet_signal& signal,
+                                        Stream_header& header)
+{
+  const std::size_t channels = header.channels;
   std::vector<double> values = signal.values;
   for(std::size_t c = 0; c < channels; ++c)
   {
     double low = infinity, high = -infinity;
-    for(Index v = 0; v < number_of_base_vertices; ++v)
+    for(Index v = 0; v < header.vertices; ++v)
     {
       low = std::min(low, values[channels * v + c]);
       high = std::max(high, values[channels * v + c]);
     }
     header.origin.push_back(0.5 * low + 0.5 * high);
-    for(Index v = 0; v < number_of_base_vertices; ++v)
+    for(Index v = 0; v < header.vertices; ++v)
       values[channels * v + c] -= header.origin[c];
   }
   const std::vector<double> factor = scale_factors(s, header);
@@ -546,28 +345,55 @@ std::vector<std::uint8_t> encode(const Subdivision& s, const Wavelet_signal& sig
     max_magnitude = std::max(max_magnitude, std::abs(values[i]));
   }
   header.exponent = max_magnitude > 1e-280 ? std::ilogb(max_magnitude) + 1 : -930;
+  return values;
+}
 
-  std::vector<std::uint64_t> magnitude, max_descendant(values.size(), 0);
-  std::vector<bool> negative;
+Quantized_coefficients quantize(const std::vector<double>& values, const Stream_header& header,
+                                const Zerotrees& zerotrees)
+{
+  const std::size_t channels = header.channels;
+  Quantized_coefficients result;
   for(const double value : values)
   {
-    magnitude.push_back(std::uint64_t(std::ldexp(std::abs(value), int(planes) - header.exponent)));
-    negative.push_back(value < 0.);
+    result.magnitude.push_back(
+        std::uint64_t(std::ldexp(std::abs(value), int(header.planes) - header.exponent)));
+    result.negative.push_back(value < 0.);
   }
-  Bitplane_coder bitplane_coder(s, channels);
-  // Children come after their parents.
-  for(std::size_t v = n; v-- > 0;)
-    if(const Index parent = bitplane_coder.zerotrees().parent[v]; parent != none)
+  // Children have larger indices than their parents.
+  result.max_descendant.assign(values.size(), 0);
+  for(std::size_t v = zerotrees.parent.size(); v-- > 0;)
+    if(const Index parent = zerotrees.parent[v]; parent != none)
       for(std::size_t c = 0; c < channels; ++c)
-        max_descendant[channels * parent + c] =
-            std::max({max_descendant[channels * parent + c], max_descendant[channels * v + c],
-                      magnitude[channels * v + c]});
+        result.max_descendant[channels * parent + c] =
+            std::max({result.max_descendant[channels * parent + c],
+                      result.max_descendant[channels * v + c], result.magnitude[channels * v + c]});
+  return result;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> encode(const Subdivision& s, const Wavelet_signal& signal,
+                                 unsigned planes, unsigned tangent_shift,
+                                 std::size_t max_number_of_bytes)
+{
+  const std::size_t channels = signal.channels;
+  if(s.number_of_vertices() == 0 || channels == 0 || channels > max_channels)
+    throw Invalid_argument_error("There are no values to encode, or too many for each vertex.");
+  if(planes == 0 || planes > max_planes || tangent_shift > max_planes)
+    throw Invalid_argument_error("A stream of wavelets has 1 to 48 bit planes.");
+  if(signal.is_in_frames && channels != 3)
+    throw Invalid_argument_error("Local frames are for three channels.");
+
+  Stream_header header = make_header(s, signal, planes, tangent_shift);
+  const std::vector<double> values = scaled_coefficients(s, signal, header);
+  Bitplane_coder bitplane_coder(s, channels);
+  const Quantized_coefficients coefficients = quantize(values, header, bitplane_coder.zerotrees());
 
   Bytes result = encode_header(header);
-  append_packet(result, encode_triangles(s.levels.front().triangles, number_of_base_vertices));
+  append_packet(result, encode_triangles(s.levels.front().triangles, header.vertices));
   for(unsigned plane = planes; plane-- > 0 && result.size() < max_number_of_bytes;)
   {
-    Plane_encoder coder{magnitude, max_descendant, negative, channels, plane};
+    Plane_encoder coder{coefficients, channels, plane};
     bitplane_coder.code_plane(coder);
     append_packet(result, coder.bits.finish());
   }
@@ -579,8 +405,8 @@ std::vector<std::uint8_t> encode(const Subdivision& s, const Wavelet_signal& sig
 Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,
                         std::size_t max_number_of_vertices)
 {
-  Reader reader{bytes, bytes + size};
-  const Header header = read_header(reader);
+  Stream_reader reader{bytes, bytes + size};
+  const Stream_header header = read_header(reader);
   // A triangle of the finest level has no more than three vertices of its own.
   const double number_of_finest_triangles =
       std::ldexp(double(header.triangles), 2 * int(header.levels));
