@@ -133,8 +133,7 @@ Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
       sort_surfels(std::move(points), normals, compatibility_test.cosine, options.threads, frame);
   Neighbor_distances distances;
   const Ragged_rows neighbors =
-      find_neighbors(cloud.point, cloud.normal, cloud.tree, &compatibility_test, options.neighbors,
-                     options.threads, distances);
+      find_neighbors(cloud, &compatibility_test, options.neighbors, options.threads, distances);
   cloud.radius = surfel_radii(cloud, radii, neighbors, options.rank, options.threads);
   const auto graph = [&](const Ragged_rows& rows, const auto& are_connected)
   {
@@ -146,8 +145,8 @@ Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
           { return length <= options.influence_ratio * (cloud.radius[i] + cloud.radius[j]); });
   else
   {
-    const Ragged_rows all_neighbors = find_neighbors(cloud.point, cloud.normal, cloud.tree, nullptr,
-                                                     options.neighbors, options.threads, distances);
+    const Ragged_rows all_neighbors =
+        find_neighbors(cloud, nullptr, options.neighbors, options.threads, distances);
     if(options.graph == Surfel_graph::nearest)
       graph(all_neighbors, [](Index, Index, double) { return true; });
     else

@@ -7,6 +7,7 @@
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
+#include "surfels/delaunay_rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,248 +18,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// How many of the nearest surfels each looks at: half of them on each side of a thin sheet still
-// make a star.  Random samples of a plane need 28 on average before their Voronoi cell is certain;
-// the cells that need more ask for up to `max_number_of_neighbors`.
-constexpr std::size_t number_of_neighbors = 24;
-constexpr std::size_t max_number_of_neighbors = 64;
-
 double distance(const Vec3& a, const Vec3& b) { return norm(a - b); }
-
-// The Voronoi cell of the origin of the plane, cut from a square by one half-plane after another.
-class Voronoi_cell
-{
-public:
-  explicit Voronoi_cell(double half_width)
-  {
-    m_corners = {{half_width, -half_width, none},
-                 {half_width, half_width, none},
-                 {-half_width, half_width, none},
-                 {-half_width, -half_width, none}};
-    m_squared_radius = 2. * half_width * half_width;
-  }
-
-  // Of the corner farthest from the origin.
-  double squared_radius() const { return m_squared_radius; }
-
-  // Keeps what lies on this side of the line x q = offset; a new edge gets the label.
-  void clip(double qx, double qy, double offset, Index label)
-  {
-    const std::size_t n = m_corners.size();
-    std::size_t outside = 0, any_outside = n;
-    m_signed_distances.resize(n);
-    for(std::size_t i = 0; i < n; ++i)
-    {
-      m_signed_distances[i] = m_corners[i].x * qx + m_corners[i].y * qy - offset;
-      if(m_signed_distances[i] > 0.)
-      {
-        ++outside;
-        any_outside = i;
-      }
-    }
-    if(outside == 0 || outside == n)
-      return;
-    // The corners outside are consecutive: from `begin` up to before `end`.
-    std::size_t end = any_outside, begin = any_outside;
-    while(m_signed_distances[end] > 0.)
-      end = end + 1 == n ? 0 : end + 1;
-    while(m_signed_distances[begin == 0 ? n - 1 : begin - 1] > 0.)
-      begin = begin == 0 ? n - 1 : begin - 1;
-    const std::size_t last_inside = begin == 0 ? n - 1 : begin - 1;
-    const std::size_t last_outside = end == 0 ? n - 1 : end - 1;
-
-    m_clipped.clear();
-    for(std::size_t i = end;; i = i + 1 == n ? 0 : i + 1)
-    {
-      m_clipped.push_back(m_corners[i]);
-      if(i == last_inside)
-        break;
-    }
-    m_clipped.push_back(intersection(last_inside, begin, label));
-    m_clipped.push_back(intersection(end, last_outside, m_corners[last_outside].edge));
-    std::swap(m_corners, m_clipped);
-    m_squared_radius = 0.;
-    for(const Corner& c : m_corners)
-      m_squared_radius = std::max(m_squared_radius, c.x * c.x + c.y * c.y);
-  }
-
-  struct Corner
-  {
-    double x, y;
-    Index edge; // label of the edge to the next corner, counterclockwise
-  };
-  const std::vector<Corner>& corners() const { return m_corners; }
-
-private:
-  Corner intersection(std::size_t inside, std::size_t outside, Index edge) const
-  {
-    const Corner &a = m_corners[inside], &b = m_corners[outside];
-    const double t =
-        m_signed_distances[inside] / (m_signed_distances[inside] - m_signed_distances[outside]);
-    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), edge};
-  }
-
-  std::vector<Corner> m_corners, m_clipped;
-  std::vector<double> m_signed_distances;
-  double m_squared_radius;
-};
-
-// A number in [0, 1) for each site, without pattern.
-double pseudo_random(Index v)
-{
-  std::uint64_t x = (v + 1ull) * 0x9e3779b97f4a7c15ull;
-  x = (x ^ x >> 31) * 0xbf58476d1ce4e5b9ull;
-  return static_cast<double>(x >> 11) * 0x1p-53;
-}
-
-// The sites that are no copies: all that the search for neighbours sees.
-struct Distinct_surfels
-{
-  const std::vector<Vec3>& point;
-  const std::vector<Vec3>& normal;
-  const Kd_tree& tree;
-  Compatibility_test compatibility_test;
-  unsigned threads;
-
-  std::size_t size() const { return tree.size(); }
-  Compatibility compatibility(Index a, Index b) const
-  {
-    return compatibility_test(point[a], normal[a], point[b], normal[b]);
-  }
-};
-
-// For each site the ends of its triangles, counterclockwise: a b and b c for triangles with the
-// sides ab and bc, `none` between two that make no triangle, and after the last one if it makes
-// none with the first.
-Ragged_rows find_rings(const Distinct_surfels& surfels, const Ragged_rows& neighbors,
-                       const std::vector<double>& search_radius, const std::vector<double>& radius)
-{
-  // Cocircular neighbours (lattices) get the same diagonal seen from each of them when the squared
-  // distances are those of a power diagram, with weights far below what matters and far above
-  // rounding.
-  std::vector<double> weight(surfels.size(), 0.);
-  for(Index i = 0; i < surfels.size(); ++i)
-    if(neighbors.begin(i) != neighbors.end(i))
-    {
-      const double nearest = distance(surfels.point[i], surfels.point[*neighbors.begin(i)]);
-      weight[i] = 1e-9 * pseudo_random(i) * nearest * nearest;
-    }
-  Ragged_rows rings(surfels.size());
-  for_each_block(
-      surfels.size(), surfel_block_size, surfels.threads,
-      [&](std::size_t block, std::size_t begin, std::size_t end)
-      {
-        std::vector<Kd_tree::Neighbor> farther_neighbors;
-        std::vector<Index> steep_neighbors;
-        std::vector<Index>& ring = rings.buffer(block);
-        for(Index i = static_cast<Index>(begin); i < end; rings.end_row(block, i++))
-        {
-          const double max_circumradius = max_circumradius_ratio * radius[i];
-          if(!(max_circumradius > 0.))
-            continue;
-          const Vec3 center = surfels.point[i];
-          const auto [u, v] = tangent_frame(surfels.normal[i]);
-          const auto project = [&, &u = u, &v = v](Index j) -> std::array<double, 2>
-          {
-            const Vec3 chord = surfels.point[j] - center;
-            return {dot(chord, u), dot(chord, v)};
-          };
-          Voronoi_cell cell(max_circumradius);
-          const auto& corners = cell.corners();
-          const auto has_triangle = [&](std::size_t corner)
-          {
-            const Voronoi_cell::Corner& c = corners[corner];
-            const Index a = corners[corner == 0 ? corners.size() - 1 : corner - 1].edge, b = c.edge;
-            if(a == none || b == none)
-              return false;
-            const double max_radius =
-                max_circumradius_ratio * std::min({radius[i], radius[a], radius[b]});
-            return c.x * c.x + c.y * c.y <= max_radius * max_radius &&
-                   surfels.compatibility(a, b) != Compatibility::incompatible;
-          };
-          // Whether a triangle of the gentle neighbours lies in this direction.
-          const auto is_covered = [&](const std::array<double, 2>& q)
-          {
-            for(std::size_t k = 0; k < corners.size(); ++k)
-              if(has_triangle(k))
-              {
-                const auto a = project(corners[k == 0 ? corners.size() - 1 : k - 1].edge);
-                const auto b = project(corners[k].edge);
-                if(a[0] * q[1] >= a[1] * q[0] && q[0] * b[1] >= q[1] * b[0])
-                  return true;
-              }
-            return false;
-          };
-          const auto clip = [&](Index j, bool only_in_gaps)
-          {
-            const auto q = project(j);
-            const double squared_length = q[0] * q[0] + q[1] * q[1];
-            // Enlarged: a line through a corner may cut it for the sake of the weights.
-            if(squared_length <= 4.000001 * cell.squared_radius() &&
-               !(only_in_gaps && is_covered(q)))
-              cell.clip(q[0], q[1], (squared_length + weight[i] - weight[j]) / 2., j);
-          };
-          steep_neighbors.clear();
-          const auto add_neighbor = [&](Index j)
-          {
-            const Compatibility compatibility = surfels.compatibility(i, j);
-            if(compatibility == Compatibility::gentle)
-              clip(j, false);
-            else if(compatibility == Compatibility::steep)
-              steep_neighbors.push_back(j);
-          };
-          std::for_each(neighbors.begin(i), neighbors.end(i), add_neighbor);
-          const double needed_squared_radius =
-              4.000001 * std::min(cell.squared_radius(), max_circumradius * max_circumradius);
-          if(needed_squared_radius > search_radius[i] * search_radius[i])
-          {
-            surfels.tree.nearest(surfels.point, center, max_number_of_neighbors, farther_neighbors,
-                                 needed_squared_radius);
-            for(std::size_t k = std::min(number_of_neighbors + 1, farther_neighbors.size());
-                k < farther_neighbors.size(); ++k)
-              add_neighbor(farther_neighbors[k].point);
-          }
-          for(const Index j : steep_neighbors)
-          {
-            // Seen too steeply, a place in the plane means nothing.
-            const auto q = project(j);
-            const Vec3 chord = surfels.point[j] - center;
-            if(16. * (q[0] * q[0] + q[1] * q[1]) > dot(chord, chord))
-              clip(j, true);
-          }
-
-          const std::size_t n = corners.size(), ring_begin = ring.size();
-          // Start behind a gap where there is one.
-          std::size_t start = 0;
-          while(start < n && has_triangle(start))
-            ++start;
-          if(start == n)
-          {
-            for(const Voronoi_cell::Corner& c : corners)
-              ring.push_back(c.edge);
-            continue;
-          }
-          for(std::size_t k = 1; k < n; ++k)
-          {
-            const std::size_t corner = (start + k) % n;
-            if(!has_triangle(corner))
-              continue;
-            const Index a = corners[corner == 0 ? n - 1 : corner - 1].edge;
-            if(ring.size() == ring_begin || ring.back() != a)
-            {
-              if(ring.size() != ring_begin)
-                ring.push_back(none);
-              ring.push_back(a);
-            }
-            ring.push_back(corners[corner].edge);
-          }
-          if(ring.size() != ring_begin)
-            ring.push_back(none);
-        }
-      });
-  rings.join();
-  return rings;
-}
 
 // Whether the ring of a site has the triangle with the side from a to b.
 bool ring_has_edge(const Ragged_rows& rings, Index vertex, Index a, Index b)
@@ -430,9 +190,8 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
   t.origin = sorted.frame.origin;
   t.scale = sorted.frame.scale;
   Neighbor_distances distances;
-  Ragged_rows neighbors =
-      find_neighbors(sorted.point, sorted.normal, sorted.tree, &compatibility_test,
-                     number_of_neighbors, options.threads, distances);
+  Ragged_rows neighbors = find_neighbors(sorted, &compatibility_test, number_of_ring_neighbors,
+                                         options.threads, distances);
   neighbors.join();
   result.radius = surfel_radii(sorted, radii, neighbors, options.rank, options.threads);
 
@@ -459,7 +218,7 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
                                     options.threads};
   {
     const Ragged_rows rings =
-        find_rings(surfels, neighbors, distances.search_radius, result.radius);
+        find_delaunay_rings(surfels, neighbors, distances.search_radius, result.radius);
     distances = {};
     collect_triangles(rings, options.threads, t);
   }

@@ -167,10 +167,12 @@ std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vecto
   return result;
 }
 
-Ragged_rows find_neighbors(const std::vector<Vec3>& point, const std::vector<Vec3>& normal,
-                           const Kd_tree& tree, const Compatibility_test* compatibility_test,
-                           std::size_t count, unsigned threads, Neighbor_distances& distances)
+Ragged_rows find_neighbors(const Sorted_surfels& surfels,
+                           const Compatibility_test* compatibility_test, std::size_t count,
+                           unsigned threads, Neighbor_distances& distances)
 {
+  const std::vector<Vec3>&point = surfels.point, &normal = surfels.normal;
+  const Kd_tree& tree = surfels.tree;
   constexpr std::size_t rank = 6; // as many as a surfel of an even cloud has around it
   Ragged_rows rows(tree.size());
   distances.search_radius.assign(tree.size(), infinity);

@@ -23,15 +23,16 @@ TEST(surfel_neighbors, are_the_nearest_compatible_surfels)
   for(std::size_t i = 0; i < 144; ++i)
     sheets.add(sheets.points[i] + Vec3{0.01, 0.02, 0.05}, {0., 0., -1.});
   std::vector<Index> order;
-  std::vector<Vec3> point = sheets.points, normal;
-  const Kd_tree tree(point, order);
+  Sorted_surfels surfels;
+  surfels.point = sheets.points;
+  surfels.tree = Kd_tree(surfels.point, order);
   for(const Index i : order)
-    normal.push_back(sheets.normals[i]);
+    surfels.normal.push_back(sheets.normals[i]);
+  const std::vector<Vec3>&point = surfels.point, &normal = surfels.normal;
   Neighbor_distances distances;
   const Compatibility_test compatibility_test = {0.5};
-  const Ragged_rows neighbors =
-                        find_neighbors(point, normal, tree, &compatibility_test, 20, 1, distances),
-                    all = find_neighbors(point, normal, tree, nullptr, 20, 1, distances);
+  const Ragged_rows neighbors = find_neighbors(surfels, &compatibility_test, 20, 1, distances),
+                    all = find_neighbors(surfels, nullptr, 20, 1, distances);
   for(Index i = 0; i < point.size(); ++i)
   {
     EXPECT_EQ(all.end(i) - all.begin(i), 20);
@@ -108,8 +109,7 @@ TEST(surfel_neighbors, estimates_missing_radii)
   const Cloud square = square_cloud(9);
   const Sorted_surfels sorted = sort_surfels(square.points, square.normals, 0.5, 1);
   Neighbor_distances distances;
-  const Ragged_rows neighbors =
-      find_neighbors(sorted.point, sorted.normal, sorted.tree, nullptr, 20, 1, distances);
+  const Ragged_rows neighbors = find_neighbors(sorted, nullptr, 20, 1, distances);
   std::vector<double> given(81);
   for(std::size_t i = 0; i < 81; ++i)
     given[i] = double(i);

@@ -171,9 +171,9 @@ struct Neighbor_distances
 // The `count` nearest points of each, without those that do not agree with it, nearest first; all of
 // them without an `agree`.  Rows are not joined.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Ragged_rows find_neighbors(const std::vector<Vec3>& point, const std::vector<Vec3>& normal,
-                           const Kd_tree& tree, const Compatibility_test* compatibility_test,
-                           std::size_t count, unsigned threads, Neighbor_distances& distances);
+Ragged_rows find_neighbors(const Sorted_surfels& surfels,
+                           const Compatibility_test* compatibility_test, std::size_t count,
+                           unsigned threads, Neighbor_distances& distances);
 
 // For each site the radius given, in the unit of the frame and no larger than the cloud, where squares are
 // safe; or where none are given the distance to its neighbour of a rank, or the last, over sqrt(2).
