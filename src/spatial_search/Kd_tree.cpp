@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 constexpr std::size_t leaf_size = 12;
-// Of points that a thread copies at a time.
+// Number of points that a thread copies at a time.
 constexpr std::size_t block_size = 4096;
 
 double squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
@@ -47,7 +47,7 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
                      entries[i] = {points[i], static_cast<Index>(i)};
                  });
 
-  // The box of a node, and its points split at the middle of the box's longest axis.
+  // Computes the box of a node, and partitions its points at the median along the longest axis.
   const auto split = [&](unsigned level, std::size_t node)
   {
     const auto first = entries.begin() + begin(node, level);
@@ -75,7 +75,7 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
     else
       std::nth_element(first, entries.begin() + begin(2 * node + 1, level + 1), last, less);
   };
-  // The upper levels one after another, then their subtrees side by side.
+  // Threads process the nodes of one upper level in parallel, then whole subtrees.
   const unsigned upper = std::min(m_levels, threads > 1 ? 4u : 0u);
   for(unsigned level = 0; level < upper; ++level)
     for_each_block(std::size_t(1) << level, 1, threads,
@@ -83,7 +83,7 @@ Kd_tree::Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned
   for_each_block(std::size_t(1) << upper, 1, threads,
                  [&](std::size_t root, std::size_t, std::size_t)
                  {
-                   // Depth first, while the points are at hand.
+                   // Depth first, so that the points of a subtree stay in the cache.
                    std::vector<std::pair<unsigned, std::size_t>> stack{{upper, root}};
                    while(!stack.empty())
                    {
@@ -119,8 +119,8 @@ void Kd_tree::scale(double factor)
     }
 }
 
-// Calls visit(begin, end) for the leaves not farther than `bound`, which visit may lower, roughly
-// from near to far.
+// Calls visit(begin, end) for the leaves within the squared distance `bound`, approximately in the order
+// of their distances.  `visit` can reduce `bound` through another reference.
 template <typename Visit>
 void Kd_tree::visit_leaves(const Point& query, const double& bound, Visit&& visit) const
 {
@@ -143,7 +143,7 @@ void Kd_tree::visit_leaves(const Point& query, const double& bound, Visit&& visi
     std::size_t node;
     unsigned level;
   };
-  std::array<Pending, 34> stack; // one for each level of 2^32 points, and the sibling of the last
+  std::array<Pending, 34> stack; // one node per level of a tree of 2^32 points, and one sibling
   std::size_t top = 0;
   stack[top++] = {distance(0), 0, 0};
   while(top != 0)
@@ -178,7 +178,7 @@ void Kd_tree::nearest(const std::vector<Point>& points, const Point& query, std:
       query, bound,
       [&](std::size_t begin, std::size_t end)
       {
-        // What the loop needs, where no write can change it.
+        // Local copies: the compiler can keep them in registers, as writes cannot alias them.
         const Point* const point = points.data();
         const Point query_point = query;
         Neighbor* const nearest = result.data();

@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// More would take longer to go through than the tree does.
+// If more points are gathered, or remain within the bound of a point, a query of the tree is faster.
 constexpr std::size_t max_gathered = 768, max_candidates = 160;
 
 constexpr std::size_t max_leaf_size = 64;
@@ -27,7 +27,8 @@ struct Coordinates
   std::size_t size;
 };
 
-// Appends the places and squared distances of those within a bound.
+// Writes the indices and squared distances of all points within the squared distance `bound`, and
+// returns their number.
 template <typename Pack>
 GEODESIC_PROCESSING_INLINE std::size_t filter_near(const Coordinates& coordinate_arrays,
                                                    const Kd_tree::Point& from, double bound,
@@ -56,7 +57,7 @@ GEODESIC_PROCESSING_INLINE std::size_t filter_near(const Coordinates& coordinate
   return number;
 }
 
-// How many are smaller than each.
+// Computes for each value the number of smaller values.
 template <typename Pack>
 GEODESIC_PROCESSING_INLINE void rank(const double* value, std::size_t size, std::int64_t* result)
 {
@@ -77,7 +78,7 @@ GEODESIC_PROCESSING_INLINE void rank(const double* value, std::size_t size, std:
       store(smaller[k], counts);
       result[i + k] = 0;
       for(std::size_t j = 0; j < lanes; ++j)
-        result[i + k] -= counts[j]; // what is true is -1
+        result[i + k] -= counts[j]; // a comparison that is true yields -1
     }
   }
 }
@@ -128,7 +129,7 @@ void Leaf_neighbors::Gathered_points::append(const std::vector<Kd_tree::Point>& 
   }
 }
 
-// To a multiple of what is treated at once, by points that are near to none.
+// Pads the coordinates with infinite points to a multiple of the batch size.
 void Leaf_neighbors::Gathered_points::pad()
 {
   while(x.size() % batch_size != 0)

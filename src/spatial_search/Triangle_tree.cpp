@@ -31,7 +31,7 @@ Kernel::Point_3 to_point(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
 struct Triangle_tree::Tree
 {
-  std::vector<Index> index; // of each listed triangle; those without area are left out
+  std::vector<Index> index; // of each listed triangle: triangles without area are omitted
   Triangle_list triangles;
   Aabb_tree tree;
 };
@@ -52,7 +52,7 @@ Triangle_tree::Triangle_tree(std::shared_ptr<const Surface_arrays> triangles)
     data->triangles.emplace_back(to_point(a), to_point(b), to_point(c));
   }
   data->tree.rebuild(data->triangles.cbegin(), data->triangles.cend());
-  data->tree.build(); // here, so that queries of several threads find it ready
+  data->tree.build(); // otherwise the first query builds it, which is not thread-safe
   m_tree = std::move(data);
 }
 
@@ -64,7 +64,7 @@ Surface_location Triangle_tree::nearest(const std::array<double, 3>& point) cons
       throw Invalid_argument_error("A coordinate of the point to locate is not finite.");
   if(t.number_of_vertices() == 0)
     throw Invalid_argument_error("There is nothing to locate a point on: the surface is empty.");
-  // Far away from the surface directions are all that counts: distances must not overflow.
+  // Clamp distant points, so that squared distances cannot overflow.
   Vec3 p;
   for(int k = 0; k < 3; ++k)
     p[k] = std::clamp((point[k] - t.origin[k]) / t.scale, -1e100, 1e100);

@@ -46,7 +46,7 @@ TEST(Kd_tree, returns_permutation_of_points)
     EXPECT_EQ(order[i], i);
 }
 
-// Points on a coarse grid: many ties, many of them coincident.
+// The points of a coarse grid have many equal distances, and many of them coincide.
 TEST(Kd_tree, nearest_points_are_sorted_with_ties_by_index)
 {
   for(const double step : {0., 0.25})
@@ -65,7 +65,7 @@ TEST(Kd_tree, nearest_points_are_sorted_with_ties_by_index)
           ASSERT_EQ(found.size(), std::min(k, n));
           for(std::size_t i = 0; i < found.size(); ++i)
             EXPECT_EQ(found[i].point, all[i].point);
-          // A bound that the last of them just meets changes nothing.
+          // The squared distance of the last neighbor as the bound does not change the result.
           const double bound = found.back().squared_distance;
           const auto unbounded = found;
           tree.nearest(points, query, k, found, bound);

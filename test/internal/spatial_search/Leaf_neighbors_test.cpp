@@ -15,7 +15,7 @@ namespace {
 
 using namespace CGAL::Geodesic_processing::internal;
 
-// As the tree finds them one by one, to the last digit.
+// Expects the same neighbors and distances, bit by bit, as from queries of the tree.
 void expect_same_as_tree(std::vector<Vec3> points, std::size_t k)
 {
   std::vector<Index> order;
@@ -59,8 +59,7 @@ TEST(Leaf_neighbors, agree_with_tree_queries)
   for(const std::size_t n : {0, 1, 2, 12, 13, 30, 100, 3000})
     for(const std::size_t k : {0, 1, 2, 7, 21, 60, 200})
       expect_same_as_tree(sphere(n, 1), k);
-  for(const double size :
-      {1e-150, 1e-6, 1e6, 1e150}) // squares down to the smallest and up to the largest
+  for(const double size : {1e-150, 1e-6, 1e6, 1e150}) // squares close to underflow and overflow
     expect_same_as_tree(sphere(1000, 2, size), 21);
 }
 
@@ -75,7 +74,7 @@ TEST(Leaf_neighbors, ties_are_resolved_by_index)
   doubled_lattice.insert(doubled_lattice.end(), lattice.begin(), lattice.end());
   expect_same_as_tree(doubled_lattice, 21);
   expect_same_as_tree(std::vector<Vec3>(500, {1., 2., 3.}),
-                      9); // more than are gone through at once
+                      9); // more coincident points than candidates
 }
 
 TEST(Leaf_neighbors, outliers_do_not_change_neighbors)

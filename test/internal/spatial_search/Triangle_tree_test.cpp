@@ -26,7 +26,7 @@ TEST(Triangle_tree, locates_points_on_surface)
   {
     const Point p = point_at(*surface.triangles(), random_location(*surface.triangles(), random));
     const Point q = point_at(*surface.triangles(), tree.nearest(p));
-    EXPECT_LT(distance(p, q), 1e-14); // roundings of coordinates near 1
+    EXPECT_LT(distance(p, q), 1e-14); // round-off errors of coordinates up to 1
   }
 }
 
@@ -75,7 +75,7 @@ TEST(Triangle_tree, handles_far_query_points)
   for(const double far : {1e20, 1e150, 1e300})
   {
     const Surface_location location = tree.nearest({far, far, 0.});
-    // Distances of that size tell points of the square apart no more.
+    // The round-off error of such distances exceeds the size of the square.
     for(const double b : location.barycentric)
       EXPECT_TRUE(b >= 0. && b <= 1.);
   }

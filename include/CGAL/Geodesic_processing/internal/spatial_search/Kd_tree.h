@@ -13,10 +13,11 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A balanced kd-tree over points that lie in the tree's own order, so that it consists of boxes
-// alone: node k of level d holds the points k n / 2^d .. (k+1) n / 2^d - 1.  That order is also a
-// locality order.  About 9 bytes per point; the points stay with the caller, who hands in the same
-// array to each query.
+// A balanced kd-tree of points in space.  The constructor sorts the points, such that node k of level d
+// contains the points k n / 2^d .. (k + 1) n / 2^d - 1.  So the tree only stores the bounding boxes of its
+// nodes, about 9 bytes per point.  Consecutive points are close to each other.
+//
+// The tree does not store the points.  Each query must receive the array that the constructor sorted.
 class Kd_tree
 {
 public:
@@ -36,40 +37,44 @@ public:
 
   Kd_tree() = default;
 
-  // Puts finite points into the tree's order, which depends on their coordinates alone; only
-  // coincident points keep the order of the input.  `order` receives the former place of each.
-  // O(n log n).
+  // Builds the tree and sorts the points, which must be finite.  Sets `order` (#points) to the former
+  // index of each point.  The result depends neither on the order of the input nor on the number of
+  // threads; only coincident points keep their order.  O(n log n).
   CGAL_GEODESIC_PROCESSING_EXPORT
   Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned threads = 1);
 
   std::size_t size() const { return m_size; }
 
-  // Follows points whose coordinates the caller multiplies by a power of two.
+  // Multiplies all boxes by a power of two.  The caller must scale the points by the same factor.
   CGAL_GEODESIC_PROCESSING_EXPORT
   void scale(double factor);
 
-  // The at most k points nearest to the query, nearest first, ties by place.  `bound` is a squared
-  // distance beyond which points do not matter.
+  // Sets `result` to the k nearest points of the query, sorted by distance and then by index.  Ignores
+  // points whose squared distance exceeds `bound`, so the result can have fewer points.
   CGAL_GEODESIC_PROCESSING_EXPORT
   void nearest(const std::vector<Point>& points, const Point& query, std::size_t k,
                std::vector<Neighbor>& result, double bound = infinity) const;
 
-  // The point nearest to the query, ties by place; none in an empty tree.
+  // Returns the nearest point of the query (the one with the smallest index if several are equally
+  // close), or `none` if the tree is empty.
   CGAL_GEODESIC_PROCESSING_EXPORT
   Index nearest(const std::vector<Point>& points, const Point& query) const;
 
-  // All points at a squared distance of at most `squared_radius`, in their order.
+  // Sets `result` to all points at a squared distance of at most `squared_radius`, sorted by index.
   CGAL_GEODESIC_PROCESSING_EXPORT
   void within(const std::vector<Point>& points, const Point& query, double squared_radius,
               std::vector<Index>& result) const;
 
-  // The points of the leaf of a point, and of the smallest node with at least that many, or of all.
+  // Returns the range [first, last) of the points in the leaf of a point.
   std::pair<Index, Index> leaf(Index point) const { return node(point, m_levels); }
+  // Returns the range of the smallest node that contains a point and at least `size` points in all, or
+  // of the root if no node is that large.
   CGAL_GEODESIC_PROCESSING_EXPORT
   std::pair<Index, Index> ancestor(Index point, std::size_t size) const;
 
-  // The leaves, one after another, with all points not farther than that from the box of some points that
-  // follow each other.  False when these have more than `most` points in all.
+  // Sets `result` to the ranges of all leaves whose box is within `squared_distance` of the bounding box
+  // of the points first .. last - 1.  Returns false, with an incomplete result, if these leaves
+  // contain more than `max_number` points.
   CGAL_GEODESIC_PROCESSING_EXPORT
   bool leaves_near(const std::vector<Point>& points, Index first, Index last,
                    double squared_distance, std::size_t max_number,
@@ -91,8 +96,8 @@ private:
   void visit_leaves(const Point& query, const double& bound, Visit&& visit) const;
 
   std::size_t m_size = 0;
-  unsigned m_levels = 0;    // of inner nodes; the leaves hold at most 12 points
-  std::vector<Box> m_boxes; // those of level d begin at 2^d - 1
+  unsigned m_levels = 0;    // of inner nodes; a leaf contains at most 12 points
+  std::vector<Box> m_boxes; // #nodes: the boxes of level d begin at 2^d - 1
 };
 
 } // namespace CGAL::Geodesic_processing::internal

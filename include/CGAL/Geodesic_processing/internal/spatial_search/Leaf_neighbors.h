@@ -12,31 +12,33 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The nearest points of all points of a tree, leaf by leaf: those of one leaf are found among the points
-// that lie in leaves near it, which are gathered once for all of them.  What Kd_tree::nearest() finds, in two
-// thirds of its time on surfaces.  Keeps arrays from one leaf to the next: one for each thread.
+// Computes the k nearest neighbors of all points of a tree, one leaf at a time.  The points of nearby
+// leaves are gathered once for all points of a leaf.  The results equal those of Kd_tree::nearest().  If
+// the points are samples of a surface, the search takes two thirds of the time.
+//
+// An object reuses its arrays.  Use one object per thread.
 class Leaf_neighbors
 {
 public:
   using Neighbor = Kd_tree::Neighbor;
 
-  // Both stay with the caller.
+  // Keeps references to the points and the tree.
   CGAL_GEODESIC_PROCESSING_EXPORT
   Leaf_neighbors(const std::vector<Kd_tree::Point>& points, const Kd_tree& tree, std::size_t k);
 
-  // As many as each has: k, or all points if there are less.
+  // Returns the number of neighbors of each point: the minimum of k and the number of points.
   std::size_t size() const { return m_size; }
 
-  // The end of the leaf of a point.
+  // Returns the index after the last point in the leaf of a point.
   Index leaf_end(Index point) const { return m_tree.leaf(point).second; }
 
-  // Of points first .. last - 1 of one leaf: rows of size() neighbours, itself among them, nearest first,
-  // ties by place.
+  // Returns a row of size() neighbors for each of the points first .. last - 1, which must belong to one
+  // leaf.  A row is sorted by distance and then by index; it includes the point itself.
   CGAL_GEODESIC_PROCESSING_EXPORT
   const std::vector<Neighbor>& find(Index first, Index last);
 
 private:
-  // Arrays of coordinates, and the place of each.
+  // The coordinates and the index of each gathered point.
   struct Gathered_points
   {
     std::vector<double> x, y, z;
