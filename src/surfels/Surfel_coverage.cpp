@@ -12,12 +12,12 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The 95th percentile of 60 numbers is exceeded or met by three.
+// The third largest of 60 numbers is their 95th percentile.
 constexpr std::size_t number_of_neighbors = 60, number_above_percentile = 3;
-// What is drawn near by as much stays so when coordinates are rounded.
+// Clamped points remain covered despite round-off errors.
 constexpr double clamping_ratio = 1. - 1e-6;
 
-// The three largest of some numbers, largest first; fewer numbers than three count as the least.
+// The three largest numbers of a sequence.
 class Largest_values
 {
 public:
@@ -29,6 +29,7 @@ public:
     ++m_count;
   }
   bool is_full() const { return m_count >= number_above_percentile; }
+  // Returns the third largest number, or the smallest one if there are fewer than three.
   double third() const { return m_values[std::min(m_count, number_above_percentile) - 1]; }
 
 private:
@@ -56,13 +57,15 @@ Surfel_coverage::Surfel_coverage(const Surfel_cloud& cloud, unsigned threads)
           {
             const Index other = graph.target[e];
             const double length = norm(cloud.point[other] - cloud.point[vertex]);
-            // Surfels beyond have not been counted.
+            // Beyond the search radius, there can be surfels that are not neighbors.
             if(!(length <= cloud.search_radius[vertex]))
               continue;
             largest.add(cloud.spacing[other]);
-            // From a point at a distance d of the site, no surfel up to here is farther than
-            // d + length, within which no surfel is farther than 2 d + length from the
-            // site: they are all among those seen, of which there are fewer than 60.
+            // Let p be a point at the distance d of the vertex.  The surfels counted so far are within
+            // d + length of p.  All surfels within d + length of p are within 2 d + length of the
+            // vertex.  If 2 d + length is at most the search radius, there are fewer than 60 of them.
+            // So the 60 nearest surfels of p include the counted ones, whose third largest spacing
+            // is a lower bound of the percentile at p.
             if(largest.is_full())
               certain_radius =
                   std::max(certain_radius,
@@ -92,7 +95,7 @@ Vec3 Surfel_coverage::clamped_to_coverage(const Vec3& point, Index vertex) const
     return point;
   vertex = m_cloud.tree.nearest(m_cloud.point, point);
   const Vec3 offset = point - m_cloud.point[vertex];
-  // The surfel itself is near; each step comes a twentieth nearer to it.
+  // The surfel itself is covered.  Each step reduces the distance to it by 5 %.
   double fraction = std::min(1., m_radius[vertex] / norm(offset));
   for(int i = 0; i < 60; ++i, fraction *= 0.95)
   {

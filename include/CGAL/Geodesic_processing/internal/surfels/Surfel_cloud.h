@@ -17,46 +17,52 @@ namespace CGAL::Geodesic_processing::internal {
 struct Surfel_cloud_options
 {
   Surfel_graph graph = Surfel_graph::extended_spheres;
-  std::size_t neighbors = 20; // how many of its nearest surfels each looks at, or is joined to
-  // Neighbours have normals that differ by less: across the edges of a cube, not through a sheet.
+  std::size_t neighbors =
+      20; // number of nearest surfels that are candidates for the edges of a surfel
+  // The normals of two neighbors differ by less than this angle.  It admits edges across the creases of
+  // a cube, and excludes edges through a thin sheet.
   double maximum_angle = 1.7453292519943295; // 100 degrees
-  // The radius of a surfel, where none is given, is the distance to its neighbour of this rank
+  // If no radii are given, the radius of a surfel is the distance to its neighbor of this rank,
   // divided by sqrt(2).
   std::size_t rank = 8;
-  // Of the spheres of influence, in radii: those of a lattice then meet in sixteen directions, in which
-  // chains are 2.7 % too long at most; with 1 in eight, 8 %.
+  // The radius of the spheres of influence divided by the radius of the surfel.  On a square lattice,
+  // sqrt(2) yields edges in 16 directions, whose shortest paths are at most 2.7 % too long.  A ratio of 1
+  // yields 8 directions and 8 %.
   double influence_ratio = 1.4142135623730951;
-  unsigned threads = 1; // changes nothing but the time
+  unsigned threads = 1; // does not change the result
 };
 
-// Surfels in the order of their kd-tree, and a proximity graph: what paths on a cloud need.
+// A cloud of surfels in the order of its kd-tree, with a proximity graph.  Paths on clouds use it.
 struct Surfel_cloud : Sorted_surfels
 {
-  std::vector<double> radius;        // #sites
-  std::vector<double> spacing;       // #sites: the distance to the sixth nearest site
-  std::vector<double> search_radius; // #sites: that up to which all sites have been looked at
+  std::vector<double> radius;        // #vertices: scaled
+  std::vector<double> spacing;       // #vertices: distance to the sixth nearest vertex
+  std::vector<double> search_radius; // #vertices: all vertices within this distance were candidates
   Proximity_graph graph;             // symmetric; without lengths
-  std::vector<Index> component;      // #sites: 0 .. number_of_components - 1
+  std::vector<Index> component;      // #vertices: 0 .. number_of_components - 1
   Index number_of_components = 0;
 
   std::size_t number_of_vertices() const { return point.size(); }
 };
 
-// Reads a cloud.
+// Builds a cloud and its proximity graph.
 //
-// points   #surfels, finite; normals  #surfels, of any positive length;
-// radii    #surfels, not negative, in the caller's unit; or empty.
+// points   #surfels: finite coordinates
+// normals  #surfels: vectors of any positive length
+// radii    #surfels: nonnegative, in the caller's unit; or empty
+// frame    if not null, the coordinates are scaled by this frame instead of the frame of the points;
+//          so two similar clouds can have the same coordinates
 //
-// Surfels at one point with agreeing normals are one site.  The graph is one of
-//   extended_spheres  two surfels whose spheres of influence, of their radii, meet, and which are
-//                     neighbours by their normals (Ruggeri, Darom, Saupe and Kiryati 2006)
-//   spheres           the radius is the distance to the nearest surfel; normals do not count
-//   nearest           each surfel and its nearest ones; normals do not count
-// (Klein and Zachmann 2004 for the last two), where each surfel looks at its nearest ones only.
+// Coincident surfels with compatible normals become one vertex.  Edges connect a surfel only to its
+// `options.neighbors` nearest surfels.  The types of graphs are:
+//   extended_spheres  edges between compatible surfels whose spheres of influence intersect; the
+//                     radius of a sphere is `influence_ratio` times the radius of the surfel
+//                     (Ruggeri, Darom, Saupe and Kiryati 2006)
+//   spheres           edges between surfels whose spheres intersect; the radius of a sphere is the
+//                     distance to the nearest surfel; normals are ignored (Klein and Zachmann 2004)
+//   nearest           edges to all `neighbors` nearest surfels; normals are ignored (ditto)
 //
-// A frame may be given, of a cloud that is hardly another one, to have both in one.
-//
-// Throws as build_surfel_arrays().  O(n log n).
+// Throws the exceptions of build_surfel_arrays().  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
                         const std::vector<double>& radii = {},

@@ -13,76 +13,79 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Largest circumradius of a triangle, in the smallest radius of its corners.  With 1.5 one triangle
-// in a hundred is missing from random samples of a plane, with 2 some are, with 2.5 none but along
-// the border; larger ones bridge gaps.
+// Maximum circumradius of a triangle divided by the smallest radius of its corners.  In random samples of
+// a plane, 1.5 loses 1 % of the triangles, 2 loses a few, and 2.5 loses triangles along the boundary
+// only.  Larger values close gaps.
 constexpr double max_circumradius_ratio = 2.5;
 
 struct Surfel_options
 {
-  // Surfels are neighbours only where their normals differ by less than this, radians below pi.
+  // The normals of two neighbors differ by less than this angle, in radians; at most pi.
   double maximum_angle = 1.3089969389957472; // 75 degrees
-  // The radius of a surfel, where none is given, is the distance to its neighbour of this rank
+  // If no radii are given, the radius of a surfel is the distance to its neighbor of this rank,
   // divided by sqrt(2).
   unsigned rank = 8;
-  unsigned threads = 1; // changes nothing but the time
+  unsigned threads = 1; // does not change the result
 };
 
-// A cloud as a domain, and the way back to the caller's numbers.
+// The arrays of a cloud, and the maps between the caller's surfels and the vertices of the arrays.
 struct Surfel_arrays
 {
   Surface_arrays arrays;
-  std::vector<double> radius;         // #sites, scaled
-  std::vector<Index> internal_vertex; // #surfels
-  std::vector<Index> caller_vertex;   // #sites
-  // Over the first tree.size() sites; those behind are copies of one of them.
+  std::vector<double> radius;         // #vertices: scaled
+  std::vector<Index> internal_vertex; // #surfels: the vertex of each surfel
+  std::vector<Index> caller_vertex;   // #vertices: the surfel of each vertex
+  // The tree of the first tree.size() vertices.  The other vertices are copies of one of these.
   Kd_tree tree;
 };
 
-// Arcs and local triangles of a cloud of surfels.
+// Computes a proximity graph and local triangles of a cloud of surfels.
 //
-// points   #surfels, finite; normals  #surfels, of any positive length;
-// radii    #surfels, not negative, in the caller's unit; or empty.
+// points   #surfels: finite coordinates
+// normals  #surfels: vectors of any positive length
+// radii    #surfels: nonnegative, in the caller's unit; or empty
 //
-// Neighbours: surfels whose normals agree, and whose chord hardly leaves their tangent planes: so
-// that parallel sheets stay apart although their normals agree.  Where a sharp edge leaves a gap in
-// the star of a surfel, steeper chords are taken as well.
+// Two surfels are neighbors if their normals are compatible and the chord between them is nearly
+// tangential, see Compatibility_test.  So parallel sheets remain separate.  If a sharp edge leaves a gap in
+// the ring of a surfel, neighbors with steeper chords are used as well.
 //
-// Arcs: the extended sphere-of-influence graph of Ruggeri, Darom, Saupe and Kiryati 2006 (two
-// neighbours whose spheres meet), of which each surfel looks at its 24 nearest surfels only, and
-// the sides of all triangles.  Symmetric; the arcs of a site in the order of their ends.
+// The graph has two kinds of edges.  One is the extended sphere-of-influence graph (Ruggeri, Darom,
+// Saupe and Kiryati 2006): it connects two neighbors if their spheres intersect and one of them is among
+// the 24 nearest surfels of the other.  The other kind is the edges of all triangles.  The graph is
+// symmetric, and the edges of a vertex are sorted by their targets.
 //
-// Triangles: those that the Delaunay triangulation of its neighbours' projections to its tangent
-// plane has at a surfel.  One found from its three corners weighs 1, else 1/3 for each that found
-// it (Sharp and Crane 2020).  Triangles whose circumradius exceeds 2.5 times the smallest radius of
-// their corners are left out: gaps and borders stay open.
+// The triangles at a surfel are those of the Delaunay triangulation of the projections of its neighbors to
+// its tangent plane.  A triangle has weight 1 if all three corners find it, otherwise 1/3 for each
+// corner that finds it (Sharp and Crane 2020).  Triangles whose circumradius exceeds
+// `max_circumradius_ratio` times the smallest radius of their corners are omitted, so that gaps and
+// boundaries remain open.
 //
-// Surfels at one point with agreeing normals are one site with arcs of length zero to its copies,
-// which have no triangles.  Sides and arcs are scaled by a power of two such that the longest of
-// them all lies in [1, 2).
+// Coincident surfels with compatible normals are represented by one vertex, and its copies are
+// connected to it by edges of length zero.  Copies have no triangles.  Coordinates and lengths are scaled
+// by a power of two, such that the longest edge lies in [1, 2).
 //
-// Throws Invalid_argument_error when sizes differ, a coordinate or a radius is not finite, a radius
-// is negative, a normal has no direction, or distances overflow; Unsupported_surface_error above
-// 2^25 surfels.
-// O(n log n); keeps about 400 bytes per surfel and needs as many more while it runs.
+// Throws Invalid_argument_error if the sizes differ, a coordinate or a radius is not finite, a radius
+// is negative, a normal is zero or not finite, an option is out of range, or distances overflow.
+// Throws Unsupported_surface_error if there are more than 2^25 surfels.
+// O(n log n); the result has about 400 bytes per surfel, and the computation needs twice as many.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
                                   std::vector<std::array<double, 3>> normals,
                                   const std::vector<double>& radii = {},
                                   const Surfel_options& options = {});
 
-// A location on a cloud: a place in the tangent plane of a site, in the frame of tangent_frame()
-// and the domain's scale.
+// A location on a cloud: an offset in the tangent plane of a vertex.  Its two components refer to the
+// basis of tangent_frame() and are scaled.
 struct Tangent_location
 {
   Index vertex = none;
   std::array<double, 2> offset = {0., 0.};
 };
 
-// The site nearest to a point in the caller's coordinates, and the point's projection to its
-// tangent plane, at most 2.5 radii from the site: as far as its triangles' circumcentres may be.
-// Sites behind those of the tree are not looked at.
-// Throws Invalid_argument_error when a coordinate is not finite or there is no site.
+// Returns the vertex of the tree that is nearest to a point, and the projection of the point to its tangent
+// plane.  The point is given in the caller's coordinates.  The length of the offset is clamped to
+// `max_circumradius_ratio` radii, the maximum distance of the circumcenters of its triangles.
+// Throws Invalid_argument_error if a coordinate is not finite or the tree is empty.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Tangent_location locate(const Kd_tree& tree, const std::vector<Vec3>& points,
                         const std::vector<Vec3>& normals, const std::vector<double>& radii,
@@ -93,19 +96,21 @@ inline Tangent_location locate(const Surfel_arrays& surfels, const std::array<do
   return locate(surfels.tree, t.point, t.normal, surfels.radius, {t.origin, t.scale}, point);
 }
 
-// The same place in a triangle at the site or at a neighbour of it, or the site itself where there
-// are none.  Outside of these triangles: the nearest place on one of them, measured in the tangent
-// plane.
+// Converts a location in a tangent plane to a location in a triangle.  The triangle is incident to the
+// vertex of the location or to one of its neighbors in the graph; all of them are projected to the tangent
+// plane.  If none contains the location, returns the closest location on their edges.  If there are no
+// triangles, or the offset is zero, returns the vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location to_surface_location(const Surface_arrays& arrays,
                                      const Tangent_location& location);
 
-// The same place in the tangent plane of the corner with the largest barycentric coordinate.
+// Converts a location in a triangle to the tangent plane of the corner with the largest barycentric
+// coordinate.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Tangent_location to_tangent_location(const Surface_arrays& arrays,
                                      const Surface_location& location);
 
-// Scaled coordinates of a location.
+// Returns the scaled coordinates of a location.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::array<double, 3> position(const Surface_arrays& arrays, const Tangent_location& location);
 
