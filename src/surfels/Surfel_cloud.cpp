@@ -14,8 +14,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Arcs to the neighbours that `meet`, nearest first, and back from those that look at us although we
-// do not look at them.  All have seen what is nearer than their `reach`.
+// Builds a symmetric graph.  The edges of a surfel to its neighbors with are_connected(i, j, length) are sorted
+// by distance.  Edges whose reverse is missing follow: surfel i is a neighbor of j, but j is not among the
+// neighbors of i.  This only occurs beyond the search radius of i.
 template <typename Are_connected>
 Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& neighbors,
                            const std::vector<double>& search_radius, unsigned threads,
@@ -41,7 +42,7 @@ Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& ne
                          missing_edges[block].emplace_back(*j, i);
                      }
                  });
-  // Dealt out to where they begin; those of a site are in their order.
+  // Sort the reverse edges by their first vertex (counting sort).
   std::vector<Index> reverse_begin(n + 1, 0);
   for(const auto& block_edges : missing_edges)
     for(const auto& e : block_edges)
@@ -72,11 +73,12 @@ Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& ne
   return graph;
 }
 
-// Joins sites by arcs, within blocks first, which threads can do side by side, then between them.
+// Labels the connected components by union-find.  Threads unite the vertices of each block in parallel; then
+// the edges between blocks are processed sequentially.  O(n) in practice.
 void label_components(unsigned threads, Surfel_cloud& cloud)
 {
   const Proximity_graph& graph = cloud.graph;
-  std::vector<Index>& label = cloud.component; // a site of the same component, none later
+  std::vector<Index>& label = cloud.component; // the parent in the forest, at most the vertex
   const std::size_t n = cloud.number_of_vertices();
   label.resize(n);
   const auto find_root = [&](Index v)
@@ -102,14 +104,14 @@ void label_components(unsigned threads, Surfel_cloud& cloud)
                      for(Index e = graph.begin[v]; e < graph.begin[v + 1]; ++e)
                        if(const Index other = graph.target[e]; other < begin)
                          cross_block_edges[block].emplace_back(other, v);
-                       else if(other < v && label[other] != root) // most are the same already
+                       else if(other < v && label[other] != root) // avoids most of the calls
                          root = unite(other, root);
                    }
                  });
   for(const auto& block_edges : cross_block_edges)
     for(const auto& [a, b] : block_edges)
       unite(a, b);
-  // In the order of their first sites, each of which is a root.
+  // A root is the first vertex of its component, so components are numbered by their first vertices.
   for(Index v = 0; v < n; ++v)
     label[v] = label[v] == v ? cloud.number_of_components++ : label[label[v]];
 }

@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Equal points have one number, in the order of their coordinates.
+// Returns the index of each point among the distinct points, which are sorted lexicographically.
 std::vector<Index> index_distinct_points(const std::vector<Vec3>& points,
                                          std::vector<Vec3>& distinct)
 {
@@ -33,9 +33,10 @@ std::vector<Index> index_distinct_points(const std::vector<Vec3>& points,
   return index_of_point;
 }
 
-// Each point's nearest ones, and those of which it is one.
+// The symmetric graph of nearest neighbors.
 struct Neighbor_graph
 {
+  // nearest  #points * size: the neighbors of each point
   explicit Neighbor_graph(const std::vector<Index>& nearest, std::size_t size)
       : begin(nearest.size() / size + 1, 0), neighbors(2 * nearest.size())
   {
@@ -56,6 +57,7 @@ struct Neighbor_graph
   std::vector<Index> neighbors;
 };
 
+// Flips normals such that those of neighbors agree, by Prim's algorithm in each component.
 void orient(const std::vector<Vec3>& points, const Neighbor_graph& graph,
             std::vector<Vec3>& normals)
 {
@@ -64,7 +66,8 @@ void orient(const std::vector<Vec3>& points, const Neighbor_graph& graph,
   std::iota(seeds.begin(), seeds.end(), 0);
   std::stable_sort(seeds.begin(), seeds.end(),
                    [&](Index i, Index j) { return points[i][2] > points[j][2]; });
-  std::vector<double> cost(n, infinity); // of joining the tree; less than any when it is in it
+  std::vector<double> cost(
+      n, infinity); // of adding the point to the tree; -infinity if it is in the tree
   Vertex_queue queue(n);
   for(const Index seed : seeds)
   {

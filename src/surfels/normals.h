@@ -10,13 +10,15 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Unit normals of the nearest quadrics of points and so many neighbours.  Equal points have one normal;
-// where only two are different, or none can be told from its neighbours, it is (0, 0, 1).
+// Estimates unit normals (#points): the normals of quadrics that are fitted to each point and its
+// `number_of_neighbors` nearest points.  Coincident points have the same normal.  The normal is (0, 0, 1) if
+// there are at most two distinct points, or if no quadric can be fitted.
 //
-// Oriented ones look to one side along minimum spanning trees of all neighbours, in which those are
-// near whose normals differ little (Hoppe and others 1992); in each part the highest point looks up.
+// If `is_oriented`, the orientation is propagated along a minimum spanning tree of the neighbor graph, with
+// the cost 1 - |cosine| of the normals of an edge (Hoppe and others 1992).  In each component, the point
+// with the largest z coordinate has a normal with nonnegative z.
 //
-// Throws Invalid_argument_error when a coordinate is not finite or the extent overflows.  O(n log n).
+// Throws Invalid_argument_error if a coordinate is not finite or the extent overflows.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Vec3> estimate_normals(const std::vector<Vec3>& points, unsigned number_of_neighbors,
                                    bool is_oriented, unsigned threads = 1);

@@ -18,7 +18,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The places of points in the order of their mean squared distances from their neighbours.
+// Returns the indices of the points, sorted by the mean squared distance to their neighbors.
 std::vector<std::size_t> sort_by_neighbor_distance(std::vector<Vec3> points,
                                                    unsigned number_of_neighbors, unsigned threads)
 {

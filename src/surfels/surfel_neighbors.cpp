@@ -41,15 +41,15 @@ void normalize(std::vector<Vec3>& normals)
 
 namespace {
 
-// For each surfel the first one at the same point with an agreeing normal: itself for most.  Surfels are
-// dealt out by their points, so that each part's table stays in the cache, and parts are treated side by
-// side.
+// Returns for each surfel the first surfel at the same point with a compatible normal, which can be itself.
+// Surfels are distributed to buckets by a hash of their points.  So the hash table of a bucket stays in the
+// cache, and threads process buckets in parallel.  O(n) expected.
 std::vector<Index> find_originals(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
                                   double cosine, unsigned threads)
 {
   constexpr std::size_t number_of_buckets = 256;
-  // Points closer than 2^-51 of the extent are rounded together by this sum, so that no squared
-  // distance between originals underflows.
+  // The sum rounds points closer than 2^-51 of the extent to the same key.  So squared distances between
+  // different originals cannot underflow.
   const auto key = [&](Index i) -> Vec3 {
     return {points[i][0] + 4., points[i][1] + 4., points[i][2] + 4.};
   };
@@ -173,7 +173,7 @@ Ragged_rows find_neighbors(const Sorted_surfels& surfels,
 {
   const std::vector<Vec3>&point = surfels.point, &normal = surfels.normal;
   const Kd_tree& tree = surfels.tree;
-  constexpr std::size_t rank = 6; // as many as a surfel of an even cloud has around it
+  constexpr std::size_t rank = 6; // the number of adjacent surfels in a regular triangulation
   Ragged_rows rows(tree.size());
   distances.search_radius.assign(tree.size(), infinity);
   distances.spacing.resize(tree.size());

@@ -11,15 +11,15 @@ namespace {
 
 constexpr Index region_size = 32;
 
-// The shortest chains from leaders to all sites.
+// The shortest paths from the seeds to all vertices.
 struct Forest
 {
-  std::vector<Index> parent;    // #sites: none for leaders
-  std::vector<double> distance; // #sites: from the leader
+  std::vector<Index> parent;    // #vertices: none at seeds
+  std::vector<double> distance; // #vertices: to the nearest seed
 };
 
-// Lengths settle in waves from the leaders, each in about the order of the sites: unlike the pops of
-// a queue, they stay in the cache.
+// Computes shortest paths by the Bellman-Ford algorithm with waves of changed vertices.  A wave visits the
+// vertices approximately in the order of their indices, which needs fewer cache misses than a priority queue.
 Forest grow_forest(const Proximity_graph& graph, const std::vector<Vec3>& point,
                    std::vector<Index> wave)
 {
@@ -51,7 +51,7 @@ Forest grow_forest(const Proximity_graph& graph, const std::vector<Vec3>& point,
   return forest;
 }
 
-// Gives each site, by the forest, the region of its leader.
+// Assigns the region of its seed to each vertex.
 void label_regions(const Forest& forest, std::vector<Index>& region)
 {
   std::vector<Index> path;
@@ -65,10 +65,11 @@ void label_regions(const Forest& forest, std::vector<Index>& region)
   }
 }
 
+// Computes the graph of the regions.
 Proximity_graph connect_regions(const Proximity_graph& graph, const std::vector<Vec3>& point,
                                 const Forest& forest, const Vertex_regions& regions)
 {
-  // The sites of each region.
+  // Sort the vertices by region (counting sort).
   std::vector<Index> region_begin(regions.size() + 1, 0), region_vertices(regions.region.size());
   for(const Index region : regions.region)
     ++region_begin[region + 1];
@@ -80,7 +81,7 @@ Proximity_graph connect_regions(const Proximity_graph& graph, const std::vector<
   Proximity_graph result;
   result.begin.push_back(0);
   std::vector<double> min_length(regions.size(),
-                                 infinity); // from the region to each that it touches
+                                 infinity); // from the region to the adjacent ones
   for(Index region = 0; region < regions.size(); ++region)
   {
     for(Index i = region_begin[region]; i < region_begin[region + 1]; ++i)

@@ -13,48 +13,55 @@ namespace CGAL::Geodesic_processing::internal {
 
 enum class Surfel_fit
 {
-  disks, // the nearest point of the surfels' disks, of no more than the mean of their neighbours' radii
+  disks,   // the closest point of the surfels' disks; their radii are at most the local mean radius
   planes,  // the plane of the weighted mean point and normal (Alexa and others 2003)
-  spheres, // the algebraic sphere through points and normals (Guennebaud, Germann and Gross 2008)
-  robust_spheres, // the same where outliers do not count
-  quadrics        // that sphere, and the surface of second order over it through what it leaves
+  spheres, // the algebraic sphere fitted to points and normals (Guennebaud, Germann and Gross 2008)
+  robust_spheres, // the algebraic sphere with robust weights, which reject outliers
+  quadrics        // the algebraic sphere, corrected by a quadric that is fitted to its residuals
 };
 
-// The surface that a cloud suggests.
+// A surface that is fitted to a cloud of surfels by moving least squares.
 //
-// Around the surfel nearest to a place, found by a walk over the graph such that it stays on one
-// sheet, it is fitted to that surfel and its graph neighbours, with weights (1 - (d / h)^2)^4 of their
-// distances d, where h is 2.3 radii, in the mean of the neighbours.  Surfels beyond a sharp edge
-// do not count: the weight falls to zero between 40 and 60 degrees of difference from the normal of
-// the nearest one, and the edge lies where the fits of both sides are equally far.
+// The nearest surfel of a point is found by walking in the graph, so that the projection stays on one
+// sheet.  The surface is fitted to this surfel and its graph neighbors.  A surfel at the distance d has the
+// weight (1 - (d / h)^2)^4, with h = 2.3 times the mean radius of the nearest surfel and its neighbors.  To
+// preserve sharp edges, the weight decreases to zero if the normal differs from the normal of the nearest
+// surfel by 40 to 60 degrees.  The surface has an edge at equal distances from the fits of both faces.
 //
-// Robust weights have a factor (1 - (h / (2.5 s))^2)^2 for a surfel of a height h over the 24 nearest with
-// agreeing normals, where s is the standard deviation of such heights around, both by medians: noise
-// counts, outliers do not.  No foot is sought on those, and the 24 nearest with agreeing normals take part
-// instead of those joined by arcs, which noise cuts.
+// With robust weights, the 24 nearest surfels with compatible normals are used instead of the graph
+// neighbors, because noise removes edges of the graph.  Each has an additional factor
+// (1 - (h / (2.5 s))^2)^2.  Here, h is its median height over its own 24 nearest surfels, and s is the
+// local standard deviation of these heights, estimated by the median.  So the weight of outliers is zero,
+// and noise keeps its weight.  The walk skips outliers.
 //
-// It ends 1.5 radii from the nearest surfel, along its tangent plane: of its own, or the mean of its
-// neighbours' where that is less, because next to a gap a surfel's neighbours are farther away.  One
-// radius would leave holes of 2 % of the area in random samples, 1.5 of 0.01 %.  Nor is it farther than
-// 1.1 times the radius that one in ten of the neighbours exceeds: a surfel beside denser ones, alone in
-// a hole of a scan, does not close that.  And all feet are as near to surfels as Surfel_coverage wants,
-// as the site and its neighbours know it: a foot farther away is drawn to the ball that it misses least.
+// The surface has a boundary.  A projection is within an extent of the nearest surfel, measured along its
+// tangent plane.  The extent is the minimum of two bounds:
+// - 1.5 times the minimum of the radius of the surfel and the mean radius of its neighbors.  The mean
+//   matters next to gaps, because there the neighbors of a surfel, and so its radius, are larger.  In
+//   random samples, a factor of 1 leaves holes of 2 % of the area, and 1.5 leaves 0.01 %.
+// - 1.1 times the ninth decile of the radii of the surfel and its neighbors.  So an isolated surfel in a
+//   hole of a scan does not close the hole.
+// All projections are also within the covered radius (Surfel_coverage::radius()) of the surfel or one of
+// its neighbors.  Otherwise the projection is moved to the closest of these balls.
 class CGAL_GEODESIC_PROCESSING_EXPORT Surfel_surface : public Path_surface
 {
 public:
-  // The cloud and the vicinity stay with the caller.
+  // Precomputes the support and the extent of each vertex; O(n), with robust weights O(n log n).  Keeps
+  // references to the cloud, the coverage and `original_vertex`.
   //
-  // home  #sites, or empty where both have the same: the site of the vicinity's cloud, in the same
-  //       frame, that each comes from
+  // original_vertex  #vertices: the vertex of the coverage's cloud from which each vertex originates;
+  //                  empty if both clouds are the same.  Both clouds must have the same frame.
   Surfel_surface(const Surfel_cloud& cloud, Surfel_fit fit, const Surfel_coverage& coverage,
                  const std::vector<Index>& original_vertex);
 
-  // `near` is a site.
+  // Returns the projection of a point to the surface.  `near_vertex` is the vertex at which the walk to
+  // the nearest surfel begins.
   Projection project(const Vec3& point, Index near_vertex) const override;
+  // Returns the point if it is covered, otherwise a covered point near it.
   Vec3 clamped_to_coverage(const Vec3& point, Index near_vertex) const override;
 
-  // The length of a walk over arcs from one site to another, nearer to it with each; infinite where it
-  // does not arrive.
+  // Returns the length of a greedy walk in the graph from one vertex to another: each step goes to the
+  // neighbor closest to the target.  Returns infinity if no neighbor is closer than the current vertex.
   double walk_length(Index from, Index to) const;
 
   const Surfel_cloud& cloud() const { return m_cloud; }
@@ -78,8 +85,8 @@ private:
   Surfel_fit m_fit;
   const Surfel_coverage& m_coverage;
   const std::vector<Index>& m_original_vertex;
-  std::vector<double> m_squared_support, m_disk_radius, m_extent; // #sites
-  std::vector<double> m_robust_weight; // #sites: of robust weights, else none
+  std::vector<double> m_squared_support, m_disk_radius, m_extent; // #vertices
+  std::vector<double> m_robust_weight; // #vertices; empty without robust weights
 };
 
 } // namespace CGAL::Geodesic_processing::internal

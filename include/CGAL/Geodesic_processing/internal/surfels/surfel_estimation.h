@@ -15,15 +15,20 @@ struct Estimated_surfels
 {
   std::vector<Vec3> normals;        // #points
   std::vector<double> radii;        // #points
-  std::vector<std::size_t> removed; // outliers, which have no radius
+  std::vector<std::size_t> removed; // outliers: their radius is 0 and their normal (0, 0, 1)
 };
 
-// Normals of the nearest quadrics of so many neighbours, oriented along a minimum spanning tree, and radii as
-// make_cloud() sets them; without the given percentage of points, those farthest from their
-// neighbours in the mean of squares.
+// Estimates normals and radii of points, and removes outliers.
 //
-// Throws Invalid_argument_error when a coordinate is not finite or a number makes no sense, and
-// Unsupported_surface_error when there are fewer points than neighbours.  O(n log n).
+// number_of_neighbors  at least 6
+// outlier_percentage   percentage of the points to remove: those with the largest mean squared distance to
+//                      their neighbors
+//
+// Normals are estimated by estimate_normals() and oriented.  Radii are those of make_cloud().
+//
+// Throws Invalid_argument_error if a coordinate is not finite, the number of neighbors is below 6, or the
+// percentage is not in [0, 100].  Throws Unsupported_surface_error if the number of remaining points does
+// not exceed the number of neighbors.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned number_of_neighbors,
                                    double outlier_percentage, unsigned threads = 1);

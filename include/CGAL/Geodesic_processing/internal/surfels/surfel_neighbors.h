@@ -14,26 +14,27 @@
 #include <cstddef>
 #include <vector>
 
-// What makes two surfels of a cloud neighbours, and how the neighbours of all are found.
+// Sorting of clouds, compatibility of surfels, and the search for compatible neighbors.
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Of the blocks in which surfels are treated, whatever the number of threads.
+// Number of surfels that a thread processes at a time.  Results do not depend on the number of threads.
 inline constexpr std::size_t surfel_block_size = 2048;
 
-// Throws Invalid_argument_error when there are not as many normals, or radii, as points, and
-// Unsupported_surface_error above 2^25 points.  No radii at all are right too.
+// Throws Invalid_argument_error if the numbers of points and normals differ, or the number of radii is
+// neither zero nor the number of points.  Throws Unsupported_surface_error if there are more than 2^25
+// points.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_sizes(std::size_t points, std::size_t normals, std::size_t radii);
 
-// Makes vectors of any positive length unit vectors.
-// Throws Invalid_argument_error when one has no direction.
+// Normalizes vectors of any positive length, without overflow or underflow.
+// Throws Invalid_argument_error if a vector is zero or not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void normalize(std::vector<Vec3>& normals);
 
-// How two surfels can be neighbours on a surface.  The chord of a circular arc makes equal angles
-// with both normals, so that the sum of the normals is perpendicular to it; between two parallel
-// sheets it is not, and across noise or a sharp edge it need not be.
+// Classifies how two surfels can be neighbors on a surface, by the product of the chord between them with the
+// sum of their normals.  On a circular arc, the chord is perpendicular to the sum.  Between two parallel
+// sheets it is not.  Across a sharp edge or with noise, it can be neither.
 enum class Compatibility
 {
   incompatible,
@@ -43,13 +44,15 @@ enum class Compatibility
 
 struct Compatibility_test
 {
-  double cosine;
+  double cosine; // of the maximum angle between the normals
 
-  // Largest products of the sum of the normals with the direction of the chord.  The first holds
-  // parallel sheets at a distance of one mean spacing apart: chords to the other sheet would have to
-  // be 4 spacings long.  Chords across sharp edges rise more, by as much as the normals differ.
+  // Bounds of the product of the sum of the normals with the unit vector of the chord.  The gentle bound
+  // separates parallel sheets at the distance of one spacing: it only admits chords to the other sheet
+  // that are at least 4 spacings long.  The steep bound, for chords across sharp edges, increases with the
+  // difference of the normals.
   static constexpr double max_gentle_rise = 0.5, max_steep_rise = 1., rise_gain = 0.7;
 
+  // Classifies the surfels at p and q with the unit normals n and m.
   Compatibility operator()(const Vec3& p, const Vec3& n, const Vec3& q, const Vec3& m) const
   {
     const double normal_cosine = dot(n, m);
@@ -67,24 +70,30 @@ struct Compatibility_test
   }
 };
 
-// Surfels in the order of a tree over their points.  Those at one point with agreeing normals are one
-// site, the first of them.
+// Surfels in the order of the kd-tree of their points.  Coincident surfels with compatible normals are
+// represented by one vertex, which is the first of them.
 struct Sorted_surfels
 {
   Frame frame;                        // caller's point = origin + scale * ours
-  std::vector<Vec3> point, normal;    // #sites
-  Kd_tree tree;                       // over the points
-  std::vector<Index> internal_vertex; // #surfels
-  std::vector<Index> caller_vertex;   // #sites
+  std::vector<Vec3> point, normal;    // #vertices
+  Kd_tree tree;                       // of the points
+  std::vector<Index> internal_vertex; // #surfels: the vertex of each surfel
+  std::vector<Index> caller_vertex;   // #vertices: the surfel of each vertex
 };
 
-// normals  of unit length; cosine  of the angle at which they do not agree any more; frame  or none for a
-// unit_frame(), as which it throws
+// Sorts surfels and merges coincident ones.
+//
+// normals  #surfels: unit vectors
+// cosine   coincident surfels are merged if the cosine between their normals exceeds this number
+// frame    the scaling of the coordinates; if null, it is unit_frame() of the points
+//
+// Throws the exceptions of unit_frame().  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Sorted_surfels sort_surfels(std::vector<Vec3> points, const std::vector<Vec3>& normals,
                             double cosine, unsigned threads, const Frame* frame = nullptr);
 
-// Rows of different lengths, filled block by block, and read by begin() and end().
+// Rows of different lengths, which several threads fill block by block.  A block consists of
+// `surfel_block_size` rows and has its own buffer.  begin() and end() work before and after join().
 class Ragged_rows
 {
 public:
@@ -92,12 +101,13 @@ public:
       : row_begin(size + 1, 0), m_buffers((size + surfel_block_size - 1) / surfel_block_size)
   {}
 
+  // Returns the entries of a block.  Append the rows of the block in order, and call end_row() after each.
   std::vector<Index>& buffer(std::size_t block) { return m_buffers[block]; }
   void end_row(std::size_t block, std::size_t row)
   {
     row_begin[row + 1] = static_cast<Index>(m_buffers[block].size());
   }
-  // Puts all rows into `entries`, one after another, where `first` says.
+  // Concatenates the blocks: row i consists of the entries row_begin[i] .. row_begin[i + 1] - 1.
   void join()
   {
     std::size_t total = 0;
@@ -131,14 +141,14 @@ public:
     return data + row_begin[row + 1];
   }
 
-  std::vector<Index> row_begin, entries; // when joined
+  std::vector<Index> row_begin, entries; // valid after join()
 
 private:
   std::vector<std::vector<Index>> m_buffers;
 };
 
-// Calls visit(block, i, found) for each point of the tree with itself and its `count` nearest ones,
-// nearest first.
+// Calls visit(block, i, found) for each point i of the tree.  `found` contains the point itself and its
+// `count` nearest points, sorted by distance.  Threads visit different blocks in parallel.
 template <typename Visit>
 void visit_nearest(const std::vector<Vec3>& point, const Kd_tree& tree, std::size_t count,
                    unsigned threads, const Visit& visit)
@@ -161,23 +171,26 @@ void visit_nearest(const std::vector<Vec3>& point, const Kd_tree& tree, std::siz
                  });
 }
 
-// What lies around a surfel, whatever the normals.
+// Distances from surfels to their nearest surfels, regardless of the normals.
 struct Neighbor_distances
 {
-  std::vector<double> search_radius; // #surfels: the distance up to which all points have been seen
-  std::vector<double> spacing; // #surfels: the distance to the sixth nearest, or the last if fewer
+  // #surfels: all surfels within this distance were candidates; infinity if all of the cloud were
+  std::vector<double> search_radius;
+  std::vector<double> spacing; // #surfels: distance to the sixth nearest surfel, or the last one
 };
 
-// The `count` nearest points of each, without those that do not agree with it, nearest first; all of
-// them without an `agree`.  Rows are not joined.
+// Computes for each surfel its `count` nearest surfels without the incompatible ones, sorted by distance.
+// If `compatibility_test` is null, all of them are kept.  Sets `distances`.  The rows are not joined.
+// O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Ragged_rows find_neighbors(const Sorted_surfels& surfels,
                            const Compatibility_test* compatibility_test, std::size_t count,
                            unsigned threads, Neighbor_distances& distances);
 
-// For each site the radius given, in the unit of the frame and no larger than the cloud, where squares are
-// safe; or where none are given the distance to its neighbour of a rank, or the last, over sqrt(2).
-// Throws Invalid_argument_error when one is negative or not finite.
+// Returns the scaled radius of each vertex.  If `radii` (#surfels) is not empty, it is the given radius, but
+// at most 8: this is larger than the cloud, and its square cannot overflow.  Otherwise it is the distance to
+// the neighbor of the given rank, or to the last one if there are fewer, divided by sqrt(2).
+// Throws Invalid_argument_error if a given radius is negative or not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> surfel_radii(const Sorted_surfels& surfels, const std::vector<double>& radii,
                                  const Ragged_rows& neighbors, std::size_t rank, unsigned threads);

@@ -10,22 +10,28 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Sites grouped into regions of about 32 that chains of arcs connect, and the coarse graph of these.
+// A partition of the vertices of a graph into connected regions of about 32 vertices, and the graph of the
+// regions.
 struct Vertex_regions
 {
-  std::vector<Index> region; // #sites: that of the leader with the shortest chain to the site
-  std::vector<Vec3> point;   // #regions: the leader
-  // Between regions that touch; as long as the shortest chain over one arc between them that joins
-  // their leaders.
+  std::vector<Index>
+      region;              // #vertices: the region of the seed with the shortest path to the vertex
+  std::vector<Vec3> point; // #regions: the position of the seed
+  // Connects regions that are connected by an edge of the input.  The length of an edge is the minimum over
+  // these input edges of the length of the path between both seeds through the edge.
   Proximity_graph graph;
 
   std::size_t size() const { return point.size(); }
 };
 
-// Each component of the graph has a leader for every 32 of its sites, in their order, and one for
-// the rest.  O(n) where arcs join near sites, and the order is a locality order.
+// Computes regions around seeds: in each component, every 32nd vertex in the order of the indices is a
+// seed, beginning with the first.
 //
-// graph      its arcs are as long as their sites are apart; component  #sites: labels below #sites
+// graph      symmetric; its lengths are ignored: an edge is as long as the distance of its points
+// point      #vertices
+// component  #vertices: labels of connected components below #vertices
+//
+// O(n) if edges are short and nearby vertices have similar indices.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vertex_regions make_regions(const Proximity_graph& graph, const std::vector<Vec3>& point,
                             const std::vector<Index>& component);
