@@ -13,23 +13,24 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// With a support of 3 the error on a torus is 2.3 times as large.
+// On a torus, a support ratio of 3 increases the error by a factor of 2.3.
 constexpr double support_ratio = 2.3, extent_ratio = 1.5;
-// Of the ninth decile of the radii around.  On four scans, paths then are farther from the surfels than
-// the 95th percentile of the spacing at 114 points of 70,000; with 1.2 at 176, with 1.3 at 275.
+// The extent divided by the ninth decile of the neighbors' radii.  On paths over four scans, 114 of 70,000
+// points were not covered (see Surfel_coverage); with 1.2, 176, and with 1.3, 275.
 constexpr double large_radius_extent_ratio = 1.1;
 
-// Cosines of the differences of normals at which weights begin to fall, and are zero.
+// Weights decrease to zero between these cosines of the angle between the normals.
 constexpr double full_weight_cosine = 0.76604444311897804 /* 40 degrees */,
                  zero_weight_cosine = 0.5 /* 60 degrees */;
 
-// Of robust weights: how many surfels take part, the height at which they do not, in standard
-// deviations, and the least of these, in spacings: below it there is no noise that matters.
+// For robust weights: the number of surfels of a fit, the height of an outlier divided by the standard
+// deviation, and the minimum standard deviation divided by the spacing.  Below the minimum, noise is
+// negligible.
 constexpr std::size_t number_of_robust_neighbors = 24;
 constexpr double outlier_tolerance = 2.5, min_deviation = 0.02;
-constexpr double deviation_to_median_ratio = 1.4826; // of absolute values of a normal distribution
+constexpr double deviation_to_median_ratio = 1.4826; // of a normal distribution (MAD)
 
-// Weighted sums over surfels, seen from the point in question.
+// Weighted sums over surfels, relative to the query point.
 struct Weighted_sums
 {
   double weight = 0., point_normal = 0., point_point = 0.;
@@ -45,14 +46,16 @@ struct Weighted_sums
   }
 };
 
-// The sphere  constant + linear x + square x^2 = 0  whose gradient fits the normals best, and whose
-// value then fits the points (Guennebaud, Germann and Gross 2008, Eq. 5), seen from the origin.
+// A sphere in terms of the point at which the origin is projected to it.
 struct Sphere
 {
-  double height, curvature; // along the normal; positive where the normal points to the outside
+  double height;    // of the point over the origin, along the normal
+  double curvature; // positive if the normal points away from the center
   Vec3 normal;
 };
 
+// Fits the algebraic sphere  constant + linear x + quadratic x^2 = 0.  First its gradient is fitted to the
+// normals, then its value to the points (Guennebaud, Germann and Gross 2008, Eq. 5).
 Sphere fit_sphere(const Weighted_sums& s)
 {
   const double inverse_weight = 1. / s.weight;
@@ -65,19 +68,21 @@ Sphere fit_sphere(const Weighted_sums& s)
   const double constant = -inverse_weight * (dot(linear, s.point) + quadratic * s.point_point);
   const double gradient_norm = norm(linear);
   const double discriminant = gradient_norm * gradient_norm - 4. * constant * quadratic;
-  // The centre of the sphere, or a place that sees it from too far: no better than a plane.
+  // If the origin is close to the center, or far from the sphere compared to its radius, the projection is
+  // unstable: use the weighted mean plane.
   if(!(discriminant > 0.) || !(gradient_norm * gradient_norm > 0.25 * discriminant))
     return {dot(s.point, unit(s.normal)) * inverse_weight, 0., unit(s.normal)};
   return {-2. * constant / (gradient_norm + std::sqrt(discriminant)),
           2. * quadratic / std::sqrt(discriminant), (1. / gradient_norm) * linear};
 }
 
-// What robust weights have as a factor.
+// Computes the factor of the robust weight of each vertex (#vertices, in [0, 1]): Tukey's biweight of its
+// median height over its neighbors.
 std::vector<double> robust_weights(const Surfel_cloud& cloud)
 {
   std::vector<Kd_tree::Neighbor> neighbors;
   std::vector<double> values;
-  // The median of value(other) over the surfels around a site.
+  // Returns the median of value(other) over the nearest surfels with compatible normals.
   const auto local_median = [&](Index vertex, const auto& value)
   {
     cloud.tree.nearest(cloud.point, cloud.point[vertex], number_of_robust_neighbors, neighbors);
@@ -92,7 +97,7 @@ std::vector<double> robust_weights(const Surfel_cloud& cloud)
   std::vector<double> height(cloud.number_of_vertices()), weight(cloud.number_of_vertices());
   for(Index vertex = 0; vertex < height.size(); ++vertex)
   {
-    // By the planes of both: zero on planes and spheres.
+    // Heights along the mean of both normals are zero on planes and spheres.
     const Vec3 &point = cloud.point[vertex], &normal = cloud.normal[vertex];
     height[vertex] = std::abs(local_median(
         vertex, [&](Index other)
@@ -203,7 +208,8 @@ Projection Surfel_surface::project_to_disk(const Vec3& point, Index vertex) cons
   return projection;
 }
 
-// Calls v(weight, other) for the surfels that count around a point.
+// Calls v(weight, other) for the surfels with positive weight in the fit at a point.  `vertex` is the nearest
+// surfel of the point.
 template <typename Visit>
 void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) const
 {
@@ -235,7 +241,7 @@ void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) c
     consider(neighbor.point, m_robust_weight[neighbor.point]);
 }
 
-// Moves a foot to the surface fitted around it; false where there is none.
+// Projects a point to the surface that is fitted at it.  Returns false if all weights are zero.
 bool Surfel_surface::project_step(Projection& projection) const
 {
   Weighted_sums sums;
@@ -261,8 +267,8 @@ bool Surfel_surface::project_step(Projection& projection) const
   return true;
 }
 
-// Adds to a fitted sphere the surface of second order that fits what it leaves of heights and
-// slopes, with the weights of the place that it was fitted at.
+// Fits a quadric to the residuals of the heights and slopes of a fitted sphere, and corrects the projection
+// to the sphere by it.  The weights are those at `from`, the point at which the sphere was fitted.
 void Surfel_surface::add_quadric_correction(const Projection& from, double curvature,
                                             Projection& projection) const
 {
@@ -281,7 +287,7 @@ void Surfel_surface::add_quadric_correction(const Projection& from, double curva
         const double squared_cosine = 1. - scaled_curvature * scaled_curvature * (x * x + y * y);
         if(!(squared_cosine > 0.04) || !(normal_cosine > 0.2))
           return;
-        // Of the sphere:  height = (cosine - 1) / bend,  slope = -bend (x, y) / cosine.
+        // On a sphere: height = (cosine - 1) / curvature, slope = -curvature (x, y) / cosine.
         const double cosine = std::sqrt(squared_cosine), slope = scaled_curvature / cosine;
         const Quadric_fit::Moments monomials = {x, y, x * x, x * y, y * y};
         residual_fit.add_height(
@@ -299,7 +305,7 @@ void Surfel_surface::add_quadric_correction(const Projection& from, double curva
                       dot(tilted_normal, tilted_normal) * normal;
 }
 
-// Whether a point is as near to a surfel as it may be.
+// Returns true if a point is within the covered radius of a vertex.
 bool Surfel_surface::is_covered(const Vec3& point, Index vertex) const
 {
   const Index original = original_vertex(vertex);
@@ -316,8 +322,7 @@ Projection Surfel_surface::project(const Vec3& query, Index near_vertex) const
   Projection projection = project_unclamped(query, near_vertex);
   if(is_covered(projection.point, projection.vertex))
     return projection;
-  // Of the balls around the surfels that hold the surface, where they reach, the one that is missed by
-  // least.
+  // Find the closest of the covered balls around the vertex and its neighbors.
   const Proximity_graph& graph = m_cloud.graph;
   Index nearest_original = projection.vertex;
   double min_excess = infinity;
@@ -372,7 +377,7 @@ Projection Surfel_surface::project_unclamped(const Vec3& query, Index near_verte
     projection.conormal = (1. / length) * tangent;
     projection.point = projection.point - (length - max_length) * projection.conormal;
   }
-  // From far away the fit is one to the wrong surfels: again from the first foot, until that is near.
+  // The fit at a distant query point uses wrong weights.  Iterate from the projection until it converges.
   for(int i = 0; i < 4; ++i)
   {
     const Vec3 previous_point = projection.point;

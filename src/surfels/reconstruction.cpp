@@ -26,20 +26,24 @@ namespace {
 using Kernel = Exact_predicates_inexact_constructions_kernel;
 using Face = std::array<std::size_t, 3>;
 
-// How often the front may ask how good a triangle is: 30 to 60 times for each surfel of a clean cloud,
-// 110 times and more on noise, through which it lays thousands of parts, each after a look at all.
+// Limit of the number of triangles that the front can evaluate.  Clean clouds need 30 to 60 evaluations per
+// surfel, noise at least 110.  On noise, the front starts thousands of components, and evaluates all triangles
+// before each.
 constexpr double base_query_limit = 2e5, queries_per_surfel = 60.;
 
-// What the front leaves open among surfels near each other has fewer edges than this.
+// Larger boundary cycles are never closed.
 constexpr std::size_t max_number_of_gap_edges = 16;
-// And a ring of so few is closed whatever its size: across it is no farther than along three edges of small
-// triangles.  Random samples of a surface leave one in some ten thousand surfels.
+// Boundary cycles with at most this number of edges are closed regardless of the circumradii: their diameter
+// is at most three edges of small triangles.  Random samples of a surface have one such cycle in about
+// 10,000 surfels.
 constexpr std::size_t always_closed_gap_edges = 6;
-// The sine of twenty degrees: by so much the normal of a triangle's surfel may point to the other side,
-// as those at creases are means, and by more than that one of them points to this one.
+// The sine of 20 degrees.  A triangle is admitted if no normal of its corners points to its back by more
+// than this angle, and one normal points to its front by more than it.  The tolerance admits the mean normals
+// at creases.
 constexpr double normal_sine_tolerance = 0.34;
 
-// How a triangle lies to its surfels: the least and the largest of what their normals rise over it.
+// Returns the minimum and the maximum of the products of the triangle's unit normal with the normals of its
+// corners.
 std::pair<double, double> normal_cosine_range(const Surface_arrays& t, const Face& face)
 {
   const Vec3& origin = t.point[face[0]];
@@ -50,7 +54,8 @@ std::pair<double, double> normal_cosine_range(const Surface_arrays& t, const Fac
   return {min_cosine, max_cosine};
 }
 
-// Whether a triangle is as small as the cloud's own triangles, so that gaps stay open.
+// Returns true if the circumradius of a triangle is at most `max_circumradius_ratio` times the smallest radius
+// of its corners.
 bool is_small(const Surfel_arrays& surfels, const Face& face)
 {
   const std::vector<Vec3>& point = surfels.arrays.point;
@@ -61,7 +66,8 @@ bool is_small(const Surfel_arrays& surfels, const Face& face)
          2. * max_circumradius_ratio * radius * norm(cross(q - p, r - p));
 }
 
-// The priority of the advancing front: small triangles first.
+// The priority of a triangle in the advancing front: the radius of its smallest empty sphere, or infinity if
+// the triangle is not admissible.
 struct Triangle_priority
 {
   const Surfel_arrays* surfels;
@@ -74,7 +80,7 @@ struct Triangle_priority
       throw Unsupported_surface_error(
           "The cloud is not clean: a surface through its surfels falls into too many parts.");
     const double size = front.smallest_radius_delaunay_sphere(cell, index);
-    // The triangulation has vertices that are no surfels.
+    // The triangulation has auxiliary vertices that are not surfels.
     if(!(size < infinity))
       return infinity;
     const Face face = {cell->vertex((index + 1) & 3)->info(), cell->vertex((index + 2) & 3)->info(),
@@ -96,7 +102,7 @@ std::vector<Index> corners_of(const std::vector<Face>& faces)
   return result;
 }
 
-// Turns over each component that most of its triangles' surfels see from behind.
+// Flips each component whose sum of normal products over all triangles is negative.
 void orient(const Surface_arrays& t, std::vector<Face>& faces)
 {
   const std::vector<Index> twins = twins_of_soup(t.number_of_vertices(), corners_of(faces));
@@ -126,13 +132,14 @@ void orient(const Surface_arrays& t, std::vector<Face>& faces)
   }
 }
 
-// The borders of few edges, each of them clockwise around what it leaves open.
+// Returns the boundary cycles with at most `max_number_of_gap_edges` edges.  The vertices of a cycle are in the
+// order in which new triangles inside the gap must traverse them.
 std::vector<std::vector<Index>> find_gaps(std::size_t number_of_vertices,
                                           const std::vector<Face>& faces)
 {
   const std::vector<Index> corners = corners_of(faces);
   const std::vector<Index> twins = twins_of_soup(number_of_vertices, corners);
-  std::vector<Index> next(number_of_vertices, none); // backwards along the border
+  std::vector<Index> next(number_of_vertices, none); // along the boundary, against the halfedges
   for(Index h = 0; h < corners.size(); ++h)
     if(twins[h] == none)
       next[corners[next_halfedge(h)]] = corners[h];
@@ -155,7 +162,7 @@ std::vector<std::vector<Index>> find_gaps(std::size_t number_of_vertices,
   return result;
 }
 
-using Edge = std::array<std::size_t, 2>; // sorted
+using Edge = std::array<std::size_t, 2>; // sorted vertices
 
 template <typename Use>
 void for_each_edge(const Face& face, const Use& use)
@@ -164,8 +171,8 @@ void for_each_edge(const Face& face, const Use& use)
     use(Edge{std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
 }
 
-// Those of the least area, where all of them lie in the surface and none has an edge that is there
-// already, but for the rim's.
+// Closes small gaps by triangulations of minimum area.  A gap is only closed if all new triangles are small and
+// oriented by their normals, and if no new edge exists already, except on the boundary cycle.
 void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>& points,
                 std::vector<Face>& faces)
 {
@@ -182,7 +189,7 @@ void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>
         boundary_loop, std::back_inserter(triples),
         CGAL::parameters::use_delaunay_triangulation(false));
     std::vector<Face> new_faces;
-    std::size_t number_of_existing_edges = 0; // edges of triangles: the rim's alone
+    std::size_t number_of_existing_edges = 0; // at most those of the boundary cycle
     for(const auto& triple : triples)
     {
       new_faces.push_back({gap[triple.first], gap[triple.second], gap[triple.third]});
@@ -204,8 +211,9 @@ void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>
   }
 }
 
-// The sites moved in their tangent planes, by a part of their radii, so that no four of them lie on a
-// circle: among equal triangles the front takes those at lower addresses first.
+// Returns the points of the tree, randomly displaced in their tangent planes by up to 5e-5 radii.  So no four
+// points are cocircular: the front orders equal triangles by their addresses, which would make the
+// result nondeterministic.
 std::vector<Kernel::Point_3> in_general_position(const Surfel_arrays& surfels)
 {
   const Surface_arrays& t = surfels.arrays;
@@ -241,14 +249,14 @@ Mesh_arrays reconstruct_surface(const Surfel_arrays& surfels)
     points.emplace_back(t.point[v][0], t.point[v][1], t.point[v][2]);
   std::vector<Face> faces;
   double query_limit = base_query_limit + queries_per_surfel * double(points.size());
-  if(!are_collinear(points)) // which it says on standard error
+  if(!are_collinear(points)) // CGAL prints a message for collinear points
   {
     const std::vector<Kernel::Point_3> perturbed_points = in_general_position(surfels);
     advancing_front_surface_reconstruction(perturbed_points.begin(), perturbed_points.end(),
                                            std::back_inserter(faces),
                                            Triangle_priority{&surfels, &query_limit});
   }
-  // It lists them by their addresses.
+  // The output is in the order of addresses: sort it, so that it is deterministic.
   for(Face& face : faces)
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   std::sort(faces.begin(), faces.end());

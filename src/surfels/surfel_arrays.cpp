@@ -20,21 +20,22 @@ namespace {
 
 double distance(const Vec3& a, const Vec3& b) { return norm(a - b); }
 
-// Whether the ring of a site has the triangle with the side from a to b.
+// Returns true if the ring of a vertex contains the triangle (vertex, a, b).
 bool ring_has_edge(const Ragged_rows& rings, Index vertex, Index a, Index b)
 {
   const Index *begin = rings.begin(vertex), *end = rings.end(vertex);
   const Index* it = std::find(begin, end, a);
   if(it == end)
     return false;
-  // An end may come twice: at the last and the first triangle of two fans.
+  // An entry can occur twice: in the last triangle of one fan and the first one of another fan.
   for(; it != end; it = std::find(it + 1, end, a))
     if((it + 1 == end ? *begin : it[1]) == b)
       return true;
   return false;
 }
 
-// Each triangle once, at the first site that found it.
+// Collects the triangles of all rings.  A triangle that several corners found is appended once, by the corner
+// with the smallest index.  Its weight is one third of the number of these corners.
 void collect_triangles(const Ragged_rows& rings, unsigned threads, Surface_arrays& t)
 {
   const std::size_t n = rings.row_begin.size() - 1;
@@ -67,8 +68,8 @@ void collect_triangles(const Ragged_rows& rings, unsigned threads, Surface_array
     t.weight.insert(t.weight.end(), block_weights.begin(), block_weights.end());
 }
 
-// Arcs of the originals between spheres that meet and along the sides of triangles; copies hang at
-// their originals.  Leaves `none` in `near` where two spheres do not meet.
+// Builds the graph: edges between gentle neighbors with intersecting spheres, the edges of all triangles, and
+// an edge from each copy to its original.  Replaces neighbors without an edge by `none`.
 void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
                  const std::vector<double>& radius, const std::vector<Index>& original,
                  Surface_arrays& t)
@@ -86,7 +87,7 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
                          j = none;
                      }
                  });
-  // Half of the arcs, some of them twice.
+  // Visits each undirected edge at least once.
   std::vector<Index> row_begin(n + 1, 0), target;
   const auto for_each_edge = [&](const auto& visit)
   {
@@ -125,7 +126,8 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
   t.graph.target = std::move(edges.entries);
 }
 
-// Lengths of arcs and sides, the longest of all brought to [1, 2) together with all other lengths.
+// Computes the lengths of all edges.  Scales all lengths and coordinates by a power of two, such that the
+// longest edge lies in [1, 2).
 void compute_lengths(Surfel_arrays& surfels, unsigned threads)
 {
   Surface_arrays& t = surfels.arrays;
@@ -141,7 +143,7 @@ void compute_lengths(Surfel_arrays& surfels, unsigned threads)
   double longest = 0.;
   for(const double length : t.graph.length)
     longest = std::max(longest, length);
-  // Sides are arcs.
+  // The edges of triangles are edges of the graph, so this is the longest of both.
   const int exponent = longest > 0. ? std::ilogb(longest) : 0;
   const double factor = std::ldexp(1., -exponent);
   for(double& length : t.graph.length)
@@ -158,6 +160,7 @@ void compute_lengths(Surfel_arrays& surfels, unsigned threads)
     t.length[h] = distance(t.point[t.corner[h]], t.point[t.corner[next_halfedge(h)]]);
 }
 
+// Computes `ring` and `ring_begin`: the corners at each vertex, sorted by index.
 void build_rings(Surface_arrays& t)
 {
   t.ring_begin.assign(t.point.size() + 1, 0);
@@ -201,7 +204,7 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
   result.internal_vertex = std::move(sorted.internal_vertex);
   result.caller_vertex = std::move(sorted.caller_vertex);
 
-  // Behind the sites of the tree come copies of them.
+  // Copies follow the vertices of the tree.
   std::vector<Index> copy_of(n);
   for(Index i = 0; i < n; ++i)
     if(Index& vertex = result.internal_vertex[i]; result.caller_vertex[vertex] != i)
@@ -239,7 +242,7 @@ Tangent_location locate(const Kd_tree& tree, const std::vector<Vec3>& points,
   {
     if(!std::isfinite(point[k]))
       throw Invalid_argument_error("The coordinates of the point to locate are not finite.");
-    // So far away that only the direction matters, and squares still do not overflow.
+    // Clamp distant points, so that squared distances cannot overflow.
     query[k] = std::clamp(std::ldexp(point[k], -std::ilogb(frame.scale)) -
                               std::ldexp(frame.origin[k], -std::ilogb(frame.scale)),
                           -1e100, 1e100);
@@ -266,7 +269,7 @@ Surface_location to_surface_location(const Surface_arrays& t, const Tangent_loca
   const auto try_triangle = [&](Index triangle)
   {
     const std::array<Index, 3> corners = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
-    std::array<std::array<double, 2>, 3> p; // seen from the location
+    std::array<std::array<double, 2>, 3> p; // relative to the location
     for(int k = 0; k < 3; ++k)
     {
       const Vec3 offset_vector = t.point[t.corner[corners[k]]] - t.point[location.vertex];
@@ -282,7 +285,7 @@ Surface_location to_surface_location(const Surface_arrays& t, const Tangent_loca
     double distance_outside = 0.;
     if(barycentric[0] < 0. || barycentric[1] < 0. || barycentric[2] < 0.)
     {
-      // The nearest place on the three sides.
+      // The closest point of the three edges.
       distance_outside = infinity;
       for(int k = 0; k < 3; ++k)
       {
@@ -314,7 +317,7 @@ Surface_location to_surface_location(const Surface_arrays& t, const Tangent_loca
   };
   for(Index i = t.ring_begin[location.vertex]; i < t.ring_begin[location.vertex + 1]; ++i)
     try_triangle(t.ring[i] / 3);
-  // Delaunay triangles around a place need not have the site that is the nearest to it as a corner.
+  // The Delaunay triangle that contains a point need not be incident to the nearest vertex of the point.
   if(min_distance > 0.)
     for(Index i = t.graph.begin[location.vertex]; i < t.graph.begin[location.vertex + 1]; ++i)
     {
