@@ -49,8 +49,7 @@ struct Weighted_sums
 // A sphere in terms of the point at which the origin is projected to it.
 struct Sphere
 {
-  double height;    // of the point over the origin, along the normal
-  double curvature; // positive if the normal points away from the center
+  double height, curvature; // along the normal; positive if the normal points away from the center
   Vec3 normal;
 };
 
@@ -68,7 +67,7 @@ Sphere fit_sphere(const Weighted_sums& s)
   const double constant = -inverse_weight * (dot(linear, s.point) + quadratic * s.point_point);
   const double gradient_norm = norm(linear);
   const double discriminant = gradient_norm * gradient_norm - 4. * constant * quadratic;
-  // If the origin is close to the center, or far from the sphere compared to its radius, the projection is
+  // If there is no real sphere, or the origin is within half a radius of its center, the projection is
   // unstable: use the weighted mean plane.
   if(!(discriminant > 0.) || !(gradient_norm * gradient_norm > 0.25 * discriminant))
     return {dot(s.point, unit(s.normal)) * inverse_weight, 0., unit(s.normal)};

@@ -19,20 +19,19 @@ namespace {
 
 constexpr std::size_t number_of_neighbors = 24;
 
-// Radii of fits in spacings: the first holds 24 surfels of a plane.
+// Radii of the fits, divided by the spacing.  The smallest one contains 24 surfels of a plane.
 constexpr int number_of_scales = 12;
 constexpr double smallest_radius = 2.8, radius_ratio = 1.25;
-// From this one on surfels are taken in clusters.
+// Fits at this scale and above use the means of clusters instead of single surfels.
 constexpr int first_clustered_scale = 5;
 constexpr Index cluster_size = 8;
 
-// In standard deviations: how far the heights and the slopes of estimates may be apart, and surfels from
-// a fit.  Slopes of scans are not independent: with 3 for them as well, paths on a scanned plane are off
-// by 0.060 % instead of 0.046 %.
+// Maximum differences of heights and slopes between consistent estimates, and maximum distance of a surfel from
+// a fit, in standard deviations.  The slopes of scans are correlated: with a slope tolerance of 3, the error
+// of paths on a scanned plane was 0.060 % instead of 0.046 %.
 constexpr double height_tolerance = 3., slope_tolerance = 5., outlier_tolerance = 3.5;
 
-constexpr double min_normal_cosine =
-    0.5; // 60 degrees: the other side of a thin sheet does not count
+constexpr double min_normal_cosine = 0.5; // 60 degrees: excludes the other side of a thin sheet
 
 template <typename Value>
 Value median(std::vector<Value>& values)
@@ -42,14 +41,14 @@ Value median(std::vector<Value>& values)
   return *middle;
 }
 
-// The means over several surfels.
+// The mean of a cluster of surfels.
 struct Surfel_mean
 {
   Vec3 point = {0., 0., 0.}, normal = {0., 0., 0.};
-  std::array<double, 6> covariance = {}; // of the points around their mean: xx, yy, zz, yz, zx, xy
+  std::array<double, 6> covariance = {}; // of the points: xx, yy, zz, yz, zx, xy
 };
 
-// A quadratic form of the spread.
+// Returns p^T S q for a symmetric matrix S in the order of Surfel_mean::covariance.
 double quadratic_form(const std::array<double, 6>& s, const Vec3& p, const Vec3& q)
 {
   return s[0] * p[0] * q[0] + s[1] * p[1] * q[1] + s[2] * p[2] * q[2] +
@@ -57,17 +56,17 @@ double quadratic_form(const std::array<double, 6>& s, const Vec3& p, const Vec3&
          s[5] * (p[0] * q[1] + p[1] * q[0]);
 }
 
-// Surfels in the order of their tree, and what is known of each.
+// A cloud in the order of its tree, with statistics of the neighborhood of each surfel (#surfels).
 struct Denoising_cloud
 {
   Frame frame;
   std::vector<Vec3> point, normal;
   std::vector<Index> order;
   Kd_tree tree;
-  Ragged_rows neighbors;         // the nearest ones with normals that agree, and itself
-  std::vector<Vec3> mean_normal; // the mean of their normals
-  std::vector<double> spacing;   // the side of a square for each surfel
-  std::vector<double> noise;     // the median of the neighbours, in spacings
+  Ragged_rows neighbors;         // the surfel itself, and its nearest ones with similar normals
+  std::vector<Vec3> mean_normal; // unit mean of the neighbors' normals
+  std::vector<double> spacing;   // square root of the area per surfel
+  std::vector<double> noise;     // median height of the neighbors, in spacings
 
   Denoising_cloud(std::vector<Vec3> points, std::vector<Vec3> normals, unsigned threads);
   std::size_t size() const { return point.size(); }
@@ -112,7 +111,7 @@ struct Surfel
   Vec3 point, normal;
 };
 
-// The surface over the plane of a surfel, in its spacings.
+// The coordinates in which the surface is a height field over the plane of a surfel.  Their unit is its spacing.
 class Local_frame
 {
 public:
@@ -128,7 +127,8 @@ public:
     Quadric_fit::Moments monomials;
     double height, slope_x, slope_y;
   };
-  // False where the normal does not agree.
+  // Computes the coordinates and slopes of a surfel.  Returns false if its normal differs by more than 60
+  // degrees.
   bool project(const Vec3& point, const Vec3& normal, Sample& sample) const
   {
     const double cosine = dot(normal, m_normal);
@@ -142,6 +142,8 @@ public:
               -dot(normal, m_v) / cosine};
     return true;
   }
+  // Computes those of a cluster.  The covariance is added to the second moments, so that fitting the mean equals
+  // fitting all points of the cluster to second order.
   bool project(const Surfel_mean& mean, Sample& sample) const
   {
     if(!project(mean.point, mean.normal, sample))
@@ -153,9 +155,9 @@ public:
     return true;
   }
 
-  // Takes from what is seen how much it rises beyond the second order where the surface goes on
-  // bending as the fit says: with the Hessian H by  x H x / (1 + sqrt(1 - |H x|^2))  in all, which is
-  // right for spheres and cylinders.
+  // Subtracts the terms above the second order from the height and the slopes of a sample.  The surface is
+  // assumed to have the height  x^T H x / (1 + sqrt(1 - |H x|^2))  with the Hessian H of the fit, which is
+  // exact for spheres and cylinders.
   static void remove_higher_order_terms(const Quadric_fit::Coefficients& c, Sample& sample)
   {
     const Quadric_fit::Moments& p = sample.monomials;
@@ -166,7 +168,7 @@ public:
     sample.slope_y -= y * (1. / cosine - 1.);
   }
 
-  // What a fit suggests for a surfel nearby.
+  // Returns the projection of a nearby point to a fit in these coordinates, and the normal there.
   Surfel moved_to_fit(const Vec3& point, const Quadric_fit::Coefficients& c) const
   {
     const Vec3 offset = m_inverse_spacing * (point - m_origin);
@@ -181,7 +183,7 @@ public:
   }
 
 private:
-  // Of the squared sine of the slope: normals that differ by more do not agree.
+  // The squared sine of 60 degrees: the slope at which normals are rejected.
   static constexpr double max_squared_sine = 1. - min_normal_cosine * min_normal_cosine;
 
   Vec3 m_origin, m_normal, m_u, m_v;
@@ -194,7 +196,8 @@ struct Variances
   std::vector<double> height, slope; // #surfels
 };
 
-// What fits to the nearest surfels leave, with these weights of slopes.
+// Returns the variances of the residuals of quadrics that are fitted to the neighbors of each surfel.
+// `slope_weight` is the weight of slopes relative to heights.
 Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, unsigned threads)
 {
   Variances result = {std::vector<double>(cloud.size(), 0.), std::vector<double>(cloud.size(), 0.)};
@@ -230,7 +233,7 @@ Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, 
             height_sum += h * h;
             slope_sum += a * a + b * b;
           }
-          // Six of the numbers are used up, about half of them by the heights.
+          // The fit has six degrees of freedom, about three of which are determined by the heights.
           const double n = double(samples.size());
           result.height[i] = height_sum / std::max(1., n - 3.);
           result.slope[i] = slope_sum / std::max(1., 2. * n - 3.);
@@ -239,10 +242,10 @@ Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, 
   return result;
 }
 
-// The medians over the neighbours.
+// Estimates the variances at each surfel by the medians over its neighbors.
 Variances estimate_variances(const Denoising_cloud& cloud, unsigned threads)
 {
-  // At first as if heights were known as well as slopes are over one spacing.
+  // Begin with equal variances of heights (in spacings) and slopes; then weight by the medians found.
   Variances result = residual_variances(cloud, 1., threads);
   const double slope = median(result.slope), height = median(result.height);
   const Variances refined = residual_variances(cloud, slope > 0. ? height / slope : 1., threads);
@@ -268,12 +271,13 @@ Variances estimate_variances(const Denoising_cloud& cloud, unsigned threads)
   return result;
 }
 
-// Means of surfels that are neighbours in the order of the tree, but for those on different sheets.
+// The means of each `cluster_size` consecutive surfels in the order of the tree.  Groups that are too large, or
+// whose normals differ because they are on several sheets, are omitted.
 struct Clusters
 {
   std::vector<Surfel_mean> means;
-  std::vector<Vec3> point; // their means, in the order of a tree of their own
-  Kd_tree tree;
+  std::vector<Vec3> point; // #means: in the order of the tree
+  Kd_tree tree;            // of the means
 };
 
 Clusters build_clusters(const Denoising_cloud& cloud, unsigned threads)
@@ -317,7 +321,7 @@ Clusters build_clusters(const Denoising_cloud& cloud, unsigned threads)
   return result;
 }
 
-// A fit: its radius, and how many of its coefficients count.
+// A fit: the index of its radius, and its number of coefficients (3 for a plane, 6 for a quadric).
 struct Fit_choice
 {
   int scale = 0, count = 3;
@@ -326,7 +330,8 @@ struct Fit_choice
   {
     return a.scale == b.scale && a.count == b.count;
   }
-  // By how sure they are: a plane is as sure as a quadric through four times as many surfels.
+  // Orders fits by their variance, largest first.  The variance of a plane is that of a quadric through four
+  // times as many surfels, which is the radius three scales above.
   friend bool operator<(const Fit_choice& a, const Fit_choice& b)
   {
     const int rank_a = a.scale + (a.count == 3 ? 3 : 0), rank_b = b.scale + (b.count == 3 ? 3 : 0);
@@ -334,10 +339,11 @@ struct Fit_choice
   }
 };
 
+// Fits planes and quadrics at increasing radii to the neighborhoods of surfels.
 class Denoiser
 {
 public:
-  // What a thread works with.
+  // Arrays that a thread reuses.
   struct Scratch
   {
     std::vector<Index> found;
@@ -352,7 +358,8 @@ public:
       m_squared_radius[k] = std::pow(smallest_radius * std::pow(radius_ratio, k), 2);
   }
 
-  // The surest fit that agrees with all that are less sure.
+  // Returns the fit with the smallest variance that is consistent with all fits accepted before it (Lepski
+  // 1991), and sets `choice`.  If the surfel has no noise, returns zero coefficients.
   Quadric_fit::Coefficients choose_fit(Index i, Scratch& scratch, Fit_choice& choice) const
   {
     Quadric_fit::Coefficients result = {};
@@ -391,7 +398,7 @@ public:
     return result;
   }
 
-  // The fit that is chosen.
+  // Returns the fit for a given choice.
   Quadric_fit::Coefficients fit(Index i, Scratch& scratch, const Fit_choice& choice) const
   {
     Quadric_fit::Coefficients result = {};
@@ -408,7 +415,8 @@ public:
     return result;
   }
 
-  // The mean of what the neighbours' fits suggest, such that no step is left between surfels.
+  // Returns the weighted mean of the projections of a surfel to the fits of its neighbors.  So there are no
+  // jumps between surfels with different choices.
   Surfel blended_surfel(Index i, const std::vector<Quadric_fit::Coefficients>& fits) const
   {
     const Vec3& point = m_cloud.point[i];
@@ -433,13 +441,14 @@ public:
   }
 
 private:
-  // Of the height and the slopes.
+  // The height and both slopes at the surfel.
   struct Estimate
   {
     std::array<double, 3> value, variance;
   };
 
-  // Whether the difference of two estimates, one of which has used what the other has, is chance.
+  // Returns true if the difference of two estimates is explained by noise.  One estimate uses all surfels of
+  // the other, so the variance of the difference is the difference of the variances.
   static bool are_consistent(const Estimate& a, const Estimate& b)
   {
     for(int k = 0; k < 3; ++k)
@@ -457,7 +466,8 @@ private:
     return m_cloud.spacing[i] > 0. && m_variances.height[i] > 0. && m_variances.slope[i] > 0.;
   }
 
-  // Sorts the surfels, or the clusters, between two scales into rings.
+  // Sorts the surfels, or the clusters, of the scales begin .. end - 1 into rings: ring k contains those between
+  // the radii of scales k - 1 and k.
   void sort_into_rings(Index i, int begin, int end, Scratch& scratch) const
   {
     const bool is_clustered = begin >= first_clustered_scale;
@@ -481,8 +491,8 @@ private:
     }
   }
 
-  // The fits at all radii, from the first one on, until visit(scale, fit, number) is false: with so
-  // many coefficients.
+  // Calls visit(scale, fit, count) for the fits at increasing radii, until it returns false.  `count` is the
+  // number of coefficients that the samples determine: 0, 3 or 6.
   template <typename Visit>
   void visit_fits(Index i, Scratch& scratch, Visit visit) const
   {
@@ -493,7 +503,7 @@ private:
     Quadric_fit fit;
     Quadric_fit::Coefficients previous_fit = {};
     bool has_previous_fit = false;
-    int number_of_sorted_scales = 0; // scales whose rings are found
+    int number_of_sorted_scales = 0; // number of scales whose rings are computed
     for(int scale = 0; scale < number_of_scales; ++scale)
     {
       if(scale == number_of_sorted_scales)
@@ -561,7 +571,7 @@ void denoise(std::vector<Vec3>& points, std::vector<Vec3>& normals, unsigned thr
                    for(Index i = Index(begin); i < end; ++i)
                      fits[i] = denoiser.choose_fit(i, scratch, choices[i]);
                  });
-  // Chance makes some of the choices too small: of the neighbours' the median counts.
+  // By chance, some choices are too small: use the median of the neighbors' choices.
   for_each_block(n, surfel_block_size, threads,
                  [&](std::size_t, std::size_t begin, std::size_t end)
                  {
