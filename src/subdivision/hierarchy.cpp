@@ -16,13 +16,14 @@ namespace {
 
 using Level = Subdivision::Level;
 
-// Four triangles that were one.
+// The four triangles of the next coarser level's triangle.
 struct Tile
 {
-  Index middle;
+  Index middle; // the central triangle
   Triangle corners, midpoints;
 };
 
+// Finds a partition of the triangles of a level into tiles.
 class Tiling
 {
 public:
@@ -31,7 +32,8 @@ public:
         m_role(level.number_of_vertices, Role::unknown), m_is_counted(level.triangles.size(), false)
   {}
 
-  // The tiles of all components; nothing when one of them has none.
+  // Returns the tiles of all components, sorted by their central triangles, or nothing if a component has no
+  // tiling.
   std::optional<std::vector<Tile>> find()
   {
     std::vector<Tile> result;
@@ -132,7 +134,7 @@ private:
     m_claimed_vertices.clear();
   }
 
-  // All tiles that follow from a middle one; none where they contradict each other.
+  // Returns all tiles that follow from one central triangle, or none if they are contradictory.
   std::vector<Tile> grow_tiling(Index seed)
   {
     std::vector<Tile> result;
@@ -162,7 +164,7 @@ private:
           const Index twin = m_level.twin[outer];
           if(twin == none)
             continue;
-          // The side of the neighbour that does not meet the corner leads to its middle.
+          // In the adjacent tile, the edge opposite to the corner is shared with the central triangle.
           const Index across = internal::source_vertex(m_level, twin) == corner
                                    ? next_halfedge(twin)
                                    : previous_halfedge(twin);
@@ -179,10 +181,10 @@ private:
   }
 
   const Level& m_level;
-  std::vector<Index> m_tile_of_face; // #triangles: the middle of the tile that each belongs to
+  std::vector<Index> m_tile_of_face; // #triangles: the central triangle of its tile
   std::vector<Role> m_role;          // #vertices
-  std::vector<bool> m_is_counted;    // #triangles: in a component that was counted
-  std::vector<Index> m_claimed_faces, m_claimed_vertices; // that were claimed
+  std::vector<bool> m_is_counted;    // #triangles: true if its component was counted
+  std::vector<Index> m_claimed_faces, m_claimed_vertices; // to be reset
 };
 
 std::uint64_t edge_key(Index a, Index b)
@@ -199,7 +201,7 @@ Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number
 {
   Subdivision current = subdivide(triangles, number_of_vertices, 0);
   std::vector<bool> is_midpoint(number_of_vertices, false);
-  std::vector<Midpoints> midpoints; // of edges of each level, the coarsest last
+  std::vector<Midpoints> midpoints; // of each level by edge, coarsest level last
   while(midpoints.size() < max_number_of_levels && !current.finest().triangles.empty())
   {
     const auto tiles = Tiling(current.finest()).find();
@@ -220,7 +222,7 @@ Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number
     }
     catch(const Invalid_argument_error&)
     {
-      break; // two edges between the same vertices
+      break; // a coarser mesh would have two edges between the same vertices
     }
     for(const auto& [edge, middle] : edge_midpoints)
       is_midpoint[middle] = true;

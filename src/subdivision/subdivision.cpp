@@ -29,7 +29,7 @@ void check_corners(const std::vector<Triangle>& triangles, Index number_of_verti
   }
 }
 
-// A midpoint belongs to two vertices, so these have one edge.
+// Checks that two vertices have at most one common edge: midpoints are identified by their parents.
 void check_edges(const Level& level)
 {
   std::vector<std::array<Index, 2>> edges;
@@ -63,7 +63,7 @@ Level coarsest_level(const std::vector<Triangle>& triangles, Index number_of_ver
   return result;
 }
 
-// Numbers the midpoints.
+// Numbers the midpoints of the edges and appends their parents.
 void add_midpoints(Level& level, std::vector<std::array<Index, 2>>& parents)
 {
   level.midpoint.resize(level.twin.size());
@@ -77,7 +77,8 @@ void add_midpoints(Level& level, std::vector<std::array<Index, 2>>& parents)
       level.midpoint[h] = level.midpoint[level.twin[h]];
 }
 
-// The halves of a side belong to the children at its ends, and keep its place among the sides there.
+// Return the halves of a halfedge: they belong to the children at its source and at its target, and have the same
+// position in these triangles as the halfedge has in its triangle.
 Index first_half(Index h) { return 3 * (4 * (h / 3) + h % 3) + h % 3; }
 Index second_half(Index h) { return 3 * (4 * (h / 3) + (h + 1) % 3) + h % 3; }
 
@@ -98,7 +99,7 @@ Level refined_level(const Level& level)
       const Index h = 3 * f + k, twin = level.twin[h];
       result.twin[first_half(h)] = twin == none ? none : second_half(twin);
       result.twin[second_half(h)] = twin == none ? none : first_half(twin);
-      // The middle child's side, which ends where child k has its third midpoint.
+      // The edge that child k shares with the central child.
       const Index outer = 3 * (4 * f + k) + (k + 1) % 3, inner = 3 * (4 * f + 3) + (k + 1) % 3;
       result.twin[outer] = inner;
       result.twin[inner] = outer;
@@ -126,10 +127,10 @@ bool is_halfedge_mesh(const Level& level)
   for(Index h = 0; h < level.twin.size(); ++h)
   {
     const Index v = source_vertex(level, h);
-    number_of_fans[v] += level.twin[h] == none; // each fan ends with such a side
+    number_of_fans[v] += level.twin[h] == none; // an open fan has one such halfedge
     if(is_visited[h])
       continue;
-    // All around a vertex, unless there is a border.
+    // Rotate around the vertex, until the fan closes or ends at the boundary.
     Index current = h;
     while(current != none && !is_visited[current])
     {
@@ -170,7 +171,7 @@ std::vector<Coarse_location> coarse_locations(const Subdivision& subdivision)
   const std::size_t times = subdivision.levels.size() - 1;
   const std::vector<Triangle>& base = subdivision.levels.front().triangles;
   std::vector<Coarse_location> result(subdivision.number_of_vertices());
-  // Of the corners of each triangle of a level.
+  // Barycentric coordinates of the corners of each triangle of the current level.
   using Coordinates = std::array<Index, 3>;
   std::vector<std::array<Coordinates, 3>> corners(base.size());
   const Index denominator = Index(1) << times;

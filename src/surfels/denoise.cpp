@@ -168,7 +168,7 @@ public:
     sample.slope_y -= y * (1. / cosine - 1.);
   }
 
-  // Returns the projection of a nearby point to a fit in these coordinates, and the normal there.
+  // Returns the projection (of first order) of a nearby point to a fit, and the normal of the fit there.
   Surfel moved_to_fit(const Vec3& point, const Quadric_fit::Coefficients& c) const
   {
     const Vec3 offset = m_inverse_spacing * (point - m_origin);
@@ -331,7 +331,7 @@ struct Fit_choice
     return a.scale == b.scale && a.count == b.count;
   }
   // Orders fits by their variance, largest first.  The variance of a plane is that of a quadric through four
-  // times as many surfels, which is the radius three scales above.
+  // times as many surfels, whose radius is three scales larger.
   friend bool operator<(const Fit_choice& a, const Fit_choice& b)
   {
     const int rank_a = a.scale + (a.count == 3 ? 3 : 0), rank_b = b.scale + (b.count == 3 ? 3 : 0);

@@ -10,19 +10,22 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The subdivision that triangles are the finest level of.
+// A subdivision that is recovered from its finest level.
 struct Hierarchy
 {
   std::shared_ptr<const Subdivision> subdivision;
-  std::vector<Index> input_vertex; // #vertices of the subdivision: which it is among those given
+  std::vector<Index> input_vertex; // #vertices of the subdivision: the index in the input
 };
 
-// Finds coarser levels as long as there are any, by tiles of four triangles (Taubin 2002): a middle one decides
-// where all others of its component are, so four choices are tried.  Where several succeed, as on a regular torus,
-// the coarse vertices are those with the smaller numbers; triangles in the order of subdivide() get their own
-// numbers back.  Without any coarser level, the subdivision has one level.  O(n) for each level.
+// Recovers the hierarchy of a triangulation with subdivision connectivity (Taubin 2002).  At most
+// `max_number_of_levels` coarser levels are computed; the subdivision has one level if there are none.
 //
-// Throws as subdivide() does.
+// A level is found by partitioning the triangles into tiles: a central triangle and its three neighbors.  One tile
+// determines all tiles of its connected component.  So four choices are tried for each component: the first
+// triangle and its neighbors as the center.  If several choices succeed, as on a regular torus, the one with the
+// smallest sum of coarse vertex indices is used.  The output of subdivide() is recovered with the same indices.
+//
+// Throws the exceptions of subdivide().  O(n) per level.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Hierarchy recover_hierarchy(const std::vector<Triangle>& triangles, Index number_of_vertices,
                             unsigned max_number_of_levels);

@@ -14,11 +14,12 @@ namespace CGAL::Geodesic_processing::internal {
 using Triangle = std::array<Index, 3>; // vertices, counterclockwise
 using Quad = std::array<Index, 4>;
 
-// Triangles cut into four, again and again.  A level adds the midpoints of the sides of the one before it,
-// in the order in which its triangles first name them: the vertices of a level come before all others.
+// Repeated 1-to-4 subdivision of triangles (uniform refinement).  Each level adds the midpoints of the edges of
+// the previous level, numbered in the order in which its halfedges first refer to them.  So the vertices
+// of a level are a prefix of those of the next level.
 //
-// Triangle f has the children 4f+0..2, of which 4f+k keeps corner k at its corner k, and the middle one
-// 4f+3, whose corner k lies across from it:
+// Triangle f has four children.  Child 4f+k, for k = 0, 1, 2, keeps corner k of f as its corner k.  Child 4f+3 is
+// the central one; its corner k is opposite to corner k of f:
 //
 //               2
 //              / \                child 0 = (0, m0, m2), child 1 = (m0, 1, m1), child 2 = (m2, m1, 2),
@@ -31,13 +32,14 @@ struct Subdivision
   {
     Index number_of_vertices = 0;
     std::vector<Triangle> triangles;
-    std::vector<Index> twin;     // 3 #triangles: the opposite side, or none on the border
-    std::vector<Index> midpoint; // 3 #triangles: of each side, a vertex of the next level
+    std::vector<Index> twin; // 3 #triangles: the opposite halfedge; none on the boundary
+    std::vector<Index>
+        midpoint; // 3 #triangles: midpoint of each halfedge, a vertex of the next level
   };
-  std::vector<Level> levels; // the coarsest first; only the last has no midpoints
+  std::vector<Level> levels; // coarsest first; the last level has no midpoints
   std::vector<std::array<Index, 2>>
-      parents; // #vertices: ends of the edge that each is the midpoint of;
-               //   of the coarsest level itself, twice
+      parents; // #vertices: ends of the edge whose midpoint it is; on the coarsest level,
+               //   twice the vertex itself
 
   const Level& finest() const { return levels.back(); }
   Index number_of_vertices() const { return levels.back().number_of_vertices; }
@@ -53,62 +55,68 @@ inline std::array<Index, 2> edge_vertices(const Subdivision::Level& level, Index
   return {source_vertex(level, h), source_vertex(level, next_halfedge(h))};
 }
 
-// The vertex opposite to a side in its triangle.
+// Returns the vertex opposite to a halfedge in its triangle.
 inline Index opposite_vertex(const Subdivision::Level& level, Index h)
 {
   return source_vertex(level, previous_halfedge(h));
 }
 
-// True for one of a side and its twin.
+// Returns true for exactly one halfedge of each edge.
 inline bool is_edge_representative(const Subdivision::Level& level, Index h)
 {
   return level.twin[h] == none || h < level.twin[h];
 }
 
-// Whether a half-edge structure can hold it: a vertex with triangles all around has no others.
+// Returns true if a halfedge data structure can represent a level: a vertex that is surrounded by a closed fan
+// of triangles has no other triangles.  Several open fans are admitted.  O(n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool is_halfedge_mesh(const Subdivision::Level& level);
 
-// Cuts triangles `times` times.  O(size of the result), 60 bytes for each of its triangles.
+// Subdivides triangles `times` times.  O(size of the result); 60 bytes per triangle of the result.
 //
-// Throws Invalid_argument_error when a triangle names a vertex twice, or one that there is not, when two
-// vertices are joined by two edges or an edge has more than two triangles or two of unlike orientation, and
-// when there would be more than 2^31 sides.
+// Throws Invalid_argument_error if
+// - a triangle refers to a vertex twice, or to one that does not exist,
+// - two vertices are connected by two edges,
+// - an edge has more than two triangles, or two with inconsistent orientations,
+// - the result would have 2^31 halfedges or more.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Subdivision subdivide(const std::vector<Triangle>& triangles, Index number_of_vertices,
                       unsigned times);
 
-// Adds a level.  Throws Invalid_argument_error when it would have more than 2^31 sides.
+// Adds a level.  Throws Invalid_argument_error if it would have 2^31 halfedges or more.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void subdivide(Subdivision& subdivision);
 
-// A place in a triangle of the coarsest level: the shares of its corners times a common denominator, so
-// that sums and comparisons are exact.
+// A location in a triangle of the coarsest level.  The barycentric coordinates are multiplied by a common
+// denominator, so that sums and comparisons of integers are exact.
 struct Coarse_location
 {
-  Index triangle = none;                     // none of a vertex that no triangle names
+  Index triangle = none;                     // none for isolated vertices
   std::array<Index, 3> coordinates{0, 0, 0}; // their sum is the denominator
 };
 
-// #vertices: where each lies, in the first triangle that it belongs to.  The denominator is 2^times.
+// Returns the location of each vertex (#vertices) in the first triangle of the coarsest level that contains it.
+// The denominator is 2^times.  O(size of all levels).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Coarse_location> coarse_locations(const Subdivision& subdivision);
 
-// The quads of the second scheme of the paper (Peyré and Cohen 2003, figure 19): each triangle is cut into
-// three quads, corner k, the middle of side k, the centre, the middle of side k-1; these then into four, again and
-// again, child k at corner k.
+// Subdivision of triangles into quads, the second scheme of Peyré and Cohen (2003, figure 19).  First each
+// triangle is split into three quads.  The corners of quad k are: corner k, the midpoint of edge k, the
+// centroid, the midpoint of edge k-1.  Then each quad is repeatedly split into four; child k keeps corner k of
+// its parent as its corner k.
 struct Quad_subdivision
 {
-  std::vector<std::vector<Quad>> levels;  // the first holds the three quads of each triangle
-  std::vector<Index> number_of_vertices;  // of each level, with those of the triangles
+  std::vector<std::vector<Quad>> levels;  // the first level has three quads per triangle
+  std::vector<Index> number_of_vertices;  // of each level, including the vertices of the triangles
   std::vector<Coarse_location> locations; // #vertices
   std::vector<std::vector<Index>>
-      parents; // #vertices: those of whose level each is the centre: of a side two,
-               //   of a triangle three, of a quad four; of others none
+      parents; // #vertices: the vertices whose centroid it is: two for the midpoint of an edge,
+               //   three in a triangle, four in a quad; empty for the input vertices
 };
 
-// levels: one at least; errors as those of subdivide().  The denominator is 6 * 4^(levels - 1), which must be
-// below 2^32.
+// Subdivides triangles into `levels` levels of quads, at least one.  The denominator of the locations is
+// 6 * 4^(levels - 1), which must be below 2^32.
+// Throws the exceptions of subdivide(), and Invalid_argument_error if `levels` is zero.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Quad_subdivision subdivide_into_quads(const std::vector<Triangle>& triangles,
                                       Index number_of_vertices, unsigned levels);
