@@ -9,9 +9,9 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 constexpr std::uint32_t even_probability = 1u << 15;
-constexpr std::uint16_t window_size = 60; // bits after which older ones fade
+constexpr std::uint16_t window_size = 60; // number of bits of the running mean
 
-// Where the interval is cut; both parts keep something.
+// Returns the last number of the lower part of the interval.  Both parts are nonempty.
 std::uint32_t split_interval(std::uint32_t low, std::uint32_t high, std::uint32_t probability)
 {
   return low + std::uint32_t((std::uint64_t(high - low) * probability) >> 16);
@@ -55,7 +55,7 @@ void Bit_encoder::put(bool bit) { put(bit, even_probability); }
 
 std::vector<std::uint8_t> Bit_encoder::finish()
 {
-  // The first bytes differ: with zeros after it, this lies in the interval.
+  // The first bytes of both bounds differ, so this byte followed by zeros lies in the interval.
   m_bytes.push_back(std::uint8_t((m_low >> 24) + 1));
   return std::move(m_bytes);
 }

@@ -11,24 +11,24 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The probability of a bit in one context, learnt from those that came before: at first the mean of all of them,
-// then mostly of the last ones.  In integers, so that it is the same on every machine.
+// An adaptive estimate of the probability of a bit in one context: the mean of the previous bits, and from the 60th on
+// an exponentially weighted mean.  Uses integers, so that it is the same on all machines.
 struct Bit_model
 {
-  std::uint16_t probability = 1u << 15; // that the bit is set, of 2^16
-  std::uint16_t number_of_bits = 0;
+  std::uint16_t probability = 1u << 15; // that the bit is set, times 2^16
+  std::uint16_t number_of_bits = 0;     // at most 60
 
   CGAL_GEODESIC_PROCESSING_EXPORT void update(bool bit);
 };
 
-// Bits to bytes, by an interval of 32 bits that shrinks by the probability of each (Witten, Neal and Cleary 1987).
+// A binary arithmetic encoder with a 32-bit interval (Witten, Neal and Cleary 1987).
 class CGAL_GEODESIC_PROCESSING_EXPORT Bit_encoder
 {
 public:
   void put(bool bit, Bit_model& model);
-  void put(bool bit); // either as likely
+  void put(bool bit); // with probability 1/2
 
-  // All bytes; nothing can be put afterwards.
+  // Returns all bytes.  The encoder cannot be used afterwards.
   std::vector<std::uint8_t> finish();
 
 private:
@@ -38,17 +38,18 @@ private:
   std::vector<std::uint8_t> m_bytes;
 };
 
-// The way back.  Of a prefix of the bytes it gives just the bits that all continuations share.
+// The decoder.  From a prefix of the bytes, it decodes exactly the bits that are the same for all continuations.
 class CGAL_GEODESIC_PROCESSING_EXPORT Bit_decoder
 {
 public:
-  // is_complete: the bytes are all that the encoder made
+  // is_complete  the bytes are the whole output of the encoder, not a prefix
   Bit_decoder(const std::uint8_t* bytes, std::size_t size, bool is_complete);
 
   bool get(Bit_model& model);
   bool get();
 
-  // True when a bit was asked for that the bytes do not tell; that and all later ones are zero.
+  // Returns true if a requested bit was not determined by the bytes.  This bit and all later ones are returned as
+  // false.
   bool is_exhausted() const { return m_is_exhausted; }
 
 private:
@@ -58,7 +59,7 @@ private:
   const std::uint8_t *m_next, *m_end;
   bool m_is_complete, m_is_exhausted = false;
   std::uint32_t m_low = 0, m_high = 0xffffffff;
-  std::uint32_t m_min_code = 0, m_max_code = 0; // what the code may be, as far as it is known
+  std::uint32_t m_min_code = 0, m_max_code = 0; // range of the code, given the bytes
 };
 
 } // namespace CGAL::Geodesic_processing::internal

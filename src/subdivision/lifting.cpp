@@ -16,13 +16,13 @@ namespace {
 
 using Level = Subdivision::Level;
 
-// What is known of the vertices of a level.
+// Valences and boundary flags of the vertices of a level.
 struct Vertex_types
 {
-  std::vector<Index> valence; // #vertices: edges
+  std::vector<Index> valence; // #vertices: number of edges
   std::vector<bool> is_on_boundary;
 
-  // A ring that is not that of the regular triangulation.
+  // Returns true for interior vertices whose valence is not 6.
   bool is_extraordinary(Index vertex) const
   {
     return !is_on_boundary[vertex] && valence[vertex] != 6;
@@ -48,6 +48,7 @@ Vertex_types classify_vertices(const Level& level)
   return result;
 }
 
+// Builds the stencils of the midpoints of a level, one halfedge at a time.
 class Stencil_builder
 {
 public:
@@ -99,7 +100,7 @@ private:
       add_weight(end, 0.5 * factor);
   }
 
-  // Four points at equal steps along the border.
+  // The four-point scheme along the boundary.
   void add_boundary_weights(Index h)
   {
     Index previous_boundary = previous_halfedge(h), next_boundary = next_halfedge(h);
@@ -113,8 +114,9 @@ private:
     add_weight(edge_vertices(m_level, next_boundary)[1], -1. / 16.);
   }
 
-  // The part of the eight points on one side of an edge.  A wing beyond the border is the reflection of the corner
-  // across, so that linear values are still met.
+  // Adds the three butterfly vertices in the direction of the triangle of h.  If a wing does not exist, it is
+  // replaced by the reflection of the opposite corner across the midpoint of the edge, so that linear functions are
+  // still reproduced.
   void add_butterfly_wings(Index h)
   {
     add_weight(opposite_vertex(m_level, h), 1. / 8.);
@@ -129,7 +131,8 @@ private:
       }
   }
 
-  // The vertex that a side starts from, and its ring (Zorin and others 1996, section 3).
+  // Adds the stencil of an extraordinary vertex, the source of h, and its ring (Zorin and others 1996, section 3).
+  // If its fan is not closed, adds the midpoint weights instead.
   void add_ring_weights(Index h, double factor)
   {
     std::vector<Index> ring;
@@ -165,7 +168,7 @@ private:
   Prediction_stencils m_result;
 };
 
-// One side for each midpoint of a level, in their order.
+// Calls use(h) for one halfedge of each edge, in the order of the midpoints.
 template <typename Use>
 void for_each_midpoint(const Level& level, const Use& use)
 {
@@ -179,10 +182,10 @@ Vec3 position(const std::vector<double>& values, Index vertex)
   return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
 }
 
-using Local_frame = std::array<Vec3, 3>; // normal, along the edge, across
+using Local_frame = std::array<Vec3, 3>; // normal, tangent along the edge, their cross product
 
-// Of the coarser surface at an edge.  Where its triangles have angles below half a degree, rounding would turn the
-// frame: there the axes of space serve.
+// Returns the frame of the coarser surface at an edge.  If the sine of an angle is below 0.01 (half a degree), the
+// frame would depend on round-off errors: then returns the coordinate axes.
 Local_frame local_frame(const Level& level, const std::vector<double>& values, Index h)
 {
   constexpr double min_sine = 0.01;
@@ -231,7 +234,8 @@ Lifting::Lifting(std::shared_ptr<const Subdivision> subdivision, Prediction pred
   const std::size_t last = m_subdivision->levels.size() - 1;
   for(std::size_t level = 0; level < last; ++level)
     m_stencils.push_back(prediction_stencils(*m_subdivision, level, prediction));
-  // Integrals of the scaling functions: a midpoint's weight goes where it is foretold from.
+  // The weights are the integrals of the scaling functions: the weight of a midpoint is distributed to the vertices
+  // of its stencil.
   m_weights[last].assign(m_subdivision->number_of_vertices(), 1.);
   for(std::size_t level = last; level-- > 0;)
   {
@@ -270,7 +274,7 @@ void Lifting::update(std::vector<double>& values, std::size_t channels, std::siz
   for(Index m = Index(coarse.size()); m < fine.size(); ++m)
     for(const Index end : m_subdivision->parents[m])
     {
-      // Weights are not small but at rings of odd shapes, where an update would blow details up.
+      // Coarse weights are only small or negative at irregular rings, where an update would amplify details.
       const double weight = 0.5 * fine[m] / coarse[end];
       if(!(weight > 0. && weight < 1.))
         continue;
@@ -345,7 +349,7 @@ void keep_largest(std::vector<double>& values, std::size_t channels, const Subdi
       size[v] = std::hypot(size[v], values[channels * v + c]);
     size[v] *= norms[v];
   }
-  // Of equal ones the first: the same for every machine.
+  // Ties are resolved by index, so that the result is the same on all machines.
   std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(number), order.end(),
                    [&](Index a, Index b)
                    { return size[a] > size[b] || (size[a] == size[b] && a < b); });

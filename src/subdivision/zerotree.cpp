@@ -17,13 +17,13 @@ namespace {
 
 // ---------------------------------------------------------------------------------------- trees
 
-// Edges as the details of their midpoints.
+// The trees of coefficients.  The coefficient of an edge is the detail of its midpoint.
 struct Zerotrees
 {
-  std::vector<std::array<Index, 4>> children;  // #vertices: of those of the coarsest level none
+  std::vector<std::array<Index, 4>> children;  // #vertices: none for vertices of the base mesh
   std::vector<std::array<Index, 4>> neighbors; // #vertices: the other edges of both triangles
-  std::vector<Index> parent;                   // #vertices, or none
-  std::vector<bool> is_root;                   // #vertices: base vertices and base edges
+  std::vector<Index> parent;                   // #vertices: none for roots
+  std::vector<bool> is_root; // #vertices: true for vertices and edges of the base mesh
 };
 
 Zerotrees build_zerotrees(const Subdivision& s)
@@ -49,7 +49,7 @@ Zerotrees build_zerotrees(const Subdivision& s)
       neighbors[is_first ? 1 : 3] = level.midpoint[previous_halfedge(h)];
       if(next.midpoint.empty())
         continue;
-      // Side k of each child at a corner is a half of this one, or parallel to it.
+      // Edge k of each corner child is a half of this edge, or parallel to it.
       auto& children = result.children[m];
       const auto child_edge = [&](Index child)
       { return next.midpoint[3 * (4 * (h / 3) + child % 3) + k]; };
@@ -71,18 +71,20 @@ Zerotrees build_zerotrees(const Subdivision& s)
 
 // ---------------------------------------------------------------------------------------- planes
 
-// What encoder and decoder both know of one channel.
+// The state of one channel, which is the same in encoder and decoder.
 struct Channel_state
 {
   std::vector<std::uint8_t>
-      significance; // #vertices: 0 as long as it is not significant, then 1 and more
-  std::vector<std::uint8_t> has_significant_descendant; // #vertices: whether a descendant is
-  std::vector<std::uint8_t> is_coded; // #vertices: whether it is told about at all
+      significance; // #vertices: 0 if not significant, then 1 to 3, growing with each plane
+  std::vector<std::uint8_t>
+      has_significant_descendant; // #vertices: true if a descendant is significant
+  std::vector<std::uint8_t>
+      is_coded; // #vertices: true for roots and if the parent has significant descendants
   std::vector<Bit_model> significance_models, descendant_models, refinement_models;
 };
 
-// One plane after the other, by a coder: a struct with bit(Bit_model&, known) and sign(known), of which
-// the encoder returns what it knows, the decoder what it reads.
+// Codes bit planes.  The template parameter Coder encodes or decodes single bits: its functions bit(model, get_value)
+// and sign(get_value) return the bit.  The encoder calls get_value() and writes the bit; the decoder reads it.
 class Bitplane_coder
 {
 public:
@@ -103,7 +105,7 @@ public:
 
   const Zerotrees& zerotrees() const { return m_zerotrees; }
 
-  // False when the coder is at its end.
+  // Codes the next plane.  Returns false if a decoder has no more bits.
   template <typename Coder>
   bool code_plane(Coder& coder)
   {
@@ -164,7 +166,7 @@ private:
     return true;
   }
 
-  // Large numbers have large parents and neighbours, and large numbers in the other channels.
+  // Magnitudes of a coefficient, its parent, its neighbors and the other channels are correlated.
   std::size_t significance_context(Index v, std::size_t c) const
   {
     const Channel_state& state = m_channels[c];
@@ -203,7 +205,7 @@ private:
   std::vector<Channel_state> m_channels;
 };
 
-// By what numbers are multiplied before they are cut into planes.
+// Returns the factors (#vertices * channels) that are applied to coefficients before quantization.
 std::vector<double> scale_factors(const Subdivision& s, const Stream_header& header)
 {
   const std::vector<double> norms = detail_norms(s);
@@ -268,7 +270,7 @@ struct Plane_encoder
 
 struct Plane_decoder
 {
-  std::vector<double>& values; // in the middle of what each may be, in units of the first plane
+  std::vector<double>& values; // midpoints of the intervals known so far, divided by 2^exponent
   std::size_t channels;
   double unit;
   Bit_decoder bits;
@@ -283,7 +285,7 @@ struct Plane_decoder
   {
     return bits.get();
   }
-  // Never called: the encoder's knowledge.
+  // Required by Bitplane_coder, never called.
   bool is_significant(Index, std::size_t) const { return false; }
   bool is_negative(Index, std::size_t) const { return false; }
   bool is_set(Index, std::size_t) const { return false; }
@@ -407,7 +409,8 @@ Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,
 {
   Stream_reader reader{bytes, bytes + size};
   const Stream_header header = read_header(reader);
-  // A triangle of the finest level has no more than three vertices of its own.
+  // Reject sizes before memory is allocated.  The number of finest triangles is at most about twice the number of
+  // vertices.
   const double number_of_finest_triangles =
       std::ldexp(double(header.triangles), 2 * int(header.levels));
   if(double(header.vertices) > double(max_number_of_vertices) ||

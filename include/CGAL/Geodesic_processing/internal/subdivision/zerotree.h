@@ -13,31 +13,35 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Details as a stream of bytes, the most important bits first (Khodakovsky, Schröder and Sweldens 2000): any prefix
-// gives the values as well as so many bits can.
+// Progressive coding of wavelet coefficients by zerotrees (Khodakovsky, Schröder and Sweldens 2000).  The stream has
+// the most significant bits first, so that each prefix decodes to an approximation.
 //
-// All numbers are cut into bit planes.  A plane tells, from coarse to fine, which numbers become significant in it,
-// and one more bit of those that are; where no descendant of a detail is, one bit says so for the whole tree.  The
-// children of the detail of an edge are those of the four edges of the next level that it makes or that run
-// parallel to it in its two triangles.  Bits are coded arithmetically, in contexts of what is known of the parent
-// and of the other edges of both triangles.
+// The coefficients are coded by bit planes.  A plane first states which coefficients become significant, from the
+// coarsest to the finest level, and adds one bit to the significant ones.  If no descendant of a coefficient is
+// significant, one bit states this for the whole tree.  The coefficient of an edge has four children: its two
+// halves, and the two edges of the next level parallel to it in its two triangles.  Bits are coded arithmetically
+// with contexts: the significance of the parent, of the other edges of both triangles, and of the other channels.
 //
-// Layout: a header, the base triangles, then the planes, each with its length and a checksum (CRC-32), integers with
-// the least byte first.  So a damaged stream gives what stands before the damage.
+// Layout: a header, the base triangles, then the bit planes, each with its length and a checksum (CRC-32).  Integers
+// are stored with the least significant byte first.  If a stream is damaged, the planes before the damage are
+// decoded.
 
 struct Wavelet_signal
 {
   std::size_t channels = 0;
   Prediction prediction = Prediction::butterfly;
   bool use_update = true, is_in_frames = false;
-  std::vector<double> values; // #vertices * channels, after analysis
+  std::vector<double> values; // #vertices * channels: after Lifting::analyze()
 };
 
-// planes: bits of the largest number, 1 to 48
-// tangent_shift: how many planes later details along the surface come than those along its normal
-// max_number_of_bytes: the stream ends there, within the last plane
-// Throws Invalid_argument_error when the surface has no vertices, or values are not finite.
-// O(size of the stream + planes * n).
+// Encodes a subdivision and wavelet coefficients.
+//
+// planes               number of bits of the largest coefficient, 1 to 48
+// tangent_shift        details tangential to the surface are coded this number of planes later than normal ones
+// max_number_of_bytes  the stream is truncated to this size
+//
+// Throws Invalid_argument_error if the surface has no vertices, a number is out of range, or a value is not finite or
+// exceeds 1e280.  O(size of the stream + planes * n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::uint8_t> encode(const Subdivision& subdivision, const Wavelet_signal& signal,
                                  unsigned planes, unsigned tangent_shift = 2,
@@ -47,18 +51,19 @@ struct Decoded_wavelets
 {
   std::shared_ptr<const Subdivision> subdivision;
   Wavelet_signal signal;
-  std::size_t planes = 0;       // read as a whole
-  std::size_t total_planes = 0; // that the encoder has begun with
-  bool is_damaged = false; // bytes are not what the encoder wrote: only those before them are used
+  std::size_t planes = 0;       // number of complete planes
+  std::size_t total_planes = 0; // number of planes of the encoder
+  bool is_damaged = false;      // a checksum differs: only the planes before it are used
 };
 
-// Throws Invalid_argument_error where not even the base mesh can be read, or where the surface would have more
-// vertices than `max_number_of_vertices`.
+// Decodes a stream or a prefix of one.
+// Throws Invalid_argument_error if the header or the base mesh is incomplete or damaged, or if the surface has more than
+// `max_number_of_vertices` vertices.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,
                         std::size_t max_number_of_vertices);
 
-// The values that a stream stands for.
+// Returns the values (#vertices * channels) that a decoded stream represents: synthesizes its coefficients.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> decoded_values(const Decoded_wavelets& decoding);
 
