@@ -63,7 +63,7 @@ Surface_location Triangle_tree::nearest(const std::array<double, 3>& point) cons
     if(!std::isfinite(x))
       throw Invalid_argument_error("A coordinate of the point to locate is not finite.");
   if(t.number_of_vertices() == 0)
-    throw Invalid_argument_error("There is nothing to locate a point on: the surface is empty.");
+    throw Invalid_argument_error("A point cannot be located on an empty surface.");
   // Clamp distant points, so that squared distances cannot overflow.
   Vec3 p;
   for(int k = 0; k < 3; ++k)

@@ -23,9 +23,9 @@ void check_corners(const std::vector<Triangle>& triangles, Index number_of_verti
   for(const auto& [a, b, c] : triangles)
   {
     if(a >= number_of_vertices || b >= number_of_vertices || c >= number_of_vertices)
-      throw Invalid_argument_error("A triangle names a vertex that there is not.");
+      throw Invalid_argument_error("A triangle refers to a vertex that does not exist.");
     if(a == b || b == c || c == a)
-      throw Invalid_argument_error("A triangle names a vertex twice.");
+      throw Invalid_argument_error("A triangle refers to a vertex twice.");
   }
 }
 
@@ -42,10 +42,10 @@ void check_edges(const Level& level)
   std::sort(edges.begin(), edges.end());
   const auto twice = std::adjacent_find(edges.begin(), edges.end());
   if(twice != edges.end())
-    throw Invalid_argument_error(
-        "Vertices " + std::to_string((*twice)[0]) + " and " + std::to_string((*twice)[1]) +
-        " are joined by an edge of more than two triangles, or of two that "
-        "are not oriented alike.");
+    throw Invalid_argument_error("Vertices " + std::to_string((*twice)[0]) + " and " +
+                                 std::to_string((*twice)[1]) +
+                                 " have more than one edge, or their edge has more than two "
+                                 "triangles or inconsistent orientations.");
 }
 
 Level coarsest_level(const std::vector<Triangle>& triangles, Index number_of_vertices)
@@ -114,7 +114,7 @@ void check_size(std::size_t triangles, unsigned times)
   for(unsigned i = 0; i < times && number_of_halfedges < max_number_of_halfedges; ++i)
     number_of_halfedges *= 4;
   if(number_of_halfedges >= max_number_of_halfedges)
-    throw Invalid_argument_error("So many subdivisions make more than 2^31 sides.");
+    throw Invalid_argument_error("The subdivision would have 2^31 halfedges or more.");
 }
 
 } // namespace
@@ -366,7 +366,7 @@ Quad_subdivision subdivide_into_quads(const std::vector<Triangle>& triangles,
                                       Index number_of_vertices, unsigned levels)
 {
   if(levels == 0)
-    throw Invalid_argument_error("A subdivision into quads has one level at least.");
+    throw Invalid_argument_error("A subdivision into quads must have at least one level.");
   check_size(triangles.size(), levels);
   Quad_subdivider subdivider(triangles, number_of_vertices, levels);
   for(unsigned level = 1; level < levels; ++level)

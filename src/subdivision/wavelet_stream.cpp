@@ -52,7 +52,7 @@ unsigned bit_width(std::size_t number)
 std::uint64_t Stream_reader::read_integer(int size)
 {
   if(remaining_size() < std::size_t(size))
-    throw Invalid_argument_error("The stream of wavelets ends in its header.");
+    throw Invalid_argument_error("The wavelet stream ends within its header.");
   std::uint64_t result = 0;
   for(int i = 0; i < size; ++i)
     result |= std::uint64_t(*next++) << (8 * i);
@@ -117,7 +117,7 @@ Stream_header read_header(Stream_reader& reader)
   const std::uint8_t* const begin = reader.next;
   for(const char letter : magic)
     if(reader.read_integer(1) != std::uint8_t(letter))
-      throw Invalid_argument_error("The bytes are no stream of wavelets.");
+      throw Invalid_argument_error("The bytes are not a wavelet stream.");
   Stream_header h;
   h.channels = std::size_t(reader.read_integer(1));
   const std::uint64_t flags = reader.read_integer(1);
@@ -141,7 +141,7 @@ Stream_header read_header(Stream_reader& reader)
       (!h.is_in_frames || h.channels == 3) &&
       std::all_of(h.origin.begin(), h.origin.end(), [](double x) { return std::abs(x) < 1e300; });
   if(!is_valid)
-    throw Invalid_argument_error("The header of the stream of wavelets is damaged.");
+    throw Invalid_argument_error("The header of the wavelet stream is damaged.");
   return h;
 }
 
@@ -164,7 +164,7 @@ Bytes encode_triangles(const std::vector<Triangle>& triangles, std::size_t numbe
 
 std::vector<Triangle> decode_triangles(const Packet& packet, const Stream_header& header)
 {
-  const char* const message = "The base mesh of the stream of wavelets is damaged or incomplete.";
+  const char* const message = "The base mesh of the wavelet stream is damaged or incomplete.";
   // Each corner takes at least one bit.  This bounds the memory that a damaged header can request.
   if(!packet.is_complete || packet.is_damaged || 3 * header.triangles > 8 * packet.size)
     throw Invalid_argument_error(message);

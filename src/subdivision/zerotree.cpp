@@ -343,7 +343,7 @@ std::vector<double> scaled_coefficients(const Subdivision& s, const Wavelet_sign
   {
     values[i] *= factor[i];
     if(!(std::abs(values[i]) < 1e280))
-      throw Invalid_argument_error("A value is not finite, or too large to be encoded.");
+      throw Invalid_argument_error("A value is not finite or exceeds 1e280.");
     max_magnitude = std::max(max_magnitude, std::abs(values[i]));
   }
   header.exponent = max_magnitude > 1e-280 ? std::ilogb(max_magnitude) + 1 : -930;
@@ -380,11 +380,13 @@ std::vector<std::uint8_t> encode(const Subdivision& s, const Wavelet_signal& sig
 {
   const std::size_t channels = signal.channels;
   if(s.number_of_vertices() == 0 || channels == 0 || channels > max_channels)
-    throw Invalid_argument_error("There are no values to encode, or too many for each vertex.");
+    throw Invalid_argument_error(
+        "The number of vertices must be positive, and the number of channels between 1 and 16.");
   if(planes == 0 || planes > max_planes || tangent_shift > max_planes)
-    throw Invalid_argument_error("A stream of wavelets has 1 to 48 bit planes.");
+    throw Invalid_argument_error(
+        "The number of bit planes must be 1 to 48, and the tangent shift at most 48.");
   if(signal.is_in_frames && channels != 3)
-    throw Invalid_argument_error("Local frames are for three channels.");
+    throw Invalid_argument_error("Local frames require three channels.");
 
   Stream_header header = make_header(s, signal, planes, tangent_shift);
   const std::vector<double> values = scaled_coefficients(s, signal, header);
@@ -415,15 +417,15 @@ Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,
       std::ldexp(double(header.triangles), 2 * int(header.levels));
   if(double(header.vertices) > double(max_number_of_vertices) ||
      number_of_finest_triangles > 2.5 * double(max_number_of_vertices))
-    throw Invalid_argument_error("The stream of wavelets has more vertices than are allowed.");
+    throw Invalid_argument_error("The wavelet stream has more vertices than are allowed.");
   if(header.vertices == 0)
-    throw Invalid_argument_error("The stream of wavelets has no vertices.");
+    throw Invalid_argument_error("The wavelet stream has no vertices.");
   Decoded_wavelets result;
   result.subdivision = std::make_shared<Subdivision>(subdivide(
       decode_triangles(read_packet(reader), header), Index(header.vertices), header.levels));
   const Subdivision& s = *result.subdivision;
   if(s.number_of_vertices() > max_number_of_vertices)
-    throw Invalid_argument_error("The stream of wavelets has more vertices than are allowed.");
+    throw Invalid_argument_error("The wavelet stream has more vertices than are allowed.");
 
   Wavelet_signal& signal = result.signal;
   signal.channels = header.channels;

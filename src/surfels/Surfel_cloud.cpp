@@ -126,8 +126,8 @@ Surfel_cloud make_cloud(std::vector<Vec3> points, std::vector<Vec3> normals,
   if(!(options.maximum_angle > 0.) || options.maximum_angle > std::acos(-1.) || options.rank == 0 ||
      options.neighbors == 0)
     throw Invalid_argument_error(
-        "The angle between neighbours must lie between 0 and pi, and their "
-        "number and rank above 0.");
+        "The maximum angle between the normals of neighbors must be positive and at most pi, and "
+        "the number of neighbors and the rank must be positive.");
   const Compatibility_test compatibility_test = {std::cos(options.maximum_angle)};
   normalize(normals);
   Surfel_cloud cloud;

@@ -78,7 +78,7 @@ struct Triangle_priority
   {
     if(--*remaining_queries < 0.)
       throw Unsupported_surface_error(
-          "The cloud is not clean: a surface through its surfels falls into too many parts.");
+          "The cloud is too noisy: the surface through its surfels has too many components.");
     const double size = front.smallest_radius_delaunay_sphere(cell, index);
     // The triangulation has auxiliary vertices that are not surfels.
     if(!(size < infinity))

@@ -182,8 +182,9 @@ Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
   const std::size_t n = points.size();
   check_sizes(n, normals.size(), radii.size());
   if(!(options.maximum_angle > 0.) || options.maximum_angle > std::acos(-1.) || options.rank == 0)
-    throw Invalid_argument_error("The angle between neighbours must lie between 0 and pi, and the "
-                                 "rank of the neighbour that gives the radius above 0.");
+    throw Invalid_argument_error(
+        "The maximum angle between the normals of neighbors must be positive and at most pi, and "
+        "the rank of the neighbor that determines the radius must be positive.");
   Surfel_arrays result;
   Surface_arrays& t = result.arrays;
   const Compatibility_test compatibility_test = {std::cos(options.maximum_angle)};
@@ -236,12 +237,12 @@ Tangent_location locate(const Kd_tree& tree, const std::vector<Vec3>& points,
                         const Frame& frame, const std::array<double, 3>& point)
 {
   if(tree.size() == 0)
-    throw Invalid_argument_error("There is nothing to locate a point on: the surface is empty.");
+    throw Invalid_argument_error("A point cannot be located on an empty surface.");
   Vec3 query;
   for(int k = 0; k < 3; ++k)
   {
     if(!std::isfinite(point[k]))
-      throw Invalid_argument_error("The coordinates of the point to locate are not finite.");
+      throw Invalid_argument_error("A coordinate of the point to locate is not finite.");
     // Clamp distant points, so that squared distances cannot overflow.
     query[k] = std::clamp(std::ldexp(point[k], -std::ilogb(frame.scale)) -
                               std::ldexp(frame.origin[k], -std::ilogb(frame.scale)),

@@ -46,14 +46,13 @@ Estimated_surfels estimate_surfels(const std::vector<Vec3>& points, unsigned num
                                    double outlier_percentage, unsigned threads)
 {
   if(number_of_neighbors < 6)
-    throw Invalid_argument_error("A normal needs six neighbours.");
+    throw Invalid_argument_error("Normals must be estimated from at least 6 neighbors.");
   if(!(outlier_percentage >= 0.) || !(outlier_percentage <= 100.))
     throw Invalid_argument_error("The percentage of outliers must lie between 0 and 100.");
   const auto check_number_of_points = [&](std::size_t number_of_points)
   {
     if(number_of_points <= number_of_neighbors)
-      throw Unsupported_surface_error(
-          "There are fewer points than neighbours that a normal needs.");
+      throw Unsupported_surface_error("The number of points must exceed the number of neighbors.");
   };
   check_number_of_points(points.size());
 

@@ -14,11 +14,11 @@ namespace CGAL::Geodesic_processing::internal {
 void check_sizes(std::size_t points, std::size_t normals, std::size_t radii)
 {
   if(normals != points || (radii != 0 && radii != points))
-    throw Invalid_argument_error("There are " + std::to_string(points) + " points, " +
-                                 std::to_string(normals) + " normals and " + std::to_string(radii) +
-                                 " radii.");
+    throw Invalid_argument_error("The numbers of points (" + std::to_string(points) +
+                                 "), normals (" + std::to_string(normals) + ") and radii (" +
+                                 std::to_string(radii) + ", which may be 0) must be equal.");
   if(points > none / 128)
-    throw Unsupported_surface_error("A cloud of more than 2^25 surfels is too large.");
+    throw Unsupported_surface_error("A cloud can have at most 2^25 surfels.");
 }
 
 void normalize(std::vector<Vec3>& normals)
@@ -29,7 +29,7 @@ void normalize(std::vector<Vec3>& normals)
     const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
     if(!(largest > 0.) || !std::isfinite(n[0]) || !std::isfinite(n[1]) || !std::isfinite(n[2]))
       throw Invalid_argument_error("The normal of surfel " + std::to_string(i) +
-                                   " has no direction.");
+                                   " is zero or not finite.");
     const int exponent = std::ilogb(largest);
     for(double& x : n)
       x = std::ldexp(x, -exponent);
