@@ -119,8 +119,8 @@ void Kd_tree::scale(double factor)
     }
 }
 
-// Calls visit(begin, end) for the leaves within the squared distance `bound`, approximately in the order
-// of their distances.  `visit` can reduce `bound` through another reference.
+// Calls visit(begin, end) for the leaves within the squared distance `bound`, approximately in the
+// order of their distances.  `visit` can reduce `bound` through another reference.
 template <typename Visit>
 void Kd_tree::visit_leaves(const Point& query, const double& bound, Visit&& visit) const
 {

@@ -14,7 +14,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// If more points are gathered, or remain within the bound of a point, a query of the tree is faster.
+// If more points are gathered, or remain within the bound of a point, a query of the tree is
+// faster.
 constexpr std::size_t max_gathered = 768, max_candidates = 160;
 
 constexpr std::size_t max_leaf_size = 64;
@@ -142,8 +143,8 @@ Leaf_neighbors::Leaf_neighbors(const std::vector<Kd_tree::Point>& points, const 
     : m_points(points), m_tree(tree), m_size(std::min(k, tree.size()))
 {}
 
-// Keeps the gathered points within a squared distance of a point.  Ranks them by distance, unless there
-// are more than `max_candidates`.
+// Keeps the gathered points within a squared distance of a point.  Ranks them by distance, unless
+// there are more than `max_candidates`.
 std::size_t Leaf_neighbors::filter_and_rank(Index point, double bound, std::int64_t* rank)
 {
   const Coordinates coordinate_arrays = {m_gathered.x.data(), m_gathered.y.data(),
@@ -157,8 +158,9 @@ std::size_t Leaf_neighbors::filter_and_rank(Index point, double bound, std::int6
   return number_kept;
 }
 
-// Gathers all points that can be neighbors of points first .. last - 1, and sets `bound` to an upper
-// bound of the squared distance of the last neighbor of each.  Returns false if the points are too many.
+// Gathers all points that can be neighbors of points first .. last - 1, and sets `bound` to an
+// upper bound of the squared distance of the last neighbor of each.  Returns false if the points
+// are too many.
 bool Leaf_neighbors::gather(Index first, Index last, double* bound, std::int64_t* rank)
 {
   // An ancestor with slightly more than size() points gives the bounds.
@@ -188,8 +190,8 @@ bool Leaf_neighbors::gather(Index first, Index last, double* bound, std::int64_t
   return is_complete;
 }
 
-// Writes the neighbors of a point by a query of the tree.  `previous`, if not null, is the row of another
-// point: the same size() points bound the distance of the last neighbor.
+// Writes the neighbors of a point by a query of the tree.  `previous`, if not null, is the row of
+// another point: the same size() points bound the distance of the last neighbor.
 void Leaf_neighbors::find_in_tree(Index point, const Neighbor* previous, Neighbor* row)
 {
   double max_squared_distance = previous == nullptr ? infinity : 0.;

@@ -11,8 +11,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// An adaptive estimate of the probability of a bit in one context: the mean of the previous bits, and from the 60th on
-// an exponentially weighted mean.  Uses integers, so that it is the same on all machines.
+// An adaptive estimate of the probability of a bit in one context: the mean of the previous bits,
+// and from the 60th on an exponentially weighted mean.  Uses integers, so that it is the same on
+// all machines.
 struct Bit_model
 {
   std::uint16_t probability = 1u << 15; // that the bit is set, times 2^16
@@ -38,7 +39,8 @@ private:
   std::vector<std::uint8_t> m_bytes;
 };
 
-// The decoder.  From a prefix of the bytes, it decodes exactly the bits that are the same for all continuations.
+// The decoder.  From a prefix of the bytes, it decodes exactly the bits that are the same for all
+// continuations.
 class CGAL_GEODESIC_PROCESSING_EXPORT Bit_decoder
 {
 public:
@@ -48,8 +50,8 @@ public:
   bool get(Bit_model& model);
   bool get();
 
-  // Returns true if a requested bit was not determined by the bytes.  This bit and all later ones are returned as
-  // false.
+  // Returns true if a requested bit was not determined by the bytes.  This bit and all later ones
+  // are returned as false.
   bool is_exhausted() const { return m_is_exhausted; }
 
 private:

@@ -32,8 +32,8 @@ public:
         m_role(level.number_of_vertices, Role::unknown), m_is_counted(level.triangles.size(), false)
   {}
 
-  // Returns the tiles of all components, sorted by their central triangles, or nothing if a component has no
-  // tiling.
+  // Returns the tiles of all components, sorted by their central triangles, or nothing if a
+  // component has no tiling.
   std::optional<std::vector<Tile>> find()
   {
     std::vector<Tile> result;
@@ -164,7 +164,8 @@ private:
           const Index twin = m_level.twin[outer];
           if(twin == none)
             continue;
-          // In the adjacent tile, the edge opposite to the corner is shared with the central triangle.
+          // In the adjacent tile, the edge opposite to the corner is shared with the central
+          // triangle.
           const Index across = internal::source_vertex(m_level, twin) == corner
                                    ? next_halfedge(twin)
                                    : previous_halfedge(twin);

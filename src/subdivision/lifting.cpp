@@ -114,9 +114,9 @@ private:
     add_weight(edge_vertices(m_level, next_boundary)[1], -1. / 16.);
   }
 
-  // Adds the three butterfly vertices in the direction of the triangle of h.  If a wing does not exist, it is
-  // replaced by the reflection of the opposite corner across the midpoint of the edge, so that linear functions are
-  // still reproduced.
+  // Adds the three butterfly vertices in the direction of the triangle of h.  If a wing does not
+  // exist, it is replaced by the reflection of the opposite corner across the midpoint of the edge,
+  // so that linear functions are still reproduced.
   void add_butterfly_wings(Index h)
   {
     add_weight(opposite_vertex(m_level, h), 1. / 8.);
@@ -131,8 +131,8 @@ private:
       }
   }
 
-  // Adds the stencil of an extraordinary vertex, the source of h, and its ring (Zorin and others 1996, section 3).
-  // If its fan is not closed, adds the midpoint weights instead.
+  // Adds the stencil of an extraordinary vertex, the source of h, and its ring (Zorin and others
+  // 1996, section 3).  If its fan is not closed, adds the midpoint weights instead.
   void add_ring_weights(Index h, double factor)
   {
     std::vector<Index> ring;
@@ -184,8 +184,8 @@ Vec3 position(const std::vector<double>& values, Index vertex)
 
 using Local_frame = std::array<Vec3, 3>; // normal, tangent along the edge, their cross product
 
-// Returns the frame of the coarser surface at an edge.  If the sine of an angle is below 0.01 (half a degree), the
-// frame would depend on round-off errors: then returns the coordinate axes.
+// Returns the frame of the coarser surface at an edge.  If the sine of an angle is below 0.01 (half
+// a degree), the frame would depend on round-off errors: then returns the coordinate axes.
 Local_frame local_frame(const Level& level, const std::vector<double>& values, Index h)
 {
   constexpr double min_sine = 0.01;
@@ -234,8 +234,8 @@ Lifting::Lifting(std::shared_ptr<const Subdivision> subdivision, Prediction pred
   const std::size_t last = m_subdivision->levels.size() - 1;
   for(std::size_t level = 0; level < last; ++level)
     m_stencils.push_back(prediction_stencils(*m_subdivision, level, prediction));
-  // The weights are the integrals of the scaling functions: the weight of a midpoint is distributed to the vertices
-  // of its stencil.
+  // The weights are the integrals of the scaling functions: the weight of a midpoint is distributed
+  // to the vertices of its stencil.
   m_weights[last].assign(m_subdivision->number_of_vertices(), 1.);
   for(std::size_t level = last; level-- > 0;)
   {
@@ -274,7 +274,8 @@ void Lifting::update(std::vector<double>& values, std::size_t channels, std::siz
   for(Index m = Index(coarse.size()); m < fine.size(); ++m)
     for(const Index end : m_subdivision->parents[m])
     {
-      // Coarse weights are only small or negative at irregular rings, where an update would amplify details.
+      // Coarse weights are only small or negative at irregular rings, where an update would amplify
+      // details.
       const double weight = 0.5 * fine[m] / coarse[end];
       if(!(weight > 0. && weight < 1.))
         continue;

@@ -77,8 +77,8 @@ void add_midpoints(Level& level, std::vector<std::array<Index, 2>>& parents)
       level.midpoint[h] = level.midpoint[level.twin[h]];
 }
 
-// Return the halves of a halfedge: they belong to the children at its source and at its target, and have the same
-// position in these triangles as the halfedge has in its triangle.
+// Return the halves of a halfedge: they belong to the children at its source and at its target, and
+// have the same position in these triangles as the halfedge has in its triangle.
 Index first_half(Index h) { return 3 * (4 * (h / 3) + h % 3) + h % 3; }
 Index second_half(Index h) { return 3 * (4 * (h / 3) + (h + 1) % 3) + h % 3; }
 

@@ -83,8 +83,9 @@ struct Channel_state
   std::vector<Bit_model> significance_models, descendant_models, refinement_models;
 };
 
-// Codes bit planes.  The template parameter Coder encodes or decodes single bits: its functions bit(model, get_value)
-// and sign(get_value) return the bit.  The encoder calls get_value() and writes the bit; the decoder reads it.
+// Codes bit planes.  The template parameter Coder encodes or decodes single bits: its functions
+// bit(model, get_value) and sign(get_value) return the bit.  The encoder calls get_value() and
+// writes the bit; the decoder reads it.
 class Bitplane_coder
 {
 public:
@@ -318,8 +319,8 @@ Stream_header make_header(const Subdivision& s, const Wavelet_signal& signal, un
   return header;
 }
 
-// Returns the scaled coefficients (#vertices * channels).  The values of the base vertices are centered
-// first.  Sets the origin and the exponent of the header.
+// Returns the scaled coefficients (#vertices * channels).  The values of the base vertices are
+// centered first.  Sets the origin and the exponent of the header.
 std::vector<double> scaled_coefficients(const Subdivision& s, const Wavelet_signal& signal,
                                         Stream_header& header)
 {
@@ -411,8 +412,8 @@ Decoded_wavelets decode(const std::uint8_t* bytes, std::size_t size,
 {
   Stream_reader reader{bytes, bytes + size};
   const Stream_header header = read_header(reader);
-  // Reject sizes before memory is allocated.  The number of finest triangles is at most about twice the number of
-  // vertices.
+  // Reject sizes before memory is allocated.  The number of finest triangles is at most about twice
+  // the number of vertices.
   const double number_of_finest_triangles =
       std::ldexp(double(header.triangles), 2 * int(header.levels));
   if(double(header.vertices) > double(max_number_of_vertices) ||

@@ -14,9 +14,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Builds a symmetric graph.  The edges of a surfel to its neighbors with are_connected(i, j, length) are sorted
-// by distance.  Edges whose reverse is missing follow: surfel i is a neighbor of j, but j is not among the
-// neighbors of i.  This only occurs beyond the search radius of i.
+// Builds a symmetric graph.  The edges of a surfel to its neighbors with are_connected(i, j,
+// length) are sorted by distance.  Edges whose reverse is missing follow: surfel i is a neighbor of
+// j, but j is not among the neighbors of i.  This only occurs beyond the search radius of i.
 template <typename Are_connected>
 Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& neighbors,
                            const std::vector<double>& search_radius, unsigned threads,
@@ -73,8 +73,8 @@ Proximity_graph make_graph(const std::vector<Vec3>& point, const Ragged_rows& ne
   return graph;
 }
 
-// Labels the connected components by union-find.  Threads unite the vertices of each block in parallel; then
-// the edges between blocks are processed sequentially.  O(n) in practice.
+// Labels the connected components by union-find.  Threads unite the vertices of each block in
+// parallel; then the edges between blocks are processed sequentially.  O(n) in practice.
 void label_components(unsigned threads, Surfel_cloud& cloud)
 {
   const Proximity_graph& graph = cloud.graph;
@@ -111,7 +111,8 @@ void label_components(unsigned threads, Surfel_cloud& cloud)
   for(const auto& block_edges : cross_block_edges)
     for(const auto& [a, b] : block_edges)
       unite(a, b);
-  // A root is the first vertex of its component, so components are numbered by their first vertices.
+  // A root is the first vertex of its component, so components are numbered by their first
+  // vertices.
   for(Index v = 0; v < n; ++v)
     label[v] = label[v] == v ? cloud.number_of_components++ : label[label[v]];
 }

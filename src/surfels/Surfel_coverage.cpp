@@ -61,11 +61,11 @@ Surfel_coverage::Surfel_coverage(const Surfel_cloud& cloud, unsigned threads)
             if(!(length <= cloud.search_radius[vertex]))
               continue;
             largest.add(cloud.spacing[other]);
-            // Let p be a point at the distance d of the vertex.  The surfels counted so far are within
-            // d + length of p.  All surfels within d + length of p are within 2 d + length of the
-            // vertex.  If 2 d + length is at most the search radius, there are fewer than 60 of them.
-            // So the 60 nearest surfels of p include the counted ones, whose third largest spacing
-            // is a lower bound of the percentile at p.
+            // Let p be a point at the distance d of the vertex.  The surfels counted so far are
+            // within d + length of p.  All surfels within d + length of p are within 2 d + length
+            // of the vertex.  If 2 d + length is at most the search radius, there are fewer than 60
+            // of them.  So the 60 nearest surfels of p include the counted ones, whose third
+            // largest spacing is a lower bound of the percentile at p.
             if(largest.is_full())
               certain_radius =
                   std::max(certain_radius,

@@ -15,17 +15,17 @@ namespace {
 
 // On a torus, a support ratio of 3 increases the error by a factor of 2.3.
 constexpr double support_ratio = 2.3, extent_ratio = 1.5;
-// The extent divided by the ninth decile of the neighbors' radii.  On paths over four scans, 114 of 70,000
-// points were not covered (see Surfel_coverage); with 1.2, 176, and with 1.3, 275.
+// The extent divided by the ninth decile of the neighbors' radii.  On paths over four scans, 114 of
+// 70,000 points were not covered (see Surfel_coverage); with 1.2, 176, and with 1.3, 275.
 constexpr double large_radius_extent_ratio = 1.1;
 
 // Weights decrease to zero between these cosines of the angle between the normals.
 constexpr double full_weight_cosine = 0.76604444311897804 /* 40 degrees */,
                  zero_weight_cosine = 0.5 /* 60 degrees */;
 
-// For robust weights: the number of surfels of a fit, the height of an outlier divided by the standard
-// deviation, and the minimum standard deviation divided by the spacing.  Below the minimum, noise is
-// negligible.
+// For robust weights: the number of surfels of a fit, the height of an outlier divided by the
+// standard deviation, and the minimum standard deviation divided by the spacing.  Below the
+// minimum, noise is negligible.
 constexpr std::size_t number_of_robust_neighbors = 24;
 constexpr double outlier_tolerance = 2.5, min_deviation = 0.02;
 constexpr double deviation_to_median_ratio = 1.4826; // of a normal distribution (MAD)
@@ -53,8 +53,8 @@ struct Sphere
   Vec3 normal;
 };
 
-// Fits the algebraic sphere  constant + linear x + quadratic x^2 = 0.  First its gradient is fitted to the
-// normals, then its value to the points (Guennebaud, Germann and Gross 2008, Eq. 5).
+// Fits the algebraic sphere constant + linear x + quadratic x^2 = 0.  First its gradient is fitted
+// to the normals, then its value to the points (Guennebaud, Germann and Gross 2008, Eq. 5).
 Sphere fit_sphere(const Weighted_sums& s)
 {
   const double inverse_weight = 1. / s.weight;
@@ -67,16 +67,16 @@ Sphere fit_sphere(const Weighted_sums& s)
   const double constant = -inverse_weight * (dot(linear, s.point) + quadratic * s.point_point);
   const double gradient_norm = norm(linear);
   const double discriminant = gradient_norm * gradient_norm - 4. * constant * quadratic;
-  // If there is no real sphere, or the origin is within half a radius of its center, the projection is
-  // unstable: use the weighted mean plane.
+  // If there is no real sphere, or the origin is within half a radius of its center, the projection
+  // is unstable: use the weighted mean plane.
   if(!(discriminant > 0.) || !(gradient_norm * gradient_norm > 0.25 * discriminant))
     return {dot(s.point, unit(s.normal)) * inverse_weight, 0., unit(s.normal)};
   return {-2. * constant / (gradient_norm + std::sqrt(discriminant)),
           2. * quadratic / std::sqrt(discriminant), (1. / gradient_norm) * linear};
 }
 
-// Computes the factor of the robust weight of each vertex (#vertices, in [0, 1]): Tukey's biweight of its
-// median height over its neighbors.
+// Computes the factor of the robust weight of each vertex (#vertices, in [0, 1]): Tukey's biweight
+// of its median height over its neighbors.
 std::vector<double> robust_weights(const Surfel_cloud& cloud)
 {
   std::vector<Kd_tree::Neighbor> neighbors;
@@ -207,8 +207,8 @@ Projection Surfel_surface::project_to_disk(const Vec3& point, Index vertex) cons
   return projection;
 }
 
-// Calls v(weight, other) for the surfels with positive weight in the fit at a point.  `vertex` is the nearest
-// surfel of the point.
+// Calls v(weight, other) for the surfels with positive weight in the fit at a point.  `vertex` is
+// the nearest surfel of the point.
 template <typename Visit>
 void Surfel_surface::visit_neighbors(const Vec3& point, Index vertex, Visit v) const
 {
@@ -266,8 +266,9 @@ bool Surfel_surface::project_step(Projection& projection) const
   return true;
 }
 
-// Fits a quadric to the residuals of the heights and slopes of a fitted sphere, and corrects the projection
-// to the sphere by it.  The weights are those at `from`, the point at which the sphere was fitted.
+// Fits a quadric to the residuals of the heights and slopes of a fitted sphere, and corrects the
+// projection to the sphere by it.  The weights are those at `from`, the point at which the sphere
+// was fitted.
 void Surfel_surface::add_quadric_correction(const Projection& from, double curvature,
                                             Projection& projection) const
 {
@@ -376,7 +377,8 @@ Projection Surfel_surface::project_unclamped(const Vec3& query, Index near_verte
     projection.conormal = (1. / length) * tangent;
     projection.point = projection.point - (length - max_length) * projection.conormal;
   }
-  // The fit at a distant query point uses wrong weights.  Iterate from the projection until it converges.
+  // The fit at a distant query point uses wrong weights.  Iterate from the projection until it
+  // converges.
   for(int i = 0; i < 4; ++i)
   {
     const Vec3 previous_point = projection.point;

@@ -15,13 +15,13 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Random samples of a plane need 28 neighbors on average until their Voronoi cell is certain.  Cells
-// that need more than `number_of_ring_neighbors` use up to this number.
+// Random samples of a plane need 28 neighbors on average until their Voronoi cell is certain.
+// Cells that need more than `number_of_ring_neighbors` use up to this number.
 constexpr std::size_t max_number_of_neighbors = 64;
 
-// A bisector has half the distance of its neighbor.  So it can intersect the cell only if the squared
-// distance of the neighbor is at most 4 times the squared radius of the cell.  The factor is larger
-// because the weights of the power diagram can move a bisector across a corner.
+// A bisector has half the distance of its neighbor.  So it can intersect the cell only if the
+// squared distance of the neighbor is at most 4 times the squared radius of the cell.  The factor
+// is larger because the weights of the power diagram can move a bisector across a corner.
 constexpr double squared_reach_ratio = 4.000001;
 
 // Returns a hash of the vertex in [0, 1).
@@ -32,9 +32,9 @@ double pseudo_random(Index v)
   return static_cast<double>(x >> 11) * 0x1p-53;
 }
 
-// Returns the weights of a power diagram (#surfels), so that different tangent planes choose the same
-// diagonal for cocircular surfels (lattices).  The weights are far above round-off errors; at 1e-9
-// of the squared spacing, they change no triangle that is not nearly cocircular.
+// Returns the weights of a power diagram (#surfels), so that different tangent planes choose the
+// same diagonal for cocircular surfels (lattices).  The weights are far above round-off errors; at
+// 1e-9 of the squared spacing, they change no triangle that is not nearly cocircular.
 std::vector<double> power_weights(const Distinct_surfels& surfels, const Ragged_rows& neighbors)
 {
   std::vector<double> weight(surfels.size(), 0.);
@@ -124,8 +124,8 @@ private:
     return false;
   }
 
-  // Clips the cell at the bisector with a neighbor.  If `only_in_gaps`, neighbors in the direction of
-  // an existing triangle are ignored.
+  // Clips the cell at the bisector with a neighbor.  If `only_in_gaps`, neighbors in the direction
+  // of an existing triangle are ignored.
   void clip(Index j, bool only_in_gaps)
   {
     const Point_2 q = project(j);

@@ -40,10 +40,9 @@ struct Distinct_surfels
 // radius         #surfels: a triangle is omitted if its circumradius exceeds
 //                `max_circumradius_ratio` times the smallest radius of its corners
 //
-// Returns for each surfel the other corners of its triangles, counterclockwise.  Consecutive entries
-// a, b stand for the triangle (surfel, a, b).  `none` separates two fans of triangles.  It also
-// terminates the last fan, unless the triangles surround the surfel.
-// O(n log n).
+// Returns for each surfel the other corners of its triangles, counterclockwise.  Consecutive
+// entries a, b stand for the triangle (surfel, a, b).  `none` separates two fans of triangles.  It
+// also terminates the last fan, unless the triangles surround the surfel.  O(n log n).
 Ragged_rows find_delaunay_rings(const Distinct_surfels& surfels, const Ragged_rows& neighbors,
                                 const std::vector<double>& search_radius,
                                 const std::vector<double>& radius);

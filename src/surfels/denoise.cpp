@@ -26,9 +26,9 @@ constexpr double smallest_radius = 2.8, radius_ratio = 1.25;
 constexpr int first_clustered_scale = 5;
 constexpr Index cluster_size = 8;
 
-// Maximum differences of heights and slopes between consistent estimates, and maximum distance of a surfel from
-// a fit, in standard deviations.  The slopes of scans are correlated: with a slope tolerance of 3, the error
-// of paths on a scanned plane was 0.060 % instead of 0.046 %.
+// Maximum differences of heights and slopes between consistent estimates, and maximum distance of a
+// surfel from a fit, in standard deviations.  The slopes of scans are correlated: with a slope
+// tolerance of 3, the error of paths on a scanned plane was 0.060 % instead of 0.046 %.
 constexpr double height_tolerance = 3., slope_tolerance = 5., outlier_tolerance = 3.5;
 
 constexpr double min_normal_cosine = 0.5; // 60 degrees: excludes the other side of a thin sheet
@@ -111,7 +111,8 @@ struct Surfel
   Vec3 point, normal;
 };
 
-// The coordinates in which the surface is a height field over the plane of a surfel.  Their unit is its spacing.
+// The coordinates in which the surface is a height field over the plane of a surfel.  Their unit is
+// its spacing.
 class Local_frame
 {
 public:
@@ -127,8 +128,8 @@ public:
     Quadric_fit::Moments monomials;
     double height, slope_x, slope_y;
   };
-  // Computes the coordinates and slopes of a surfel.  Returns false if its normal differs by more than 60
-  // degrees.
+  // Computes the coordinates and slopes of a surfel.  Returns false if its normal differs by more
+  // than 60 degrees.
   bool project(const Vec3& point, const Vec3& normal, Sample& sample) const
   {
     const double cosine = dot(normal, m_normal);
@@ -142,8 +143,8 @@ public:
               -dot(normal, m_v) / cosine};
     return true;
   }
-  // Computes those of a cluster.  The covariance is added to the second moments, so that fitting the mean equals
-  // fitting all points of the cluster to second order.
+  // Computes those of a cluster.  The covariance is added to the second moments, so that fitting
+  // the mean equals fitting all points of the cluster to second order.
   bool project(const Surfel_mean& mean, Sample& sample) const
   {
     if(!project(mean.point, mean.normal, sample))
@@ -155,9 +156,9 @@ public:
     return true;
   }
 
-  // Subtracts the terms above the second order from the height and the slopes of a sample.  The surface is
-  // assumed to have the height  x^T H x / (1 + sqrt(1 - |H x|^2))  with the Hessian H of the fit, which is
-  // exact for spheres and cylinders.
+  // Subtracts the terms above the second order from the height and the slopes of a sample.  The
+  // surface is assumed to have the height x^T H x / (1 + sqrt(1 - |H x|^2)) with the Hessian H of
+  // the fit, which is exact for spheres and cylinders.
   static void remove_higher_order_terms(const Quadric_fit::Coefficients& c, Sample& sample)
   {
     const Quadric_fit::Moments& p = sample.monomials;
@@ -168,7 +169,8 @@ public:
     sample.slope_y -= y * (1. / cosine - 1.);
   }
 
-  // Returns the projection (of first order) of a nearby point to a fit, and the normal of the fit there.
+  // Returns the projection (of first order) of a nearby point to a fit, and the normal of the fit
+  // there.
   Surfel moved_to_fit(const Vec3& point, const Quadric_fit::Coefficients& c) const
   {
     const Vec3 offset = m_inverse_spacing * (point - m_origin);
@@ -196,8 +198,8 @@ struct Variances
   std::vector<double> height, slope; // #surfels
 };
 
-// Returns the variances of the residuals of quadrics that are fitted to the neighbors of each surfel.
-// `slope_weight` is the weight of slopes relative to heights.
+// Returns the variances of the residuals of quadrics that are fitted to the neighbors of each
+// surfel.  `slope_weight` is the weight of slopes relative to heights.
 Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, unsigned threads)
 {
   Variances result = {std::vector<double>(cloud.size(), 0.), std::vector<double>(cloud.size(), 0.)};
@@ -245,7 +247,8 @@ Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, 
 // Estimates the variances at each surfel by the medians over its neighbors.
 Variances estimate_variances(const Denoising_cloud& cloud, unsigned threads)
 {
-  // Begin with equal variances of heights (in spacings) and slopes; then weight by the medians found.
+  // Begin with equal variances of heights (in spacings) and slopes; then weight by the medians
+  // found.
   Variances result = residual_variances(cloud, 1., threads);
   const double slope = median(result.slope), height = median(result.height);
   const Variances refined = residual_variances(cloud, slope > 0. ? height / slope : 1., threads);
@@ -271,8 +274,8 @@ Variances estimate_variances(const Denoising_cloud& cloud, unsigned threads)
   return result;
 }
 
-// The means of each `cluster_size` consecutive surfels in the order of the tree.  Groups that are too large, or
-// whose normals differ because they are on several sheets, are omitted.
+// The means of each `cluster_size` consecutive surfels in the order of the tree.  Groups that are
+// too large, or whose normals differ because they are on several sheets, are omitted.
 struct Clusters
 {
   std::vector<Surfel_mean> means;
@@ -330,8 +333,8 @@ struct Fit_choice
   {
     return a.scale == b.scale && a.count == b.count;
   }
-  // Orders fits by their variance, largest first.  The variance of a plane is that of a quadric through four
-  // times as many surfels, whose radius is three scales larger.
+  // Orders fits by their variance, largest first.  The variance of a plane is that of a quadric
+  // through four times as many surfels, whose radius is three scales larger.
   friend bool operator<(const Fit_choice& a, const Fit_choice& b)
   {
     const int rank_a = a.scale + (a.count == 3 ? 3 : 0), rank_b = b.scale + (b.count == 3 ? 3 : 0);
@@ -358,8 +361,8 @@ public:
       m_squared_radius[k] = std::pow(smallest_radius * std::pow(radius_ratio, k), 2);
   }
 
-  // Returns the fit with the smallest variance that is consistent with all fits accepted before it (Lepski
-  // 1991), and sets `choice`.  If the surfel has no noise, returns zero coefficients.
+  // Returns the fit with the smallest variance that is consistent with all fits accepted before it
+  // (Lepski 1991), and sets `choice`.  If the surfel has no noise, returns zero coefficients.
   Quadric_fit::Coefficients choose_fit(Index i, Scratch& scratch, Fit_choice& choice) const
   {
     Quadric_fit::Coefficients result = {};
@@ -415,8 +418,8 @@ public:
     return result;
   }
 
-  // Returns the weighted mean of the projections of a surfel to the fits of its neighbors.  So there are no
-  // jumps between surfels with different choices.
+  // Returns the weighted mean of the projections of a surfel to the fits of its neighbors.  So
+  // there are no jumps between surfels with different choices.
   Surfel blended_surfel(Index i, const std::vector<Quadric_fit::Coefficients>& fits) const
   {
     const Vec3& point = m_cloud.point[i];
@@ -447,8 +450,8 @@ private:
     std::array<double, 3> value, variance;
   };
 
-  // Returns true if the difference of two estimates is explained by noise.  One estimate uses all surfels of
-  // the other, so the variance of the difference is the difference of the variances.
+  // Returns true if the difference of two estimates is explained by noise.  One estimate uses all
+  // surfels of the other, so the variance of the difference is the difference of the variances.
   static bool are_consistent(const Estimate& a, const Estimate& b)
   {
     for(int k = 0; k < 3; ++k)
@@ -466,8 +469,8 @@ private:
     return m_cloud.spacing[i] > 0. && m_variances.height[i] > 0. && m_variances.slope[i] > 0.;
   }
 
-  // Sorts the surfels, or the clusters, of the scales begin .. end - 1 into rings: ring k contains those between
-  // the radii of scales k - 1 and k.
+  // Sorts the surfels, or the clusters, of the scales begin .. end - 1 into rings: ring k contains
+  // those between the radii of scales k - 1 and k.
   void sort_into_rings(Index i, int begin, int end, Scratch& scratch) const
   {
     const bool is_clustered = begin >= first_clustered_scale;
@@ -491,8 +494,8 @@ private:
     }
   }
 
-  // Calls visit(scale, fit, count) for the fits at increasing radii, until it returns false.  `count` is the
-  // number of coefficients that the samples determine: 0, 3 or 6.
+  // Calls visit(scale, fit, count) for the fits at increasing radii, until it returns false.
+  // `count` is the number of coefficients that the samples determine: 0, 3 or 6.
   template <typename Visit>
   void visit_fits(Index i, Scratch& scratch, Visit visit) const
   {

@@ -11,12 +11,12 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Estimates unit normals (#points): the normals of quadrics that are fitted to each point and its
-// `number_of_neighbors` nearest points.  Coincident points have the same normal.  The normal is (0, 0, 1) if
-// there are at most two distinct points, or if no quadric can be fitted.
+// `number_of_neighbors` nearest points.  Coincident points have the same normal.  The normal is (0,
+// 0, 1) if there are at most two distinct points, or if no quadric can be fitted.
 //
-// If `is_oriented`, the orientation is propagated along a minimum spanning tree of the neighbor graph, with
-// the cost 1 - |cosine| of the normals of an edge (Hoppe and others 1992).  In each component, the point
-// with the largest z coordinate has a normal with nonnegative z.
+// If `is_oriented`, the orientation is propagated along a minimum spanning tree of the neighbor
+// graph, with the cost 1 - |cosine| of the normals of an edge (Hoppe and others 1992).  In each
+// component, the point with the largest z coordinate has a normal with nonnegative z.
 //
 // Throws Invalid_argument_error if a coordinate is not finite or the extent overflows.  O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -26,24 +26,24 @@ namespace {
 using Kernel = Exact_predicates_inexact_constructions_kernel;
 using Face = std::array<std::size_t, 3>;
 
-// Limit of the number of triangles that the front can evaluate.  Clean clouds need 30 to 60 evaluations per
-// surfel, noise at least 110.  On noise, the front starts thousands of components, and evaluates all triangles
-// before each.
+// Limit of the number of triangles that the front can evaluate.  Clean clouds need 30 to 60
+// evaluations per surfel, noise at least 110.  On noise, the front starts thousands of components,
+// and evaluates all triangles before each.
 constexpr double base_query_limit = 2e5, queries_per_surfel = 60.;
 
 // Larger boundary cycles are never closed.
 constexpr std::size_t max_number_of_gap_edges = 16;
-// Boundary cycles with at most this number of edges are closed regardless of the circumradii: their diameter
-// is at most three edges of small triangles.  Random samples of a surface have one such cycle in about
-// 10,000 surfels.
+// Boundary cycles with at most this number of edges are closed regardless of the circumradii: their
+// diameter is at most three edges of small triangles.  Random samples of a surface have one such
+// cycle in about 10,000 surfels.
 constexpr std::size_t always_closed_gap_edges = 6;
-// The sine of 20 degrees.  A triangle is admitted if no normal of its corners points to its back by more
-// than this angle, and one normal points to its front by more than it.  The tolerance admits the mean normals
-// at creases.
+// The sine of 20 degrees.  A triangle is admitted if no normal of its corners points to its back by
+// more than this angle, and one normal points to its front by more than it.  The tolerance admits
+// the mean normals at creases.
 constexpr double normal_sine_tolerance = 0.34;
 
-// Returns the minimum and the maximum of the products of the triangle's unit normal with the normals of its
-// corners.
+// Returns the minimum and the maximum of the products of the triangle's unit normal with the
+// normals of its corners.
 std::pair<double, double> normal_cosine_range(const Surface_arrays& t, const Face& face)
 {
   const Vec3& origin = t.point[face[0]];
@@ -54,8 +54,8 @@ std::pair<double, double> normal_cosine_range(const Surface_arrays& t, const Fac
   return {min_cosine, max_cosine};
 }
 
-// Returns true if the circumradius of a triangle is at most `max_circumradius_ratio` times the smallest radius
-// of its corners.
+// Returns true if the circumradius of a triangle is at most `max_circumradius_ratio` times the
+// smallest radius of its corners.
 bool is_small(const Surfel_arrays& surfels, const Face& face)
 {
   const std::vector<Vec3>& point = surfels.arrays.point;
@@ -66,8 +66,8 @@ bool is_small(const Surfel_arrays& surfels, const Face& face)
          2. * max_circumradius_ratio * radius * norm(cross(q - p, r - p));
 }
 
-// The priority of a triangle in the advancing front: the radius of its smallest empty sphere, or infinity if
-// the triangle is not admissible.
+// The priority of a triangle in the advancing front: the radius of its smallest empty sphere, or
+// infinity if the triangle is not admissible.
 struct Triangle_priority
 {
   const Surfel_arrays* surfels;
@@ -132,8 +132,8 @@ void orient(const Surface_arrays& t, std::vector<Face>& faces)
   }
 }
 
-// Returns the boundary cycles with at most `max_number_of_gap_edges` edges.  The vertices of a cycle are in the
-// order in which new triangles inside the gap must traverse them.
+// Returns the boundary cycles with at most `max_number_of_gap_edges` edges.  The vertices of a
+// cycle are in the order in which new triangles inside the gap must traverse them.
 std::vector<std::vector<Index>> find_gaps(std::size_t number_of_vertices,
                                           const std::vector<Face>& faces)
 {
@@ -171,8 +171,9 @@ void for_each_edge(const Face& face, const Use& use)
     use(Edge{std::min(face[k], face[(k + 1) % 3]), std::max(face[k], face[(k + 1) % 3])});
 }
 
-// Closes small gaps by triangulations of minimum area.  A gap is only closed if all new triangles are small and
-// oriented by their normals, and if no new edge exists already, except on the boundary cycle.
+// Closes small gaps by triangulations of minimum area.  A gap is only closed if all new triangles
+// are small and oriented by their normals, and if no new edge exists already, except on the
+// boundary cycle.
 void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>& points,
                 std::vector<Face>& faces)
 {
@@ -211,9 +212,9 @@ void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>
   }
 }
 
-// Returns the points of the tree, randomly displaced in their tangent planes by up to 5e-5 radii.  So no four
-// points are cocircular: the front orders equal triangles by their addresses, which would make the
-// result nondeterministic.
+// Returns the points of the tree, randomly displaced in their tangent planes by up to 5e-5 radii.
+// So no four points are cocircular: the front orders equal triangles by their addresses, which
+// would make the result nondeterministic.
 std::vector<Kernel::Point_3> in_general_position(const Surfel_arrays& surfels)
 {
   const Surface_arrays& t = surfels.arrays;

@@ -34,8 +34,8 @@ bool ring_has_edge(const Ragged_rows& rings, Index vertex, Index a, Index b)
   return false;
 }
 
-// Collects the triangles of all rings.  A triangle that several corners found is appended once, by the corner
-// with the smallest index.  Its weight is one third of the number of these corners.
+// Collects the triangles of all rings.  A triangle that several corners found is appended once, by
+// the corner with the smallest index.  Its weight is one third of the number of these corners.
 void collect_triangles(const Ragged_rows& rings, unsigned threads, Surface_arrays& t)
 {
   const std::size_t n = rings.row_begin.size() - 1;
@@ -68,8 +68,9 @@ void collect_triangles(const Ragged_rows& rings, unsigned threads, Surface_array
     t.weight.insert(t.weight.end(), block_weights.begin(), block_weights.end());
 }
 
-// Builds the graph: edges between gentle neighbors with intersecting spheres, the edges of all triangles, and
-// an edge from each copy to its original.  Replaces neighbors without an edge by `none`.
+// Builds the graph: edges between gentle neighbors with intersecting spheres, the edges of all
+// triangles, and an edge from each copy to its original.  Replaces neighbors without an edge by
+// `none`.
 void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
                  const std::vector<double>& radius, const std::vector<Index>& original,
                  Surface_arrays& t)
@@ -126,8 +127,8 @@ void build_graph(const Distinct_surfels& surfels, Ragged_rows& neighbors,
   t.graph.target = std::move(edges.entries);
 }
 
-// Computes the lengths of all edges.  Scales all lengths and coordinates by a power of two, such that the
-// longest edge lies in [1, 2).
+// Computes the lengths of all edges.  Scales all lengths and coordinates by a power of two, such
+// that the longest edge lies in [1, 2).
 void compute_lengths(Surfel_arrays& surfels, unsigned threads)
 {
   Surface_arrays& t = surfels.arrays;
@@ -318,7 +319,8 @@ Surface_location to_surface_location(const Surface_arrays& t, const Tangent_loca
   };
   for(Index i = t.ring_begin[location.vertex]; i < t.ring_begin[location.vertex + 1]; ++i)
     try_triangle(t.ring[i] / 3);
-  // The Delaunay triangle that contains a point need not be incident to the nearest vertex of the point.
+  // The Delaunay triangle that contains a point need not be incident to the nearest vertex of the
+  // point.
   if(min_distance > 0.)
     for(Index i = t.graph.begin[location.vertex]; i < t.graph.begin[location.vertex + 1]; ++i)
     {

@@ -17,7 +17,7 @@ struct Bits
   std::vector<std::uint8_t> bytes;
 };
 
-// In three contexts; every fifth bit in none.
+// Encodes random bits in three contexts; every fifth bit has probability 1/2 instead.
 Bits random_bits(std::size_t number, double probability, unsigned seed)
 {
   Bits result;
@@ -37,7 +37,8 @@ Bits random_bits(std::size_t number, double probability, unsigned seed)
   return result;
 }
 
-// How many bits come back right before the decoder gives up.
+// Returns the number of bits that are decoded until the decoder is exhausted, and expects that they
+// are correct.
 std::size_t count_decoded_bits(const Bits& bits_and_bytes, std::size_t bytes, bool is_complete)
 {
   Bit_decoder decoder(bits_and_bytes.bytes.data(), bytes, is_complete);
@@ -62,7 +63,7 @@ TEST(Arithmetic_coding, decodes_encoded_bits)
     }
 }
 
-// Of a prefix no wrong bit, and more of a longer one.
+// A longer prefix decodes at least as many bits.
 TEST(Arithmetic_coding, prefixes_decode_without_wrong_bits)
 {
   const Bits bits = random_bits(2000, 0.2, 1);
@@ -73,7 +74,7 @@ TEST(Arithmetic_coding, prefixes_decode_without_wrong_bits)
     EXPECT_GE(number_of_decoded_bits, last);
     last = number_of_decoded_bits;
   }
-  EXPECT_GT(last, 1900u); // all but what the interval's last bytes hold
+  EXPECT_GT(last, 1900u); // the last bits depend on the missing end of the interval
 }
 
 TEST(Arithmetic_coding, size_is_close_to_entropy)
@@ -88,7 +89,7 @@ TEST(Arithmetic_coding, size_is_close_to_entropy)
     for(int i = 0; i < n; ++i)
       encoder.put(distribution(random), model);
     const double entropy = -(p * std::log2(p) + (1. - p) * std::log2(1. - p));
-    // A mean of the last 60 bits is uncertain: that costs about 1 / (2 * 60 ln 2) of a bit each.
+    // The uncertainty of the mean of 60 bits costs about 1 / (2 * 60 ln 2) bits per bit.
     EXPECT_LT(8. * double(encoder.finish().size()) / n, entropy + 0.015);
   }
 }

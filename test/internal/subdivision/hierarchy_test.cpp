@@ -19,7 +19,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Triangles by their vertices, whatever their order.
+// Returns the triangles as a set, independent of their order and of their first corners.
 std::set<Triangle> as_set(const std::vector<Triangle>& triangles)
 {
   std::set<Triangle> result;
@@ -84,7 +84,8 @@ TEST(Hierarchy, respects_max_number_of_levels)
     EXPECT_EQ(recover_hierarchy(s.finest().triangles, s.number_of_vertices(), max_levels)
                   .subdivision->levels.size(),
               1u + std::min(max_levels, 3u));
-  // The octahedron is no subdivision, though its faces can be taken in fours: a corner would be a midpoint.
+  // The octahedron is not a subdivision, although its faces can be partitioned into groups of four:
+  // one vertex would be both a corner and a midpoint.
   const std::vector<Triangle> octahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1},
                                             {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}};
   EXPECT_EQ(recover_hierarchy(octahedron, 6, 9).subdivision->levels.size(), 1u);
@@ -93,7 +94,7 @@ TEST(Hierarchy, respects_max_number_of_levels)
 
 TEST(Hierarchy, is_limited_by_component_with_fewest_levels)
 {
-  // An icosphere of two levels beside one of one level, and a vertex alone.
+  // Two components with two levels and one level, and an isolated vertex.
   const Subdivision a = subdivided(icosphere(0), 2), b = subdivided(icosphere(0), 1);
   std::vector<Triangle> triangles = a.finest().triangles;
   for(Triangle t : b.finest().triangles)
@@ -110,7 +111,7 @@ TEST(Hierarchy, is_limited_by_component_with_fewest_levels)
 
 TEST(Hierarchy, edge_flip_destroys_hierarchy)
 {
-  // The two triangles at one edge, joined the other way.
+  // Flip one edge.
   const Subdivision s = subdivided(icosphere(0), 2);
   std::vector<Triangle> triangles = s.finest().triangles;
   const Index h = 3 * 17, twin = s.finest().twin[h];

@@ -65,11 +65,11 @@ TEST(Lifting, synthesis_is_the_inverse_of_analysis)
             EXPECT_GT(root_mean_square(values, before), 0.01 * scale);
             lifting.synthesize(values, 3, is_in_frames);
             for(std::size_t i = 0; i < values.size(); ++i)
-              ASSERT_NEAR(values[i], before[i], 1e-12 * max_magnitude(before)); // the promise
+              ASSERT_NEAR(values[i], before[i], 1e-12 * max_magnitude(before)); // round-off errors
           }
 }
 
-// Noise of the size of the model, and places that are all the same: nothing to take frames from.
+// Random and coincident points, which have no reliable local frames.
 TEST(Lifting, inverts_arbitrary_values)
 {
   std::mt19937 random(3);
@@ -126,7 +126,8 @@ TEST(Lifting, preserves_weighted_sum)
     }
 }
 
-// Constant values everywhere; the plane's own where triangles are regular, at borders too.
+// Constants are reproduced everywhere, and linear functions on regular triangulations, including
+// the boundary.
 TEST(Prediction_stencils, reproduce_constants_and_planes)
 {
   for(const Model& m : models())
@@ -137,7 +138,7 @@ TEST(Prediction_stencils, reproduce_constants_and_planes)
         for(std::size_t row = 0; row + 1 < rows.begin.size(); ++row)
           EXPECT_NEAR(std::accumulate(rows.weight.begin() + rows.begin[row],
                                       rows.weight.begin() + rows.begin[row + 1], 0.),
-                      1., 1e-14); // of ten weights
+                      1., 1e-14); // round-off errors of a sum of ten weights
       }
   const Model plane = model(square(4), 2);
   const Lifting lifting(plane.subdivision, Prediction::butterfly, false);
@@ -145,7 +146,7 @@ TEST(Prediction_stencils, reproduce_constants_and_planes)
   lifting.analyze(values, 3, false);
   for(std::size_t i = 75; i < values.size(); ++i)
   {
-    // All but the four corners of the square, where a border's four points turn.
+    // At the four corners of the square, the boundary is not straight.
     const Index v = Index(i / 3);
     const auto [a, b] = plane.subdivision->parents[v];
     const auto is_corner = [&](Index w)
@@ -159,10 +160,11 @@ TEST(Prediction_stencils, reproduce_constants_and_planes)
   }
 }
 
-// Zorin, Schröder and Sweldens 1996: figure 2 and section 3, by hand.
+// Compares with the weights of Zorin, Schröder and Sweldens (1996, figure 2 and section 3).
 TEST(Prediction_stencils, match_modified_butterfly)
 {
-  // Valence 5 everywhere: both rings, and each with weights of K = 5.
+  // On level 0, all vertices have valence 5: the stencil is the mean of both ring stencils with
+  // K = 5.
   const Subdivision s = subdivided(icosphere(0), 2);
   const Prediction_stencils rows = prediction_stencils(s, 0, Prediction::butterfly);
   const auto [a, b] = s.parents[12];
@@ -173,17 +175,17 @@ TEST(Prediction_stencils, match_modified_butterfly)
   EXPECT_NEAR(weight[a], 0.5 * (0.75 + end_weight), 1e-15);
   EXPECT_NEAR(weight[b], 0.5 * (0.75 + end_weight), 1e-15);
 
-  // Inside a face of level 1 all is regular or one step from the corner.
+  // On level 1, an edge has at most one extraordinary vertex.
   const Prediction_stencils finer = prediction_stencils(s, 1, Prediction::butterfly);
   std::map<std::size_t, int> sizes;
   for(std::size_t row = 0; row + 1 < finer.begin.size(); ++row)
     ++sizes[finer.begin[row + 1] - finer.begin[row]];
-  EXPECT_EQ(sizes[6], 60); // edges at the 12 corners: their rings and themselves
-  EXPECT_EQ(sizes[8], 60); // the others
+  EXPECT_EQ(sizes[6], 60); // edges at the 12 vertices of valence 5: the ring and the vertex
+  EXPECT_EQ(sizes[8], 60); // regular edges: the butterfly
 }
 
-// Away from borders on a regular grid the mean of two errs by the square of the step, the butterfly by its fourth
-// power: a level divides details by 4, or by 16.
+// On the interior of a regular grid, linear prediction has second order and the butterfly fourth
+// order.  So each level divides the details by 4 or 16.
 TEST(Lifting, smooth_values_have_small_details)
 {
   const Model m = model(square(4), 5);
@@ -201,7 +203,7 @@ TEST(Lifting, smooth_values_have_small_details)
         if(std::abs(m.values[3 * v] - 0.5) < 0.2 && std::abs(m.values[3 * v + 1] - 0.5) < 0.2)
           size[j] = std::max(size[j], std::abs(values[v]));
     const double ratio = size[3] / size[4], expected = prediction == Prediction::linear ? 4. : 16.;
-    EXPECT_GT(ratio, 0.8 * expected); // the steps are small, not infinitely so
+    EXPECT_GT(ratio, 0.8 * expected); // the asymptotic ratio is reached up to 20 %
     EXPECT_LT(ratio, 1.2 * expected);
   }
 }

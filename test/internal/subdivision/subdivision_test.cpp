@@ -20,7 +20,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Closed, with borders, of two pieces, with a handle, with an isolated vertex.
+// Surfaces without and with boundary, an annulus, and two components with an isolated vertex.
 std::vector<Triangulation> surfaces()
 {
   Triangulation two = tetrahedron();
@@ -43,7 +43,7 @@ std::vector<Index> corners_of(const std::vector<Triangle>& triangles)
 
 TEST(Subdivision, numbers_vertices_and_triangles_as_documented)
 {
-  // Both levels by hand: midpoints of sides 0, 1, 2 are 3, 4, 5.
+  // The midpoints of the edges 0, 1, 2 are the vertices 3, 4, 5.
   const Subdivision s = subdivided(one_triangle(), 1);
   ASSERT_EQ(s.levels.size(), 2u);
   EXPECT_EQ(s.levels[0].midpoint, (std::vector<Index>{3, 4, 5}));
@@ -71,7 +71,7 @@ TEST(Subdivision, counts_match_euler_characteristic)
   }
 }
 
-// The gluing by rules is the one that a soup of the same triangles gets.
+// The twins of a refined level equal those that are computed from its triangles.
 TEST(Subdivision, twins_match_triangle_soup)
 {
   for(const Triangulation& surface : surfaces())
@@ -104,7 +104,7 @@ TEST(Subdivision, levels_are_prefixes_and_parents_are_edge_vertices)
         std::sort(expected_parents.begin(), expected_parents.end());
         EXPECT_EQ(parents, expected_parents);
       }
-      // Corner k of triangle f stays corner k of triangle 4f+k; child 3 is the middle.
+      // Corner k of triangle f is corner k of triangle 4f+k; child 3 is the central one.
       for(Index f = 0; f < level.triangles.size(); ++f)
         for(Index k = 0; k < 3; ++k)
         {
@@ -115,7 +115,7 @@ TEST(Subdivision, levels_are_prefixes_and_parents_are_edge_vertices)
   }
 }
 
-// A vertex has the same place whether it comes from its parents or from its base triangle.
+// The position of a vertex from its parents equals that from its location in the base triangle.
 TEST(Subdivision, coarse_locations_match_midpoints)
 {
   for(const Triangulation& surface : surfaces())
@@ -145,7 +145,7 @@ TEST(Subdivision, coarse_locations_match_midpoints)
         for(int k = 0; k < 3; ++k)
           coordinate +=
               c[k] / 16. * surface.points[s.levels[0].triangles[locations[v].triangle][k]][x];
-        // Coordinates of at most 2: some roundings of sums of three.
+        // Round-off errors of sums of three coordinates up to 2.
         EXPECT_NEAR(coordinate, points[v][x], 1e-14);
       }
     }
@@ -161,8 +161,8 @@ TEST(Subdivision, throws_on_invalid_surface)
   };
   expect_throws({{0, 1, 1}}, 2);
   expect_throws({{0, 1, 3}}, 3);
-  expect_throws({{0, 1, 2}, {0, 1, 3}}, 4);            // not oriented alike
-  expect_throws({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5); // three at an edge
+  expect_throws({{0, 1, 2}, {0, 1, 3}}, 4);            // inconsistent orientation
+  expect_throws({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5); // three triangles at an edge
   expect_throws({{0, 1, 2}}, 3, 15);
   expect_throws({}, 3, 40);
   EXPECT_THROW(subdivide_into_quads({{0, 1, 2}}, 3, 0), Invalid_argument_error);
@@ -175,7 +175,7 @@ TEST(Subdivision, is_halfedge_mesh_unless_interior_vertex_is_pinched)
   for(const Triangulation& surface : surfaces())
     EXPECT_TRUE(is_halfedge_mesh(subdivided(surface, 1).finest()));
   EXPECT_TRUE(is_halfedge_mesh(subdivide({{0, 1, 2}, {0, 3, 4}}, 5, 0).finest())); // two fans at 0
-  // Two tetrahedra, and a tetrahedron and a triangle, with vertex 0 in common.
+  // Two tetrahedra, or a tetrahedron and a triangle, with the common vertex 0.
   const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   std::vector<Triangle> two = tetrahedron;
   for(Triangle t : tetrahedron)
@@ -207,7 +207,7 @@ TEST(Subdivision_into_quads, counts_match_euler_characteristic_and_halfedges_are
         for(int k = 0; k < 4; ++k)
         {
           EXPECT_LT(quad[k], q.number_of_vertices[j]);
-          EXPECT_EQ((++halfedges[{quad[k], quad[(k + 1) % 4]}]), 1); // one orientation
+          EXPECT_EQ((++halfedges[{quad[k], quad[(k + 1) % 4]}]), 1); // consistent orientation
         }
       std::set<std::array<Index, 2>> edges;
       for(const auto& [h, number] : halfedges)
@@ -250,7 +250,7 @@ TEST(Subdivision_into_quads, coarse_locations_match_centroids)
         for(int k = 0; k < 3; ++k)
           coordinate +=
               c[k] / denominator * surface.points[triangles[q.locations[v].triangle][k]][x];
-        EXPECT_NEAR(coordinate, points[v][x], 1e-14); // as above
+        EXPECT_NEAR(coordinate, points[v][x], 1e-14); // round-off errors as above
       }
     }
   }

@@ -48,7 +48,7 @@ TEST(Surfel_cloud, graph_is_symmetric)
 
 TEST(Surfel_cloud, connects_intersecting_spheres)
 {
-  // By the definition, from all pairs.
+  // Compare with the definition for all pairs.
   const Cloud sphere = ellipsoid_cloud(300, {1., 0.9, 0.7});
   Surfel_cloud_options options;
   options.neighbors = 299;
@@ -59,7 +59,7 @@ TEST(Surfel_cloud, connects_intersecting_spheres)
     {
       const double distance = norm(cloud.point[i] - cloud.point[j]);
       const double max_distance = options.influence_ratio * (cloud.radius[i] + cloud.radius[j]);
-      // Normals of near surfels agree here.
+      // The normals of surfels with intersecting spheres are compatible here.
       if(i != j && std::abs(distance - max_distance) > 1e-9)
       {
         EXPECT_EQ(found.count({i, j}) > 0, distance < max_distance);
@@ -85,7 +85,7 @@ TEST(Surfel_cloud, connects_intersecting_spheres)
 
 TEST(Surfel_cloud, separates_sheets_by_normals)
 {
-  // Two sheets half a spacing apart, seen from outside.
+  // Two parallel sheets at a distance of half a spacing, with opposite normals.
   Cloud sheets = square_cloud(20);
   for(std::size_t i = 0; i < 400; ++i)
     sheets.add(sheets.points[i] - Vec3{0., 0., 0.5 / 19.}, {0., 0., -1.});
@@ -93,7 +93,7 @@ TEST(Surfel_cloud, separates_sheets_by_normals)
   Surfel_cloud_options options;
   options.graph = Surfel_graph::nearest;
   const Surfel_cloud joined = make_cloud(sheets.points, sheets.normals, {}, options);
-  EXPECT_EQ(joined.number_of_components, 1u); // what normals are good for
+  EXPECT_EQ(joined.number_of_components, 1u); // without normals, the sheets are connected
 }
 
 TEST(Surfel_cloud, labels_components)

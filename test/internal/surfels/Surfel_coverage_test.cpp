@@ -16,7 +16,8 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The distance from the nearest point over the 95th percentile of the spacing, by sorting all points.
+// Returns the distance to the nearest point divided by the 95th percentile of the spacing, by brute
+// force.
 double distance_to_spacing_ratio(const std::vector<Vec3>& points, const Vec3& p)
 {
   const auto sorted_distances = [&](const Vec3& from)
@@ -35,7 +36,7 @@ double distance_to_spacing_ratio(const std::vector<Vec3>& points, const Vec3& p)
   return neighbors[0].first / spacings[57];
 }
 
-// Random points of the unit square, ever denser to the right, with a hole.
+// Random points of the unit square with a hole, whose density increases with x.
 Cloud uneven_square()
 {
   std::mt19937 random(1);
@@ -63,7 +64,7 @@ TEST(Surfel_coverage, matches_brute_force)
     const Index vertex = Index(random() % cloud.number_of_vertices());
     const Vec3 p = cloud.point[vertex] + Vec3{offset(random), offset(random), offset(random)};
     const double r = distance_to_spacing_ratio(cloud.point, p);
-    // What is near is so by a millionth.
+    // No point is close to the threshold.
     ASSERT_GT(std::abs(r - 1.), 1e-6);
     EXPECT_EQ(coverage.is_covered(p, vertex), r < 1.) << r;
     number_of_covered += r < 1.;
@@ -80,7 +81,7 @@ TEST(Surfel_coverage, matches_brute_force)
 
 TEST(Surfel_coverage, radius_is_neighbor_spacing)
 {
-  // On a lattice the sixth neighbour is a diagonal away.
+  // On a lattice, the spacing is the diagonal of a cell.
   const Surfel_cloud cloud = make_cloud(square_cloud(21).points, square_cloud(21).normals);
   const Surfel_coverage coverage(cloud);
   const double diagonal = std::sqrt(2.) / 20. / cloud.frame.scale;
@@ -88,7 +89,7 @@ TEST(Surfel_coverage, radius_is_neighbor_spacing)
   {
     const Vec3& p = cloud.point[vertex];
     if(std::max(std::abs(p[0]), std::abs(p[1])) < 0.7 / 2. / cloud.frame.scale)
-      EXPECT_NEAR(coverage.radius(vertex), diagonal, 2e-6 * diagonal); // less by a millionth
+      EXPECT_NEAR(coverage.radius(vertex), diagonal, 2e-6 * diagonal); // smaller by 1e-6
     else
       EXPECT_GT(coverage.radius(vertex), diagonal * (1. - 2e-6));
   }

@@ -17,7 +17,7 @@ using namespace CGAL::Geodesic_processing::test;
 
 Surfel_cloud cloud_of(const Cloud& cloud) { return make_cloud(cloud.points, cloud.normals); }
 
-// As it is where the cloud is the one that was given.
+// A surface whose coverage is that of the same cloud.
 struct Surface
 {
   Surface(const Surfel_cloud& cloud, Surfel_fit fit)
@@ -47,13 +47,15 @@ TEST(Surfel_surface, reproduces_spheres)
       const Projection projection = surface.project(p, vertex);
       const Vec3 center = (-1. / cloud.frame.scale) * cloud.frame.origin;
       const Vec3 radial = p - center, expected = 1. / cloud.frame.scale * unit(radial);
-      EXPECT_LT(norm(projection.point - center - expected), 1e-13); // rounding of sums of twenty
+      EXPECT_LT(norm(projection.point - center - expected),
+                1e-13); // round-off errors of sums of 20 terms
       EXPECT_NEAR(std::abs(dot(projection.normal, unit(radial))), 1., 1e-13);
     }
   }
 }
 
-// The largest distance from a torus of feet of points near it.
+// Returns the root mean squared distance from a torus of the projections of points on the edges of
+// the graph.
 double error_on_torus(std::size_t n, Surfel_fit fit)
 {
   const Surfel_cloud cloud = cloud_of(torus_cloud(n, 0.4));
@@ -77,15 +79,16 @@ double error_on_torus(std::size_t n, Surfel_fit fit)
 
 TEST(Surfel_surface, converges_on_a_torus)
 {
-  // Four times as many surfels, half of the spacing: second order for disks, planes and spheres, up to
-  // fourth for quadrics.
+  // Half of the spacing divides the error by 4 for planes and spheres (second order), and by up to
+  // 16 for quadrics (fourth order).
   for(const auto& [fit, factor] :
       {std::pair(Surfel_fit::planes, 2.5), std::pair(Surfel_fit::spheres, 3.),
        std::pair(Surfel_fit::robust_spheres, 3.), std::pair(Surfel_fit::quadrics, 8.)})
     EXPECT_GT(error_on_torus(2000, fit), factor * error_on_torus(8000, fit)) << int(fit);
 }
 
-// The root mean squared distance from the unit sphere, in radii, of the feet of `places` on it.
+// Returns the root mean squared distance from the unit sphere, divided by the radius, of the
+// projections of `samples`, which lie on the sphere.
 double error_on_sphere(const Cloud& cloud, const Cloud& samples, double radius, Surfel_fit fit)
 {
   const Surfel_cloud c = cloud_of(cloud);
@@ -118,17 +121,18 @@ TEST(Surfel_surface, robust_weights_reject_outliers)
   {
     const auto [plain, plain_with_outliers] = errors(level, Surfel_fit::spheres);
     const auto [robust, robust_with_outliers] = errors(level, Surfel_fit::robust_spheres);
-    // With the weights that heights between 0 and where they do not count have in the mean, outliers
-    // add one or two percent to the variance, half as much to the error; the rest is chance.
+    // The outliers below the threshold add 1 to 2 % to the variance, which is half as much of the
+    // error.  The remaining difference is random.
     EXPECT_LT(robust_with_outliers, 1.05 * robust);
-    // Plain weights see the few surfels that arcs join to the nearest one, which lie as high as it does.
+    // Without robust weights, the fit only uses the few graph neighbors, which have a similar
+    // height as the nearest surfel.
     EXPECT_LT(robust, 0.6 * plain);
     EXPECT_LT(robust_with_outliers, 0.6 * plain_with_outliers);
   }
-  // Without noise those outliers count that are no higher than a twentieth of the spacing: one in fifty.
+  // Without noise, only the outliers below 5 % of the spacing have a positive weight: 1 in 50.
   const auto [plain, plain_with_outliers] = errors(0., Surfel_fit::spheres);
   const auto [robust, robust_with_outliers] = errors(0., Surfel_fit::robust_spheres);
-  EXPECT_LT(plain, 1e-13); // rounding of sums of twenty, in radii
+  EXPECT_LT(plain, 1e-13); // round-off errors of sums of 20 terms, in radii
   EXPECT_LT(robust, 1e-13);
   EXPECT_LT(robust_with_outliers, 0.1 * plain_with_outliers);
 }
@@ -137,8 +141,9 @@ TEST(Surfel_surface, projects_to_disks)
 {
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
   const Surface surface(cloud, Surfel_fit::disks);
-  // Above the inside the nearest point of the plane; beyond the border that of the last disk, whose
-  // neighbours are smaller than it is at the corner.
+  // In the interior, the projection is that to the plane.  Beyond the corner, it is the closest
+  // point of the last disk: its radius is the mean of the neighbors' radii, which is less than its
+  // own.
   const Projection inside = surface.project(cloud.point[60] + Vec3{0.01, 0.02, 0.05}, 60);
   EXPECT_LT(norm(inside.point - cloud.point[60] - Vec3{0.01, 0.02, 0.}), 1e-15);
   Index corner = 0;
@@ -171,7 +176,7 @@ TEST(Surfel_surface, ends_at_boundary)
 
 TEST(Surfel_surface, keeps_hole_open_around_isolated_surfel)
 {
-  // A square lattice, without what is nearer than six steps to its middle.
+  // A square lattice with a hole of 6 steps in radius around the central surfel.
   Cloud square;
   for(int i = -12; i <= 12; ++i)
     for(int j = -12; j <= 12; ++j)
@@ -196,7 +201,7 @@ TEST(Surfel_surface, keeps_hole_open_around_isolated_surfel)
 
 TEST(Surfel_surface, stays_inside_coverage)
 {
-  // Two rows of surfels far apart, of radii that reach over the gap.
+  // Two strips of surfels whose radii exceed the gap between them.
   Cloud rows;
   for(const double y : {0., 6.})
     for(int i = 0; i < 40; ++i)
@@ -223,7 +228,8 @@ TEST(Surfel_surface, stays_inside_coverage)
 
 TEST(Surfel_surface, walk_length_follows_graph)
 {
-  // A square with a cut from one side to its middle: of 5 steps, which no arc bridges.
+  // A square with a slit from its boundary to the center.  The slit is 5 steps wide, so that no
+  // edge crosses it.
   const Cloud square = part_of(square_cloud(41), [](const Vec3& p)
                                { return std::abs(p[0] - 0.5) > 0.06 || p[1] > 0.5; });
   const Surfel_cloud cloud = cloud_of(square);
@@ -240,7 +246,7 @@ TEST(Surfel_surface, walk_length_follows_graph)
   const auto walk_length = [&](Index from, Index to)
   { return cloud.frame.scale * surface.surface.walk_length(from, to); };
   EXPECT_EQ(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.1, 0.1)), 0.);
-  // At most by steps along both sides of the square's cells.
+  // The walk is at most as long as the path along both axes of the lattice.
   EXPECT_GE(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.4, 0.3)),
             std::hypot(0.3, 0.2) - 1e-9);
   EXPECT_LE(walk_length(nearest_vertex(0.1, 0.1), nearest_vertex(0.4, 0.3)), 0.5 + 1e-9);
@@ -259,7 +265,7 @@ TEST(Surfel_surface, preserves_sharp_edges)
     const Surface surface(cloud, fit);
     for(Index i = 0; i < cloud.number_of_vertices(); ++i)
     {
-      // Where the nearest surfel is on this side, the foot is in its plane.
+      // The projection lies in the plane of the nearest surfel's face.
       const auto [u, v] = tangent_frame(cloud.normal[i]);
       const Projection projection =
           surface.project(cloud.point[i] + 0.02 * u + 0.01 * v + 0.01 * cloud.normal[i], i);

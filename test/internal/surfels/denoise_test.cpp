@@ -16,7 +16,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The root of the mean square over surfels.
+// Returns the root mean squared distance of the surfels.
 template <typename Distance>
 double deviation(const Cloud& cloud, const Distance& distance)
 {
@@ -46,8 +46,8 @@ TEST(denoise, noise_level_is_proportional_to_noise)
   for(const double level : {0.1, 0.5, 1.})
   {
     const Cloud noisy = with_noise(square, std::vector<double>(1600, 1. / 39.), level, 1);
-    // The median difference of two places out of an interval of 2 level is 0.586 of it, half of which the
-    // mean of normals counts; normals add up to 3 %.
+    // The median difference of two random numbers from an interval of length 2 level is 0.586
+    // level.  The normals add up to 0.03.
     const double found = noise_level(noisy.points, noisy.normals);
     EXPECT_GT(found, 0.4 * level);
     EXPECT_LT(found, 0.65 * level + 0.03);
@@ -60,8 +60,8 @@ TEST(denoise, flattens_planes)
   const Cloud noisy = with_noise(square, std::vector<double>(3600, 1. / 59.), 1., 1);
   const auto height = [](const Vec3& p) { return p[2]; };
   const double before = deviation(noisy, height), after = deviation(denoised(noisy), height);
-  // As a plane through all surfels would, which the widest fits nearly are, to a factor: noise over the
-  // square root of a quarter of the surfels.
+  // The largest fits use about a quarter of the surfels, which divides the noise by the square root
+  // of their number.  The result is within a factor of 2 of this.
   EXPECT_LT(after, 2. * before / std::sqrt(3600. / 4.));
 }
 
@@ -73,8 +73,9 @@ TEST(denoise, preserves_spheres_and_cylinders)
                   with_noise(cylinder, std::vector<double>(cylinder.size(), 0.063), 0.5, 1);
   const auto sphere_distance = [](const Vec3& p) { return norm(p) - 1.; };
   const auto cylinder_distance = [](const Vec3& p) { return std::hypot(p[0], p[1]) - 1.; };
-  // Both bend evenly as far as normals agree, up to 60 degrees: about a thousand surfels.  A fit of
-  // second order to so many leaves 2 / sqrt(1000) of the noise at its middle; fits differ by half of that.
+  // The curvature of both is constant, so fits extend until the normals differ by 60 degrees: about
+  // 1,000 surfels.  At the center of a quadric fit to 1,000 surfels, the error is 2 / sqrt(1000) of
+  // the noise.  Differences between neighboring fits add half of this.
   EXPECT_LT(deviation(denoised(noisy_sphere), sphere_distance),
             0.1 * deviation(noisy_sphere, sphere_distance));
   EXPECT_LT(deviation(denoised(noisy_cylinder), cylinder_distance),
@@ -87,7 +88,7 @@ TEST(denoise, preserves_tori)
   const Cloud noisy = with_noise(torus, std::vector<double>(torus.size(), 0.05), 1., 1);
   const auto torus_distance = [](const Vec3& p)
   { return std::hypot(std::hypot(p[0], p[1]) - 1., p[2]) - 0.4; };
-  // A tenth of the noise is left; a seventh where fits of second order have to do.
+  // A tenth of the noise remains.  With quadrics without higher-order terms, it would be a seventh.
   EXPECT_LT(deviation(denoised(noisy), torus_distance), 0.12 * deviation(noisy, torus_distance));
 }
 

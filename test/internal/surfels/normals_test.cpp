@@ -29,14 +29,15 @@ TEST(normals, converge_on_a_torus)
     for(std::size_t i = 0; i < normals.size(); ++i)
       largest = std::max(largest, norm(normals[i] - cloud.normals[i]));
   }
-  // A fit of second order errs by the square of its width, which is halved.
+  // The error of a quadric fit is proportional to the square of its radius, which is halved.
   EXPECT_LT(error[0], 0.1);
   EXPECT_LT(error[1], 0.35 * error[0]);
 }
 
 TEST(normals, are_oriented_consistently_in_each_component)
 {
-  // Spheres too far apart for any neighbour in common: the highest point of each looks up, and so outwards.
+  // The spheres are too far apart to be connected.  The highest point of each has an upward normal,
+  // so all normals point outward.
   const Cloud sphere = ellipsoid_cloud(500, {1., 1., 1.});
   std::vector<Vec3> points;
   for(const double offset : {-10., 0., 10.})
@@ -44,7 +45,7 @@ TEST(normals, are_oriented_consistently_in_each_component)
       points.push_back(p + Vec3{offset, 0., 0.5 * offset});
   const std::vector<Vec3> normals = estimate_normals(points, 18, true);
   for(std::size_t i = 0; i < points.size(); ++i)
-    EXPECT_GT(dot(normals[i], sphere.normals[i % 500]), 0.99) << i; // errors are those of the fit
+    EXPECT_GT(dot(normals[i], sphere.normals[i % 500]), 0.99) << i; // up to the error of the fit
 }
 
 TEST(normals, are_equal_at_coincident_points)

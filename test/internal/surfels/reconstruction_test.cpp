@@ -18,7 +18,8 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The points of a triangulation with the means of its triangles' normals.
+// Returns surfels at the vertices of a triangulation, whose normals are the area-weighted vertex
+// normals.
 Surfel_arrays surfels_of(const Triangulation& surface)
 {
   std::vector<Vec3> normals(surface.points.size(), Vec3{0., 0., 0.});
@@ -49,7 +50,7 @@ TEST(Reconstruction, reconstructs_clean_clouds)
       const Mesh_arrays found = reconstruct_surface(surfels);
       EXPECT_EQ(topology(found.arrays.corner), topology(surface.corners));
       ASSERT_EQ(found.internal_vertex.size(), surface.points.size());
-      // As the normals are, and at the surfels.
+      // Triangles are oriented by the normals, and vertices are at the surfels.
       for(Index f = 0; f < found.arrays.number_of_triangles(); ++f)
       {
         const auto corner = [&](Index k)
@@ -60,12 +61,12 @@ TEST(Reconstruction, reconstructs_clean_clouds)
         EXPECT_GT(dot(normal, t.normal[corner(0)]), 0.);
         EXPECT_LT(distance(coordinates(t, {none, corner(0), {}}),
                            coordinates(found.arrays, {none, found.internal_vertex[corner(0)], {}})),
-                  1e-12 * scale); // roundings of coordinates up to four
+                  1e-12 * scale); // round-off errors of coordinates up to 4
       }
     }
 }
 
-// Random places of a torus, as many for each area, with its normals.
+// Returns uniformly distributed random surfels of a torus.
 Surfel_arrays random_torus(std::size_t number, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -85,7 +86,8 @@ Surfel_arrays random_torus(std::size_t number, unsigned seed)
 
 TEST(Reconstruction, random_samples_leave_no_holes)
 {
-  // Two of the first 24 seeds, where a ring of four surfels is left that no small triangles fill.
+  // With these 2 of the first 24 seeds, a boundary cycle of 4 surfels remains, which small
+  // triangles cannot close.
   for(const unsigned seed : {5u, 23u})
     EXPECT_EQ(topology(reconstruct_surface(random_torus(10000, seed)).arrays.corner),
               (Topology{true, {{0, 0}}}));
@@ -93,7 +95,7 @@ TEST(Reconstruction, random_samples_leave_no_holes)
 
 TEST(Reconstruction, keeps_gaps_open_and_sheets_separate)
 {
-  // A disc is missing, some twelve times as wide as triangles are.
+  // Remove a disk whose diameter is about 12 spacings.
   Triangulation sheet = square(30, 0.2);
   sheet.corners.clear();
   const auto is_in_gap = [](const Point& p) { return std::hypot(p[0] - 0.5, p[1] - 0.5) < 0.2; };
@@ -102,7 +104,7 @@ TEST(Reconstruction, keeps_gaps_open_and_sheets_separate)
   std::vector<Vec3> points = sheet.points, normals(points.size(), {0., 0., 1.});
   EXPECT_EQ(topology(reconstruct_surface(build_surfel_arrays(points, normals)).arrays.corner),
             (Topology{true, {{0, 2}}}));
-  // The other side of a thin plate, one and a half times as far as surfels from each other.
+  // Add the other side of a thin plate at a distance of 1.5 spacings.
   for(const Point& p : sheet.points)
   {
     points.push_back({p[0], p[1], -0.05});

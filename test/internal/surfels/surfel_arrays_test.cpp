@@ -51,7 +51,7 @@ Cloud fibonacci_sphere(std::size_t n)
   return cloud;
 }
 
-// Points of the unit square at a height.
+// Returns random points of the unit square at the given height, with the normals (0, 0, up).
 Cloud random_square(std::size_t n, unsigned seed = 1, double height = 0., double up = 1.)
 {
   std::mt19937 random(seed);
@@ -127,7 +127,7 @@ bool has_edge(const Surface_arrays& t, Index a, Index b)
   return std::binary_search(begin + t.graph.begin[a], begin + t.graph.begin[a + 1], b);
 }
 
-// What holds for every cloud, however bad.
+// Expects the invariants that hold for all clouds, including degenerate ones.
 void expect_consistent(const Surfel_arrays& surfels, std::size_t number_of_surfels)
 {
   const Surface_arrays& t = surfels.arrays;
@@ -153,7 +153,7 @@ void expect_consistent(const Surfel_arrays& surfels, std::size_t number_of_surfe
   double longest = 0.;
   for(Index i = 0; i < n; ++i)
   {
-    EXPECT_NEAR(norm(t.normal[i]), 1., 4e-16); // two roundings
+    EXPECT_NEAR(norm(t.normal[i]), 1., 4e-16); // two round-off errors
     for(Index e = t.graph.begin[i]; e < t.graph.begin[i + 1]; ++e)
     {
       const Index j = t.graph.target[e];
@@ -164,7 +164,8 @@ void expect_consistent(const Surfel_arrays& surfels, std::size_t number_of_surfe
       {
         EXPECT_LT(t.graph.target[e - 1], j);
       }
-      // Coincidence is judged at 2^-51 of the extent, copies lie exactly at their originals.
+      // Copies lie exactly at their originals, although points within 2^-51 of the extent are
+      // merged.
       EXPECT_DOUBLE_EQ(t.graph.length[e], norm(t.point[i] - t.point[j]));
       longest = std::max(longest, t.graph.length[e]);
     }
@@ -225,8 +226,8 @@ TEST(Surfel_arrays, triangles_are_oriented_by_normals)
   }
 }
 
-// All corners agree on which triangles a plane has, so that these tile it: each inner side has
-// exactly two, and the area is that of the square but for a rim.
+// Expects that the triangles tile the unit square: all corners find the same triangles, each
+// interior edge has two of them, and their area is that of the square except along the boundary.
 void expect_tiling(const Cloud& cloud, double tolerance)
 {
   const Surfel_arrays surfels = cloud.build_arrays();
@@ -243,7 +244,7 @@ void expect_tiling(const Cloud& cloud, double tolerance)
   }
   for(const float weight : t.weight)
     fully_weighted += weight == 1.f;
-  // Along the rim, and there only, may the corners disagree.
+  // Only along the boundary, some triangles are not found by all of their corners.
   EXPECT_GT(fully_weighted, (1. - tolerance) * t.number_of_triangles());
   EXPECT_GT(interior, (1. - tolerance) * halfedges.size());
   EXPECT_NEAR(weighted_area(t), 1., tolerance);
@@ -270,10 +271,11 @@ TEST(Surfel_arrays, triangles_cover_a_sphere)
     const Surfel_arrays surfels = cloud.build_arrays();
     expect_consistent(surfels, 4000);
     EXPECT_EQ(number_of_components(surfels.arrays), 1u);
-    // The area of an inscribed triangulation with the mean side h is less by about h^2 / 4,
-    // 0.05 % here; where corners disagree some triangles are counted in part or twice.
+    // The area of an inscribed triangulation with the mean edge length h is smaller by about
+    // h^2 / 4, which is 0.05 % here.  If the corners of a triangle find different triangles, areas
+    // are counted partially or twice.
     EXPECT_NEAR(weighted_area(surfels.arrays) / (4. * pi), 1., 2e-3);
-    // Closed and of genus 0: 2 (4000 - 2) triangles, and some seen from one corner only.
+    // A closed mesh of genus 0 has 2 (4000 - 2) triangles.  Some more are found by one corner only.
     EXPECT_NEAR(double(surfels.arrays.number_of_triangles()), 7996., 60.);
   }
 }
@@ -307,7 +309,7 @@ TEST(Surfel_arrays, handles_large_offset_from_origin)
   const Surfel_arrays surfels = cloud.build_arrays();
   expect_consistent(surfels, cloud.points.size());
   EXPECT_EQ(surfels.arrays.number_of_triangles(), 2u * 30u * 30u);
-  // Coordinates of 5e6 are known to 5e-10.
+  // The round-off error of coordinates of 5e6 is 5e-10.
   for(std::size_t f = 0; f < surfels.arrays.number_of_triangles(); ++f)
     EXPECT_NEAR(area(surfels.arrays, f) * surfels.arrays.scale * surfels.arrays.scale, 0.5, 1e-8);
 }
@@ -371,7 +373,7 @@ TEST(Surfel_arrays, connects_copies_to_their_original)
   }
 }
 
-// 100,000 copies of a point would take minutes if each saw all the others.
+// If each of 100,000 copies of a point had all others as neighbors, this would take minutes.
 TEST(Surfel_arrays, coincident_surfels_take_linear_time)
 {
   const std::size_t n = 100000;
@@ -394,7 +396,8 @@ TEST(Surfel_arrays, separates_sides_of_a_sheet)
   EXPECT_NEAR(weighted_area(surfels.arrays), 2., 0.12);
 }
 
-// Two sheets closer to each other than the 8th neighbour, whose normals agree.
+// Two parallel sheets, with equal or opposite normals, whose distance is less than that of the 8th
+// neighbor.
 TEST(Surfel_arrays, separates_parallel_sheets)
 {
   const std::size_t n = 3000;
@@ -414,7 +417,7 @@ TEST(Surfel_arrays, separates_parallel_sheets)
 
 TEST(Surfel_arrays, connects_across_sharp_edges)
 {
-  // Two squares at a right angle, with the mean normal along their common edge.
+  // Two perpendicular squares; the normals along their common edge are the means of both.
   Cloud cloud;
   for(int i = 0; i <= 20; ++i)
     for(int j = -20; j <= 20; ++j)
@@ -427,7 +430,7 @@ TEST(Surfel_arrays, connects_across_sharp_edges)
   const Surfel_arrays surfels = cloud.build_arrays();
   expect_consistent(surfels, cloud.points.size());
   EXPECT_EQ(number_of_components(surfels.arrays), 1u);
-  // No holes and no flaps but next to the edge, where three rows of twenty are.
+  // The area is only wrong next to the edge, in 3 of 20 rows.
   EXPECT_NEAR(weighted_area(surfels.arrays), 2., 0.1);
 }
 
@@ -449,7 +452,7 @@ TEST(Surfel_arrays, keeps_holes_open)
         1. / 3. *
         (t.point[t.corner[3 * f]] + t.point[t.corner[3 * f + 1]] + t.point[t.corner[3 * f + 2]]);
     const Vec3 at = t.scale * centroid + t.origin;
-    // Triangles reach into the hole by less than the spacing.
+    // Triangles extend into the hole by less than the spacing.
     EXPECT_GT(std::hypot(at[0] - 0.5, at[1] - 0.5), 0.2 - 1. / 40.);
   }
 }
@@ -479,7 +482,7 @@ TEST(Surfel_arrays, collinear_surfels_have_edges_but_no_triangles)
   const Surfel_arrays surfels = cloud.build_arrays();
   expect_consistent(surfels, 300);
   EXPECT_EQ(number_of_components(surfels.arrays), 1u);
-  // Points of the line that are not quite collinear make none either: such a triangle is too long.
+  // The circumradius of nearly collinear points is too large for a triangle.
   EXPECT_EQ(surfels.arrays.number_of_triangles(), 0u);
 }
 
@@ -561,12 +564,12 @@ TEST(Surfel_arrays, locates_points_on_nearest_tangent_plane)
     const Vec3 query = unit({coordinate(random), coordinate(random), coordinate(random)});
     const Tangent_location location = locate(surfels, query);
     const Vec3 found = t.origin + t.scale * position(t, location);
-    // A tangent plane leaves the sphere by half the squared offset; the spacing is 0.065, and no
-    // place is farther than its 0.75 fold from a surfel.
+    // The distance of a tangent plane from the sphere is half of the squared offset.  The spacing
+    // is 0.065, and the nearest surfel is within 0.75 spacings.
     EXPECT_LT(norm(found - query), 0.0013);
 
-    // Through a triangle and back: triangles lie below the sphere by as much, and meet the tangent
-    // plane's normal elsewhere than the sphere.
+    // Conversion to a triangle and back: the triangle is below the sphere by the same distance, and
+    // the direction of the projection is that of the normal at the surfel.
     const Surface_location in_triangle = to_surface_location(t, location);
     ASSERT_NE(in_triangle.triangle, none);
     double sum = 0.;

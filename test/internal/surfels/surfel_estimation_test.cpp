@@ -31,7 +31,7 @@ TEST(surfel_estimation, scales_with_input)
 {
   const Cloud cloud = torus_cloud(1000, 0.4);
   const Estimated_surfels unit = estimate_surfels(cloud.points, 18, 0.);
-  for(const double scale : {0x1p-20, 0x1p20}) // powers of two: nothing is rounded
+  for(const double scale : {0x1p-20, 0x1p20}) // powers of two cause no round-off errors
   {
     std::vector<Vec3> points = cloud.points;
     for(Vec3& p : points)

@@ -18,7 +18,7 @@ using namespace CGAL::Geodesic_processing::test;
 
 TEST(surfel_neighbors, are_the_nearest_compatible_surfels)
 {
-  // Two sheets, of which each surfel sees its own.
+  // Two sheets with opposite normals: only surfels of the same sheet are compatible.
   Cloud sheets = square_cloud(12);
   for(std::size_t i = 0; i < 144; ++i)
     sheets.add(sheets.points[i] + Vec3{0.01, 0.02, 0.05}, {0., 0., -1.});
@@ -94,11 +94,11 @@ TEST(surfel_neighbors, merges_coincident_surfels)
   for(Index i = 0; i < 4; ++i)
   {
     const Index v = sorted.internal_vertex[i];
-    EXPECT_EQ(sorted.caller_vertex[v], i == 2 ? 0 : i); // the third is the first one's copy
+    EXPECT_EQ(sorted.caller_vertex[v], i == 2 ? 0 : i); // the third surfel is a copy of the first
     EXPECT_EQ(sorted.frame.origin + sorted.frame.scale * sorted.point[v], points[i]);
     EXPECT_EQ(sorted.normal[v], normals[i]);
   }
-  // In another frame.
+  // A given frame determines the coordinates.
   const Frame frame = {{4., 0., 0.}, 8.};
   EXPECT_EQ(sort_surfels(points, normals, 0.5, 1, &frame).point[sorted.internal_vertex[1]],
             (Vec3{-0.375, 0., 0.}));
@@ -116,7 +116,7 @@ TEST(surfel_neighbors, estimates_missing_radii)
   const std::vector<double> estimated_radii = surfel_radii(sorted, {}, neighbors, 8, 1),
                             scaled_radii = surfel_radii(sorted, given, neighbors, 8, 1);
   const Index middle = sorted.internal_vertex[40];
-  // Eight are no farther than a diagonal of the lattice.
+  // The eight nearest surfels are within a diagonal of the lattice.
   EXPECT_NEAR(sorted.frame.scale * estimated_radii[middle], 1. / 8., 1e-15);
   EXPECT_EQ(sorted.frame.scale * scaled_radii[sorted.internal_vertex[1]], 1.);
   EXPECT_EQ(scaled_radii[middle], 8.); // larger than the cloud

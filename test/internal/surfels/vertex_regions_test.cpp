@@ -16,7 +16,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// A torus, and beside it a few surfels that are not joined to it.
+// Returns a torus and a patch of a few surfels, which are not connected.
 Surfel_cloud torus_and_patch()
 {
   Cloud cloud = torus_cloud(3000, 0.4);
@@ -31,7 +31,7 @@ TEST(make_regions, regions_are_connected)
   const Surfel_cloud cloud = torus_and_patch();
   const Vertex_regions regions = make_regions(cloud.graph, cloud.point, cloud.component);
   EXPECT_NEAR(double(regions.size()), double(cloud.number_of_vertices()) / 32., 2.);
-  // Without the arcs between regions there are as many components as regions.
+  // Without the edges between regions, the number of connected components is the number of regions.
   std::vector<Index> component(regions.size(), none), reached(cloud.number_of_vertices(), none),
       stack;
   Index number_of_components = 0;
@@ -75,10 +75,11 @@ TEST(make_regions, edge_lengths_bound_shortest_paths)
       double shortest = 0.;
       for(std::size_t i = 0; i + 1 < path.size(); ++i)
         shortest += norm(cloud.point[path[i + 1]] - cloud.point[path[i]]);
-      // No chain is shorter; and this one, both of whose halves are shortest, not twice as long.
+      // The edge is the length of a path, so the shortest path is not longer.  Both parts of this
+      // path are shortest paths, so it is less than twice as long in practice.
       EXPECT_GT(regions.graph.length[e], shortest * (1. - 1e-12));
       EXPECT_LT(regions.graph.length[e], 2. * shortest);
-      // The same from the other side, but for the order of a sum.
+      // The reverse edge has the same length up to the order of summation.
       const auto begin = regions.graph.target.begin() + regions.graph.begin[other],
                  end = regions.graph.target.begin() + regions.graph.begin[other + 1];
       const auto back = std::find(begin, end, region);

@@ -13,11 +13,13 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A balanced kd-tree of points in space.  The constructor sorts the points, such that node k of level d
-// contains the points k n / 2^d .. (k + 1) n / 2^d - 1.  So the tree only stores the bounding boxes of its
-// nodes, about 9 bytes per point.  Consecutive points are close to each other.
+// A balanced kd-tree of points in space.  The constructor sorts the points, such that node k of
+// level d contains the points k n / 2^d .. (k + 1) n / 2^d - 1.  So the tree only stores the
+// bounding boxes of its nodes, about 9 bytes per point.  Consecutive points are close to each
+// other.
 //
-// The tree does not store the points.  Each query must receive the array that the constructor sorted.
+// The tree does not store the points.  Each query must receive the array that the constructor
+// sorted.
 class Kd_tree
 {
 public:
@@ -37,9 +39,9 @@ public:
 
   Kd_tree() = default;
 
-  // Builds the tree and sorts the points, which must be finite.  Sets `order` (#points) to the former
-  // index of each point.  The result depends neither on the order of the input nor on the number of
-  // threads; only coincident points keep their order.  O(n log n).
+  // Builds the tree and sorts the points, which must be finite.  Sets `order` (#points) to the
+  // former index of each point.  The result depends neither on the order of the input nor on the
+  // number of threads; only coincident points keep their order.  O(n log n).
   CGAL_GEODESIC_PROCESSING_EXPORT
   Kd_tree(std::vector<Point>& points, std::vector<Index>& order, unsigned threads = 1);
 
@@ -49,8 +51,8 @@ public:
   CGAL_GEODESIC_PROCESSING_EXPORT
   void scale(double factor);
 
-  // Sets `result` to the k nearest points of the query, sorted by distance and then by index.  Ignores
-  // points whose squared distance exceeds `bound`, so the result can have fewer points.
+  // Sets `result` to the k nearest points of the query, sorted by distance and then by index.
+  // Ignores points whose squared distance exceeds `bound`, so the result can have fewer points.
   CGAL_GEODESIC_PROCESSING_EXPORT
   void nearest(const std::vector<Point>& points, const Point& query, std::size_t k,
                std::vector<Neighbor>& result, double bound = infinity) const;
@@ -67,14 +69,14 @@ public:
 
   // Returns the range [first, last) of the points in the leaf of a point.
   std::pair<Index, Index> leaf(Index point) const { return node(point, m_levels); }
-  // Returns the range of the smallest node that contains a point and at least `size` points in all, or
-  // of the root if no node is that large.
+  // Returns the range of the smallest node that contains a point and at least `size` points in all,
+  // or of the root if no node is that large.
   CGAL_GEODESIC_PROCESSING_EXPORT
   std::pair<Index, Index> ancestor(Index point, std::size_t size) const;
 
-  // Sets `result` to the ranges of all leaves whose box is within `squared_distance` of the bounding box
-  // of the points first .. last - 1.  Returns false, with an incomplete result, if these leaves
-  // contain more than `max_number` points.
+  // Sets `result` to the ranges of all leaves whose box is within `squared_distance` of the
+  // bounding box of the points first .. last - 1.  Returns false, with an incomplete result, if
+  // these leaves contain more than `max_number` points.
   CGAL_GEODESIC_PROCESSING_EXPORT
   bool leaves_near(const std::vector<Point>& points, Index first, Index last,
                    double squared_distance, std::size_t max_number,

@@ -19,15 +19,15 @@ struct Surfel_cloud_options
   Surfel_graph graph = Surfel_graph::extended_spheres;
   std::size_t neighbors =
       20; // number of nearest surfels that are candidates for the edges of a surfel
-  // The normals of two neighbors differ by less than this angle.  It admits edges across the creases of
-  // a cube, and excludes edges through a thin sheet.
+  // The normals of two neighbors differ by less than this angle.  It admits edges across the
+  // creases of a cube, and excludes edges through a thin sheet.
   double maximum_angle = 1.7453292519943295; // 100 degrees
   // If no radii are given, the radius of a surfel is the distance to its neighbor of this rank,
   // divided by sqrt(2).
   std::size_t rank = 8;
-  // The radius of the spheres of influence divided by the radius of the surfel.  On a square lattice,
-  // sqrt(2) yields edges in 16 directions, whose shortest paths are at most 2.7 % too long.  A ratio of 1
-  // yields 8 directions and 8 %.
+  // The radius of the spheres of influence divided by the radius of the surfel.  On a square
+  // lattice, sqrt(2) yields edges in 16 directions, whose shortest paths are at most 2.7 % too
+  // long.  A ratio of 1 yields 8 directions and 8 %.
   double influence_ratio = 1.4142135623730951;
   unsigned threads = 1; // does not change the result
 };
@@ -50,8 +50,8 @@ struct Surfel_cloud : Sorted_surfels
 // points   #surfels: finite coordinates
 // normals  #surfels: vectors of any positive length
 // radii    #surfels: nonnegative, in the caller's unit; or empty
-// frame    if not null, the coordinates are scaled by this frame instead of the frame of the points;
-//          so two similar clouds can have the same coordinates
+// frame    if not null, the coordinates are scaled by this frame instead of the frame of the
+//          points; so two similar clouds can have the same coordinates
 //
 // Coincident surfels with compatible normals become one vertex.  Edges connect a surfel only to its
 // `options.neighbors` nearest surfels.  The types of graphs are:

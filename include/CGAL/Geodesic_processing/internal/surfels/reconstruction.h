@@ -8,13 +8,13 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Computes a mesh that interpolates the surfels of a clean cloud, by CGAL's advancing front (Cohen-Steiner
-// and Da 2004).  Its vertices are the vertices of the cloud.
+// Computes a mesh that interpolates the surfels of a clean cloud, by CGAL's advancing front
+// (Cohen-Steiner and Da 2004).  Its vertices are the vertices of the cloud.
 //
 // Only Delaunay triangles whose circumradius is at most `max_circumradius_ratio` times the smallest
-// radius of their corners, and whose normal is compatible with the surfels, are used.  Small gaps are
-// closed afterwards.  Each component is oriented by the majority of the normals.  Copies of surfels, and
-// surfels without a triangle, become isolated vertices.
+// radius of their corners, and whose normal is compatible with the surfels, are used.  Small gaps
+// are closed afterwards.  Each component is oriented by the majority of the normals.  Copies of
+// surfels, and surfels without a triangle, become isolated vertices.
 //
 // Throws Unsupported_surface_error if the cloud is noisy, so that the surface would have too many
 // components.  O(n log n + n c) for c components.

@@ -10,22 +10,22 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A partition of the vertices of a graph into connected regions of about 32 vertices, and the graph of the
-// regions.
+// A partition of the vertices of a graph into connected regions of about 32 vertices, and the graph
+// of the regions.
 struct Vertex_regions
 {
   std::vector<Index>
       region;              // #vertices: the region of the seed with the shortest path to the vertex
   std::vector<Vec3> point; // #regions: the position of the seed
-  // Connects regions that are connected by an edge of the input.  The length of an edge is the minimum over
-  // these input edges of the length of the path between both seeds through the edge.
+  // Connects regions that are connected by an edge of the input.  The length of an edge is the
+  // minimum over these input edges of the length of the path between both seeds through the edge.
   Proximity_graph graph;
 
   std::size_t size() const { return point.size(); }
 };
 
-// Computes regions around seeds: in each component, every 32nd vertex in the order of the indices is a
-// seed, beginning with the first.
+// Computes regions around seeds: in each component, every 32nd vertex in the order of the indices
+// is a seed, beginning with the first.
 //
 // graph      symmetric; its lengths are ignored: an edge is as long as the distance of its points
 // point      #vertices
