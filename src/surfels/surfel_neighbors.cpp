@@ -14,9 +14,10 @@ namespace CGAL::Geodesic_processing::internal {
 void check_sizes(std::size_t points, std::size_t normals, std::size_t radii)
 {
   if(normals != points || (radii != 0 && radii != points))
-    throw Invalid_argument_error("The numbers of points (" + std::to_string(points) +
-                                 "), normals (" + std::to_string(normals) + ") and radii (" +
-                                 std::to_string(radii) + ", which may be 0) must be equal.");
+    throw Invalid_argument_error("The numbers of points, normals and radii (0 if none are given) "
+                                 "must be equal, but are " +
+                                 std::to_string(points) + ", " + std::to_string(normals) + " and " +
+                                 std::to_string(radii) + ".");
   if(points > none / 128)
     throw Unsupported_surface_error("A cloud can have at most 2^25 surfels.");
 }

@@ -24,7 +24,7 @@ std::set<std::pair<Index, Index>> edges(const Surfel_cloud& cloud)
   std::set<std::pair<Index, Index>> result;
   for(Index i = 0; i < cloud.number_of_vertices(); ++i)
     for(Index e = cloud.graph.begin[i]; e < cloud.graph.begin[i + 1]; ++e)
-      EXPECT_TRUE(result.emplace(i, cloud.graph.target[e]).second) << "an arc comes twice";
+      EXPECT_TRUE(result.emplace(i, cloud.graph.target[e]).second) << "duplicate edge";
   return result;
 }
 
