@@ -11,9 +11,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// An adaptive estimate of the probability of a bit in one context: the mean of the previous bits,
-// and from the 60th on an exponentially weighted mean.  Uses integers, so that it is the same on
-// all machines.
+// An adaptive estimate of the probability of a bit in one context.  It is the mean of the previous
+// bits, and from the 60th bit on an exponentially weighted mean.  Uses integers, so that it is the
+// same on all machines.
 struct Bit_model
 {
   std::uint16_t probability = 1u << 15; // that the bit is set, times 2^16

@@ -76,6 +76,7 @@ private:
     midpoint
   };
 
+  // Returns the number of triangles in the connected component of a triangle, and marks them.
   std::size_t component_size(Index seed)
   {
     std::vector<Index> stack = {seed};
@@ -96,6 +97,7 @@ private:
     return size;
   }
 
+  // Returns the sum of the indices of the corners.  It breaks ties between several tilings.
   static std::uint64_t corner_sum(const std::vector<Tile>& tiles)
   {
     std::uint64_t result = 0;
@@ -105,6 +107,7 @@ private:
     return result;
   }
 
+  // Assigns a triangle to a tile.  Returns false if it already belongs to a tile.
   bool claim(Index face, Index middle)
   {
     if(m_tile_of_face[face] != none)
@@ -114,6 +117,7 @@ private:
     return true;
   }
 
+  // Assigns a role to a vertex.  Returns false if it already has the other role.
   bool claim(Index vertex, Role role)
   {
     if(m_role[vertex] == Role::unknown)
@@ -124,6 +128,7 @@ private:
     return m_role[vertex] == role;
   }
 
+  // Undoes all assignments since the last accepted tiling.
   void reset()
   {
     for(const Index f : m_claimed_faces)
@@ -188,6 +193,7 @@ private:
   std::vector<Index> m_claimed_faces, m_claimed_vertices; // to be reset
 };
 
+// Returns the same key for both directions of an edge.
 std::uint64_t edge_key(Index a, Index b)
 {
   return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);

@@ -29,6 +29,7 @@ struct Vertex_types
   }
 };
 
+// Computes the valence of each vertex, and whether it lies on the boundary.
 Vertex_types classify_vertices(const Level& level)
 {
   Vertex_types result;
@@ -58,6 +59,7 @@ public:
     m_result.begin.push_back(0);
   }
 
+  // Appends the stencil of the midpoint of a halfedge.
   void add(Index h)
   {
     const auto [a, b] = edge_vertices(m_level, h);
@@ -177,6 +179,7 @@ void for_each_midpoint(const Level& level, const Use& use)
       use(h);
 }
 
+// Returns the three channels of a vertex as a vector.
 Vec3 position(const std::vector<double>& values, Index vertex)
 {
   return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
@@ -250,6 +253,7 @@ Lifting::Lifting(std::shared_ptr<const Subdivision> subdivision, Prediction pred
   }
 }
 
+// Adds the predictions of the midpoints to their values if sign is 1; subtracts them if it is -1.
 void Lifting::predict(std::vector<double>& values, std::size_t channels, std::size_t level,
                       double sign) const
 {
@@ -265,6 +269,7 @@ void Lifting::predict(std::vector<double>& values, std::size_t channels, std::si
     }
 }
 
+// Adds (sign is 1) or subtracts (sign is -1) weighted details at both ends of the edges.
 void Lifting::update(std::vector<double>& values, std::size_t channels, std::size_t level,
                      double sign) const
 {
@@ -284,6 +289,7 @@ void Lifting::update(std::vector<double>& values, std::size_t channels, std::siz
     }
 }
 
+// Expresses the details of a level in local frames, or returns them to coordinates.
 void Lifting::rotate_details(std::vector<double>& values, std::size_t level, bool is_forward) const
 {
   const Level& coarse = m_subdivision->levels[level];

@@ -18,6 +18,7 @@ using Level = Subdivision::Level;
 
 constexpr std::size_t max_number_of_halfedges = std::size_t(1) << 31;
 
+// Throws if a triangle has equal corners, or corners that are not below number_of_vertices.
 void check_corners(const std::vector<Triangle>& triangles, Index number_of_vertices)
 {
   for(const auto& [a, b, c] : triangles)
@@ -48,6 +49,7 @@ void check_edges(const Level& level)
                                  "triangles or inconsistent orientations.");
 }
 
+// Checks the triangles and computes their twins.
 Level coarsest_level(const std::vector<Triangle>& triangles, Index number_of_vertices)
 {
   check_corners(triangles, number_of_vertices);
@@ -77,11 +79,12 @@ void add_midpoints(Level& level, std::vector<std::array<Index, 2>>& parents)
       level.midpoint[h] = level.midpoint[level.twin[h]];
 }
 
-// Return the halves of a halfedge: they belong to the children at its source and at its target, and
-// have the same position in these triangles as the halfedge has in its triangle.
+// These functions return the halves of a halfedge.  The halves belong to the children at its source
+// and at its target.  They are edge h % 3 of these triangles, as h is in its triangle.
 Index first_half(Index h) { return 3 * (4 * (h / 3) + h % 3) + h % 3; }
 Index second_half(Index h) { return 3 * (4 * (h / 3) + (h + 1) % 3) + h % 3; }
 
+// Splits each triangle into four.  Computes the twins from those of the level, without a search.
 Level refined_level(const Level& level)
 {
   Level result;
@@ -108,6 +111,7 @@ Level refined_level(const Level& level)
   return result;
 }
 
+// Throws if the subdivision would have too many halfedges for 32-bit indices.
 void check_size(std::size_t triangles, unsigned times)
 {
   std::size_t number_of_halfedges = 3 * std::max<std::size_t>(triangles, 1);
@@ -260,6 +264,7 @@ public:
   Quad_subdivision result() { return std::move(m_result); }
 
 private:
+  // Returns the midpoint.  It is exact, because the denominator has enough factors of two.
   static Coordinates midpoint(const Coordinates& p, const Coordinates& q)
   {
     Coordinates result;
@@ -287,6 +292,7 @@ private:
     return Index(m_result.parents.size() - 1);
   }
 
+  // Appends the current quads as a level of the result.
   void add_level()
   {
     m_result.levels.push_back(m_quads);

@@ -19,6 +19,7 @@ namespace {
 constexpr char magic[] = {'G', 'P', 'W', '1'};
 constexpr unsigned max_number_of_levels = 15;
 
+// Appends the `size` lowest bytes of a number, least significant byte first.
 void append(Bytes& bytes, std::uint64_t number, int size)
 {
   for(int i = 0; i < size; ++i)
@@ -32,6 +33,7 @@ void append(Bytes& bytes, double number)
   append(bytes, bits, 8);
 }
 
+// Returns the CRC-32.
 std::uint32_t checksum(const std::uint8_t* bytes, std::size_t size)
 {
   boost::crc_32_type crc;
@@ -39,6 +41,7 @@ std::uint32_t checksum(const std::uint8_t* bytes, std::size_t size)
   return crc.checksum();
 }
 
+// Returns the number of bits without leading zeros.
 unsigned bit_width(std::size_t number)
 {
   unsigned result = 0;

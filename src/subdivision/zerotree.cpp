@@ -26,6 +26,7 @@ struct Zerotrees
   std::vector<bool> is_root; // #vertices: true for vertices and edges of the base mesh
 };
 
+// Computes the trees of a subdivision.  O(n).
 Zerotrees build_zerotrees(const Subdivision& s)
 {
   const std::size_t n = s.number_of_vertices();
@@ -123,6 +124,9 @@ public:
   }
 
 private:
+  // Codes one bit of the coefficient of vertex v in channel c, and its sign if it becomes
+  // significant.  Then codes whether it has significant descendants.  Returns false if a decoder
+  // has no more bits.
   template <typename Coder>
   bool code_coefficient(Coder& coder, Index v, std::size_t c)
   {
@@ -188,6 +192,8 @@ private:
            is_base;
   }
 
+  // Uses the descendants of the neighbors, the significance of the coefficient, and the descendants
+  // in the other channels.
   std::size_t descendant_context(Index v, std::size_t c) const
   {
     const Channel_state& state = m_channels[c];
@@ -230,6 +236,7 @@ struct Quantized_coefficients
   std::vector<bool> negative;
 };
 
+// Encodes the bits of one plane.
 struct Plane_encoder
 {
   const Quantized_coefficients& coefficients;
@@ -269,6 +276,7 @@ struct Plane_encoder
   void refine(Index, std::size_t, bool) {}
 };
 
+// Decodes the bits of one plane.
 struct Plane_decoder
 {
   std::vector<double>& values; // midpoints of the intervals known so far, divided by 2^exponent
@@ -296,6 +304,7 @@ struct Plane_decoder
   {
     values[channels * v + c] = (is_negative ? -1.5 : 1.5) * unit;
   }
+  // Moves the value to the midpoint of the half of its interval that the bit selects.
   void refine(Index v, std::size_t c, bool is_set)
   {
     double& value = values[channels * v + c];
@@ -351,6 +360,7 @@ std::vector<double> scaled_coefficients(const Subdivision& s, const Wavelet_sign
   return values;
 }
 
+// Rounds the scaled coefficients toward zero to integers, and computes the maxima of all subtrees.
 Quantized_coefficients quantize(const std::vector<double>& values, const Stream_header& header,
                                 const Zerotrees& zerotrees)
 {

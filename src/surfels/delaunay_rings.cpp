@@ -83,6 +83,7 @@ public:
 private:
   using Point_2 = std::array<double, 2>;
 
+  // Returns the coordinates of surfel j in the tangent plane, relative to the current surfel.
   Point_2 project(Index j) const
   {
     const Vec3 chord = m_surfels.point[j] - m_center;
@@ -175,6 +176,7 @@ private:
     }
   }
 
+  // Appends the triangles of the cell in the format of find_delaunay_rings().
   void append_fans(std::vector<Index>& ring) const
   {
     const auto& corners = m_cell.corners();

@@ -116,6 +116,7 @@ struct Surfel
 class Local_frame
 {
 public:
+  // Uses the mean normal of surfel i.  Its spacing must be positive.
   Local_frame(const Denoising_cloud& cloud, Index i)
       : m_origin(cloud.point[i]), m_normal(cloud.mean_normal[i]),
         m_inverse_spacing(1. / cloud.spacing[i])
@@ -156,9 +157,9 @@ public:
     return true;
   }
 
-  // Subtracts the terms above the second order from the height and the slopes of a sample.  The
-  // surface is assumed to have the height x^T H x / (1 + sqrt(1 - |H x|^2)) with the Hessian H of
-  // the fit, which is exact for spheres and cylinders.
+  // Subtracts the terms above the second order from the height and the slopes of a sample.  Let H
+  // be the Hessian of the fit.  The height of the surface is assumed to be x^T H
+  // x / (1 + sqrt(1 - |H x|^2)), which is exact for spheres and cylinders.
   static void remove_higher_order_terms(const Quadric_fit::Coefficients& c, Sample& sample)
   {
     const Quadric_fit::Moments& p = sample.monomials;
@@ -283,6 +284,7 @@ struct Clusters
   Kd_tree tree;            // of the means
 };
 
+// Computes the clusters of a cloud.  O(n log n).
 Clusters build_clusters(const Denoising_cloud& cloud, unsigned threads)
 {
   std::vector<Surfel_mean> means;
@@ -464,6 +466,8 @@ private:
     return true;
   }
 
+  // Returns false if the neighborhood has no extent or fits it exactly.
+  // Then the surfel is not moved.
   bool is_noisy(Index i) const
   {
     return m_cloud.spacing[i] > 0. && m_variances.height[i] > 0. && m_variances.slope[i] > 0.;

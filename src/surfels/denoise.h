@@ -11,8 +11,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Clouds with a smaller noise level are not denoised.  The noise level of exact samples is not
-// zero: it is 0.005 for 1,000 surfels of a torus or an ellipsoid, and 0.018 for 300 surfels of an
-// ellipsoid with the semi-axes 1, 0.5 and 0.3.
+// zero.  It is 0.005 for 1,000 surfels of a torus or an ellipsoid.  It is 0.018 for 300 surfels of
+// an ellipsoid with the semi-axes 1, 0.5 and 0.3.
 constexpr double significant_noise_level = 0.02;
 
 // Estimates the noise level of a cloud: approximately the standard deviation of the positions,

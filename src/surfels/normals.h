@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing::internal {
 // 0, 1) if there are at most two distinct points, or if no quadric can be fitted.
 //
 // If `is_oriented`, the orientation is propagated along a minimum spanning tree of the neighbor
-// graph, with the cost 1 - |cosine| of the normals of an edge (Hoppe and others 1992).  In each
+// graph (Hoppe and others 1992).  The cost of an edge is 1 - |cosine| of its normals.  In each
 // component, the point with the largest z coordinate has a normal with nonnegative z.
 //
 // Throws Invalid_argument_error if a coordinate is not finite or the extent overflows.  O(n log n).

@@ -37,9 +37,9 @@ constexpr std::size_t max_number_of_gap_edges = 16;
 // diameter is at most three edges of small triangles.  Random samples of a surface have one such
 // cycle in about 10,000 surfels.
 constexpr std::size_t always_closed_gap_edges = 6;
-// The sine of 20 degrees.  A triangle is admitted if no normal of its corners points to its back by
-// more than this angle, and one normal points to its front by more than it.  The tolerance admits
-// the mean normals at creases.
+// The sine of 20 degrees.  Let the angle of a normal be measured from the plane of the triangle.  A
+// triangle is admitted if no normal of its corners is below -20 degrees and at least one is above
+// 20 degrees, for one of both orientations.  The tolerance admits the mean normals at creases.
 constexpr double normal_sine_tolerance = 0.34;
 
 // Returns the minimum and the maximum of the products of the triangle's unit normal with the
@@ -93,6 +93,7 @@ struct Triangle_priority
   }
 };
 
+// Returns the vertices of all corners (3 #triangles).
 std::vector<Index> corners_of(const std::vector<Face>& faces)
 {
   std::vector<Index> result;
@@ -164,6 +165,7 @@ std::vector<std::vector<Index>> find_gaps(std::size_t number_of_vertices,
 
 using Edge = std::array<std::size_t, 2>; // sorted vertices
 
+// Calls use(edge) for the three edges of a face.
 template <typename Use>
 void for_each_edge(const Face& face, const Use& use)
 {
@@ -172,8 +174,8 @@ void for_each_edge(const Face& face, const Use& use)
 }
 
 // Closes small gaps by triangulations of minimum area.  A gap is only closed if all new triangles
-// are small and oriented by their normals, and if no new edge exists already, except on the
-// boundary cycle.
+// are small and agree with the normals.  Their edges must not exist already, except on the boundary
+// cycle.
 void close_gaps(const Surfel_arrays& surfels, const std::vector<Kernel::Point_3>& points,
                 std::vector<Face>& faces)
 {
@@ -231,6 +233,7 @@ std::vector<Kernel::Point_3> in_general_position(const Surfel_arrays& surfels)
   return result;
 }
 
+// Returns true if all points lie on one line, or if there are no points.
 bool are_collinear(const std::vector<Kernel::Point_3>& points)
 {
   const auto other = std::find_if(points.begin(), points.end(),

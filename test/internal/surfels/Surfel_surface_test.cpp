@@ -142,8 +142,7 @@ TEST(Surfel_surface, projects_to_disks)
   const Surfel_cloud cloud = cloud_of(square_cloud(11));
   const Surface surface(cloud, Surfel_fit::disks);
   // In the interior, the projection is that to the plane.  Beyond the corner, it is the closest
-  // point of the last disk: its radius is the mean of the neighbors' radii, which is less than its
-  // own.
+  // point of the last disk.  The radius of this disk is the mean of the neighbors' radii.
   const Projection inside = surface.project(cloud.point[60] + Vec3{0.01, 0.02, 0.05}, 60);
   EXPECT_LT(norm(inside.point - cloud.point[60] - Vec3{0.01, 0.02, 0.}), 1e-15);
   Index corner = 0;

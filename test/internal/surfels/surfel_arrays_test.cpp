@@ -226,8 +226,8 @@ TEST(Surfel_arrays, triangles_are_oriented_by_normals)
   }
 }
 
-// Expects that the triangles tile the unit square: all corners find the same triangles, each
-// interior edge has two of them, and their area is that of the square except along the boundary.
+// Expects that the triangles tile the unit square: all corners find the same triangles, and each
+// interior edge has two of them.  Their area is that of the square except along the boundary.
 void expect_tiling(const Cloud& cloud, double tolerance)
 {
   const Surfel_arrays surfels = cloud.build_arrays();
@@ -568,8 +568,8 @@ TEST(Surfel_arrays, locates_points_on_nearest_tangent_plane)
     // is 0.065, and the nearest surfel is within 0.75 spacings.
     EXPECT_LT(norm(found - query), 0.0013);
 
-    // Conversion to a triangle and back: the triangle is below the sphere by the same distance, and
-    // the direction of the projection is that of the normal at the surfel.
+    // Convert to a triangle and back.  The triangle is below the sphere by the same distance.  The
+    // direction of the projection is the normal at the surfel.
     const Surface_location in_triangle = to_surface_location(t, location);
     ASSERT_NE(in_triangle.triangle, none);
     double sum = 0.;

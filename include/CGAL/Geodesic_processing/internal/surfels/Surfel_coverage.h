@@ -22,9 +22,9 @@ public:
   // of type `extended_spheres`; only the constructor uses it.
   explicit Surfel_coverage(const Surfel_cloud& cloud, unsigned threads = 1);
 
-  // Returns an estimate of the distance from a vertex up to which points are covered: the third
-  // largest spacing of the vertex and its graph neighbors.  It is an overestimate if the cloud is
-  // denser around the point than around the vertex.
+  // Returns an estimate of the distance from a vertex up to which points are covered.  It is the
+  // third largest spacing of the vertex and its graph neighbors.  It is an overestimate if the
+  // cloud is denser around the point than around the vertex.
   double radius(Index vertex) const { return m_radius[vertex]; }
   // Returns true if a point is covered.  `vertex` is a guess of the nearest vertex: it accelerates
   // the query and does not change the result.

@@ -50,7 +50,7 @@ struct Surfel_arrays
 // a gap in the ring of a surfel, neighbors with steeper chords are used as well.
 //
 // The graph has two kinds of edges.  One is the extended sphere-of-influence graph (Ruggeri, Darom,
-// Saupe and Kiryati 2006): it connects two neighbors if their spheres intersect and one of them is
+// Saupe and Kiryati 2006).  It connects two neighbors if their spheres intersect, and if one is
 // among the 24 nearest surfels of the other.  The other kind is the edges of all triangles.  The
 // graph is symmetric, and the edges of a vertex are sorted by their targets.
 //
@@ -64,10 +64,10 @@ struct Surfel_arrays
 // connected to it by edges of length zero.  Copies have no triangles.  Coordinates and lengths are
 // scaled by a power of two, such that the longest edge lies in [1, 2).
 //
-// Throws Invalid_argument_error if the sizes differ, a coordinate or a radius is not finite, a
-// radius is negative, a normal is zero or not finite, an option is out of range, or distances
-// overflow.  Throws Unsupported_surface_error if there are more than 2^25 surfels.  O(n log n); the
-// result has about 400 bytes per surfel, and the computation needs twice as many.
+// Throws Invalid_argument_error if the sizes differ, or an option is out of range.  It is also
+// thrown if a number is not finite, a radius is negative, a normal is zero, or distances overflow.
+// Throws Unsupported_surface_error if there are more than 2^25 surfels.  O(n log n); the result has
+// about 400 bytes per surfel, and the computation needs twice as many.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surfel_arrays build_surfel_arrays(std::vector<std::array<double, 3>> points,
                                   std::vector<std::array<double, 3>> normals,
@@ -97,9 +97,9 @@ inline Tangent_location locate(const Surfel_arrays& surfels, const std::array<do
 }
 
 // Converts a location in a tangent plane to a location in a triangle.  The triangle is incident to
-// the vertex of the location or to one of its neighbors in the graph; all of them are projected to
-// the tangent plane.  If none contains the location, returns the closest location on their edges.
-// If there are no triangles, or the offset is zero, returns the vertex.
+// the vertex of the location or to one of its neighbors in the graph.  All triangles are projected
+// to the tangent plane.  If none contains the location, returns the closest location on their
+// edges.  If there are no triangles, or the offset is zero, returns the vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location to_surface_location(const Surface_arrays& arrays,
                                      const Tangent_location& location);
