@@ -84,29 +84,29 @@ GEODESIC_PROCESSING_INLINE void rank(const double* value, std::size_t size, std:
   }
 }
 
-std::size_t filter_near_narrow(const Coordinates& coordinate_arrays, const Kd_tree::Point& from,
-                               double bound, double* distance, Index* kept_index)
+std::size_t filter_near_baseline(const Coordinates& coordinate_arrays, const Kd_tree::Point& from,
+                                 double bound, double* distance, Index* kept_index)
 {
   return filter_near<Baseline_pack<double>>(coordinate_arrays, from, bound, distance, kept_index);
 }
 GEODESIC_PROCESSING_TARGET_AVX2
-std::size_t filter_near_wide(const Coordinates& coordinate_arrays, const Kd_tree::Point& from,
+std::size_t filter_near_avx2(const Coordinates& coordinate_arrays, const Kd_tree::Point& from,
                              double bound, double* distance, Index* kept_index)
 {
   return filter_near<Avx2_pack<double>>(coordinate_arrays, from, bound, distance, kept_index);
 }
-void rank_narrow(const double* value, std::size_t size, std::int64_t* result)
+void rank_baseline(const double* value, std::size_t size, std::int64_t* result)
 {
   rank<Baseline_pack<double>>(value, size, result);
 }
 GEODESIC_PROCESSING_TARGET_AVX2
-void rank_wide(const double* value, std::size_t size, std::int64_t* result)
+void rank_avx2(const double* value, std::size_t size, std::int64_t* result)
 {
   rank<Avx2_pack<double>>(value, size, result);
 }
 
-const auto dispatched_filter_near = has_avx2() ? filter_near_wide : filter_near_narrow;
-const auto dispatched_rank = has_avx2() ? rank_wide : rank_narrow;
+const auto dispatched_filter_near = has_avx2() ? filter_near_avx2 : filter_near_baseline;
+const auto dispatched_rank = has_avx2() ? rank_avx2 : rank_baseline;
 
 } // namespace
 
