@@ -260,6 +260,57 @@ Tangent_location locate(const Kd_tree& tree, const std::vector<Vec3>& points,
   return location;
 }
 
+namespace {
+
+using Projected_triangle = std::array<std::array<double, 2>, 3>;
+
+struct Closest_point
+{
+  double distance;
+  std::array<double, 3> barycentric;
+};
+
+// Returns the point of the edges of a triangle that is closest to the origin.
+Closest_point closest_edge_point(const Projected_triangle& p)
+{
+  Closest_point result = {infinity, {}};
+  for(int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    const double dx = p[next][0] - p[k][0], dy = p[next][1] - p[k][1];
+    const double squared_length = dx * dx + dy * dy;
+    const double fraction =
+        squared_length > 0. ? std::clamp(-(p[k][0] * dx + p[k][1] * dy) / squared_length, 0., 1.)
+                            : 0.;
+    const double distance = std::hypot(p[k][0] + fraction * dx, p[k][1] + fraction * dy);
+    if(distance < result.distance)
+    {
+      result = {distance, {0., 0., 0.}};
+      result.barycentric[k] = 1. - fraction;
+      result.barycentric[next] = fraction;
+    }
+  }
+  return result;
+}
+
+// Returns the point of a triangle that is closest to the origin.  The distance is zero if the triangle
+// contains the origin, and infinite if the area of the triangle is not positive.
+Closest_point closest_to_origin(const Projected_triangle& p)
+{
+  const auto doubled_area = [&](int i, int j) { return p[i][0] * p[j][1] - p[i][1] * p[j][0]; };
+  std::array<double, 3> barycentric = {doubled_area(1, 2), doubled_area(2, 0), doubled_area(0, 1)};
+  const double area = barycentric[0] + barycentric[1] + barycentric[2];
+  if(!(area > 0.))
+    return {infinity, {}};
+  if(barycentric[0] < 0. || barycentric[1] < 0. || barycentric[2] < 0.)
+    return closest_edge_point(p);
+  for(double& x : barycentric)
+    x /= area;
+  return {0., barycentric};
+}
+
+} // namespace
+
 Surface_location to_surface_location(const Surface_arrays& t, const Tangent_location& location)
 {
   Surface_location result;
@@ -270,51 +321,18 @@ Surface_location to_surface_location(const Surface_arrays& t, const Tangent_loca
   double min_distance = infinity;
   const auto try_triangle = [&](Index triangle)
   {
-    const std::array<Index, 3> corners = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
-    std::array<std::array<double, 2>, 3> p; // relative to the location
-    for(int k = 0; k < 3; ++k)
+    Projected_triangle p; // relative to the location
+    for(Index k = 0; k < 3; ++k)
     {
-      const Vec3 offset_vector = t.point[t.corner[corners[k]]] - t.point[location.vertex];
+      const Vec3 offset_vector = t.point[t.corner[3 * triangle + k]] - t.point[location.vertex];
       p[k] = {dot(offset_vector, frame.first) - location.offset[0],
               dot(offset_vector, frame.second) - location.offset[1]};
     }
-    const auto doubled_area = [&](int i, int j) { return p[i][0] * p[j][1] - p[i][1] * p[j][0]; };
-    std::array<double, 3> barycentric = {doubled_area(1, 2), doubled_area(2, 0),
-                                         doubled_area(0, 1)};
-    const double area = barycentric[0] + barycentric[1] + barycentric[2];
-    if(!(area > 0.))
-      return;
-    double distance_outside = 0.;
-    if(barycentric[0] < 0. || barycentric[1] < 0. || barycentric[2] < 0.)
+    const Closest_point closest = closest_to_origin(p);
+    if(closest.distance < min_distance)
     {
-      // The closest point of the three edges.
-      distance_outside = infinity;
-      for(int k = 0; k < 3; ++k)
-      {
-        const int next = (k + 1) % 3;
-        const double dx = p[next][0] - p[k][0], dy = p[next][1] - p[k][1];
-        const double squared_length = dx * dx + dy * dy;
-        const double fraction =
-            squared_length > 0.
-                ? std::clamp(-(p[k][0] * dx + p[k][1] * dy) / squared_length, 0., 1.)
-                : 0.;
-        const double distance = std::hypot(p[k][0] + fraction * dx, p[k][1] + fraction * dy);
-        if(distance < distance_outside)
-        {
-          distance_outside = distance;
-          barycentric = {0., 0., 0.};
-          barycentric[k] = 1. - fraction;
-          barycentric[next] = fraction;
-        }
-      }
-    }
-    else
-      for(double& x : barycentric)
-        x /= area;
-    if(distance_outside < min_distance)
-    {
-      min_distance = distance_outside;
-      result = {triangle, none, barycentric};
+      min_distance = closest.distance;
+      result = {triangle, none, closest.barycentric};
     }
   };
   for(Index i = t.ring_begin[location.vertex]; i < t.ring_begin[location.vertex + 1]; ++i)
