@@ -117,7 +117,7 @@ private:
   }
 
   // Adds the three butterfly vertices in the direction of the triangle of h.  If a wing does not
-  // exist, it is replaced by the reflection of the opposite corner across the midpoint of the edge,
+  // exist, it is replaced by the reflection of the opposite corner across the midpoint of its edge,
   // so that linear functions are still reproduced.
   void add_butterfly_wings(Index h)
   {

@@ -60,8 +60,8 @@ void append_packet(Bytes& bytes, const Bytes& packet);
 // Reads the next packet, which can be truncated.
 Packet read_packet(Stream_reader& reader);
 
-// Encodes each corner: one bit if its vertex is the first one that no previous corner refers to,
-// otherwise that bit and the index of the vertex.
+// Encodes the vertices of all corners.  One bit states if a vertex is the next new one in the order
+// of the indices.  If it is not, the bits of its index follow.
 Bytes encode_triangles(const std::vector<Triangle>& triangles, std::size_t number_of_vertices);
 
 // Decodes the result of encode_triangles().  Vertices are not validated.

@@ -46,10 +46,10 @@ struct Weighted_sums
   }
 };
 
-// A sphere in terms of the point at which the origin is projected to it.
+// A sphere, represented by the projection of the origin to it, which is height * normal.
 struct Sphere
 {
-  double height, curvature; // along the normal; positive if the normal points away from the center
+  double height, curvature; // the curvature is positive if the normal points away from the center
   Vec3 normal;
 };
 

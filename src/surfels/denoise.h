@@ -33,9 +33,9 @@ double noise_level(const std::vector<Vec3>& points, std::vector<Vec3> normals,
 //
 // At each surfel, planes and quadrics are fitted to the heights and slopes of the surfels within a
 // radius, for radii from 2.8 to 33 spacings.  Heights and slopes are weighted by the inverses of
-// their variances, which are the residuals of fits to the 24 nearest surfels.  Terms above the
-// second order are those of a sphere or cylinder with the curvature of the previous fit.  The fit
-// with the smallest variance is chosen whose height and slopes at the surfel agree with all
+// their variances, which are estimated from the residuals of fits to the 24 nearest surfels.  Terms
+// above the second order are those of a sphere or cylinder with the curvature of the previous fit.
+// The fit with the smallest variance is chosen whose height and slopes at the surfel agree with all
 // previous fits (Lepski 1991).  So the radius grows until the curvature of the surface changes.
 //
 // To preserve edges and to reject outliers, a fit ignores surfels with different normals, and

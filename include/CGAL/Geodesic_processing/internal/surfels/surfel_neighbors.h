@@ -35,7 +35,7 @@ void normalize(std::vector<Vec3>& normals);
 
 // Classifies how two surfels can be neighbors on a surface, by the product of the chord between
 // them with the sum of their normals.  On a circular arc, the chord is perpendicular to the sum.
-// Between two parallel sheets it is not.  Across a sharp edge or with noise, it can be neither.
+// Between two parallel sheets it is not.  Across a sharp edge or with noise, it need not be.
 enum class Compatibility
 {
   incompatible,
