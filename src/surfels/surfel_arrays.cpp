@@ -293,8 +293,8 @@ Closest_point closest_edge_point(const Projected_triangle& p)
   return result;
 }
 
-// Returns the point of a triangle that is closest to the origin.  The distance is zero if the triangle
-// contains the origin, and infinite if the area of the triangle is not positive.
+// Returns the point of a triangle that is closest to the origin.  The distance is zero if the
+// triangle contains the origin, and infinite if the area of the triangle is not positive.
 Closest_point closest_to_origin(const Projected_triangle& p)
 {
   const auto doubled_area = [&](int i, int j) { return p[i][0] * p[j][1] - p[i][1] * p[j][0]; };
