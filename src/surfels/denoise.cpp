@@ -3,6 +3,7 @@
 #include "surfels/denoise.h"
 
 #include "numerics/Quadric_fit.h"
+#include "surfels/Surfel_frame.h"
 #include <CGAL/Geodesic_processing/internal/mesh/morton_order.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_neighbors.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
@@ -31,29 +31,12 @@ constexpr Index cluster_size = 8;
 // tolerance of 3, the error of paths on a scanned plane was 0.060 % instead of 0.046 %.
 constexpr double height_tolerance = 3., slope_tolerance = 5., outlier_tolerance = 3.5;
 
-constexpr double min_normal_cosine = 0.5; // 60 degrees: excludes the other side of a thin sheet
-
 template <typename Value>
 Value median(std::vector<Value>& values)
 {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-// The mean of a cluster of surfels.
-struct Surfel_mean
-{
-  Vec3 point = {0., 0., 0.}, normal = {0., 0., 0.};
-  std::array<double, 6> covariance = {}; // of the points: xx, yy, zz, yz, zx, xy
-};
-
-// Returns p^T S q for a symmetric matrix S in the order of Surfel_mean::covariance.
-double quadratic_form(const std::array<double, 6>& s, const Vec3& p, const Vec3& q)
-{
-  return s[0] * p[0] * q[0] + s[1] * p[1] * q[1] + s[2] * p[2] * q[2] +
-         s[3] * (p[1] * q[2] + p[2] * q[1]) + s[4] * (p[2] * q[0] + p[0] * q[2]) +
-         s[5] * (p[0] * q[1] + p[1] * q[0]);
 }
 
 // A cloud in the order of its tree, with statistics of the neighborhood of each surfel (#surfels).
@@ -106,92 +89,11 @@ Denoising_cloud::Denoising_cloud(std::vector<Vec3> points, std::vector<Vec3> nor
   neighbors.join();
 }
 
-struct Surfel
+// Returns the frame of surfel i, whose spacing must be positive.
+Surfel_frame frame_of(const Denoising_cloud& cloud, Index i)
 {
-  Vec3 point, normal;
-};
-
-// The coordinates in which the surface is a height field over the plane of a surfel.  Their unit is
-// its spacing.
-class Local_frame
-{
-public:
-  // Uses the mean normal of surfel i.  Its spacing must be positive.
-  Local_frame(const Denoising_cloud& cloud, Index i)
-      : m_origin(cloud.point[i]), m_normal(cloud.mean_normal[i]),
-        m_inverse_spacing(1. / cloud.spacing[i])
-  {
-    std::tie(m_u, m_v) = tangent_frame(m_normal);
-  }
-
-  struct Sample
-  {
-    Quadric_fit::Moments monomials;
-    double height, slope_x, slope_y;
-  };
-  // Computes the coordinates and slopes of a surfel.  Returns false if its normal differs by more
-  // than 60 degrees.
-  bool project(const Vec3& point, const Vec3& normal, Sample& sample) const
-  {
-    const double cosine = dot(normal, m_normal);
-    if(!(cosine > min_normal_cosine))
-      return false;
-    const Vec3 offset = m_inverse_spacing * (point - m_origin);
-    const double x = dot(offset, m_u), y = dot(offset, m_v);
-    sample = {{x, y, x * x, x * y, y * y},
-              dot(offset, m_normal),
-              -dot(normal, m_u) / cosine,
-              -dot(normal, m_v) / cosine};
-    return true;
-  }
-  // Computes those of a cluster.  The covariance is added to the second moments, so that fitting
-  // the mean equals fitting all points of the cluster to second order.
-  bool project(const Surfel_mean& mean, Sample& sample) const
-  {
-    if(!project(mean.point, mean.normal, sample))
-      return false;
-    const double squared_scale = m_inverse_spacing * m_inverse_spacing;
-    sample.monomials.xx += squared_scale * quadratic_form(mean.covariance, m_u, m_u);
-    sample.monomials.xy += squared_scale * quadratic_form(mean.covariance, m_u, m_v);
-    sample.monomials.yy += squared_scale * quadratic_form(mean.covariance, m_v, m_v);
-    return true;
-  }
-
-  // Subtracts the terms above the second order from the height and the slopes of a sample.  Let H
-  // be the Hessian of the fit.  The height of the surface is assumed to be x^T H
-  // x / (1 + sqrt(1 - |H x|^2)), which is exact for spheres and cylinders.
-  static void remove_higher_order_terms(const Quadric_fit::Coefficients& c, Sample& sample)
-  {
-    const Quadric_fit::Moments& p = sample.monomials;
-    const double x = c[3] * p.x + c[4] * p.y, y = c[4] * p.x + c[5] * p.y;
-    const double cosine = std::sqrt(1. - std::min(x * x + y * y, max_squared_sine));
-    sample.height -= (c[3] * p.xx + 2. * c[4] * p.xy + c[5] * p.yy) * (1. / (1. + cosine) - 0.5);
-    sample.slope_x -= x * (1. / cosine - 1.);
-    sample.slope_y -= y * (1. / cosine - 1.);
-  }
-
-  // Returns the projection (of first order) of a nearby point to a fit, and the normal of the fit
-  // there.
-  Surfel moved_to_fit(const Vec3& point, const Quadric_fit::Coefficients& c) const
-  {
-    const Vec3 offset = m_inverse_spacing * (point - m_origin);
-    const double x = dot(offset, m_u), y = dot(offset, m_v);
-    const double height_offset =
-        Quadric_fit::height(c, {x, y, x * x, x * y, y * y}) - dot(offset, m_normal);
-    const Vec3 scaled_normal =
-        m_normal - (c[1] + c[3] * x + c[4] * y) * m_u - (c[2] + c[4] * x + c[5] * y) * m_v;
-    const double length = norm(scaled_normal);
-    return {point + height_offset / (m_inverse_spacing * length * length) * scaled_normal,
-            (1. / length) * scaled_normal};
-  }
-
-private:
-  // The squared sine of 60 degrees: the slope at which normals are rejected.
-  static constexpr double max_squared_sine = 1. - min_normal_cosine * min_normal_cosine;
-
-  Vec3 m_origin, m_normal, m_u, m_v;
-  double m_inverse_spacing;
-};
+  return {cloud.point[i], cloud.mean_normal[i], cloud.spacing[i]};
+}
 
 // Variances of heights, in squared spacings, and of slopes.
 struct Variances
@@ -208,17 +110,17 @@ Variances residual_variances(const Denoising_cloud& cloud, double slope_weight, 
       cloud.size(), surfel_block_size, threads,
       [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        std::vector<Local_frame::Sample> samples;
+        std::vector<Surfel_frame::Sample> samples;
         for(Index i = Index(begin); i < end; ++i)
         {
           if(!(cloud.spacing[i] > 0.))
             continue;
-          const Local_frame local_frame(cloud, i);
+          const Surfel_frame surfel_frame = frame_of(cloud, i);
           Quadric_fit fit;
           samples.clear();
-          Local_frame::Sample sample;
+          Surfel_frame::Sample sample;
           for(const Index* j = cloud.neighbors.begin(i); j != cloud.neighbors.end(i); ++j)
-            if(local_frame.project(cloud.point[*j], cloud.normal[*j], sample))
+            if(surfel_frame.project(cloud.point[*j], cloud.normal[*j], sample))
             {
               samples.push_back(sample);
               fit.add_height(1., sample.monomials, sample.height);
@@ -435,7 +337,7 @@ public:
         continue;
       const double ratio = max_distance > 0. ? norm(m_cloud.point[*j] - point) / max_distance : 0.;
       const double weight = std::pow(1. - 0.9 * ratio * ratio, 2);
-      const Surfel moved = Local_frame(m_cloud, *j).moved_to_fit(point, fits[*j]);
+      const Surfel moved = frame_of(m_cloud, *j).moved_to_fit(point, fits[*j]);
       sum.point = sum.point + weight * moved.point;
       sum.normal = sum.normal + weight * moved.normal;
       weight_sum += weight;
@@ -503,7 +405,7 @@ private:
   template <typename Visit>
   void visit_fits(Index i, Scratch& scratch, Visit visit) const
   {
-    const Local_frame local_frame(m_cloud, i);
+    const Surfel_frame surfel_frame = frame_of(m_cloud, i);
     const double max_residual = outlier_tolerance * std::sqrt(m_variances.height[i]);
     const double height_weight = 1. / m_variances.height[i],
                  slope_weight = 1. / m_variances.slope[i];
@@ -522,14 +424,14 @@ private:
       }
       for(const Index j : scratch.rings[scale])
       {
-        Local_frame::Sample sample;
+        Surfel_frame::Sample sample;
         const double count = scale < first_clustered_scale ? 1. : double(cluster_size);
         if(!(scale < first_clustered_scale
-                 ? local_frame.project(m_cloud.point[j], m_cloud.normal[j], sample)
-                 : local_frame.project(m_clusters.means[j], sample)))
+                 ? surfel_frame.project(m_cloud.point[j], m_cloud.normal[j], sample)
+                 : surfel_frame.project(m_clusters.means[j], sample)))
           continue;
         if(has_previous_fit)
-          Local_frame::remove_higher_order_terms(previous_fit, sample);
+          Surfel_frame::remove_higher_order_terms(previous_fit, sample);
         if(has_previous_fit &&
            std::abs(sample.height - Quadric_fit::height(previous_fit, sample.monomials)) >
                max_residual)
