@@ -213,6 +213,103 @@ struct Corner_labels
   const Index* end() const { return labels.data() + size; }
 };
 
+// Adds the mass of a triangle to its cells, split between their samples.
+void add_triangle_mass(const std::array<Vec3, 3>& corners, double triangle_mass,
+                       const Corner_labels& cells, const std::vector<Vec3>& center,
+                       std::vector<Mass>& mass)
+{
+  const Mass whole = {triangle_mass, (triangle_mass / 3.) * (corners[0] + corners[1] + corners[2])};
+  // A remainder that consists of round-off errors has no meaningful centroid.
+  const auto add_mass = [&](int k, const Mass& piece)
+  {
+    if(piece.mass > 1e-12 * triangle_mass)
+      mass[cells.labels[k]].add(piece);
+  };
+  if(cells.size == 1)
+    add_mass(0, whole);
+  else if(cells.size == 2)
+  {
+    const Mass first =
+        closer_mass(corners, whole, center[cells.labels[0]], center[cells.labels[1]]);
+    add_mass(0, first);
+    add_mass(1, whole - first);
+  }
+  else if(cells.size == 3)
+  {
+    const std::array<Mass, 3> pieces = split_among_three(
+        corners, whole,
+        {center[cells.labels[0]], center[cells.labels[1]], center[cells.labels[2]]});
+    for(int k = 0; k < 3; ++k)
+      add_mass(k, pieces[k]);
+  }
+}
+
+std::array<Vec3, 3> corner_points(const Surface_arrays& t, Index f)
+{
+  const Index* const corner = &t.corner[3 * std::size_t(f)];
+  return {t.point[corner[0]], t.point[corner[1]], t.point[corner[2]]};
+}
+
+// Sets the location of each marked cell to the point of its triangles that is closest to `target`.
+void project_to_cells(const Surface_arrays& t, const std::vector<Index>& labels,
+                      const std::vector<Vec3>& target, const std::vector<double>* slowness,
+                      const std::vector<bool>& is_unplaced, std::vector<Surface_location>& result)
+{
+  std::vector<double> min_distance(target.size(), infinity);
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    const auto [a, b, c] = corner_points(t, f);
+    for(const Index label : Corner_labels(&t.corner[3 * std::size_t(f)], labels))
+    {
+      if(!is_unplaced[label] || min_distance[label] == 0. || !has_area(a, b, c) ||
+         is_obstacle(slowness, f))
+        continue;
+      const auto nearest = nearest_in_triangle(a, b, c, target[label]);
+      const double distance =
+          norm(nearest[0] * a + nearest[1] * b + nearest[2] * c - target[label]);
+      if(distance < min_distance[label])
+      {
+        min_distance[label] = distance;
+        result[label] = {f, none, nearest};
+      }
+    }
+  }
+}
+
+// Moves samples of cells with mass to the point of their cells that is closest to `target`, and
+// returns all samples in canonical form.
+std::vector<Surface_location>
+move_samples(const Surface_arrays& t, const std::vector<Index>& labels,
+             const std::vector<Surface_location>& samples, const std::vector<Vec3>& target,
+             const std::vector<Mass>& mass, const std::vector<double>* slowness)
+{
+  std::vector<Surface_location> result = samples;
+  std::vector<bool> is_unplaced(samples.size(), false);
+  bool has_unplaced = false;
+  const auto is_wall = [](Index) { return false; };
+  for(Index i = 0; i < samples.size(); ++i)
+    if(mass[i].mass > 0.)
+    {
+      const auto is_in_cell = [&](Index f)
+      {
+        const Index* const corner = &t.corner[3 * std::size_t(f)];
+        return !is_obstacle(slowness, f) &&
+               (labels[corner[0]] == i || labels[corner[1]] == i || labels[corner[2]] == i);
+      };
+      result[i] = locate_by_walking(t, triangle_at(t, samples[i]), target[i], is_in_cell, is_wall);
+      if(result[i].triangle != none)
+        continue;
+      result[i] = samples[i];
+      is_unplaced[i] = has_unplaced = true;
+    }
+  // Walking fails rarely, so that a search of all triangles of the cell is affordable.
+  if(has_unplaced)
+    project_to_cells(t, labels, target, slowness, is_unplaced, result);
+  for(Surface_location& location : result)
+    location = canonical(t, location);
+  return result;
+}
+
 } // namespace
 
 std::vector<double> triangle_masses(const Surface_arrays& t, const std::vector<double>* slowness)
@@ -233,8 +330,8 @@ std::vector<double> triangle_masses(const Surface_arrays& t, const std::vector<d
 std::vector<Surface_location> centroids(const Surface_arrays& t, const std::vector<double>& masses,
                                         const std::vector<Index>& labels,
                                         const std::vector<Surface_location>& samples,
-                                        const std::vector<double>* slowness, double step_factor,
-                                        const std::vector<Vec3>& momentum)
+                                        const std::vector<double>* slowness,
+                                        const Centroid_step& step)
 {
   std::vector<Vec3> center;
   center.reserve(samples.size());
@@ -242,88 +339,17 @@ std::vector<Surface_location> centroids(const Surface_arrays& t, const std::vect
     center.push_back(scaled_coordinates(t, sample));
   std::vector<Mass> mass(samples.size());
   for(Index f = 0; f < t.number_of_triangles(); ++f)
-  {
-    if(!(masses[f] > 0.))
-      continue;
-    const Index* const corner = &t.corner[3 * std::size_t(f)];
-    const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
-    const Corner_labels corner_labels(corner, labels);
-    const Mass whole = {masses[f], (masses[f] / 3.) * (a + b + c)};
-    // What is left by rounding has no centre.
-    const auto add_mass = [&](int k, const Mass& piece)
-    {
-      if(piece.mass > 1e-12 * masses[f])
-        mass[corner_labels.labels[k]].add(piece);
-    };
-    if(corner_labels.size == 1)
-      add_mass(0, whole);
-    else if(corner_labels.size == 2)
-    {
-      const Mass first = closer_mass({a, b, c}, whole, center[corner_labels.labels[0]],
-                                     center[corner_labels.labels[1]]);
-      add_mass(0, first);
-      add_mass(1, whole - first);
-    }
-    else if(corner_labels.size == 3)
-    {
-      const std::array<Mass, 3> pieces =
-          split_among_three({a, b, c}, whole,
-                            {center[corner_labels.labels[0]], center[corner_labels.labels[1]],
-                             center[corner_labels.labels[2]]});
-      for(int k = 0; k < 3; ++k)
-        add_mass(k, pieces[k]);
-    }
-  }
+    if(masses[f] > 0.)
+      add_triangle_mass(corner_points(t, f), masses[f],
+                        Corner_labels(&t.corner[3 * std::size_t(f)], labels), center, mass);
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(mass[i].mass > 0.)
     {
-      center[i] = (1. - step_factor) * center[i] + (step_factor / mass[i].mass) * mass[i].moment;
-      if(!momentum.empty())
-        center[i] = center[i] + momentum[i];
+      center[i] = (1. - step.factor) * center[i] + (step.factor / mass[i].mass) * mass[i].moment;
+      if(step.momentum)
+        center[i] = center[i] + (*step.momentum)[i];
     }
-
-  // A sample mostly moves to a triangle beside its own; where it does not, all of its cell's are tried.
-  std::vector<Surface_location> result = samples;
-  std::vector<double> min_distance(samples.size(), 0.);
-  bool has_unplaced = false;
-  const auto is_wall = [](Index) { return false; };
-  for(Index i = 0; i < samples.size(); ++i)
-    if(mass[i].mass > 0.)
-    {
-      const auto is_in_cell = [&](Index f)
-      {
-        const Index* const corner = &t.corner[3 * std::size_t(f)];
-        return !is_obstacle(slowness, f) &&
-               (labels[corner[0]] == i || labels[corner[1]] == i || labels[corner[2]] == i);
-      };
-      result[i] = locate_by_walking(t, triangle_at(t, samples[i]), center[i], is_in_cell, is_wall);
-      if(result[i].triangle != none)
-        continue;
-      result[i] = samples[i];
-      min_distance[i] = infinity;
-      has_unplaced = true;
-    }
-  for(Index f = 0; has_unplaced && f < t.number_of_triangles(); ++f)
-  {
-    const Index* const corner = &t.corner[3 * std::size_t(f)];
-    const Vec3 &a = t.point[corner[0]], &b = t.point[corner[1]], &c = t.point[corner[2]];
-    for(const Index label : Corner_labels(corner, labels))
-    {
-      if(min_distance[label] == 0. || !has_area(a, b, c) || is_obstacle(slowness, f))
-        continue;
-      const auto nearest = nearest_in_triangle(a, b, c, center[label]);
-      const double distance =
-          norm(nearest[0] * a + nearest[1] * b + nearest[2] * c - center[label]);
-      if(distance < min_distance[label])
-      {
-        min_distance[label] = distance;
-        result[label] = {f, none, nearest};
-      }
-    }
-  }
-  for(Surface_location& location : result)
-    location = canonical(t, location);
-  return result;
+  return move_samples(t, labels, samples, center, mass, slowness);
 }
 
 } // namespace CGAL::Geodesic_processing::internal

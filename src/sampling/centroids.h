@@ -17,19 +17,24 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> triangle_masses(const Surface_arrays& triangles,
                                     const std::vector<double>* slowness = nullptr);
 
-// The place of each cell that is nearest to its centre of mass (Lloyd 1982), or its sample where the
-// cell has no area.  A triangle of several cells is divided where their samples are equally far in
-// space.  O(n).
+// A step towards the centroid of each cell.
+struct Centroid_step
+{
+  double factor = 1.;                          // fraction of the distance; 1 reaches the centroid
+  const std::vector<Vec3>* momentum = nullptr; // #cells: added to the step, in the arrays' scale
+};
+
+// Returns the point of each cell that is closest to its centroid (Lloyd 1982), or to the end of
+// `step`; the sample of the cell if the cell has no area. A triangle with vertices of several cells
+// is split along the bisectors of their samples in space. Results are canonical locations. O(n).
 //
-// masses: of the triangles, as above; labels: #sites, the cell of each or none; samples: #cells;
-// slowness: as in Front_limits, or null; way: how far to go to the centre of mass, 1 to go there;
-// onward: #cells or none, added to that, in the triangles' scale
+// masses: #triangles, see triangle_masses(); labels: #vertices, the cell of each, or none;
+// samples: #cells; slowness: as in Front_limits, or null; no sample moves onto an obstacle
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Surface_location>
 centroids(const Surface_arrays& triangles, const std::vector<double>& masses,
           const std::vector<Index>& labels, const std::vector<Surface_location>& samples,
-          const std::vector<double>* slowness = nullptr, double step_factor = 1.,
-          const std::vector<Vec3>& momentum = {});
+          const std::vector<double>* slowness = nullptr, const Centroid_step& step = {});
 
 } // namespace CGAL::Geodesic_processing::internal
 

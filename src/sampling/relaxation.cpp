@@ -59,8 +59,8 @@ void Relaxation::step(bool is_last)
   for(Vec3& displacement : m_displacements)
     displacement = (is_last ? 0. : momentum) * displacement;
   const std::vector<Surface_location> moved =
-      centroids(t, m_masses, m_labels, m_samples, m_slowness.get(), is_last ? 1. : overrelaxation,
-                m_displacements);
+      centroids(t, m_masses, m_labels, m_samples, m_slowness.get(),
+                {is_last ? 1. : overrelaxation, &m_displacements});
   for(std::size_t i = 0; i < m_samples.size(); ++i)
     if(!m_is_fixed[i])
     {

@@ -171,31 +171,34 @@ private:
                  { move_center(m_state.centers[cell], vertices[cell], front, limits); });
   }
 
-  void move_center(Surface_location& center, const std::vector<Index>& vertices, Front& front,
-                   Front_limits limits)
+  // The energy of one cell as a function of its center, with the other cells fixed.
+  struct Cell_energy
   {
-    const Surface_arrays& t = *m_triangles;
-    double mass = 0., energy_before = 0., radius = 0.;
-    std::vector<double> distances;
-    for(const Index vertex : vertices)
+    const std::vector<Index>& vertices;
+    const std::vector<double>& area;
+    Front& front;
+    Front_limits limits;
+    std::vector<double> distances; // #vertices of the cell: from the present center
+    double mass = 0., value = 0., radius = 0.;
+    double slowness = 1.; // at the present center
+
+    Cell_energy(const std::vector<Index>& cell_vertices, const Lloyd_relaxation& relaxation,
+                Front& cell_front, const Front_limits& cell_limits)
+        : vertices(cell_vertices), area(relaxation.m_area), front(cell_front), limits(cell_limits)
     {
-      distances.push_back(m_state.distances[vertex]);
-      mass += m_area[vertex];
-      energy_before += m_area[vertex] * distances.back() * distances.back();
-      radius = std::max(radius, distances.back());
+      for(const Index vertex : vertices)
+      {
+        distances.push_back(relaxation.m_state.distances[vertex]);
+        mass += area[vertex];
+        value += area[vertex] * distances.back() * distances.back();
+        radius = std::max(radius, distances.back());
+      }
     }
-    const Surface_location start_location = t.is_cloud() ? center : canonical(t, center);
-    const Index triangle = containing_triangle(start_location);
-    if(!(radius > 0.) || triangle == none)
-      return;
-    const double slowness = slowness_of(triangle);
-    if(!(slowness < infinity))
-      return;
-    const double length = stencil_ratio * radius / slowness;
-    // The integral of squared distances from a place; what its front does not reach counts as much as
-    // if it went by the centre.
-    const auto compute_energy = [&](const Surface_location& location, double step_length,
-                                    std::vector<double>* new_distances)
+
+    // Returns the integral of squared distances from a location at `step_length` from the center.
+    // For a vertex that the front does not reach, the path via the center is used.
+    double operator()(const Surface_location& location, double step_length,
+                      std::vector<double>* new_distances)
     {
       limits.maximum_distance = radius + 2. * step_length * slowness;
       front.run({Front_source{{location}}}, limits);
@@ -205,16 +208,20 @@ private:
         double distance = front.distance(vertices[i]);
         if(!(distance < infinity))
           distance = distances[i] + step_length * slowness;
-        sum += m_area[vertices[i]] * distance * distance;
+        sum += area[vertices[i]] * distance * distance;
         if(new_distances)
           (*new_distances)[i] = distance;
       }
       return sum;
-    };
+    }
+  };
 
-    const Tangent_plane plane(t, start_location);
-    const Stencil stencil = make_stencil(plane, vertices, length);
-    // Of the gradient g at the centre, by least squares of E(q) - E(0) = g q + M |q|^2.
+  // Returns the mean of the logarithms of the cell, which is -g / (2 mass) for the gradient g of the
+  // energy at the center. The gradient is a least squares fit of E(q) - E(0) = g q + mass |q|^2 to
+  // the energies on the stencil. Returns nothing if the stencil is degenerate.
+  static std::optional<Vec2> mean_logarithm(const Stencil& stencil, Cell_energy& energy)
+  {
+    const double slowness = energy.slowness;
     double xx = 0., xy = 0., yy = 0.;
     Vec2 b = {0., 0.};
     for(std::size_t j = 0; j < stencil.locations.size(); ++j)
@@ -222,8 +229,8 @@ private:
       const Vec2& q = stencil.vectors[j];
       const double step_length = norm(q),
                    squared_time = slowness * slowness * step_length * step_length;
-      const double energy_change = compute_energy(stencil.locations[j], step_length, nullptr) -
-                                   energy_before - mass * squared_time;
+      const double energy_change = energy(stencil.locations[j], step_length, nullptr) -
+                                   energy.value - energy.mass * squared_time;
       xx += q[0] * q[0];
       xy += q[0] * q[1];
       yy += q[1] * q[1];
@@ -231,18 +238,38 @@ private:
     }
     const double determinant = xx * yy - xy * xy;
     if(!(determinant > 1e-4 * (xx + yy) * (xx + yy)))
-      return;
+      return std::nullopt;
     const Vec2 gradient = (1. / determinant) * Vec2{yy * b[0] - xy * b[1], xx * b[1] - xy * b[0]};
-    // Beyond the mean of the logarithms, to it, or a part of the way.
-    const Vec2 mean = (-0.5 / (mass * slowness * slowness)) * gradient;
+    return (-0.5 / (energy.mass * slowness * slowness)) * gradient;
+  }
+
+  // Moves a center in the direction of the mean logarithm if that decreases the energy of its cell.
+  // Steps are halved from the overrelaxed one, at most the radius of the cell.
+  void move_center(Surface_location& center, const std::vector<Index>& vertices, Front& front,
+                   const Front_limits& limits)
+  {
+    const Surface_arrays& t = *m_triangles;
+    Cell_energy energy(vertices, *this, front, limits);
+    const Surface_location start_location = t.is_cloud() ? center : canonical(t, center);
+    const Index triangle = containing_triangle(start_location);
+    if(!(energy.radius > 0.) || triangle == none)
+      return;
+    const double radius = energy.radius, slowness = slowness_of(triangle);
+    if(!(slowness < infinity))
+      return;
+    energy.slowness = slowness;
+    const Tangent_plane plane(t, start_location);
+    const auto mean =
+        mean_logarithm(make_stencil(plane, vertices, stencil_ratio * radius / slowness), energy);
+    if(!mean)
+      return;
     std::vector<double> new_distances(vertices.size());
-    for(double step_length = std::min(overrelaxation * norm(mean), radius / slowness);
+    for(double step_length = std::min(overrelaxation * norm(*mean), radius / slowness);
         step_length * slowness > min_move_ratio * radius; step_length /= 2.)
     {
       const Surface_location location =
-          endpoint(plane, (step_length / norm(mean)) * mean, vertices);
-      if(compute_energy(location, step_length, &new_distances) <
-         (1. - round_off_tolerance) * energy_before)
+          endpoint(plane, (step_length / norm(*mean)) * *mean, vertices);
+      if(energy(location, step_length, &new_distances) < (1. - round_off_tolerance) * energy.value)
       {
         center = location;
         for(std::size_t i = 0; i < vertices.size(); ++i)

@@ -39,11 +39,10 @@ std::vector<Surface_location> centroids_of(const Array_surface& surface,
                                            const std::vector<Index>& labels,
                                            const std::vector<Surface_location>& samples,
                                            const std::vector<double>* slowness = nullptr,
-                                           double step_factor = 1.,
-                                           const std::vector<Vec3>& momentum = {})
+                                           const Centroid_step& step = {})
 {
   return centroids(surface.t(), triangle_masses(surface.t(), slowness), labels, samples, slowness,
-                   step_factor, momentum);
+                   step);
 }
 
 Point moved(const Array_surface& surface, const std::vector<Surface_location>& samples,
@@ -116,11 +115,12 @@ TEST(Centroids, step_factor_and_momentum_overshoot)
   const std::vector<Index> labels(surface.size(), 0);
   for(const double step_factor : {0., 0.5, 1.5})
     EXPECT_LT(distance(coordinates(surface.t(), centroids_of(surface, labels, {surface.at(0)},
-                                                             nullptr, step_factor)[0]),
+                                                             nullptr, {step_factor})[0]),
                        {0.5 * step_factor, 0.5 * step_factor, 0.}),
               round_off_tolerance);
+  const std::vector<Vec3> momentum = {{0.25, -0.125, 0.}};
   const Surface_location found =
-      centroids_of(surface, labels, {surface.at(0)}, nullptr, 1., {{0.25, -0.125, 0.}})[0];
+      centroids_of(surface, labels, {surface.at(0)}, nullptr, {1., &momentum})[0];
   const double unit = surface.scale();
   EXPECT_LT(distance(coordinates(surface.t(), found), {0.5 + 0.25 * unit, 0.5 - 0.125 * unit, 0.}),
             round_off_tolerance);
