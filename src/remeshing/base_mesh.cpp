@@ -8,7 +8,9 @@
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/mesh/refinement.h>
+#include "mesh/Split_mesh.h"
 #include "paths/shorten_in_strip.h"
+#include "remeshing/strip_search.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -16,23 +18,13 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <queue>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Places on each side among which paths are searched, before they are straight.
-constexpr Index points_per_edge = 3;
-// How much longer ways are made, for the first search, off the cells of an edge's ends: across those of
-// the corners opposite to it, and elsewhere.  A path around the other side of a limb can be shorter, but
-// leaves no room for the edges that belong there.
-struct Detour_factors
-{
-  double near, far;
-  bool can_pass_samples; // when paths are straightened
-};
 // One after the other, until there is a way for each edge: cells are coarse where sites are few.
 constexpr std::array<Detour_factors, 3> detour_levels = {
     Detour_factors{2., 16., false}, Detour_factors{1., 1., true}, Detour_factors{2., 4., true}};
@@ -50,7 +42,7 @@ public:
   Builder(const Surface_arrays& coarse, const std::vector<Surface_location>& samples,
           const std::vector<std::array<Index, 3>>& triangles, const std::vector<bool>& is_feature,
           const Detour_factors& factors, const std::vector<Index>& cells)
-      : m_mesh(coarse, is_feature), m_factors(factors)
+      : m_mesh(coarse, is_feature)
   {
     m_result.triangles = triangles;
     index_edges(samples.size());
@@ -62,15 +54,16 @@ public:
     m_base_vertex.assign(m_mesh.locations().size(), none);
     for(Index i = 0; i < m_result.vertex.size(); ++i)
       m_base_vertex[m_result.vertex[i]] = i;
-    m_is_blocked.assign(m_mesh.locations().size(), is_confined());
+    m_is_blocked.assign(m_mesh.locations().size(), factors.is_confined());
     for(const Index vertex : m_result.vertex)
       m_is_blocked[vertex] = !factors.can_pass_samples;
-    m_cell = m_base_vertex;
+    std::vector<Index> cell_of_vertex = m_base_vertex;
     for(Index vertex = 0; vertex < coarse.number_of_vertices(); ++vertex)
-      if(m_cell[vertex] == none)
-        m_cell[vertex] = cells[vertex];
-    m_visits_left = max_visits_per_halfedge * coarse.corner.size() +
-                    max_visits_per_edge * m_result.halfedge.size();
+      if(cell_of_vertex[vertex] == none)
+        cell_of_vertex[vertex] = cells[vertex];
+    m_search.emplace(m_mesh, factors, std::move(cell_of_vertex),
+                     max_visits_per_halfedge * coarse.corner.size() +
+                         max_visits_per_edge * m_result.halfedge.size());
   }
 
   // Nothing where an edge finds no way.
@@ -245,108 +238,15 @@ private:
         store_path(edge, {from, to});
         return true;
       }
-    m_nearby_cells = {base_corner(h), base_corner(twin), base_corner(previous_halfedge(h)),
-                      base_corner(previous_halfedge(twin))};
-    const std::vector<Index> crossed_halfedges = search(start_corners, goal_corners, to);
+    m_search->set_nearby_cells({base_corner(h), base_corner(twin),
+                                base_corner(previous_halfedge(h)),
+                                base_corner(previous_halfedge(twin))});
+    const std::vector<Index> crossed_halfedges = m_search->find(start_corners, goal_corners, to);
     if(crossed_halfedges.empty())
       return false;
     m_is_blocked.resize(t().point.size(), false);
     const Strip_path strip = shorten_in_strip(m_mesh, m_is_blocked, from, to, crossed_halfedges);
     return !strip.halfedges.empty() && split_along(edge, from, to, strip);
-  }
-
-  bool is_confined() const { return m_factors.far == infinity; }
-  bool is_end_cell(Index cell) const
-  {
-    return cell == m_nearby_cells[0] || cell == m_nearby_cells[1];
-  }
-  double detour_factor(Index vertex) const
-  {
-    const Index cell = m_cell[vertex];
-    return is_end_cell(cell) || cell == none                        ? 1.
-           : cell == m_nearby_cells[2] || cell == m_nearby_cells[3] ? m_factors.near
-                                                                    : m_factors.far;
-  }
-  // Across a side: next to a site of a cell one is still in it.
-  double detour_factor_across(Index h) const
-  {
-    const double from = detour_factor(m_mesh.source(h)), to = detour_factor(m_mesh.target(h));
-    return is_confined() ? std::min(from, to) : 0.5 * (from + to);
-  }
-  // The cell of a new site on a side.
-  Index cell_on(Index h, double fraction) const
-  {
-    const Index from = m_cell[m_mesh.source(h)], to = m_cell[m_mesh.target(h)];
-    if(is_confined() && is_end_cell(from) != is_end_cell(to))
-      return is_end_cell(from) ? from : to;
-    return fraction < 0.5 ? from : to;
-  }
-
-  // The sides that a short path crosses: the shortest through some places on each (A*, Hart, Nilsson and
-  // Raphael 1968).  Empty when there is none.
-  std::vector<Index> search(const std::vector<Index>& start_corners,
-                            const std::vector<Index>& goal_corners, Index to)
-  {
-    ++m_run;
-    m_nodes.resize(points_per_edge * t().corner.size());
-    const Vec3& goal_point = t().point[to];
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const auto point = [&](Index node)
-    {
-      const Index h = node / points_per_edge;
-      const double fraction = double(node % points_per_edge + 1) / double(points_per_edge + 1);
-      return (1. - fraction) * t().point[m_mesh.source(h)] + fraction * t().point[m_mesh.target(h)];
-    };
-    const auto reach = [&](Index h, const Vec3& from, double distance, Index previous)
-    {
-      if(m_mesh.labels()[h] != none || t().twin[h] == none)
-        return;
-      const double far = detour_factor_across(h);
-      if(far == infinity)
-        return;
-      for(Index i = 0; i < points_per_edge; ++i)
-      {
-        const Index node_index = points_per_edge * m_mesh.smaller_twin(h) + i;
-        const Vec3 position = point(node_index);
-        const double length = distance + far * norm(position - from);
-        Node& node = m_nodes[node_index];
-        if(node.run == m_run && !(length < node.distance))
-          continue;
-        node = {length, m_run, previous, h};
-        queue.emplace(length + norm(goal_point - position), node_index);
-      }
-    };
-    for(const Index corner : start_corners)
-      reach(next_halfedge(corner), t().point[m_mesh.source(corner)], 0., none);
-    double best = infinity;
-    Index end = none;
-    while(!queue.empty() && queue.top().first < best)
-    {
-      const auto [key, node_index] = queue.top();
-      queue.pop();
-      if(m_visits_left == 0)
-        return {};
-      --m_visits_left;
-      const Node node = m_nodes[node_index];
-      const Vec3 position = point(node_index);
-      if(key > node.distance + norm(goal_point - position))
-        continue;
-      const Index entry = t().twin[node.halfedge], far = previous_halfedge(entry);
-      if(m_mesh.source(far) == to && node.distance + norm(goal_point - position) < best &&
-         std::find(goal_corners.begin(), goal_corners.end(), far) != goal_corners.end())
-      {
-        best = node.distance + norm(goal_point - position);
-        end = node_index;
-      }
-      reach(next_halfedge(entry), position, node.distance, node_index);
-      reach(far, position, node.distance, node_index);
-    }
-    std::vector<Index> result;
-    for(Index node = end; node != none; node = m_nodes[node].from)
-      result.push_back(m_nodes[node].halfedge);
-    std::reverse(result.begin(), result.end());
-    return result;
   }
 
   // Divides the triangles of a strip along a path.
@@ -364,7 +264,7 @@ private:
       if(m_mesh.apex(h) != path.back())
         return false;
       const Index entry = t().twin[h];
-      m_cell.push_back(cell_on(h, fractions[i]));
+      m_search->add_vertex_on(h, fractions[i]);
       path.push_back(m_mesh.split_edge(h, fractions[i]));
       m_mesh.set_label(next_halfedge(h), edge);
       if(i + 1 < halfedges.size())
@@ -407,59 +307,70 @@ private:
     }
   }
 
-  // Whether the triangles of each region form a disc between the edges of its triangle of the base.
+  // Labels the triangles of each region. Returns false if the triangles between the edges of a base
+  // triangle are not a disk, or if some triangles belong to no region.
   bool label_regions()
   {
     const std::vector<Index>& label = m_mesh.labels();
     m_result.region.assign(t().number_of_triangles(), none);
-    std::vector<Index> stack, last_region(t().point.size(), none);
+    std::vector<Index> start, last_region(t().point.size(), none);
     for(Index f = 0; f < m_result.triangles.size(); ++f)
     {
+      start.clear();
       for(const Index corner : m_mesh.corners_around(m_result.vertex[m_result.triangles[f][0]]))
         if(label[corner] == m_result.edge[3 * f])
-          stack.push_back(corner / 3);
-      if(stack.size() != 1 || m_result.region[stack[0]] != none)
-        return false;
-      m_result.region[stack[0]] = f;
-      std::size_t number_of_triangles = 0, number_of_halfedges = 0, number_on_edges = 0,
-                  number_of_vertices = 0;
-      while(!stack.empty())
-      {
-        const Index triangle = stack.back();
-        stack.pop_back();
-        ++number_of_triangles;
-        for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
-        {
-          if(last_region[m_mesh.source(h)] != f)
-          {
-            last_region[m_mesh.source(h)] = f;
-            ++number_of_vertices;
-          }
-          ++number_of_halfedges;
-          if(label[h] != none)
-          {
-            const Index* edge = &m_result.edge[3 * std::size_t(f)];
-            if(std::find(edge, edge + 3, label[h]) == edge + 3)
-              return false;
-            ++number_on_edges;
-            continue;
-          }
-          const Index other = t().twin[h] / 3;
-          if(m_result.region[other] == none)
-          {
-            m_result.region[other] = f;
-            stack.push_back(other);
-          }
-        }
-      }
-      std::size_t perimeter = 0;
-      for(Index h = 3 * f; h < 3 * f + 3; ++h)
-        perimeter += m_result.path[m_result.edge[h]].size() - 1;
-      if(number_on_edges != perimeter || number_of_vertices + number_of_triangles !=
-                                             (number_of_halfedges + number_on_edges) / 2 + 1)
+          start.push_back(corner / 3);
+      if(start.size() != 1 || m_result.region[start[0]] != none ||
+         !fill_region(f, start[0], last_region))
         return false;
     }
     return std::find(m_result.region.begin(), m_result.region.end(), none) == m_result.region.end();
+  }
+
+  // Labels the triangles that are connected to `start` without crossing the edges of a base
+  // triangle. Returns true if they form a disk (Euler's formula) whose perimeter is these edges.
+  // last_region: #vertices, the last region in which each vertex was counted
+  bool fill_region(Index f, Index start, std::vector<Index>& last_region)
+  {
+    const std::vector<Index>& label = m_mesh.labels();
+    std::size_t number_of_triangles = 0, number_of_halfedges = 0, number_on_edges = 0,
+                number_of_vertices = 0;
+    m_result.region[start] = f;
+    std::vector<Index> stack = {start};
+    while(!stack.empty())
+    {
+      const Index triangle = stack.back();
+      stack.pop_back();
+      ++number_of_triangles;
+      for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
+      {
+        if(last_region[m_mesh.source(h)] != f)
+        {
+          last_region[m_mesh.source(h)] = f;
+          ++number_of_vertices;
+        }
+        ++number_of_halfedges;
+        if(label[h] != none)
+        {
+          const Index* edge = &m_result.edge[3 * std::size_t(f)];
+          if(std::find(edge, edge + 3, label[h]) == edge + 3)
+            return false;
+          ++number_on_edges;
+          continue;
+        }
+        const Index other = t().twin[h] / 3;
+        if(m_result.region[other] == none)
+        {
+          m_result.region[other] = f;
+          stack.push_back(other);
+        }
+      }
+    }
+    std::size_t perimeter = 0;
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      perimeter += m_result.path[m_result.edge[h]].size() - 1;
+    return number_on_edges == perimeter && number_of_vertices + number_of_triangles ==
+                                               (number_of_halfedges + number_on_edges) / 2 + 1;
   }
 
   void finish()
@@ -475,26 +386,12 @@ private:
     m_result.edge_of_halfedge = m_mesh.labels();
   }
 
-  struct Node
-  {
-    double distance = infinity;
-    Index run = 0;
-    Index from = none;     // the place before
-    Index halfedge = none; // seen from there
-  };
-
   Split_mesh m_mesh;
-  Detour_factors m_factors;
+  std::optional<Strip_search> m_search;
   Base_mesh m_result;
   std::map<std::pair<Index, Index>, Index> m_edge_between;
   std::vector<Index> m_base_vertex; // #sites without those of paths
   std::vector<bool> m_is_blocked;   // #sites: on edges, or samples
-  std::vector<Index> m_cell;        // #sites: the sample of each
-  std::array<Index, 4> m_nearby_cells =
-      {}; // corners of the two triangles at the edge that is sought
-  std::vector<Node> m_nodes;
-  Index m_run = 0;
-  std::size_t m_visits_left = 0;
 };
 
 // The nearest sample of each site.
