@@ -150,6 +150,63 @@ private:
   std::vector<std::array<Index, 2>> m_interfaces;
 };
 
+// The topology of cells, of their intersections with the boundary, and the crossings of the boundary
+// by the bisectors of two cells.
+struct Cell_topologies
+{
+  Cell_topology interior, boundary;
+  std::vector<std::array<Index, 2>> boundary_crossings;
+};
+
+void add_vertices(const Surface_arrays& t, const std::vector<Index>& labels,
+                  const std::vector<bool>& is_boundary, Cell_topologies& result)
+{
+  std::vector<bool> is_boundary_vertex(labels.size(), false);
+  for(Index h = 0; h < t.corner.size(); ++h)
+    if(is_boundary[h])
+      is_boundary_vertex[t.corner[h]] = is_boundary_vertex[t.corner[next_halfedge(h)]] = true;
+  for(Index vertex = 0; vertex < labels.size(); ++vertex)
+    if(labels[vertex] != none)
+    {
+      result.interior.add_vertex(vertex);
+      if(is_boundary_vertex[vertex])
+        result.boundary.add_vertex(vertex);
+    }
+}
+
+void add_edges(const Surface_arrays& t, const std::vector<Index>& labels,
+               const std::vector<bool>& is_boundary, Cell_topologies& result)
+{
+  for(Index h = 0; h < t.corner.size(); ++h)
+  {
+    const Index x = t.corner[h], z = t.corner[next_halfedge(h)];
+    const bool is_first = t.twin[h] == none || t.twin[h] > h;
+    if(!is_first || labels[x] == none || labels[z] == none)
+      continue;
+    if(labels[x] != labels[z])
+    {
+      if(is_boundary[h])
+        result.boundary_crossings.push_back(
+            {std::min(labels[x], labels[z]), std::max(labels[x], labels[z])});
+      continue;
+    }
+    result.interior.add_edge(x, z);
+    if(is_boundary[h])
+      result.boundary.add_edge(x, z);
+  }
+}
+
+void add_triangles(const Surface_arrays& t, const std::vector<Index>& labels,
+                   Cell_topology& interior)
+{
+  for(Index f = 0; f < t.number_of_triangles(); ++f)
+  {
+    const Index cell = labels[t.corner[3 * f]];
+    if(cell != none && cell == labels[t.corner[3 * f + 1]] && cell == labels[t.corner[3 * f + 2]])
+      interior.add_triangle(cell);
+  }
+}
+
 } // namespace
 
 std::vector<std::array<Index, 3>> compute_dual_triangles(const Surface_arrays& t,
@@ -169,46 +226,17 @@ std::vector<std::array<Index, 3>> compute_dual_triangles(const Surface_arrays& t
 Dual dual(const Surface_arrays& t, const std::vector<Index>& labels, Index number_of_cells,
           const std::vector<bool>& is_boundary)
 {
-  Dual result;
+  std::vector<bool> is_on_boundary = is_boundary;
+  if(is_boundary.empty())
+    for(const Index twin : t.twin)
+      is_on_boundary.push_back(twin == none);
+  Cell_topologies topologies = {
+      Cell_topology(labels, number_of_cells), Cell_topology(labels, number_of_cells), {}};
+  add_vertices(t, labels, is_on_boundary, topologies);
+  add_edges(t, labels, is_on_boundary, topologies);
+  add_triangles(t, labels, topologies.interior);
 
-  Cell_topology interior(labels, number_of_cells), boundary(labels, number_of_cells);
-  const auto is_on_boundary = [&](Index h)
-  { return is_boundary.empty() ? t.twin[h] == none : bool(is_boundary[h]); };
-  std::vector<bool> is_boundary_vertex(labels.size(), false);
-  for(Index h = 0; h < t.corner.size(); ++h)
-    if(is_on_boundary(h))
-      is_boundary_vertex[t.corner[h]] = is_boundary_vertex[t.corner[next_halfedge(h)]] = true;
-  for(Index vertex = 0; vertex < labels.size(); ++vertex)
-    if(labels[vertex] != none)
-    {
-      interior.add_vertex(vertex);
-      if(is_boundary_vertex[vertex])
-        boundary.add_vertex(vertex);
-    }
-  std::vector<std::array<Index, 2>> boundary_crossings; // of the border by lines between cells
-  for(Index h = 0; h < t.corner.size(); ++h)
-  {
-    const Index x = t.corner[h], z = t.corner[next_halfedge(h)];
-    const bool is_first = t.twin[h] == none || t.twin[h] > h;
-    if(!is_first || labels[x] == none || labels[z] == none)
-      continue;
-    if(labels[x] != labels[z])
-    {
-      if(is_on_boundary(h))
-        boundary_crossings.push_back(
-            {std::min(labels[x], labels[z]), std::max(labels[x], labels[z])});
-      continue;
-    }
-    interior.add_edge(x, z);
-    if(is_on_boundary(h))
-      boundary.add_edge(x, z);
-  }
-  for(Index f = 0; f < t.number_of_triangles(); ++f)
-  {
-    const Index cell = labels[t.corner[3 * f]];
-    if(cell != none && cell == labels[t.corner[3 * f + 1]] && cell == labels[t.corner[3 * f + 2]])
-      interior.add_triangle(cell);
-  }
+  Dual result;
   result.triangles = compute_dual_triangles(t, labels);
   std::vector<std::array<Index, 3>> triple_points = result.triangles;
   for(auto& cells : triple_points)
@@ -216,12 +244,12 @@ Dual dual(const Surface_arrays& t, const std::vector<Index>& labels, Index numbe
   result.repeated_triple_points = duplicates(triple_points, number_of_cells);
   for(Index cell = 0; cell < number_of_cells; ++cell)
   {
-    if(!interior.is_contractible(cell))
+    if(!topologies.interior.is_contractible(cell))
       result.non_disks.push_back(cell);
-    if(!boundary.is_empty(cell) && !boundary.is_contractible(cell))
+    if(!topologies.boundary.is_empty(cell) && !topologies.boundary.is_contractible(cell))
       result.disconnected_boundaries.push_back(cell);
   }
-  result.repeated_boundary_crossings = duplicates(boundary_crossings, number_of_cells);
+  result.repeated_boundary_crossings = duplicates(topologies.boundary_crossings, number_of_cells);
   result.disconnected_interfaces = Interfaces(t, labels).disconnected(number_of_cells);
   return result;
 }
