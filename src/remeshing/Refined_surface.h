@@ -18,8 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 class CGAL_GEODESIC_PROCESSING_EXPORT Refined_surface
 {
 public:
-  // Reads `is_feature` and `slowness` of the options. If `is_feature` is empty, the features are
-  // those of `boundary_and_sharp_halfedges()`. O(n).
+  // Reads `is_feature` and `slowness` of the options. If `is_feature` is empty, the boundary edges
+  // are the features. O(n).
   Refined_surface(const std::shared_ptr<const Surface_arrays>& triangles,
                   const Remeshing_options& options);
 

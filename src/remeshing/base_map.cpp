@@ -22,17 +22,21 @@ namespace {
 
 using Barycentric = std::array<double, 3>;
 
-// Of a site's neighbours none weighs less than this part of all: beyond it rounding tells no place from
-// another, and triangles fold.
+// Minimum weight of a neighbor in a convex combination, relative to the sum. With smaller weights
+// vertices coincide up to round-off errors, and triangles are inverted.
 constexpr double min_weight = 1e-7;
-// An image this much flatter than its triangle is as good as folded: rounding moves places by 1e-16 in it,
-// and a hundred millionth of a side is what they may be wrong by.
+// A triangle counts as inverted if its image is flatter than the triangle by this factor. Round-off
+// errors of 1e-16 in the image then are errors of 1e-8 edge lengths on the mesh, the tolerance of
+// inverse().
 constexpr double min_height_ratio = 1e-8;
-// Of an edge: sites that are nearer to each other are put as far apart.
+// Minimum distance of consecutive vertices of a path, relative to its length, in the
+// parameterization of the base edge.
 constexpr double min_step_ratio = 1e-12;
-constexpr double max_tangent = 1e4; // of half an angle: of needles
+// Maximum tangent of half an angle in mean value weights. It is exceeded by needles only.
+constexpr double max_tangent = 1e4;
 
-// The index lists of `number` groups: those of i are list[first[i]] .. list[first[i + 1]].
+// Sorts indices by group: the members of group g are items[offsets[g]], ..., items[offsets[g + 1] -
+// 1].
 void group(const std::vector<Index>& group_of, std::size_t number, std::vector<Index>& offsets,
            std::vector<Index>& items)
 {
@@ -47,7 +51,7 @@ void group(const std::vector<Index>& group_of, std::size_t number, std::vector<I
     items[next[group_of[i]]++] = i;
 }
 
-// Not negative, with the sum one.
+// Returns barycentric coordinates with negative values set to zero and the sum normalized to one.
 Barycentric clamp_barycentric(Barycentric b)
 {
   double sum = 0.;
@@ -90,7 +94,8 @@ public:
   }
 
 private:
-  // Where a site on an edge is, as a part of its length, and whether it is on one at all.
+  // Computes the arc length parameter in [0, 1] of each vertex on a base edge; -1 for other
+  // vertices.
   void compute_edge_parameters()
   {
     m_edge_parameter.assign(m_fine.number_of_vertices(), -1.);
@@ -111,7 +116,8 @@ private:
     }
   }
 
-  // The exact distances from each base vertex, in the regions around it.
+  // Computes the exact geodesic distances from each base vertex in the union of the regions around
+  // it.
   void compute_distances()
   {
     m_distances.assign(m_fine.corner.size(), {infinity, infinity, infinity});
@@ -144,7 +150,7 @@ private:
       }
     }
   }
-  // Some triangles by themselves.
+  // Returns a submesh of the fine mesh. Vertex i of the submesh is vertices[i] of the fine mesh.
   Surface_arrays extract_triangles(const std::vector<Index>& triangles,
                                    std::vector<Index>& local_index, std::vector<Index>& vertices)
   {
@@ -174,6 +180,8 @@ private:
     return result;
   }
 
+  // Computes the coordinates of a region, and falls back to mean value and uniform coordinates if
+  // triangles are inverted.
   void map_region(Index region)
   {
     collect_vertices(region);
@@ -204,7 +212,8 @@ private:
       m_local_index[vertex] = none;
   }
 
-  // The sites of a region, those inside first, and the coordinates of those on its edges.
+  // Collects the vertices of a region, the interior ones first, and sets the coordinates of those
+  // on base edges.
   void collect_vertices(Index region)
   {
     const auto begin = m_result.m_triangles_by_region.begin();
@@ -240,7 +249,8 @@ private:
     }
   }
 
-  // Peyré and Cohen 2003, section 4.2.
+  // Computes the heron coordinates of the interior vertices (Peyré and Cohen 2003, section 4.2).
+  // The deviation from the arc length parameterization on each edge is interpolated and subtracted.
   void heron(Index region)
   {
     std::array<double, 3> length; // of the edge opposite to each corner
@@ -264,7 +274,7 @@ private:
       {
         const std::size_t i = m_local_index[m_fine.corner[3 * f + j]];
         Barycentric d = m_distances[3 * f + j];
-        // On an edge, along it.
+        // On a base edge the distances to its end vertices are those along the edge.
         for(std::size_t k = 0; k < 3 && i >= m_number_of_interior; ++k)
           if(m_image[i][k] == 0.)
           {
@@ -274,7 +284,7 @@ private:
         raw[i] = area_coordinates(d);
       }
 
-    // From the areas' place on each edge to that by length.
+    // For each edge: pairs of the parameter from areas and the arc length parameter.
     std::array<std::vector<std::pair<double, double>>, 3> table;
     for(std::size_t i = m_number_of_interior; i < m_vertices.size(); ++i)
       for(std::size_t k = 0; k < 3; ++k)
@@ -307,6 +317,7 @@ private:
     }
   }
 
+  // Interpolates linearly in a table of sorted pairs. Returns x itself outside of the table.
   static double interpolate_table(const std::vector<std::pair<double, double>>& table, double x)
   {
     const auto upper = std::upper_bound(table.begin(), table.end(), std::pair(x, infinity));
@@ -318,7 +329,8 @@ private:
                       : lower->second;
   }
 
-  // Each site inside is a mean of its neighbours.
+  // Solves for interior vertices that are weighted means of their neighbors. The images of vertices
+  // on the base edges are fixed.
   void compute_convex_combination(Base_coordinates kind)
   {
     if(m_number_of_interior == 0)
@@ -347,7 +359,8 @@ private:
       for(const auto& [j, weight] : row[i])
         sum += weight;
       double total = 0.;
-      // What is not a number, where all angles are zero, gets the least weight in this order.
+      // If all angles are zero, weight / sum is NaN. With the arguments in this order, std::max()
+      // returns min_weight for it.
       for(auto& [j, weight] : row[i])
         total += weight = std::max(min_weight, weight / sum);
       entries.emplace_back(i, i, 1.);
@@ -369,6 +382,7 @@ private:
       m_image[i] = {found(i, 0), found(i, 1), found(i, 2)};
   }
 
+  // Returns true if the image of a triangle is much flatter than the triangle.
   bool is_flat(Index f) const
   {
     const Barycentric* const b = &m_result.m_coordinates[3 * std::size_t(f)];
@@ -383,7 +397,8 @@ private:
     return cross(edges[0], edges[1]) < min_height_ratio * longest * longest_image;
   }
 
-  // The number of folded triangles, or of those as good as folded.
+  // Writes the images to the result. Returns the number of inverted triangles of the region,
+  // including flat ones if `does_count_flat` is true.
   std::size_t store_coordinates(bool does_count_flat)
   {
     std::size_t folds = 0;
@@ -403,14 +418,14 @@ private:
   Base_coordinates m_kind;
   bool m_does_repair;
   std::vector<double> m_length;         // #edges
-  std::vector<double> m_edge_parameter; // #sites: along their edge, negative inside of regions
-  std::vector<Barycentric> m_distances; // 3 #triangles: from the corners of the region
+  std::vector<double> m_edge_parameter; // #vertices: on their base edge, -1 inside regions
+  std::vector<Barycentric> m_distances; // 3 #triangles: to the three corners of the region
 
-  // Of a region
+  // The current region.
   std::vector<Index> m_triangles, m_vertices;
-  std::size_t m_number_of_interior = 0; // so many sites, the first ones
-  std::vector<Barycentric> m_image;     // of its sites
-  std::vector<Index> m_local_index; // #sites of the fine mesh: among those of the region, or none
+  std::size_t m_number_of_interior = 0; // number of first m_vertices inside the region
+  std::vector<Barycentric> m_image;     // #m_vertices: coordinates in the base triangle
+  std::vector<Index> m_local_index;     // #vertices of the fine mesh: index in m_vertices, or none
 };
 
 Base_map::Base_map(std::shared_ptr<const Base_mesh> base, Base_coordinates kind, bool does_repair)

@@ -25,17 +25,18 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// One after the other, until there is a way for each edge: cells are coarse where sites are few.
+// Tried one after the other until every edge has a path. Large factors keep the edges in the
+// intended cells, but if a cell has few vertices, they leave no path.
 constexpr std::array<Detour_factors, 3> detour_levels = {
     Detour_factors{2., 16., false}, Detour_factors{1., 1., true}, Detour_factors{2., 4., true}};
-// No edge leaves the cells of its ends.
+// Confines each edge to the cells of its end vertices.
 constexpr Detour_factors no_detour = {infinity, infinity, false};
-// Places looked at, for each side of the mesh and each edge to be drawn, before it is given up: in webs of
-// needles each edge drawn makes the next one longer.
+// Limits of the visits of the search: per halfedge of the mesh, plus per base edge. On meshes of
+// needles each traced edge multiplies the number of triangles that the next one crosses.
 constexpr std::size_t max_visits_per_halfedge = 50, max_visits_per_edge = 1500;
 constexpr Index curve_label = Split_mesh::curve_label;
 
-// The base of some samples, and the lines of its edges while they are drawn.
+// Traces the edges of a base mesh and splits the mesh along them.
 class Builder
 {
 public:
@@ -66,7 +67,7 @@ public:
                          max_visits_per_edge * m_result.halfedge.size());
   }
 
-  // Nothing where an edge finds no way.
+  // Returns nothing if an edge has no path or a region is not a disk.
   std::optional<Base_mesh> run()
   {
     if(!trace_features() || !draw_edges())
@@ -112,7 +113,8 @@ private:
     m_is_blocked[vertex] = true;
   }
 
-  // Gives curves the labels of the edges that follow them.
+  // Labels the feature edges of the mesh with the base edges that follow them. Returns false if a
+  // feature polyline between two samples is not exactly one base edge.
   bool trace_features()
   {
     const std::vector<Index>& label = m_mesh.labels();
@@ -149,6 +151,7 @@ private:
     return std::none_of(label.begin(), label.end(), [](Index l) { return l == curve_label; });
   }
 
+  // Stores the path of an edge in the direction of its halfedge, and blocks its vertices.
   void store_path(Index edge, std::vector<Index> path)
   {
     for(const Index vertex : path)
@@ -158,6 +161,9 @@ private:
     m_result.path[edge] = std::move(path);
   }
 
+  // Traces the edges that follow no feature: a minimum spanning tree first (Kruskal), then the
+  // others. Both groups are sorted by the distance of the end vertices in space. Returns false if
+  // an edge has no path.
   bool draw_edges()
   {
     std::vector<Index> sorted, order, others;
@@ -190,8 +196,8 @@ private:
     return std::all_of(order.begin(), order.end(), [&](Index edge) { return draw_edge(edge); });
   }
 
-  // The corners of a base vertex between the edges, of those already drawn, that are next to the edge of
-  // a side that leaves it.
+  // Returns the corners at the source of a base halfedge that lie between the traced edges adjacent
+  // to it in the cyclic order. The path of the halfedge must start in one of these corners.
   std::vector<Index> sector(Index h) const
   {
     const std::vector<Index> corners = m_mesh.corners_around(m_result.vertex[base_corner(h)]);
@@ -221,6 +227,7 @@ private:
     return result;
   }
 
+  // Traces an edge along a single mesh edge if possible, otherwise through a strip of triangles.
   bool draw_edge(Index edge)
   {
     const Index h = m_result.halfedge[edge], twin = m_result.twin[h];
@@ -249,7 +256,7 @@ private:
     return !strip.halfedges.empty() && split_along(edge, from, to, strip);
   }
 
-  // Divides the triangles of a strip along a path.
+  // Splits the triangles of a strip along a path. Returns false if the strip is not connected.
   bool split_along(Index edge, Index from, Index to, const Strip_path& strip)
   {
     const std::vector<Index>& halfedges = strip.halfedges;
@@ -268,7 +275,8 @@ private:
       path.push_back(m_mesh.split_edge(h, fractions[i]));
       m_mesh.set_label(next_halfedge(h), edge);
       if(i + 1 < halfedges.size())
-        // Of v u x are left v p x and, glued to the first part, p u x.
+        // The split of v u x by p leaves the triangles v p x and p u x. The latter is adjacent to
+        // the first part of the path.
         h = is_right_turn[i] ? next_halfedge(t().twin[h]) : previous_halfedge(entry);
       else
       {
@@ -282,14 +290,15 @@ private:
     return true;
   }
 
-  // Halves sides that join two sites of one edge, without being a part of it.
+  // Splits unlabeled edges between two vertices of one path. A map that is linear in each triangle
+  // would map their triangles onto the base edge.
   void split_shortcuts()
   {
     std::vector<std::vector<Index>> edges(t().point.size());
     for(Index edge = 0; edge < m_result.path.size(); ++edge)
       for(const Index vertex : m_result.path[edge])
         edges[vertex].push_back(edge);
-    // Those that a cut moves come later.
+    // Halfedges that a split creates or renumbers are visited later in this loop.
     for(Index h = 0; h < t().corner.size(); ++h)
     {
       if(m_mesh.labels()[h] != none || t().twin[h] < h)
@@ -373,6 +382,7 @@ private:
                                                (number_of_halfedges + number_on_edges) / 2 + 1;
   }
 
+  // Copies the split mesh to the result.
   void finish()
   {
     Surface_arrays& fine = m_result.fine;
@@ -390,11 +400,11 @@ private:
   std::optional<Strip_search> m_search;
   Base_mesh m_result;
   std::map<std::pair<Index, Index>, Index> m_edge_between;
-  std::vector<Index> m_base_vertex; // #sites without those of paths
-  std::vector<bool> m_is_blocked;   // #sites: on edges, or samples
+  std::vector<Index> m_base_vertex; // #vertices before tracing: the base vertex, or none
+  std::vector<bool> m_is_blocked;   // #vertices: paths must not be moved across these
 };
 
-// The nearest sample of each site.
+// Returns the sample with the smallest geodesic distance from each vertex (#vertices).
 std::vector<Index> nearest_sample_cells(const Surface_arrays& coarse,
                                         const std::vector<Surface_location>& samples)
 {
@@ -410,7 +420,7 @@ std::vector<Index> nearest_sample_cells(const Surface_arrays& coarse,
   return result;
 }
 
-// A base of a finer surface as that of the mesh which this is a refinement of.
+// Expresses the base mesh of a refined surface in the triangles and the scale of the coarse mesh.
 void map_to_coarse(const Refinement& surface, Base_mesh& base)
 {
   if(surface.parent.empty())
@@ -431,7 +441,8 @@ void map_to_coarse(const Refinement& surface, Base_mesh& base)
   fine.scale = surface.coarse->scale;
 }
 
-// On the finer surface: where none of the sites around a sample is of its cell, the nearest one that is.
+// Returns the samples on the refined surface. If no vertex of the triangles around a sample belongs
+// to its cell, the closest vertex of the cell in space replaces it.
 std::vector<Surface_location> samples_in_cells(const Remeshing& found)
 {
   const Surface_arrays& t = *found.surface.triangles;
@@ -455,8 +466,7 @@ std::vector<Surface_location> samples_in_cells(const Remeshing& found)
   return result;
 }
 
-// The base that has an edge where two cells meet: as each is a disc, and they meet in an arc, there is
-// room for it in both.
+// Returns the base mesh of the dual triangulation, with each edge confined to two cells.
 std::optional<Base_mesh> base_mesh_in_cells(const Remeshing& found,
                                             const std::vector<bool>& is_feature)
 {

@@ -10,8 +10,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Parts of a cell, and its Euler characteristic: sites and sides of one label, and triangles.  A cell,
-// which reaches a little into the triangles around them, has the same.
+// Number of connected components and Euler characteristic of each cell. Both are those of the
+// subcomplex of vertices, edges and triangles whose vertices all belong to the cell: the cell is a
+// thickening of it.
 class Cell_topology
 {
 public:
@@ -40,7 +41,7 @@ public:
   void add_triangle(Index label) { ++m_euler_characteristic[label]; }
 
   bool is_empty(Index cell) const { return m_number_of_components[cell] == 0; }
-  // One part without holes.
+  // Returns true if the cell is connected and has Euler characteristic one.
   bool is_contractible(Index cell) const
   {
     return m_number_of_components[cell] == 1 && m_euler_characteristic[cell] == 1;
@@ -55,15 +56,15 @@ private:
   }
 
   const std::vector<Index>& m_labels;
-  std::vector<Index> m_parent; // #sites: towards the root of its part
+  std::vector<Index> m_parent; // #vertices: disjoint sets of the components
   std::vector<std::ptrdiff_t> m_number_of_components, m_euler_characteristic;
 };
 
-// The tuples of cells that come more than once, each once, sorted.
+// Returns the tuples that occur more than once, sorted and without duplicates.
 template <typename Tuple>
 std::vector<Tuple> duplicates(const std::vector<Tuple>& tuples, Index number_of_cells)
 {
-  // Those of one cell are few.
+  // A counting sort by the first cell leaves only short lists for std::sort().
   std::vector<Index> offsets(number_of_cells + 1, 0);
   for(const Tuple& tuple : tuples)
     ++offsets[tuple[0] + 1];
@@ -83,7 +84,7 @@ std::vector<Tuple> duplicates(const std::vector<Tuple>& tuples, Index number_of_
   return result;
 }
 
-// How the lines between cells end, followed across sides from triangle to triangle.
+// The bisectors of pairs of cells. Each is traced from triangle to triangle to its two ends.
 class Interfaces
 {
 public:
@@ -95,7 +96,8 @@ public:
         add(h);
   }
 
-  // The cells that meet in more than one arc, or in one that ends at no third cell.
+  // Returns the pairs of cells that meet in several arcs, or in an arc without a third cell at
+  // either end.
   std::vector<std::array<Index, 2>> disconnected(Index number_of_cells) const
   {
     return duplicates(m_interfaces, number_of_cells);
@@ -125,8 +127,8 @@ private:
     if(!begins_at_third_cell && !ends_at_third_cell)
       m_interfaces.push_back(m_interfaces.back());
   }
-  // Whether the line through a side's triangle comes to a third cell; not when it comes to where the
-  // surface ends, or back.
+  // Follows a bisector into the triangle of a halfedge that it crosses. Returns true if it ends at
+  // a third cell, false if it ends at the boundary or closes.
   bool reaches_third_cell(Index h)
   {
     while(h != none)
@@ -150,8 +152,8 @@ private:
   std::vector<std::array<Index, 2>> m_interfaces;
 };
 
-// The topology of cells, of their intersections with the boundary, and the crossings of the boundary
-// by the bisectors of two cells.
+// The topology of cells, of their intersections with the boundary, and the crossings of the
+// boundary by the bisectors of two cells.
 struct Cell_topologies
 {
   Cell_topology interior, boundary;

@@ -10,29 +10,33 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The cells around each triangle whose corners are in three, counterclockwise.
-// labels: #sites, the cell of each, or none
+// Returns the three cells of each triangle whose vertices belong to three different cells,
+// counterclockwise. O(n).
+// labels: #vertices, the cell of each, or none
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<std::array<Index, 3>> compute_dual_triangles(const Surface_arrays& triangles,
                                                          const std::vector<Index>& labels);
 
-// The triangles between cells of sites on a mesh, those of a Voronoi diagram for example, and what
-// keeps them from being a surface like the mesh: the closed ball property asks that each cell is a
-// disc, that two cells meet in one arc if at all, and three in one place; and that what a cell has of
-// the border is one arc (Edelsbrunner and Shah 1997).
+// The dual triangulation of a partition of a mesh into cells, such as a Voronoi diagram, and the
+// violations of the closed ball property (Edelsbrunner and Shah 1997). If there are none, the dual
+// triangulation is homeomorphic to the mesh. The property requires that each cell is a disk that
+// meets the boundary in at most one arc. Two cells must meet in at most one arc, and three cells in
+// at most one point.
 struct Dual
 {
-  std::vector<std::array<Index, 3>> triangles; // cells around each place of three, as above
+  std::vector<std::array<Index, 3>> triangles; // see compute_dual_triangles()
 
-  // All sorted, each once.
-  std::vector<Index> non_disks;               // cells, those without a site as well
-  std::vector<Index> disconnected_boundaries; // cells that meet the border in more than an arc
-  std::vector<std::array<Index, 2>>
-      disconnected_interfaces; // cells that meet in more than an arc, or alone
-  std::vector<std::array<Index, 2>>
-      repeated_boundary_crossings; // cells that meet in more than one place of the border
-  std::vector<std::array<Index, 3>>
-      repeated_triple_points; // cells that meet in more than one place
+  // Violations: sorted lists without duplicates.
+  // Cells that are not disks. Cells without vertices are included.
+  std::vector<Index> non_disks;
+  // Cells that meet the boundary in several arcs or in a closed curve.
+  std::vector<Index> disconnected_boundaries;
+  // Pairs of cells that meet in several arcs, or in one arc without a third cell at its ends.
+  std::vector<std::array<Index, 2>> disconnected_interfaces;
+  // Pairs of cells that meet at several edges of the boundary.
+  std::vector<std::array<Index, 2>> repeated_boundary_crossings;
+  // Triples of cells that meet at several points.
+  std::vector<std::array<Index, 3>> repeated_triple_points;
 
   bool is_closed_ball() const
   {
@@ -42,10 +46,11 @@ struct Dual
   }
 };
 
+// Computes the dual triangulation of cells and the violations of the closed ball property.
 // O(n log n).
-// labels: #sites, the cell of each, below number_of_cells; sites of none are no part of it
-// is_boundary: #sides, with other sides that cells are to meet as they meet the border: twins alike.
-// Empty: the border alone.
+// labels: #vertices, the cell of each, below number_of_cells; vertices with label none are ignored
+// is_boundary: 3 #triangles, equal for both halfedges of an edge: the boundary, and interior edges
+// that count as boundary. If empty, the boundary alone.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Dual dual(const Surface_arrays& triangles, const std::vector<Index>& labels, Index number_of_cells,
           const std::vector<bool>& is_boundary = {});

@@ -17,10 +17,10 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_requested_on_features(const Refined_surface& surface,
                                          const std::vector<double>& requested_spacing);
 
-// Returns the spacing of samples along each halfedge (3 #triangles of the refined mesh, in its
-// scale): zero for halfedges that are no features; otherwise the user's spacing, or if that is empty
-// or zero, `default_spacing` divided by the smaller slowness of the two incident triangles.
-// `default_spacing` and `requested_spacing` are in the scale of the coarse mesh. O(n).
+// Returns the distance between adjacent samples along each halfedge: 3 #triangles of the refined
+// mesh, in its scale. It is zero for halfedges that are no features. Otherwise it is the requested
+// spacing. If this is empty or zero, it is `default_spacing` divided by the smaller slowness of the
+// two incident triangles. Both parameters are in the scale of the coarse mesh. O(n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> feature_spacing(const Refined_surface& surface, double default_spacing,
                                     const std::vector<double>& requested_spacing);

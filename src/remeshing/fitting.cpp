@@ -11,15 +11,17 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The mean distance of a scan from 5,000 vertices falls from 0.031 percent of the diagonal to 0.018 in one
-// step, 0.0174 in two and 0.016 in ten; but the least angles fall too, with each.
+// On a scan remeshed with 5,000 vertices, the mean distance decreases from 0.031 % of the bounding
+// box diagonal to 0.018 % in one step, 0.0174 % in two and 0.016 % in ten. Each step also decreases
+// the minimum angles.
 constexpr int number_of_fit_steps = 2;
 
-// In steps with care no triangle gets a smaller angle than this of 42 degrees: next to none of a mesh that is
-// relaxed well have, so that careful steps cost a tenth of a degree of the mean, and nothing of its first percentile.
+// The cosine of 42 degrees. Angle-preserving steps do not decrease angles below it. After many
+// relaxation steps few triangles have such angles. These steps reduce the mean of the minimum
+// angles by 0.1 degrees, and leave its first percentile unchanged.
 constexpr double min_angle_cosine = 0.743;
 
-// The triangles around each point.
+// Returns the triangles incident to each point.
 std::vector<std::vector<Index>> triangles_around(const Coarse_mesh& mesh)
 {
   std::vector<std::vector<Index>> result(mesh.points.size());
@@ -29,16 +31,17 @@ std::vector<std::vector<Index>> triangles_around(const Coarse_mesh& mesh)
   return result;
 }
 
-// What is nearest to a place on some triangles.
+// The closest point of a set of triangles to a query point.
 struct Projection
 {
   Index triangle = none;
   std::array<double, 3> barycentric;
-  Vec3 offset; // from there to the place
+  Vec3 offset; // from the closest point to the query point
   double length = infinity;
 };
 
-// The triangles around points, and what tells from afar which of them is near.
+// Finds closest points in the one-rings of a coarse mesh. A lower bound of the distance to each
+// triangle avoids most exact projections.
 class Ring_projector
 {
 public:
@@ -55,7 +58,7 @@ public:
     }
   }
 
-  // On the triangles around a point.
+  // Returns the closest point to p on the triangles incident to a point of the mesh.
   Projection nearest(Index point, const Vec3& p)
   {
     const std::vector<Index>& ring = m_ring[point];
@@ -88,7 +91,7 @@ private:
   struct Triangle_frame
   {
     Vec3 normal;
-    std::array<Vec3, 3> outwards; // from each side, in the plane
+    std::array<Vec3, 3> outwards; // unit normals of the edges in the plane
   };
 
   std::array<Vec3, 3> corners(Index f) const
@@ -97,7 +100,7 @@ private:
     return {m_mesh.points[triangle[0]], m_mesh.points[triangle[1]], m_mesh.points[triangle[2]]};
   }
 
-  // No place of the triangle is nearer.
+  // Returns a lower bound of the squared distance from p to a triangle.
   double squared_lower_bound(Index f, const Vec3& p) const
   {
     const Triangle_frame& frame = m_frames[f];
@@ -112,10 +115,11 @@ private:
   const Coarse_mesh& m_mesh;
   std::vector<std::vector<Index>> m_ring;
   std::vector<Triangle_frame> m_frames;
-  std::vector<double> m_bounds; // of a star
+  std::vector<double> m_bounds; // for the triangles of the current one-ring
 };
 
-// Takes points back to where they were before, until no triangle has got a smaller angle that is small.
+// Resets the points of triangles whose minimum angle decreased and is below 42 degrees. Repeats
+// until there is no such triangle.
 void undo_angle_decrease(const std::vector<Vec3>& before, Coarse_mesh& mesh)
 {
   for(bool is_undone = true; is_undone;)

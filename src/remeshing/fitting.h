@@ -11,24 +11,27 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A coarse mesh over a fine one: a point for each cell of sites, in the coordinates of the sites.
+// A coarse approximation of a mesh, with one point for each cell of vertices of the fine mesh.
+// Points are in the coordinates of the fine mesh.
 struct Coarse_mesh
 {
   std::vector<Vec3> points;                    // #cells
-  std::vector<std::array<Index, 3>> triangles; // of cells
+  std::vector<std::array<Index, 3>> triangles; // cells at the corners
 };
 
-// Of each cell the site that is farther than `most` from the triangles around the cell's point, and
-// farthest of these.
-// labels: #sites, the cell of each, or none where it does not matter.  O(n) where cells have few
-// triangles.
+// Returns for each cell the vertex that is farthest from the coarse triangles around the point of
+// the cell. Cells in which this distance is at most `max_distance` are omitted.
+// labels: #vertices, the cell of each; vertices with label none are ignored
+// O(n) if points have few incident triangles.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> far_vertices(const Surface_arrays& fine, const std::vector<Index>& labels,
                                 const Coarse_mesh& coarse, double max_distance);
 
-// Moves points that are not fixed, by at most so much, such that sites are near to the triangles, in
-// the sense of least squares: a site counts by the area around it.  Two steps, and more in which angles of less than
-// 42 degrees get no smaller.
+// Moves the points that are not fixed to reduce the squared distances of the fine vertices from the
+// coarse mesh. Vertices are weighted by their incident area. A point moves by at most
+// `max_distance`. The first two steps are unconstrained. In the further `angle_preserving_steps`,
+// angles below 42 degrees do not decrease.
+// is_fixed: #cells. O(n) for each step.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void fit(const Surface_arrays& fine, const std::vector<Index>& labels,
          const std::vector<bool>& is_fixed, Coarse_mesh& coarse, double max_distance = infinity,

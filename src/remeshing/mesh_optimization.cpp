@@ -79,8 +79,8 @@ std::vector<Surface_location> Mesh_optimization::far_locations(const Cells& cell
   return result;
 }
 
-// Returns true if the centroid or an edge midpoint of a triangle is farther from the input mesh than
-// the maximum deviation.
+// Returns true if the centroid or an edge midpoint of a triangle is farther from the input mesh
+// than the maximum deviation.
 bool Mesh_optimization::is_far(const Coarse_mesh& mesh, const std::array<Index, 3>& triangle)
 {
   const Surface_arrays& t = m_surface.triangles();

@@ -20,9 +20,9 @@ namespace CGAL::Geodesic_processing::internal {
 // more finely, and the fit takes further steps that preserve angles.
 inline constexpr std::size_t many_relaxation_steps = 30;
 
-// Improves the dual triangulation of cells in space, and returns the vertices of the refined surface
-// that must become samples to meet the geometric goals of `Remeshing_options`: the maximum deviation
-// and no self-intersections.
+// Improves the dual triangulation of cells in space. Also returns the vertices of the refined
+// surface that must become samples to meet the geometric goals of `Remeshing_options`: the maximum
+// deviation and no self-intersections.
 class CGAL_GEODESIC_PROCESSING_EXPORT Mesh_optimization
 {
 public:
@@ -33,22 +33,23 @@ public:
   // Returns the mesh of the samples after edge flips for larger angles and, if
   // `does_fit_to_input`, the fit of its points to the vertices of the surface. Points are in the
   // scale of the refined surface. Samples on features stay fixed. So do samples whose cell has no
-  // other vertex if there is a maximum deviation: their surroundings cannot be sampled more densely.
+  // other vertex if there is a maximum deviation: their surroundings cannot be sampled more
+  // densely.
   Coarse_mesh build_mesh(const Cells& cells, const Sampling& sampling,
                          std::vector<std::array<Index, 3>> triangles) const;
 
-  // Returns vertices at which the mesh exceeds the maximum deviation. These are the farthest vertex
-  // of each cell from the mesh. If no vertex is too far from the mesh, they are instead the vertices
-  // farthest from the samples of triangles that are too far from the surface. Samples are never
-  // returned: the fit moves a point by at most the maximum deviation. O(n), and O(log n) for each
-  // triangle of the mesh.
+  // Returns vertices at which the mesh exceeds the maximum deviation: from each cell, the vertex
+  // farthest from the mesh. If all vertices are close enough, triangles that are too far from the
+  // surface are considered. Of the cells of such a triangle, the vertex farthest from its sample is
+  // returned. Samples are never returned, because the fit moves a point by at most the maximum
+  // deviation. O(n), and O(log n) for each triangle of the mesh.
   std::vector<Surface_location> far_locations(const Cells& cells, const Sampling& sampling,
                                               const Coarse_mesh& mesh);
 
   // Returns the farthest vertices of the cells of intersecting triangles. Intersections between
   // triangles over self-intersecting parts of the input are ignored. If there are as many
-  // intersecting pairs as triangles, the search stops, and no vertex is returned: more samples would
-  // not help. Sets `candidate.number_of_self_intersections`.
+  // intersecting pairs as triangles, the search stops, and no vertex is returned: more samples
+  // would not help. Sets `candidate.number_of_self_intersections`.
   std::vector<Surface_location>
   locations_at_intersections(const Cells& cells, const Sampling& sampling, Remeshing& candidate);
 

@@ -33,8 +33,8 @@ constexpr double max_edge_ratio = 0.65;
 // If samples are relaxed, slightly longer edges suffice and save time.
 constexpr double max_edge_ratio_relaxed = 0.75;
 // After many relaxation steps shorter edges pay off. On six models, they increase the mean of the
-// minimum angles by 0.1 degrees and its first percentile by 0.4, and reduce the distance of fitted
-// vertices by up to a tenth. They take a tenth to three quarters more time.
+// minimum angles by 0.1 degrees and its first percentile by 0.4 degrees. They reduce the distance
+// of fitted vertices by up to a tenth. They take a tenth to three quarters more time.
 constexpr double max_edge_ratio_well_relaxed = 0.5;
 
 // Refinement stops if at most one halfedge in 50 is too long, by a factor of at most 1.5. Otherwise
@@ -48,15 +48,15 @@ constexpr std::size_t max_vertices_per_input_vertex = 4, max_vertices_per_sample
 // Farthest point sampling then fills the gaps. With one in twenty, sampling takes three times as
 // long and the mean of the minimum angles after twelve steps is 0.2 degrees larger.
 constexpr std::size_t stratified_ratio = 2;
-// Smoothing steps after the relaxation take as long as six relaxation steps. After twelve relaxation
-// steps they increase the mean of the minimum angles by 1.2 degrees. Half as many steps give 0.3
-// degrees less, twice as many 0.5 degrees more.
+// Smoothing steps after the relaxation take as long as six relaxation steps. After twelve
+// relaxation steps they increase the mean of the minimum angles by 1.2 degrees. Half as many steps
+// give 0.3 degrees less, twice as many 0.5 degrees more.
 constexpr int number_of_smoothing_steps = 20;
 // Rounds in which samples are added at self-intersections. On models without self-intersections of
 // their own at most five were needed (in the folds of a brain).
 constexpr int max_intersection_rounds = 10;
-// Rounds in which edges are split because all vertices of an invalid cell are samples. Two triangles
-// with the same three vertices need one or two.
+// Rounds in which edges are split because all vertices of an invalid cell are samples. Two
+// triangles with the same three vertices need one or two.
 constexpr int max_refinements = 20;
 
 class Remesher
@@ -348,9 +348,9 @@ private:
     m_sampling->add(to_fine(m_surface.refinement(), samples));
   }
 
-  // Stores the result if it is final, and returns true if so. `is_last`: no samples are to be added.
-  // If samples were added at self-intersections without reducing their number, the candidate before
-  // these samples is the result.
+  // Stores the result if it is final, and returns true if so. `is_last`: no samples are to be
+  // added. If samples were added at self-intersections without reducing their number, the candidate
+  // before these samples is the result.
   bool accept_result(Remeshing candidate, bool is_last)
   {
     const bool is_given_up = !is_last && ++m_intersection_rounds > max_intersection_rounds;

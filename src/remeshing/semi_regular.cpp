@@ -21,7 +21,9 @@ std::array<double, 3> point_at(const Base_map& map, const Surface_arrays& coarse
                      map.inverse({base_place.triangle, {c[0] / sum, c[1] / sum, c[2] / sum}}));
 }
 
-// How far sites are at most from the points of a level's triangles that have their place on the base.
+// Returns the maximum distance from the vertices of the mesh to the points of a level with the same
+// base coordinates.
+// base_locations: #vertices; vertices whose triangle is none are skipped
 double deviation(const std::vector<Base_location>& base_locations, const Surface_arrays& coarse,
                  const Subdivision::Level& level, unsigned number_of_levels,
                  const std::vector<Vec3>& points)
@@ -34,7 +36,9 @@ double deviation(const std::vector<Base_location>& base_locations, const Surface
       continue;
     for(unsigned i = 0; i < number_of_levels; ++i)
     {
-      // A corner's child, or the middle one, each of whose corners lies across from one.
+      // If a coordinate is at least one half, the location lies in the child at this corner.
+      // Otherwise it lies in the central child, whose corner k is the midpoint of the edge opposite
+      // to corner k.
       const std::size_t k = std::size_t(std::max_element(b.begin(), b.end()) - b.begin());
       triangle *= 4;
       for(double& x : b)

@@ -17,9 +17,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Factors of the path length outside of the cells of an edge's two end vertices: `near` in the cells
-// of the two vertices opposite to the edge, `far` in all other cells. A path around the back of a
-// limb can be shorter, but it blocks the edges that belong there.
+// Factors of the path length outside of the cells of an edge's two end vertices: `near` in the
+// cells of the two vertices opposite to the edge, `far` in all other cells. A path around the back
+// of a limb can be shorter, but it blocks the edges that belong there.
 struct Detour_factors
 {
   double near, far;
@@ -47,8 +47,8 @@ public:
   void set_nearby_cells(const std::array<Index, 4>& cells) { m_nearby_cells = cells; }
 
   // Returns the halfedges that a short path crosses, each in the triangle that the path leaves. The
-  // path starts in one of the triangles of `start_corners` and ends at the vertex `to` in one of the
-  // triangles of `goal_corners`. Returns an empty strip if there is no path, or if the limit of
+  // path starts in one of the triangles of `start_corners` and ends at the vertex `to` in one of
+  // the triangles of `goal_corners`. Returns an empty strip if there is no path, or if the limit of
   // visits is reached.
   std::vector<Index> find(const std::vector<Index>& start_corners,
                           const std::vector<Index>& goal_corners, Index to);

@@ -242,8 +242,8 @@ Cells connected_cells(const Surface_arrays& t, const Sampling& sampling)
   for(const Index vertex : sampling.sampled_vertices())
     if(result.labels[vertex] == none)
       disconnected.push_back(vertex);
-  // Each round labels the neighbors of labeled vertices only. Labels of a round are applied at its
-  // end, so that the result does not depend on the order of vertices.
+  // Each round labels the neighbors of labeled vertices only. Its labels are applied at its end.
+  // The result therefore does not depend on the order of vertices.
   while(!disconnected.empty())
   {
     std::vector<std::pair<Index, Index>> found; // vertex and cell

@@ -18,9 +18,10 @@ struct Cells
   std::vector<Index> samples; // #cells: the sample of each
 };
 
-// Returns the cells of a sampling, each made connected. The vertices of a cell that are not connected
-// by edges to the vertex closest to its sample join an adjacent cell. Such vertices occur if
-// round-off errors changed a label, or if a front passed around another one. O(n) for few of them.
+// Returns the cells of a sampling, each made connected. The vertices of a cell that are not
+// connected by edges to the vertex closest to its sample join an adjacent cell. Such vertices occur
+// if round-off errors changed a label, or if a front passed around another one. O(n) for few of
+// them.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Cells connected_cells(const Surface_arrays& triangles, const Sampling& sampling);
 
@@ -29,8 +30,8 @@ Cells connected_cells(const Surface_arrays& triangles, const Sampling& sampling)
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Index> farthest_vertices(const Cells& cells, const Sampling& sampling);
 
-// The dual triangulation of cells and the violations of the conditions under which it has the
-// topology of the surface: the closed ball property, and features that are covered by samples.
+// The dual triangulation of cells, and the violations of two conditions: the closed ball property,
+// and that samples cover the features. If there are none, the dual has the topology of the surface.
 struct Topology_check
 {
   Dual dual;
@@ -46,7 +47,7 @@ struct Topology_check
   }
 };
 
-// O(n log n).
+// Computes the dual triangulation and its violations. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Topology_check check_topology(const Refined_surface& surface, const Sampling& sampling,
                               const Cells& cells);
@@ -60,7 +61,7 @@ struct Topology_repair
   std::vector<Index> unresolved;
 };
 
-// O(n log n).
+// Selects new samples that reduce the violations of a topology check. O(n log n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Topology_repair repair_topology(const Refined_surface& surface, const Sampling& sampling,
                                 const Cells& cells, const Topology_check& check);

@@ -12,6 +12,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
+// Mass and first moment (mass times centroid) of a region.
 struct Mass
 {
   double mass = 0.;
@@ -25,13 +26,13 @@ struct Mass
   }
 };
 
-// A convex polygon in a triangle, cut from it by up to two lines.
+// A convex polygon: a triangle clipped by at most two half-planes.
 struct Polygon
 {
   std::array<Vec3, 5> points;
   int size = 0;
 
-  // Keeps what is nearer to p than to q.
+  // Clips the polygon to the points that are closer to p than to q.
   void cut(const Vec3& p, const Vec3& q)
   {
     const Vec3 direction = q - p, midpoint = 0.5 * (p + q);
@@ -61,7 +62,9 @@ struct Polygon
   }
 };
 
-// The corner of a triangle that is cut off at these shares of its sides.
+// Returns the mass of the corner triangle k that is cut off at the given fractions of the two
+// edges.
+// whole: mass of the entire triangle
 Mass corner_mass(const std::array<Vec3, 3>& corners, const Mass& whole, int k, double to_next,
                  double to_previous)
 {
@@ -71,7 +74,8 @@ Mass corner_mass(const std::array<Vec3, 3>& corners, const Mass& whole, int k, d
                         (to_previous / 3.) * (corners[(k + 2) % 3] - tip))};
 }
 
-// What of a triangle is nearer to p than to q: the corner that one of its corners has for itself, or the rest.
+// Returns the mass of the part of a triangle that is closer to p than to q. The bisector cuts off
+// one corner, which is this part or its complement.
 Mass closer_mass(const std::array<Vec3, 3>& corners, const Mass& whole, const Vec3& p,
                  const Vec3& q)
 {
@@ -97,7 +101,7 @@ Mass closer_mass(const std::array<Vec3, 3>& corners, const Mass& whole, const Ve
 
 using Cell_masses = std::array<Mass, 3>;
 
-// Of any triangle: what is cut from it for two, and the rest.
+// Splits any triangle among three centers: two regions by clipping, the third as the remainder.
 Cell_masses split_by_clipping(const std::array<Vec3, 3>& corners, const Mass& whole,
                               const std::array<Vec3, 3>& centers)
 {
@@ -114,8 +118,8 @@ Cell_masses split_by_clipping(const std::array<Vec3, 3>& corners, const Mass& wh
   return masses;
 }
 
-// Three quadrangles about a place in the triangle.
-// share: along each side, where they meet
+// Splits a triangle into three quads that meet at an interior point.
+// fraction: parameter on each edge of the point common to two quads
 Cell_masses split_at_point(const Vec3& barycentric, const std::array<double, 3>& fraction,
                            const std::array<Vec3, 3>& corners, const Mass& whole)
 {
@@ -140,11 +144,11 @@ Cell_masses split_at_point(const Vec3& barycentric, const std::array<double, 3>&
   return masses;
 }
 
-// What three samples have of a triangle each.
+// Splits a triangle into the Voronoi regions of three centers.
 Cell_masses split_among_three(const std::array<Vec3, 3>& corners, const Mass& whole,
                               const std::array<Vec3, 3>& centers)
 {
-  // Half the squared distances of the corners to each sample less those to the first.
+  // difference[i][k]: half of the squared distance of corner k to center i, minus that to center 0.
   std::array<std::array<double, 3>, 3> difference{};
   for(int i = 1; i < 3; ++i)
   {
@@ -152,8 +156,8 @@ Cell_masses split_among_three(const std::array<Vec3, 3>& corners, const Mass& wh
     for(int k = 0; k < 3; ++k)
       difference[i][k] = -dot(corners[k] - midpoint, direction);
   }
-  bool is_closest_to_own = true;  // every corner is nearest to its own sample
-  std::array<double, 3> fraction; // along each side, where two are equally near
+  bool is_closest_to_own = true;  // each corner is closest to its own center
+  std::array<double, 3> fraction; // on each edge: the point equidistant to the centers of its ends
   for(int k = 0; k < 3; ++k)
   {
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
@@ -172,7 +176,7 @@ Cell_masses split_among_three(const std::array<Vec3, 3>& corners, const Mass& wh
     { return difference[i][k] + fraction[k] * (difference[i][next] - difference[i][k]); };
     if(there(k) < there(previous))
       continue;
-    // The third one lies between the two, which have a corner each.
+    // The region of the third center separates the regions of the other two, which are corners.
     const auto difference_to_third = [&](int i, int corner)
     { return difference[previous][corner] - difference[i][corner]; };
     Cell_masses masses;
@@ -196,7 +200,7 @@ bool is_obstacle(const std::vector<double>* slowness, Index triangle)
   return slowness && !((*slowness)[triangle] < infinity);
 }
 
-// The cells of a triangle's corners, each once.
+// The distinct cells of the corners of a triangle.
 struct Corner_labels
 {
   std::array<Index, 3> labels;

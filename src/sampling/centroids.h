@@ -10,9 +10,10 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// #triangles: what each weighs.  With times in place of lengths cells are to be smaller in proportion to the
-// slowness s, and there are as many as a density of s^4 makes of them (Gersho 1979); obstacles weigh
-// nothing.  slowness: as in Front_limits, or null.
+// Returns the mass of each triangle (#triangles): twice its area times the density s^4 for slowness
+// s. With this density, the sizes of the cells are proportional to 1 / s, as if lengths were travel
+// times (Gersho 1979). Obstacles and triangles without area have mass zero. O(n).
+// slowness: as in Front_limits, or null
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> triangle_masses(const Surface_arrays& triangles,
                                     const std::vector<double>* slowness = nullptr);

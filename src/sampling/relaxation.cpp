@@ -12,16 +12,18 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// What is gone of the way to the centroid, and of the last step besides.  After ten steps of 5,000
-// samples of scans the mean of the least angles is 51.5 degrees, 50.4 with 1.5 and no momentum; from
-// 1.5 to 2 and from 0.5 to 0.8 it differs by half a degree at most.
+// Step length relative to the distance of the centroid, and fraction of the last step that is
+// added. For 5,000 samples of scans, the mean of the minimum angles after ten steps is 51.5
+// degrees. With 1.5 and no momentum it is 50.4 degrees. For 1.5 to 2 and 0.5 to 0.8 it varies by at
+// most 0.5 degrees.
 constexpr double overrelaxation = 1.8;
 constexpr double momentum = 0.7;
 
-// Of the angle between the normals of a site and of a sample that may take it: what lies on the other side
-// of a thin part is near in space.
+// Minimum cosine of the angle between the normals of a vertex and of the sample of its cell.
+// Without it, vertices on the opposite surface of a thin part would join the cell.
 constexpr double min_normal_cosine = -0.5;
 
+// Returns the normal of a triangle with twice its area as length.
 Vec3 area_normal(const Surface_arrays& t, Index triangle)
 {
   const Index* const corner = &t.corner[3 * std::size_t(triangle)];
@@ -71,6 +73,8 @@ void Relaxation::step(bool is_last)
     update_cells();
 }
 
+// Assigns vertices to adjacent cells with a closer sample. Labels propagate along edges in two
+// sweeps, as in a distance transform.
 void Relaxation::update_cells()
 {
   const Surface_arrays& t = *m_triangles;
@@ -107,7 +111,7 @@ void Relaxation::update_cells()
       m_labels[vertex] = label;
     }
   };
-  // Else a cell that has lost all of its sites would never get one back.
+  // A cell that has lost all its vertices regains those of the triangle that contains its sample.
   for(Index i = 0; i < m_samples.size(); ++i)
     if(const Index triangle = triangle_at(t, m_samples[i]); triangle != none)
       for(Index k = 0; k < 3; ++k)
@@ -120,7 +124,7 @@ void Relaxation::update_cells()
     try_label(ends[0], b);
     try_label(ends[1], a);
   };
-  // There and back, as what one side tells goes on in the next.
+  // The second sweep in reverse order propagates labels in the opposite direction.
   std::for_each(m_growth_edges.begin(), m_growth_edges.end(), update_edge);
   std::for_each(m_growth_edges.rbegin(), m_growth_edges.rend(), update_edge);
 }

@@ -12,28 +12,29 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Samples on the way to the centroids of their cells (Lloyd 1982).  A step goes beyond the centroid,
-// and on in the direction of the step before it (Polyak 1964): ten steps are as good as twenty that
-// end at centroids, or better.  O(n) each.
+// Lloyd relaxation of samples (Lloyd 1982). Steps towards the centroids of the cells are
+// overrelaxed and have momentum (Polyak 1964). Ten steps reach at least the quality of twenty steps
+// that end at the centroids. O(n) for each step.
 //
-// Cells follow their samples at their rims: a site goes over to the cell next to it whose sample is
-// nearer in space, if that lies on the same side of the surface.  That takes a sixth of the time of fronts, and
-// what fronts of the samples find in the end differs as little as chords of cells from ways.
+// After each step, cells are updated at their boundaries. A vertex joins an adjacent cell if the
+// sample of that cell is closer in space and the surface normals agree. This takes a sixth of the
+// time of fronts. Straight distances within a cell differ little from geodesic ones.
 class CGAL_GEODESIC_PROCESSING_EXPORT Relaxation
 {
 public:
-  // slowness: as in Front_limits; labels: #sites, the nearest sample of each or none;
-  // is_fixed: #samples, those that stay
+  // slowness: as in Front_limits, or null
+  // labels: #vertices, the closest sample, or none
+  // is_fixed: #samples, true for samples that must not move
   Relaxation(std::shared_ptr<const Surface_arrays> triangles,
              std::shared_ptr<const std::vector<double>> slowness,
              std::vector<Surface_location> samples, std::vector<Index> labels,
              std::vector<bool> is_fixed);
 
-  // The last step ends at the centroids.
+  // Moves the samples. The last step ends at the centroids and does not update the cells.
   void step(bool is_last);
 
   const std::vector<Surface_location>& samples() const { return m_samples; }
-  // #sites: the sample of each before the last step
+  // #vertices: the cells of the samples before the last step.
   const std::vector<Index>& labels() const { return m_labels; }
 
 private:
@@ -42,13 +43,13 @@ private:
   std::shared_ptr<const Surface_arrays> m_triangles;
   std::shared_ptr<const std::vector<double>> m_slowness;
   std::vector<Surface_location> m_samples;
-  std::vector<Index> m_labels; // #sites
+  std::vector<Index> m_labels; // #vertices
   std::vector<bool> m_is_fixed;
-  std::vector<Vec3> m_displacements; // #samples: the last ones
+  std::vector<Vec3> m_displacements; // #samples: of the last step
   std::vector<double> m_masses;      // #triangles
-  std::vector<Vec3> m_normals;       // #sites
-  std::vector<std::array<Index, 2>>
-      m_growth_edges; // sites that a side joins which a cell may grow along
+  std::vector<Vec3> m_normals;       // #vertices
+  // The end vertices of interior edges with a triangle that is no obstacle. Cells grow along these.
+  std::vector<std::array<Index, 2>> m_growth_edges;
 };
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -17,12 +17,13 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The heap is filled anew whenever the covering radius has fallen by this factor: a scan for each
-// some ten samples out of a hundred, out of a thousand and so on.  A smaller factor leaves more
-// sites in the heap whose distance has fallen meanwhile.
+// The heap is refilled by a scan of all vertices if the covering radius has decreased by this
+// factor. This happens once or twice while the number of samples doubles. With a smaller factor the
+// heap holds more outdated entries.
 constexpr double refill_factor = 0.8;
 
-// Of a site along arcs, in the mean: most take one.  A bound for webs of needles.
+// Maximum average number of visits of a vertex in the search along edges. Most vertices take one
+// visit; meshes of needles could take many.
 constexpr std::size_t max_visits_per_vertex = 5;
 
 bool is_sampled(const Surface_arrays& t, const std::vector<double>* slowness, Index vertex)
@@ -108,7 +109,9 @@ Index Sampling::farthest_vertex()
 
 void Sampling::refill()
 {
-  // All are below the threshold, and the largest mostly not far below.
+  // All distances are below the threshold. The first pass uses the old threshold as an estimate of
+  // the largest distance. If no distance reaches the new threshold, the second pass uses the
+  // largest distance itself.
   double largest = m_threshold;
   for(int pass = 0; m_heap.empty() && pass < 2; ++pass)
   {
@@ -142,9 +145,10 @@ Surface_location Sampling::farthest_location(Index start)
                                                       : front_meeting_point(vertex);
 }
 
-// A site at an end of the part of the surface that holds a site: the farthest one along arcs, which is
-// near enough to the farthest one.  What waits is not sorted: all that is nearer than the mean comes next,
-// and once more where a later way is shorter (Glover and others 1985), in a third of the time of a heap.
+// Returns the vertex of the connected component of `start` that is farthest along edges, an
+// approximation of the farthest vertex. The threshold algorithm (Glover et al. 1985) expands all
+// vertices with a path length below the mean. A vertex is expanded again if a later path is
+// shorter. This takes a third of the time of a heap.
 Index Sampling::farthest_in_component(Index start)
 {
   m_path_lengths.resize(m_distances.size(), infinity);
@@ -185,7 +189,7 @@ Index Sampling::farthest_in_component(Index start)
     const auto middle = std::partition(far.begin(), far.end(), is_far);
     near.assign(middle, far.end());
     far.erase(middle, far.end());
-    // By rounding the mean of few may be below all of them.
+    // By round-off errors the mean of a few equal values may be smaller than all of them.
     if(near.empty())
       near.swap(far);
   }
@@ -198,8 +202,9 @@ Index Sampling::farthest_in_component(Index start)
   return farthest.vertex;
 }
 
-// Peyré and Cohen 2003, section 3.1: between the farthest site, its farthest neighbour, and the
-// farther of the two behind the side that joins them, where the fronts meet that came to them.
+// Returns the point at which the fronts meet in a triangle at the farthest vertex (Peyré and Cohen
+// 2003, section 3.1). The triangle contains the neighbor with the largest distance and, of the two
+// opposite vertices, the one with the larger distance.
 Surface_location Sampling::front_meeting_point(Index vertex) const
 {
   const Surface_arrays& t = *m_triangles;
@@ -222,12 +227,12 @@ Surface_location Sampling::front_meeting_point(Index vertex) const
       triangle = t.ring[i] / 3;
     }
   }
-  // One sample inside a triangle is enough: more of them would not be told apart by its corners.
+  // At most one sample per triangle: the labels of its corners could not represent more.
   if(triangle == none || m_has_sample[triangle] || !(neighbor.key < infinity) ||
      !(third.key < infinity) || !(slowness(triangle) < infinity))
     return at_vertex;
 
-  // At a border fronts meet along it.
+  // On a boundary edge, fronts meet on the edge.
   std::vector<Index> halfedges;
   for(Index h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
@@ -252,12 +257,14 @@ Surface_location Sampling::front_meeting_point(Index vertex) const
       result.barycentric[j] += meeting_point[j] / double(halfedges.size());
   }
   result = canonical(t, result);
-  // Where one front came to all three of them, at a border or around a tip, they do not meet.
+  // If one front reached all three corners (at the boundary or around a tip), the point is not
+  // farther than the vertex.
   return distance_in_triangle(triangle, result.barycentric) > m_distances[vertex] ? result
                                                                                   : at_vertex;
 }
 
-// The distance of a place in a triangle, where fronts enter it as straight lines.
+// Returns the distance of a point in a triangle if fronts enter it through its edges as straight
+// lines.
 double Sampling::distance_in_triangle(Index triangle,
                                       const std::array<double, 3>& barycentric) const
 {

@@ -19,27 +19,29 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The stencil by which the gradient is measured: three directions are the least that do not see the even
-// terms, and on a plane any length is right.  A longer one averages the errors of fronts.
+// Stencil for the gradient. Three directions are the minimum for which even terms cancel. On a
+// plane any length is exact; a longer stencil averages the errors of fronts.
 constexpr std::size_t number_of_directions = 3;
-constexpr double stencil_ratio = 0.25; // of the radius of the cell
+constexpr double stencil_ratio = 0.25; // length relative to the radius of the cell
 
-// What is gone of the way to the mean, at first: cells follow their centres, so that further steps go on in
-// the same direction.
+// Initial step length relative to the distance of the mean. Cells follow their centers, so that
+// consecutive steps tend to have the same direction.
 constexpr double overrelaxation = 1.8;
 
-// A centre that would go less far, in radii of its cell, stays.
+// Shorter moves of a center, relative to the radius of its cell, are omitted.
 constexpr double min_move_ratio = 1e-3;
 
-// What is lower by less may be so by rounding.
+// Smaller relative decreases of the energy may be round-off errors.
 constexpr double round_off_tolerance = 1e-12;
 
-// How often cells are added, and up to how many for each site, before patches are cut in two.
+// Maximum number of rounds in which cells are added, and maximum number of cells per vertex. After
+// that, patches that are not disks are split.
 constexpr unsigned max_rounds = 20;
 constexpr double max_cell_ratio = 0.1;
 
-// Where handles ask for so many times as many cells as the caller did, these are moved once: each is where a
-// handle is, and of a surface with thousands of handles every step costs seconds.
+// If the topology requires this multiple of the requested number of cells, one relaxation step is
+// taken. Each cell is then determined by a handle, and on surfaces with thousands of handles a step
+// takes seconds.
 constexpr double many_cells_ratio = 4.;
 
 class Lloyd_relaxation
@@ -78,9 +80,9 @@ private:
   struct State
   {
     std::vector<Surface_location> centers;
-    std::vector<double> distances; // #sites: from the nearest centre
-    std::vector<Index> cells;      // #sites: of this centre
-    std::vector<Index> patches;    // #triangles, on a mesh
+    std::vector<double> distances; // #vertices: distance to the closest center
+    std::vector<Index> cells;      // #vertices: the closest center, or none
+    std::vector<Index> patches;    // #triangles of a mesh: the cell, or none
     std::vector<double> energies;
   };
 
@@ -89,8 +91,8 @@ private:
     return m_limits.slowness ? (*m_limits.slowness)[triangle] : 1.;
   }
 
-  // More handles than there shall be cells, that are to be discs, as Euler's formula tells, two holes counting as
-  // much as a handle: nearly each cell will be cut, and what it costs to move them before that is lost.
+  // Returns true if disks are required and the surface has more handles than cells. Two holes count
+  // as one handle. Nearly every cell is then split, which makes the relaxation before it useless.
   bool has_many_handles() const
   {
     if(!m_options.does_make_disks)
@@ -159,7 +161,8 @@ private:
     return !(m_state.energies.back() < (1. - m_options.energy_tolerance) * before);
   }
 
-  // Every cell on its own, as its centre and the distances of its sites belong to no other.
+  // Moves all centers in parallel: each cell writes only its center and the distances of its
+  // vertices.
   void move_centers()
   {
     std::vector<std::vector<Index>> vertices(m_state.centers.size());
@@ -216,9 +219,9 @@ private:
     }
   };
 
-  // Returns the mean of the logarithms of the cell, which is -g / (2 mass) for the gradient g of the
-  // energy at the center. The gradient is a least squares fit of E(q) - E(0) = g q + mass |q|^2 to
-  // the energies on the stencil. Returns nothing if the stencil is degenerate.
+  // Returns the mean of the logarithms of the cell, which is -g / (2 mass) for the gradient g of
+  // the energy at the center. The gradient is a least squares fit of E(q) - E(0) = g q + mass |q|^2
+  // to the energies on the stencil. Returns nothing if the stencil is degenerate.
   static std::optional<Vec2> mean_logarithm(const Stencil& stencil, Cell_energy& energy)
   {
     const double slowness = energy.slowness;
@@ -297,7 +300,8 @@ private:
                                    : straightest_stencil(plane, length, number_of_directions);
   }
 
-  // Where a tangent vector leads: on a cloud to the site of the cell that is the nearest to it.
+  // Returns the end point of a straightest geodesic. On a cloud: the vertex of the cell closest to
+  // the end of the tangent vector.
   Surface_location endpoint(const Tangent_plane& plane, const Vec2& vector,
                             const std::vector<Index>& vertices) const
   {
@@ -318,10 +322,11 @@ private:
     return result;
   }
 
-  // Sites that are nearer to other centres than to their own, of which all from `first` on are looked at.
+  // Assigns the vertices that are closer to a center from `first_center` on than to their own one.
   void update_cells(std::size_t first_center)
   {
-    // The sites of its own cell are as far from a centre as is known: it has to get to their end.
+    // Fronts stop at vertices with a smaller known distance. For the vertices of its own cell, a
+    // center reproduces the known distances up to round-off errors, so that these must be enlarged.
     std::vector<double> known = m_state.distances;
     for(double& distance : known)
       distance *= 1. + 1e-9;
@@ -346,13 +351,14 @@ private:
         }
   }
 
+  // Labels the triangles of a mesh. If disks are required, adds centers and splits patches.
   void make_patches()
   {
     const Surface_arrays& t = *m_triangles;
     m_state.patches = merged_patches();
     if(!m_options.does_make_disks || !m_is_finished)
       return;
-    // A cell around a tube becomes two where it is farthest from its centre.
+    // A new center at the farthest vertex splits cells that wind around a tube.
     const std::size_t number_requested = m_state.centers.size();
     for(unsigned round = 0; round < max_rounds; ++round)
     {
@@ -372,7 +378,8 @@ private:
       m_state.centers.push_back({triangle, none, {1. / 3., 1. / 3., 1. / 3.}});
   }
 
-  // As long as as many patches are discs.
+  // Relaxes the centers while the number of disks does not decrease. A step that decreases it is
+  // undone.
   void relax_keeping_disks(std::size_t number_requested)
   {
     const auto number_of_disks = [&]
@@ -399,7 +406,8 @@ private:
     }
   }
 
-  // Cells between vertices, and those that were given away.
+  // Removes centers without triangles: cells that contain no vertex, and cells whose triangles all
+  // joined adjacent ones.
   void remove_empty_patches()
   {
     std::vector<Index> new_index(m_state.centers.size(), none);
@@ -419,6 +427,7 @@ private:
     m_state.centers = std::move(kept);
   }
 
+  // Labels triangles by cell, and merges disconnected parts of a patch with adjacent patches.
   std::vector<Index> merged_patches() const
   {
     std::vector<Index> result = label_patches(*m_triangles, m_state.distances, m_state.cells);
@@ -426,7 +435,7 @@ private:
     return result;
   }
 
-  // A site of each patch that is no disc.
+  // Returns the vertex of each patch that is not a disk with the largest distance to its center.
   std::vector<Surface_location> farthest_in_non_disks() const
   {
     const Surface_arrays& t = *m_triangles;
@@ -451,7 +460,8 @@ private:
   const Front& m_front;
   const Tessellation_options& m_options;
   Front_limits m_limits;
-  std::vector<double> m_area; // #sites: the area around, in the metric
+  // #vertices: a third of the incident area, in the metric of travel times.
+  std::vector<double> m_area;
   State m_state;
   bool m_is_finished = true;
 };

@@ -39,9 +39,10 @@ Voronoi_diagram::Voronoi_diagram(std::shared_ptr<const Surface_arrays> triangles
     m_labels[vertex] = sources[front.source(vertex)].label;
   }
 
-  // Where the fronts of two cells met, a circle may have been fitted to what came from both: each cell's
-  // own front knows better.  It goes on beyond the cell as far as the sites that share triangles with it,
-  // by the ways that are shortest: these may be late, and so may what lies on them, by two sides.
+  // At the bisectors the common front is inaccurate, because its circles may combine distances from
+  // two cells. The front of each cell corrects these. It must reach all vertices that share
+  // triangles with the cell, along shortest paths. The bound of two edges covers the excess of
+  // these vertices and of the vertices on their paths.
   std::vector<double> known = m_distances;
   for(Index vertex = 0; vertex < known.size(); ++vertex)
     known[vertex] += 2. * max_edge_time(vertex);
@@ -69,7 +70,7 @@ Voronoi_diagram::Voronoi_diagram(std::shared_ptr<const Surface_arrays> triangles
   std::sort(m_other_distances.begin(), m_other_distances.end());
 }
 
-// The longest time that a front takes along a side of the triangles around a site.
+// Returns the maximum travel time along an edge of the triangles incident to a vertex.
 double Voronoi_diagram::max_edge_time(Index vertex) const
 {
   const Surface_arrays& t = *m_triangles;
@@ -96,8 +97,9 @@ double Voronoi_diagram::distance(Index vertex, Index label) const
   return is_found ? found->distance : infinity;
 }
 
-// What decides between cells inside a triangle, where it changes linearly but for what all cells have in
-// common: |p - a|^2 - |p - b|^2 is linear in p, and so is the difference of straight fronts.
+// Returns the value that is compared between cells inside a triangle. The difference of the values
+// of two cells must be linear in the point p. This holds for squared distances of circular fronts,
+// as |p - a|^2 - |p - b|^2 is linear, and for distances of straight fronts.
 double Voronoi_diagram::comparison_value(Index vertex, Index label) const
 {
   const double result = distance(vertex, label);
@@ -109,7 +111,7 @@ bool Voronoi_diagram::is_crossed(Index h) const
   return m_labels[m_triangles->corner[h]] != m_labels[m_triangles->corner[next_halfedge(h)]];
 }
 
-// How many cells meet in a triangle; 0 where it is not reached.
+// Returns the number of cells with a corner of the triangle, or 0 if a corner is unreached.
 int Voronoi_diagram::number_of_labels(Index triangle) const
 {
   const Index* const c = &m_triangles->corner[3 * std::size_t(triangle)];
@@ -119,7 +121,8 @@ int Voronoi_diagram::number_of_labels(Index triangle) const
   return a == b ? (b == d ? 1 : 2) : (b == d || a == d ? 2 : 3);
 }
 
-// How far along a side the cells of its ends meet; seen from both of its triangles alike.
+// Returns the parameter on an edge at which the bisector of the cells of its ends crosses. The
+// results for both halfedges sum to one.
 double Voronoi_diagram::crossing_fraction(Index h) const
 {
   const Surface_arrays& t = *m_triangles;
@@ -131,7 +134,8 @@ double Voronoi_diagram::crossing_fraction(Index h) const
                difference_at_z = comparison_value(z, a) - comparison_value(z, b);
   if(difference_at_x + difference_at_z > 0. && difference_at_x + difference_at_z < infinity)
     return std::clamp(difference_at_x / (difference_at_x + difference_at_z), 0., 1.);
-  // Next to an obstacle one front may not have come around it: both go along the side then.
+  // Near an obstacle, one cell may not have reached both ends. The crossing is then that of two
+  // fronts along the edge.
   const double travel_time = (m_slowness ? (*m_slowness)[h / 3] : 1.) * t.length[h];
   return travel_time > 0. && travel_time < infinity
              ? std::clamp(0.5 + 0.5 * (m_distances[z] - m_distances[x]) / travel_time, 0., 1.)
@@ -147,7 +151,7 @@ Surface_location Voronoi_diagram::triple_point(Index triangle) const
 {
   const Index* const c = &m_triangles->corner[3 * std::size_t(triangle)];
   const Index a = m_labels[c[0]], b = m_labels[c[1]], d = m_labels[c[2]];
-  // Where three linear functions are equal, if they are inside.
+  // The point at which the three linear functions are equal, if it is inside the triangle.
   std::array<double, 3> u, v, p;
   for(int k = 0; k < 3; ++k)
   {
@@ -168,7 +172,8 @@ Surface_location Voronoi_diagram::triple_point(Index triangle) const
   }
   if(is_inside)
     return {triangle, none, p};
-  // A cell that has a corner only, cut off by the other two.
+  // Otherwise the three cells do not meet inside the triangle, and the mean of the three crossings
+  // is used.
   Surface_location result = {triangle, none, {0., 0., 0.}};
   for(Index k = 0; k < 3; ++k)
   {
@@ -191,7 +196,7 @@ Index Voronoi_diagram::triangle_label(Index triangle) const
     const Index label = m_labels[c[k]];
     const double at_center = comparison_value(c[0], label) + comparison_value(c[1], label) +
                              comparison_value(c[2], label);
-    // Where one of them is not known at all corners, the nearest corner decides.
+    // If no cell has known distances at all corners, the corner with the smallest distance decides.
     if(at_center < min_value || (min_value == infinity && m_distances[c[k]] < min_distance))
       result = label;
     min_value = std::min(min_value, at_center);
@@ -200,7 +205,7 @@ Index Voronoi_diagram::triangle_label(Index triangle) const
   return result;
 }
 
-// Follows a line between cells from triangle to triangle.
+// Traces bisectors from triangle to triangle.
 struct Voronoi_diagram::Bisector_tracer
 {
   const Voronoi_diagram& voronoi;
@@ -217,7 +222,7 @@ struct Voronoi_diagram::Bisector_tracer
     if(const Index twin = voronoi.m_triangles->twin[h]; twin != none)
       is_visited[twin] = true;
   }
-  // Goes on through the triangle behind a side on which the line is.
+  // Appends the bisector that enters the triangle of halfedge h, up to its end.
   void follow(Index h, std::vector<Surface_location>& polyline)
   {
     while(h != none)
@@ -227,7 +232,7 @@ struct Voronoi_diagram::Bisector_tracer
       const Index exit_halfedge =
           voronoi.is_crossed(next_halfedge(h)) ? next_halfedge(h) : previous_halfedge(h);
       polyline.push_back(voronoi.crossing_location(exit_halfedge));
-      if(is_visited[exit_halfedge]) // around
+      if(is_visited[exit_halfedge]) // the bisector is closed
         return;
       mark(exit_halfedge);
       h = reached_twin(exit_halfedge);
@@ -240,7 +245,7 @@ std::vector<Voronoi_diagram::Bisector> Voronoi_diagram::bisectors() const
   const Surface_arrays& t = *m_triangles;
   std::vector<Bisector> result;
   Bisector_tracer tracer{*this};
-  // Inwards across a side the cell of its first end is on the left.
+  // If the bisector enters through halfedge h, the cell of its source is on the left.
   const auto trace_inwards = [&](Index h)
   {
     tracer.mark(h);
@@ -281,7 +286,7 @@ Voronoi_diagram::Cut_mesh Voronoi_diagram::cut() const
     result.vertices.push_back(location);
     return Index(result.vertices.size() - 1);
   };
-  std::vector<Index> crossing_vertex(t.corner.size(), none); // of each side that is crossed
+  std::vector<Index> crossing_vertex(t.corner.size(), none); // 3 #triangles: if crossed
   for(Index h = 0; h < t.corner.size(); ++h)
     if(t.twin[h] < h)
       crossing_vertex[h] = crossing_vertex[t.twin[h]];
@@ -301,7 +306,7 @@ Voronoi_diagram::Cut_mesh Voronoi_diagram::cut() const
     bool is_uncut = true;
     for(Index right = 3 * f; right < 3 * f + 3; ++right)
     {
-      // Counterclockwise from a corner, with the middles of its sides.
+      // The corners are a, b and c, and the crossings are on the edges ab (right) and ca (left).
       const Index left = previous_halfedge(right);
       const Index a = t.corner[right], b = t.corner[next_halfedge(right)], c = t.corner[left];
       const Index label = number_of_cells > 0 ? m_labels[a] : none;

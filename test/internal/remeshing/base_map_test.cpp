@@ -28,7 +28,8 @@ std::shared_ptr<const Base_mesh> base_of(const Array_surface& surface, std::size
   return std::make_shared<const Base_mesh>(build_base_mesh(surface.triangles(), options));
 }
 
-// A disc is one base face between three points of its border; nothing where that cannot be drawn.
+// Returns the base mesh of a disk with a single triangle, whose corners are the given boundary
+// points; null if its edges cannot be traced.
 std::shared_ptr<const Base_mesh> one_face(const Array_surface& disk,
                                           const std::array<Index, 3>& points)
 {
@@ -68,7 +69,7 @@ TEST(Base_map, has_no_folded_triangles)
         EXPECT_GT(twice, 0.);
         area[base->region[c / 3]] += twice;
       }
-      // Images fill the base: together with their signs, that is to say one to one.
+      // The images cover each base triangle. As they are positively oriented, the map is bijective.
       for(const double twice : area)
         EXPECT_NEAR(twice, 1., 1e-12);
     }
@@ -90,7 +91,7 @@ TEST(Base_map, is_continuous_across_edges)
       for(const auto& [own, other] :
           {std::pair(h, next_halfedge(twin)), std::pair(next_halfedge(h), twin)})
       {
-        // By base vertices: the same shares on both sides, exactly.
+        // Coordinates by base vertex must be equal in both base triangles, bit by bit.
         std::map<Index, double> weights, other_weights;
         for(Index k = 0; k < 3; ++k)
         {
@@ -133,7 +134,7 @@ TEST(Base_map, edge_coordinates_follow_arc_length)
   }
 }
 
-// In the plane areas are those of Euclid, and the border is straight.
+// In the plane geodesic distances are Euclidean, and edges are straight.
 TEST(Base_map, heron_coordinates_of_planar_triangle_are_affine)
 {
   const Subdivision subdivision = subdivide({{0, 1, 2}}, 3, 4);
@@ -158,8 +159,8 @@ TEST(Base_map, heron_coordinates_of_planar_triangle_are_affine)
     Point p = {0., 0., 0.};
     for(std::size_t k = 0; k < 3; ++k)
       p = p + raw.coordinates()[c][k] * base->fine.point[base->vertex[k]];
-    // Rounding of distances, which areas enlarge by no more than the base over the distance from an
-    // edge, 64 where a side at the border is halved.
+    // Round-off errors of distances. Areas amplify them by at most the size of the base triangle
+    // divided by the distance of a vertex from the edge, which is 64 if a boundary edge is split.
     EXPECT_LT(norm(p - base->fine.point[base->fine.corner[c]]), 64 * 1e-13);
   }
 }
@@ -185,7 +186,7 @@ TEST(Base_map, round_trip_is_identity)
         const Surface_location location{Index(random() % arrays.t().number_of_triangles()), none,
                                         barycentric()};
         const Surface_location round_trip = map.inverse(map(location));
-        // A hundred millionth of a side at worst, as images are no flatter.
+        // At most 1e-8 edge lengths: flatter images are repaired.
         EXPECT_LT(norm(scaled_coordinates(arrays.t(), location) -
                        scaled_coordinates(arrays.t(), round_trip)),
                   1e-7);
@@ -220,7 +221,8 @@ TEST(Base_map, handles_zero_angles)
   }
 }
 
-// A tube of forty rings, closed at its end, whose image is the smaller the farther it is from the border.
+// A tube of 40 rings, closed at one end. The size of the images decreases exponentially with the
+// distance from the boundary, so that mean value coordinates must be repaired.
 TEST(Base_map, does_not_repair_uniform_coordinates)
 {
   Triangulation surface;

@@ -47,7 +47,7 @@ double length_of(const Base_mesh& base, Index edge)
   return result;
 }
 
-// All that a base mesh promises about gluing, from its arrays alone.
+// Expects all invariants of the connectivity of a base mesh.
 void expect_is_base(const Array_surface& surface, const Base_mesh& base)
 {
   const Surface_arrays& fine = base.fine;
@@ -55,7 +55,8 @@ void expect_is_base(const Array_surface& surface, const Base_mesh& base)
   EXPECT_EQ(topology(corners_of(base)), topology_of_mesh);
   EXPECT_EQ(topology(fine.corner), topology_of_mesh);
 
-  // Each part lies in its triangle, and parts fill it: areas add up.
+  // Each fine triangle lies in its parent, and the areas of the fine triangles sum to that of the
+  // mesh.
   double area = 0., divided_area = 0.;
   for(Index f = 0; f < surface.t().number_of_triangles(); ++f)
   {
@@ -72,7 +73,7 @@ void expect_is_base(const Array_surface& surface, const Base_mesh& base)
     {
       const auto& b = base.barycentric[3 * f + k];
       p[k] = fine.point[fine.corner[3 * f + k]];
-      // Sums of a few products in [0, 2).
+      // Round-off errors of sums of a few products in [0, 2).
       EXPECT_LT(norm(p[k] - scaled_coordinates(surface.t(), {base.parent[f], none, b})), 1e-14);
       EXPECT_GE(std::min({b[0], b[1], b[2]}), 0.);
     }
@@ -81,7 +82,7 @@ void expect_is_base(const Array_surface& surface, const Base_mesh& base)
   }
   EXPECT_NEAR(divided_area, area, 1e-12 * area);
 
-  // Regions are apart but for their edges, and all sides of a path are there.
+  // Adjacent regions are separated by labeled edges, and all edges of each path are labeled.
   std::vector<std::size_t> halfedges(base.path.size(), 0);
   for(Index h = 0; h < fine.corner.size(); ++h)
   {
@@ -113,10 +114,10 @@ void expect_is_base(const Array_surface& surface, const Base_mesh& base)
     on_edges.insert(path.begin(), path.end());
     interior += path.size() - 2;
   }
-  // No two edges meet but at base vertices.
+  // Paths meet at base vertices only.
   EXPECT_EQ(on_edges.size(), interior + base.vertex.size());
 
-  // Each region is a disc.
+  // Each region is a disk.
   for(Index f = 0; f < base.triangles.size(); ++f)
   {
     std::vector<Index> corners;
@@ -142,8 +143,8 @@ TEST(Base_mesh, edges_on_sphere_are_near_geodesic)
     windows.run({{{base.samples[base.triangles[h / 3][h % 3]]}, 0., 0}});
     const double exact =
         windows.distance(base.samples[base.triangles[h / 3][next_halfedge(h) % 3]]);
-    // Samples go to a side or a site that is nearer than a hundredth of a height, and paths keep off
-    // sites and one another by two-hundredths of sides.
+    // Samples within 1/100 of a triangle height of an edge or vertex are moved onto it. Paths keep
+    // 1/200 of an edge from vertices and other paths.
     EXPECT_GT(length_of(base, edge), exact - 0.05);
     EXPECT_LT(length_of(base, edge), 1.05 * exact + 0.05);
     sum += length_of(base, edge);
@@ -181,7 +182,7 @@ TEST(Base_mesh, follows_boundary_and_sharp_edges)
   const Base_mesh base = base_of(surface, 60, 60.);
   expect_is_base(surface, base);
   const std::vector<bool> is_sharp = boundary_and_sharp_halfedges(surface.t(), 60.);
-  // Each side on a sharp one of the mesh is a part of a base edge.
+  // Each fine edge on a sharp edge of the mesh belongs to a base edge.
   std::size_t found = 0;
   for(Index h = 0; h < base.fine.corner.size(); ++h)
   {
@@ -198,7 +199,8 @@ TEST(Base_mesh, follows_boundary_and_sharp_edges)
 
 TEST(Base_mesh, follows_arbitrary_features)
 {
-  // Loops of two samples, ends, and places where curves almost meet: kept they are all the same.
+  // Random edges form closed curves with two samples, dangling ends and nearly touching polylines.
+  // All of them must be preserved.
   for(const int percent : {2, 10, 30})
     for(const Triangulation& points : {jittered(icosphere(2), 0.05, 1), torus(18, 12)})
     {
@@ -230,7 +232,7 @@ TEST(Base_mesh, follows_arbitrary_features)
 
 TEST(Base_mesh, finds_paths_around_handles)
 {
-  // On long triangles a short path is soon on the wrong side of a handle.
+  // On stretched triangles, short paths often pass a handle on the wrong side.
   const auto stretched = [](Triangulation surface, double x, double y)
   {
     for(Point& p : surface.points)
@@ -250,7 +252,7 @@ TEST(Base_mesh, finds_paths_around_handles)
       const Array_surface arrays(surface);
       const Base_mesh base = base_of(arrays, number);
       expect_is_base(arrays, base);
-      // Sides that join two sites of one edge would fold any map.
+      // An unlabeled edge between two vertices of one path would make any map degenerate.
       std::vector<std::set<Index>> edges(base.fine.point.size());
       for(Index edge = 0; edge < base.path.size(); ++edge)
         for(const Index vertex : base.path[edge])
@@ -281,7 +283,7 @@ TEST(Base_mesh, is_scale_invariant)
 
 TEST(Base_mesh, handles_needles)
 {
-  // Sides of one to a thousand.
+  // Edge lengths have a ratio of 1 to 1000.
   const Array_surface surface(grid(60, 8,
                                    [](double x, double y) {
                                      return Point{x, 150. * y, 0.};

@@ -30,8 +30,8 @@ Dual dual_of(const Array_surface& surface, const std::vector<Surface_location>& 
   return dual(surface.t(), voronoi(surface, seeds).labels(), Index(seeds.size()));
 }
 
-// Triangles of cells as a surface: each side at most once in each direction.  Its Euler characteristic
-// and the number of sides at its border.
+// Returns the Euler characteristic and the number of boundary edges of dual triangles. Expects that
+// each directed edge occurs at most once.
 std::pair<std::ptrdiff_t, std::size_t> euler_characteristic_and_boundary(const Dual& dual)
 {
   std::set<std::pair<Index, Index>> halfedges;
@@ -68,7 +68,7 @@ TEST(Dual, dense_samples_preserve_topology)
                         {annulus(80, 20, 0.5, 1.), 0, true}})
   {
     const Array_surface surface(triangulation);
-    // Samples are added while a check fails, as a remeshing would do; uniform ones soon pass it.
+    // Farthest samples are added until the dual is valid, as in a remeshing.
     std::size_t number = 100;
     Dual found = dual_of(surface, farthest_points(surface.triangles(), number));
     while(!found.is_closed_ball() && number < 160)
@@ -92,7 +92,7 @@ TEST(Dual, reports_violations_for_few_samples)
         result = i;
     return surface.at(result);
   };
-  // One cell is all of the sphere; two share a loop; three meet at two places.
+  // On a sphere, one cell is no disk, two cells share a closed curve, and three meet at two points.
   const Dual one = dual_of(surface, {nearest({0., 0., 1.})});
   EXPECT_EQ(one.non_disks, (std::vector<Index>{0}));
   EXPECT_TRUE(one.triangles.empty());
@@ -121,7 +121,7 @@ TEST(Dual, detects_repeated_crossings_of_a_feature)
   const Array_surface surface(square(8));
   const Dual whole = dual_of(surface, {surface.at(9 * 4 + 2), surface.at(9 * 4 + 6)});
   EXPECT_EQ(whole.repeated_boundary_crossings,
-            (std::vector<std::array<Index, 2>>{{0, 1}})); // of the border
+            (std::vector<std::array<Index, 2>>{{0, 1}})); // crossings of the boundary
   const Surface_arrays& t = surface.t();
   std::vector<bool> is_feature(t.corner.size(), false);
   const auto add = [&](Index i, Index j)
@@ -145,7 +145,8 @@ TEST(Dual, detects_repeated_crossings_of_a_feature)
 
 TEST(Dual, detects_annular_cells_and_split_boundaries)
 {
-  // On a long tube cells of a few samples are rings, and the ends' cells have whole borders.
+  // On a long tube the cells of a few samples are annuli. Those at the ends contain entire boundary
+  // cycles.
   const Array_surface tube(cylinder(24, 60, 0.2, 5.));
   const Index middle = 30 * 24;
   const Dual rings = dual_of(tube, {tube.at(3), tube.at(middle + 3), tube.at(60 * 24 + 3)});
@@ -153,19 +154,19 @@ TEST(Dual, detects_annular_cells_and_split_boundaries)
   EXPECT_EQ(rings.disconnected_boundaries, (std::vector<Index>{0, 2}));
   EXPECT_EQ(rings.disconnected_interfaces, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}}));
 
-  // A strip: the middle cell meets the border twice.
+  // On a strip, the central cell meets the boundary in two arcs.
   const Array_surface strip(grid(60, 6, [](double u, double v) { return Point{10. * u, v, 0.}; }));
   const Dual strips =
       dual_of(strip, {strip.at(3 * 61), strip.at(3 * 61 + 30), strip.at(3 * 61 + 60)});
   EXPECT_TRUE(strips.non_disks.empty());
   EXPECT_EQ(strips.disconnected_boundaries, (std::vector<Index>{1}));
-  // No third cell is where two meet.
+  // The bisectors do not end at third cells.
   EXPECT_EQ(strips.disconnected_interfaces, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}}));
   const Dual two = dual_of(strip, {strip.at(3 * 61), strip.at(3 * 61 + 60)});
   EXPECT_TRUE(two.disconnected_boundaries.empty());
   EXPECT_EQ(two.disconnected_interfaces, (std::vector<std::array<Index, 2>>{{0, 1}}));
 
-  // A seed that is nearest to no site.
+  // The third cell contains no vertex.
   const Array_surface plane(square(4));
   const Dual hidden = dual_of(plane, {plane.at(12), plane.at(12)});
   EXPECT_EQ(hidden.non_disks, (std::vector<Index>{1}));

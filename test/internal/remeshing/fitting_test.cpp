@@ -11,8 +11,8 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Two triangles over the unit square, whose corners are the cells 0 to 3, and the cell of each site:
-// the nearest corner.
+// A coarse mesh of two triangles over a square mesh. Its points are the corners of the square, and
+// the cell of each vertex is the closest corner.
 struct Square_fixture
 {
   Array_surface fine;
@@ -38,7 +38,7 @@ TEST(Fitting, keeps_points_on_the_surface)
 {
   Square_fixture fixture(square(10));
   const std::vector<Vec3> before = fixture.coarse.points;
-  // Roundings of numbers below two.
+  // Round-off errors of numbers below two.
   EXPECT_TRUE(far_vertices(fixture.fine.t(), fixture.labels, fixture.coarse, 1e-14).empty());
   fit(fixture.fine.t(), fixture.labels, std::vector<bool>(4, false), fixture.coarse);
   for(std::size_t i = 0; i < 4; ++i)
@@ -52,7 +52,7 @@ TEST(Fitting, moves_points_to_offset_surface)
     p[2] = 0.1;
   Square_fixture fixture(elevated);
   const double scale = fixture.fine.scale();
-  // One for each cell, as all are as far.
+  // All vertices have the same distance, so that each cell has a far vertex.
   EXPECT_EQ(far_vertices(fixture.fine.t(), fixture.labels, fixture.coarse, 0.09 / scale).size(),
             4u);
   EXPECT_TRUE(far_vertices(fixture.fine.t(), fixture.labels, fixture.coarse, 0.11 / scale).empty());
@@ -62,19 +62,20 @@ TEST(Fitting, moves_points_to_offset_surface)
       with_fixed_point.coarse);
   const Vec3 first = with_fixed_point.coarse.points[0];
   for(std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(scale * (fixture.coarse.points[i][2] - first[2]), 0.1, 1e-14); // rounding
+    EXPECT_NEAR(scale * (fixture.coarse.points[i][2] - first[2]), 0.1, 1e-14); // round-off
   for(std::size_t i = 1; i < 4; ++i)
-    EXPECT_GT(scale * (with_fixed_point.coarse.points[i][2] - first[2]), 0.1); // for what is held
+    // The other points compensate for the fixed one.
+    EXPECT_GT(scale * (with_fixed_point.coarse.points[i][2] - first[2]), 0.1);
 
   Square_fixture limited(elevated);
   fit(limited.fine.t(), limited.labels, std::vector<bool>(4, false), limited.coarse, 0.04 / scale);
   for(std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(scale * (limited.coarse.points[i][2] - first[2]), 0.04, 1e-14); // rounding
+    EXPECT_NEAR(scale * (limited.coarse.points[i][2] - first[2]), 0.04, 1e-14); // round-off
 }
 
 TEST(Fitting, finds_farthest_vertex_of_a_cell)
 {
-  // A bump at one vertex.
+  // One vertex is moved off the plane.
   Triangulation bump = square(10);
   bump.points[3 * 11 + 8][2] = 0.3;
   bump.points[3 * 11 + 7][2] = 0.2;
@@ -89,7 +90,7 @@ TEST(Fitting, finds_farthest_vertex_of_a_cell)
 
 TEST(Fitting, angle_preserving_steps_keep_small_angles)
 {
-  // A wavy square of 40 by 40 over one of 8 by 8 whose points are moved at random.
+  // A wavy surface of 40 x 40 quads, and a coarse mesh of 8 x 8 quads with random displacements.
   constexpr std::size_t n = 40, m = 8;
   const auto wave = [](double x, double y) -> Point {
     return {x, y, 0.08 * std::sin(9. * x) * std::cos(7. * y)};
@@ -118,10 +119,10 @@ TEST(Fitting, angle_preserving_steps_keep_small_angles)
   for(std::size_t i = 0; i < coarse.points.size(); ++i)
     moved += norm(angle_preserving.points[i] - coarse.points[i]) > 0.;
   EXPECT_GT(moved, 0u);
-  EXPECT_LT(moved, coarse.points.size()); // some triangles have had small angles
+  EXPECT_LT(moved, coarse.points.size()); // points of triangles with small angles stay
   const double small = std::cos(42. * pi / 180.);
   for(const auto& [a, b, c] : coarse.triangles)
-    // The constant has three digits.
+    // The cosine of 42 degrees in fitting.cpp has three digits.
     EXPECT_LE(
         largest_cosine(angle_preserving.points[a], angle_preserving.points[b],
                        angle_preserving.points[c]),

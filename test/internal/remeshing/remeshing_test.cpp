@@ -55,7 +55,7 @@ double area(const std::vector<Point>& points, const std::vector<Index>& corners)
   return result;
 }
 
-// A surface like the one remeshed, each of whose points is a corner of a triangle, and lies on it.
+// Expects the topology of the input, no isolated vertices, and samples with valid coordinates.
 void expect_same_topology(const Array_surface& surface, const Remeshing& mesh, std::size_t number)
 {
   EXPECT_TRUE(mesh.is_finished);
@@ -74,7 +74,7 @@ void expect_same_topology(const Array_surface& surface, const Remeshing& mesh, s
       EXPECT_GE(b, 0.);
       sum += b;
     }
-    EXPECT_NEAR(sum, 1., 1e-15); // a rounding or two
+    EXPECT_NEAR(sum, 1., 1e-15); // one or two round-off errors
   }
 }
 
@@ -146,7 +146,7 @@ TEST(Remeshing, covers_square_exactly)
           EXPECT_GT(triangle_area, 0.);
           signed_area += triangle_area;
         }
-        // Sums of some hundred terms.
+        // Round-off errors of a sum of a few hundred terms.
         EXPECT_NEAR(signed_area, scale * scale, 1e-12 * scale * scale);
       }
 }
@@ -187,7 +187,8 @@ TEST(Remeshing, preserves_feature_edges)
       options.number_of_relaxation_steps = relaxation;
       const Remeshing mesh = remesh(cube.triangles(), options);
       expect_same_topology(cube, mesh, number);
-      // Each triangle lies in one of the six faces, so that together they are these: rounding alone.
+      // Each triangle lies in one of the six faces of the cube, so that the areas are equal up to
+      // round-off errors.
       const std::vector<Point> points = points_of(cube, mesh);
       EXPECT_NEAR(area(points, corners_of(mesh)), 6. * size * size, 1e-9);
       for(const auto& f : mesh.triangles)
@@ -210,7 +211,7 @@ TEST(Remeshing, respects_feature_spacing)
   options.is_feature = boundary_and_sharp_halfedges(surface.t());
   for(const double spacing : {0.02, 0.1, 1e300})
   {
-    // At the lower side of the square; elsewhere it is left open.
+    // The spacing is given on the lower edge of the square only.
     options.feature_spacing.assign(surface.t().corner.size(), 0.);
     for(Index h = 0; h < options.feature_spacing.size(); ++h)
       if(options.is_feature[h] &&
@@ -222,8 +223,9 @@ TEST(Remeshing, respects_feature_spacing)
       corners.insert(corners.end(), f.begin(), f.end());
     EXPECT_EQ(topology(corners), (Topology{true, {{1, 1}}}));
     if(spacing > 1.)
-      continue;              // more come, as other samples are nearer
-    std::vector<double> low; // up to roundings of numbers up to one
+      continue; // the topology requires more samples than this spacing
+    // Coordinates in [0, 1] with round-off errors.
+    std::vector<double> low;
     for(const Point& p : result.points)
       if(p[1] < 1e-14)
         low.push_back(p[0]);
@@ -261,9 +263,9 @@ TEST(Remeshing, relaxation_improves_angles)
   };
   const double initial = mean_min_angle(200, 0), relaxed = mean_min_angle(200, 20);
   EXPECT_GT(relaxed, initial);
-  // A sphere of many cells comes to 53 or more; 60 is what is possible.
+  // With many cells the mean is at least 53 degrees. The upper bound is 60 degrees.
   EXPECT_GT(relaxed, 50.);
-  // What moves between its neighbours at last leaves less to do for further steps.
+  // The smoothing after the relaxation makes up for most of the missing steps.
   EXPECT_GT(mean_min_angle(1000, 2), 50.);
   EXPECT_GT(mean_min_angle(1000, 20), 52.5);
 }
@@ -286,7 +288,8 @@ TEST(Remeshing, density_follows_slowness)
     const std::vector<Point> points = points_of(surface, mesh);
     const auto left =
         std::count_if(points.begin(), points.end(), [](const Point& p) { return p[0] < 0.5; });
-    // 25 parts of 26, and what the borders take: within a tenth.
+    // The left half has 25/26 of the area in the metric of travel times. Samples on the boundary
+    // change this by less than 10 %.
     EXPECT_NEAR(double(left), 250., 25.);
   }
 }
@@ -318,7 +321,7 @@ TEST(Remeshing, respects_maximum_deviation)
             min_distance = std::min(min_distance,
                                     distance(nearest[0] * a + nearest[1] * b + nearest[2] * c, p));
           }
-          EXPECT_LE(min_distance, deviation * scale * (1. + 1e-9)); // roundings
+          EXPECT_LE(min_distance, deviation * scale * (1. + 1e-9)); // round-off errors
         }
       }
       EXPECT_GT(numbers.back(), numbers.front());
@@ -338,7 +341,7 @@ TEST(Remeshing, keeps_first_samples)
   expect_same_topology(surface, mesh, 100);
   for(std::size_t i = 0; i < options.first_samples.size(); ++i)
     EXPECT_TRUE(is_same_point(surface.t(), mesh.samples[i], options.first_samples[i]));
-  // The same one twice is one.
+  // A repeated first sample counts once.
   options.first_samples.assign(2, options.first_samples[0]);
   EXPECT_EQ(remesh(surface.triangles(), options).samples.size(), 100u);
 }
@@ -360,8 +363,8 @@ TEST(Remeshing, is_deterministic_for_a_seed)
 
 TEST(Remeshing, handles_degenerate_input)
 {
-  // Points that coincide, triangles without area, two triangles of the same corners, a pinched site,
-  // isolated points, needles.
+  // Coinciding points, triangles without area, two triangles with the same vertices, a nonmanifold
+  // vertex, isolated vertices, needles.
   Triangulation flat = square(6);
   for(Point& p : flat.points)
     p[1] = 0.;

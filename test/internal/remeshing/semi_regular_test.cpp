@@ -35,7 +35,7 @@ TEST(Semi_regular_mesh, vertices_lie_on_the_mesh_at_each_level)
   EXPECT_EQ(mesh.points.size(), mesh.number_of_vertices.back());
   for(const Point& p : mesh.points)
   {
-    // The faces of the icosphere are at a distance of at least 0.995.
+    // The faces of the icosphere are at least 0.995 from its center.
     EXPECT_GT(norm(p), 0.99);
     EXPECT_LT(norm(p), 1. + 1e-12);
   }
@@ -59,7 +59,8 @@ TEST(Semi_regular_mesh, stops_at_maximum_deviation)
     EXPECT_GE(mesh.number_of_vertices.size(), last);
     last = mesh.number_of_vertices.size();
     EXPECT_LT(last, 7u);
-    // Places of sites are mapped back to near points: so the faces are near the sphere, too.
+    // Each vertex of the sphere is close to the point with its coordinates, so that the faces are
+    // close to the sphere, too.
     for(const Triangle& f : mesh.triangles)
       EXPECT_GT(norm((1. / 3.) * (mesh.points[f[0]] + mesh.points[f[1]] + mesh.points[f[2]])),
                 1. - 2. * deviation - 0.01);
@@ -74,7 +75,7 @@ TEST(Semi_regular_mesh, has_quad_faces)
   const Semi_regular_mesh mesh = build_semi_regular_quads(map, surface.t(), 2);
   EXPECT_EQ(mesh.quads.size(), 3 * 16 * map.base().triangles.size());
   EXPECT_TRUE(mesh.triangles.empty());
-  // Of a torus, closed: as many vertices as faces.
+  // A closed quad mesh of genus one has as many vertices as faces.
   EXPECT_EQ(mesh.points.size(), mesh.quads.size());
 }
 
@@ -87,7 +88,7 @@ TEST(Semi_regular_mesh, uses_no_more_levels_than_needed)
   EXPECT_EQ(mesh.number_of_vertices.size(), 1u);
   EXPECT_EQ(mesh.triangles, map.base().triangles);
   EXPECT_GT(mesh.deviation, 0.);
-  // What is left where levels are few.
+  // If the number of levels is too small, the remaining deviation is reported.
   EXPECT_GT(build_semi_regular_mesh(map, sphere.t(), 1, 1e-9 / sphere.scale()).deviation, 1e-9);
 }
 

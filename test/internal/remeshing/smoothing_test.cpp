@@ -33,7 +33,7 @@ Triangles triangles_of(const Triangulation& surface)
   return result;
 }
 
-// The points of a mesh as samples of another one of the same plane, whose points are n + 1 to a side.
+// Returns the points of a mesh as samples of a square mesh of n x n quads in the same plane.
 Input on_square(const Array_surface& surface, std::size_t n, const Triangulation& points,
                 double scale)
 {
@@ -42,7 +42,7 @@ Input on_square(const Array_surface& surface, std::size_t n, const Triangulation
   {
     const double x = p[0] / scale * double(n), y = p[1] / scale * double(n);
     const std::size_t i = std::min(std::size_t(x), n - 1), j = std::min(std::size_t(y), n - 1);
-    // The two triangles of each square, whichever holds it.
+    // The quad has two triangles; the sample lies in one of them.
     for(Index face = Index(2 * (j * n + i)); face < 2 * (j * n + i) + 2; ++face)
     {
       const Index f = surface.triangle(face);
@@ -113,7 +113,8 @@ TEST(Smoothing, keeps_samples_without_closed_ring)
   Input apart = input;
   apart.triangles.clear();
   EXPECT_EQ(smoothed(surface, apart, 3), points(apart));
-  // A third triangle at an edge: neither of its ends moves.  Corners as those of the first one.
+  // A third triangle at one edge: the ends of the edge must not move. Its corners coincide with
+  // those of the first triangle.
   Input non_manifold = input;
   non_manifold.triangles.push_back(non_manifold.triangles[14]);
   const std::vector<Point> before = points(non_manifold),
@@ -126,7 +127,7 @@ TEST(Smoothing, keeps_samples_without_closed_ring)
   EXPECT_GT(moved, 3u);
 }
 
-// Six fixed samples around one in the middle of a square of side 4.
+// Six fixed samples around a movable one at the center of a square of size 4.
 Input hexagon(const Array_surface& surface, Point center)
 {
   Triangulation points;
@@ -145,7 +146,7 @@ TEST(Smoothing, moves_toward_slow_regions)
 {
   const Array_surface surface(scaled(square(16), 4.));
   const Input input = hexagon(surface, {2.25, 2.125, 0.});
-  // Fifty steps of a half: 1e-15.
+  // Each step halves the error; 50 steps reduce it to 1e-15.
   EXPECT_LT(distance(smoothed(surface, input, 50)[0], {2., 2., 0.}), 1e-12);
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
@@ -153,7 +154,8 @@ TEST(Smoothing, moves_toward_slow_regions)
       slowness[f] = 1.5;
   const Point slow = smoothed(surface, input, 50, &slowness)[0];
   EXPECT_LT(slow[0], 1.95);
-  EXPECT_NEAR(slow[1], 2., 1e-3); // samples on the line between the two speeds are in either
+  // Samples on the line between the two speeds may take the density of either.
+  EXPECT_NEAR(slow[1], 2., 1e-3);
 }
 
 TEST(Smoothing, does_not_cross_features)
@@ -176,7 +178,7 @@ TEST(Smoothing, stays_on_surface_and_at_corners)
   const Triangulation sphere = icosphere(4), coarse = icosphere(2);
   const Array_surface surface(sphere);
   Input input = {{}, triangles_of(coarse), std::vector<bool>(coarse.points.size(), false)};
-  // The first points of a finer sphere are those of the coarse one; some of them are shifted.
+  // The first points of a finer icosphere are those of the coarse one. Some of them are displaced.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0., 1.);
   for(Index i = 0; i < coarse.points.size(); ++i)
@@ -201,10 +203,10 @@ TEST(Smoothing, stays_on_surface_and_at_corners)
   for(const Point& p : after)
   {
     EXPECT_LT(norm(p), 1. + 1e-14);
-    EXPECT_GT(norm(p), 0.995); // as deep as the middles of triangles of the finer sphere
+    EXPECT_GT(norm(p), 0.995); // the distance of the triangles of the finer sphere to the center
   }
 
-  // Around the corner of a cube the normals of three sides sum to 0.58 of their sizes.
+  // At the corner of a cube the sum of three unit normals has length 0.58 times 3.
   const Triangulation block = blocks(1, 1, 1, [](int, int, int) { return true; });
   const Array_surface cube(block);
   Input corners = {{}, triangles_of(block), std::vector<bool>(8, false)};

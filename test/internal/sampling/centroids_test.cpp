@@ -18,7 +18,7 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of sums over some hundred triangles.
+// Round-off errors of sums over a few hundred triangles.
 constexpr double round_off_tolerance = 1e-13;
 
 std::vector<Index> labels_of(const Array_surface& surface,
@@ -59,14 +59,15 @@ TEST(Centroids, are_exact_for_square_and_halves)
     const Array_surface surface(plane);
     EXPECT_LT(distance(moved(surface, {surface.at(0)}, 0), {scale / 2., scale / 2., 0.}),
               round_off_tolerance * scale);
-    // Divided by the middle, which crosses triangles.
+    // The bisector at the center of the square crosses triangles.
     const std::vector<Surface_location> two = {surface.at(5 * 11), surface.at(5 * 11 + 10)};
     EXPECT_LT(distance(moved(surface, two, 0), {scale / 4., scale / 2., 0.}),
               round_off_tolerance * scale);
     EXPECT_LT(distance(moved(surface, two, 1), {3. * scale / 4., scale / 2., 0.}),
               round_off_tolerance * scale);
   }
-  // Quarters by both diagonals, which four cells meet in a site of: the centroid of a triangle.
+  // Both diagonals split the square into four cells that meet at a vertex. The centroid of a cell
+  // is that of a triangle.
   const Array_surface regular(square(10));
   const std::vector<Surface_location> four = {regular.at(5), regular.at(5 * 11),
                                               regular.at(5 * 11 + 10), regular.at(115)};
@@ -86,7 +87,8 @@ TEST(Centroids, split_triangle_among_three_cells)
     std::vector<Index> labels(3);
     for(Index k = 0; k < 3; ++k)
     {
-      // At first each near its corner, where they meet inside; then anywhere.
+      // The first samples are near their corners, so that three regions meet inside the triangle.
+      // The others are arbitrary.
       std::array<double, 3> b = {uniform(random), uniform(random), uniform(random)};
       b[k] += i < 150 ? 2. : 0.;
       const double sum = b[0] + b[1] + b[2];
@@ -103,7 +105,8 @@ TEST(Centroids, split_triangle_among_three_cells)
       const std::vector<Point> cell =
           clip_to_bisector(clip_to_bisector(corners, positions[k], positions[(k + 1) % 3]),
                            positions[k], positions[(k + 2) % 3]);
-      // What others leave of it to the last one is a difference: small cells have larger roundings.
+      // The last region is computed as a difference, so that small cells have larger round-off
+      // errors.
       EXPECT_LT(distance(coordinates(surface.t(), found[k]), centroid(cell)), 1e-9);
     }
   }
@@ -136,7 +139,7 @@ TEST(Centroids, follow_density)
   const std::vector<Index> labels(surface.size(), 0);
   const Point p =
       coordinates(surface.t(), centroids_of(surface, labels, {surface.at(0)}, &slowness)[0]);
-  // 16 times as much on the left.
+  // The density is 16 times larger on the left.
   EXPECT_NEAR(p[0], (16. * 0.25 + 0.75) / 17., round_off_tolerance);
   EXPECT_NEAR(p[1], 0.5, round_off_tolerance);
 }
@@ -154,15 +157,16 @@ TEST(Centroids, lie_on_the_surface)
   for(Index i = 0; i < 12; ++i)
   {
     EXPECT_NE(found[i].triangle, none);
-    // The corners of an icosahedron are the centroids of their cells, but what is nearest to the
-    // centre of mass below is the foot on one of the triangles around: within a tenth of a side.
+    // By symmetry, the vertices of an icosahedron are the centroids of their cells. The center of
+    // mass lies below the surface, and its closest point is within a tenth of an edge of the
+    // vertex.
     EXPECT_LT(distance(coordinates(surface.t(), found[i]), sphere.points[i]), 0.016);
   }
 }
 
 TEST(Centroids, keep_samples_of_cells_without_area)
 {
-  // Two triangles without area beside one with it.
+  // Two degenerate triangles adjacent to a regular one.
   Triangulation surface{{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0.5, 0., 0.}, {2., 0., 0.}},
                         {0, 1, 2, 1, 0, 3, 3, 4, 1}};
   const Array_surface arrays(surface);
@@ -174,7 +178,7 @@ TEST(Centroids, keep_samples_of_cells_without_area)
   for(const Surface_location& location : found)
     for(const double x : coordinates(arrays.t(), location))
       EXPECT_TRUE(std::isfinite(x));
-  // A cell that comes to no site, and sites of no cell.
+  // A cell without vertices, and vertices without a cell.
   EXPECT_EQ(centroids_of(arrays, std::vector<Index>(5, none), samples)[1].barycentric,
             canonical(arrays.t(), samples[1]).barycentric);
 }

@@ -53,8 +53,8 @@ TEST(Relaxation, converges_on_square_and_strip)
     const Relaxed one = relaxed(surface, {surface.at(0)}, 1);
     EXPECT_LT(distance(one.points[0], {scale / 2., scale / 2., 0.}), 1e-13 * scale);
 
-    // A strip of four to one: the middles of four squares.  A step leaves at most 0.84 = sqrt(momentum)
-    // of an error, so that sixty leave 1e-4.
+    // On a strip of aspect ratio four, the limits are the centers of four squares. A step
+    // multiplies errors by at most 0.84 = sqrt(momentum), so that 60 steps reduce them to 1e-4.
     for(Point& p : plane.points)
       p[1] /= 4.;
     const Array_surface strip(plane);
@@ -72,7 +72,7 @@ TEST(Relaxation, converges_to_cell_centroids)
   const Array_surface surface(jittered(icosphere(4), 0.02));
   std::vector<Surface_location> samples = farthest_points(surface.triangles(), 40);
   const Relaxed found = relaxed(surface, samples, 100);
-  // The cells that fronts of all of them together find.
+  // The cells computed by one front from all samples.
   Front front(surface.triangles(), Front_kind::euclidean);
   std::vector<Front_source> sources;
   for(const Surface_location& sample : found.samples)
@@ -87,10 +87,11 @@ TEST(Relaxation, converges_to_cell_centroids)
   }
   const std::vector<Surface_location> centers =
       centroids(surface.t(), triangle_masses(surface.t()), labels, found.samples);
-  // Sites that change from cell to cell keep moving samples by a part of a side, which is 0.07.
+  // Vertices that change their cell keep moving samples by a fraction of an edge, which has length
+  // 0.07.
   for(std::size_t i = 0; i < centers.size(); ++i)
     EXPECT_LT(distance(coordinates(surface.t(), centers[i]), found.points[i]), 0.01);
-  // The corners of forty equal hexagons of a sphere are at 0.35 from their middles.
+  // The vertices of forty equal hexagons on a sphere are at distance 0.35 from their centers.
   EXPECT_LT(largest, 0.42);
 }
 
@@ -107,7 +108,7 @@ TEST(Relaxation, keeps_fixed_samples)
 TEST(Relaxation, avoids_obstacles)
 {
   const Array_surface surface(square(20, 0.2));
-  // A wall up to three quarters of the height.
+  // An obstacle that spans three quarters of the height.
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
   {

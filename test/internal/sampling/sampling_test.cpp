@@ -21,7 +21,7 @@ using Kind = Front_kind;
 using Slowness = std::shared_ptr<const std::vector<double>>;
 constexpr Kind all_kinds[] = {Kind::dijkstra, Kind::planar, Kind::euclidean};
 
-// Of sums of some hundred lengths.
+// Round-off errors of sums of a few hundred lengths.
 constexpr double round_off_tolerance = 1e-12;
 
 Sampling sampling(const std::shared_ptr<const Surface_arrays>& triangles,
@@ -32,7 +32,7 @@ Sampling sampling(const std::shared_ptr<const Surface_arrays>& triangles,
   return Sampling(triangles, Front(triangles, kind), sample_location, slowness);
 }
 
-// The covering radius after each of so many farthest places.
+// Adds farthest samples, and returns the covering radius after each of them.
 std::vector<double> add_samples(Sampling& samples, std::size_t number, unsigned seed = 0)
 {
   std::vector<double> radii;
@@ -49,7 +49,7 @@ Point point_of(const Surface_arrays& t, const Surface_location& sample)
   return scaled_coordinates(t, sample);
 }
 
-// What separate fronts over the whole surface say of the same samples.
+// Returns the minimum over the samples of the distance that a separate front from each computes.
 std::vector<double> separate_distances(const std::shared_ptr<const Surface_arrays>& triangles,
                                        Kind kind, const Sampling& samples)
 {
@@ -96,8 +96,8 @@ TEST(Sampling, starts_at_square_corners_then_center)
         corners.insert(samples.samples()[i].vertex);
       EXPECT_EQ(corners, (std::set<Index>{surface.vertex(0), surface.vertex(20),
                                           surface.vertex(420), surface.vertex(440)}));
-      // In a triangle at the centre, or at one of its corners: within two sides of 1/20, and the
-      // planar front is wrong by no more than half of one here.
+      // The sample is in a triangle at the center or at one of its corners, within two edges of
+      // length 1/20. The planar front has an error of at most half an edge here.
       const Point center =
           0.5 * (surface.t().point[surface.vertex(0)] + surface.t().point[surface.vertex(440)]);
       EXPECT_LT(surface.scale() * distance(point_of(surface.t(), samples.samples()[4]), center),
@@ -114,12 +114,12 @@ TEST(Sampling, second_sample_on_sphere_is_antipodal)
     add_samples(samples, 2, seed);
     const Point p = surface.scale() * point_of(surface.t(), samples.samples()[0]);
     const Point q = surface.scale() * point_of(surface.t(), samples.samples()[1]);
-    // A side of this icosphere is at most 0.0812 long.
+    // The maximum edge length of this icosphere is 0.0812.
     EXPECT_LT(distance(p, -1. * q), 0.0812);
   }
 }
 
-// To the nearest of the samples, in a straight line.
+// Returns the Euclidean distance from each point to the closest sample.
 std::vector<double> euclidean_distances(const Array_surface& surface, const Sampling& samples)
 {
   std::vector<double> result(surface.size(), infinity);
@@ -145,14 +145,15 @@ TEST(Sampling, distances_in_plane_are_euclidean)
     {
       const double error = samples.distances()[vertex] - expected[vertex];
       EXPECT_GE(error, -round_off_tolerance * edge_length);
-      // At the edge of a cell the front may come through a triangle of which one corner lies beyond the
-      // ring.  What it gives along a side instead is longer by some hundredths of that.
+      // At the boundary of a cell, the front may have to pass a triangle with a vertex outside of
+      // the adjacent ring. It passes along an edge instead, which is longer by a few percent of the
+      // edge.
       EXPECT_LT(error, 0.05 * edge_length);
       wrong += error > round_off_tolerance * edge_length;
     }
     EXPECT_LE(wrong, 3u);
 
-    // That is the only cause: fronts that go a side farther know all.
+    // This is the only error: fronts that extend one edge farther are exact.
     Front front(surface.triangles(), Kind::euclidean);
     std::vector<double> distances(surface.size(), infinity), known = distances;
     Front_limits limits;
@@ -183,11 +184,11 @@ TEST(Sampling, distances_match_separate_fronts)
       std::size_t wrong = 0;
       for(Index vertex = 0; vertex < surface.size(); ++vertex)
       {
-        // As in the plane, and where a side gives almost as much as the triangle.
+        // The errors are those of the plane, and ties between an edge and a triangle.
         EXPECT_NEAR(samples.distances()[vertex], expected[vertex], 1e-4 * radii.back());
         wrong += samples.distances()[vertex] != expected[vertex];
       }
-      // Chains of arcs are the same wherever a front ends.
+      // Shortest paths along edges do not depend on the extent of the front.
       EXPECT_LE(wrong, kind == Kind::dijkstra ? 0u : 2u);
     }
 }
@@ -201,9 +202,9 @@ TEST(Sampling, samples_are_covering_radius_apart)
     Sampling samples = sampling(surface.triangles(), Kind::euclidean, sample_location);
     const auto radii = add_samples(samples, 100);
     expect_consistent(samples, radii);
-    // Each sample has been as far from those before it as any site, which may believe to be some
-    // thousandths of a side farther than it is, see above.  Of a place beside a site the distances of a
-    // triangle's corners tell only about how far it is: ten percent, and a tenth of a side.
+    // Each sample was as far from the earlier ones as any vertex. Distances of vertices are too
+    // large by a few thousandths of an edge, see above. At a point inside a triangle, the distance
+    // is an estimate from the corners, with an error of up to 10 % and a tenth of an edge.
     const double ratio = sample_location == Sample_location::vertex ? 1. : 0.9;
     const double error =
         (sample_location == Sample_location::vertex ? 0.01 : 0.1) / 30. / surface.scale();
@@ -231,7 +232,7 @@ TEST(Sampling, samples_each_component_first)
     EXPECT_LT(radii[2], infinity);
     expect_consistent(samples, radii);
     EXPECT_EQ(samples.labels()[surface.vertex(Index(isolated))], none);
-    // In each component at its end: in the square, a corner.
+    // The first sample of a component is an extremal vertex; in the square, a corner.
     std::size_t corners = 0;
     for(std::size_t i = 0; i < 3; ++i)
       for(const Index corner : {0u, 5u, 30u, 35u})
@@ -254,7 +255,7 @@ TEST(Sampling, stops_when_every_vertex_is_sampled)
         const auto radii = add_samples(samples, 10000);
         EXPECT_EQ(radii.back(), 0.);
         expect_consistent(samples, radii);
-        // Each site is a sample once, and each triangle holds one at most.
+        // Each vertex is a sample once, and each triangle contains at most one sample.
         std::set<std::pair<Index, Index>> seen;
         for(const Surface_location& sample : samples.samples())
           EXPECT_TRUE(
@@ -287,7 +288,7 @@ TEST(Sampling, adds_single_locations)
   EXPECT_TRUE(samples.add(surface.in(77, {0.2, 0.3, 0.5})));
   const double radius = samples.covering_radius();
   EXPECT_LT(radius, infinity);
-  // The same place once more changes nothing but roundings.
+  // Adding the same location again changes distances by round-off errors only.
   const std::vector<double> before = samples.distances();
   EXPECT_TRUE(samples.add(surface.in(77, {0.2, 0.3, 0.5})));
   for(const Index vertex : samples.sampled_vertices())
@@ -318,11 +319,11 @@ TEST(Sampling, density_follows_slowness)
   Sampling weighted = sampling(surface.triangles(), Kind::euclidean, Sample_location::triangle,
                                std::make_shared<const std::vector<double>>(fourfold));
   expect_consistent(weighted, add_samples(weighted, 170));
-  // Lengths count four times there: 16 parts of 17 of the area, as a front measures it.  What is at the
-  // borders belongs to the slow side on which it is dearer: within a tenth.
+  // The slow half has slowness four, and 16/17 of the area in the metric of travel times. Samples
+  // on the boundary change this by less than 10 %.
   EXPECT_NEAR(double(count_left(weighted)), 160., 16.);
 
-  // The same everywhere changes nothing but the unit.
+  // A constant slowness changes the unit only.
   Sampling plain = sampling(surface.triangles(), Kind::planar),
            twice = sampling(surface.triangles(), Kind::planar, Sample_location::triangle,
                             std::make_shared<const std::vector<double>>(m, 2.));
@@ -335,7 +336,7 @@ TEST(Sampling, avoids_obstacles)
 {
   const Triangulation plane = square(20);
   const Array_surface surface(plane);
-  // A wall in the middle, three sides wide, inside of which nothing can be reached.
+  // A central obstacle, three edges wide, whose interior is unreachable.
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
     if(std::abs(surface.scale() *
@@ -413,7 +414,7 @@ TEST(Sampling, samples_surfels_of_a_cloud)
   for(const Kind kind : all_kinds)
   {
     std::vector<Point> points = sphere.points, normals = sphere.points;
-    // Copies, and one far from all others.
+    // Duplicate surfels, and an isolated one.
     points.push_back(points[7]);
     normals.push_back(normals[7]);
     points.push_back({50., 0., 0.});

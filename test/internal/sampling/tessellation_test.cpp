@@ -30,7 +30,7 @@ Tessellation cells(const Triangles& triangles, std::size_t number,
   return tessellate(triangles, Front(triangles, kind), slowness, options);
 }
 
-// As near to the end as steps get.
+// Steps until convergence.
 Tessellation_options options_until_convergence()
 {
   Tessellation_options options;
@@ -55,12 +55,13 @@ TEST(Tessellation, converges_on_square_and_strip)
     const Array_surface surface(plane);
     const Tessellation one = cells(surface.triangles(), 1, options_until_convergence());
     ASSERT_EQ(one.centers.size(), 1u);
-    // Sites weigh as much as the triangles around them: their mean is that of the triangles to the square of
-    // a side, and a centre stays when it would go less than a thousandth of the radius.
+    // Vertices are weighted by the incident area, so that their mean is the centroid up to the
+    // square of the edge length. A center stays if it would move by less than a thousandth of the
+    // radius.
     EXPECT_LT(distance(coordinates(surface.t(), one.centers[0]), {scale / 2., scale / 2., 0.}),
               4e-3 * scale);
-    // The integral of x^2 + y^2 over the square around the origin, 1 / 6; the trapezoidal rule adds a sixth of
-    // the square of a side for each axis.
+    // The integral of x^2 + y^2 over the unit square around the origin is 1/6. The trapezoidal rule
+    // adds a sixth of the square of the edge length for each axis.
     EXPECT_NEAR(one.energies.back() * std::pow(surface.scale(), 4), std::pow(scale, 4) / 6.,
                 0.01 * std::pow(scale, 4) / 6.);
     expect_decreasing(one.energies);
@@ -76,7 +77,7 @@ TEST(Tessellation, converges_on_square_and_strip)
       coordinates_along_strip.push_back(p[0] / scale);
       EXPECT_NEAR(p[1], 0.125 * scale, 4e-3 * scale);
     }
-    // Cells end between columns of sites, which are 0.05 apart.
+    // The bisectors lie between columns of vertices at distance 0.05.
     std::sort(coordinates_along_strip.begin(), coordinates_along_strip.end());
     for(std::size_t i = 0; i < 4; ++i)
       EXPECT_NEAR(coordinates_along_strip[i], 0.125 + 0.25 * double(i), 0.03);
@@ -89,7 +90,7 @@ TEST(Tessellation, converges_to_intrinsic_mean)
   const Surface_arrays& t = surface.t();
   const Tessellation found = cells(surface.triangles(), 12, options_until_convergence());
   expect_decreasing(found.energies);
-  // By great circles, from the middles of triangles, each with its area.
+  // The mean of logarithms along great circles, over the centroids of triangles weighted by area.
   std::vector<Vec3> sum(12, Vec3{0., 0., 0.});
   std::vector<double> area(12, 0.), radius(12, 0.);
   for(Index f = 0; f < t.number_of_triangles(); ++f)
@@ -107,8 +108,9 @@ TEST(Tessellation, converges_to_intrinsic_mean)
     area[cell] += triangle_area;
     radius[cell] = std::max(radius[cell], angle);
   }
-  // Cells are divided along sides of 0.07, an eighth of their radius, and a site of a border weighs for its
-  // own alone: what that moves the mean by falls with the number of the sites of a border, thirty.
+  // Cells are bounded by edges of length 0.07, an eighth of their radius, and a vertex at the
+  // bisector counts for its own cell only. The resulting error of the mean decreases with the
+  // number of vertices at the bisectors, which is 30.
   for(std::size_t i = 0; i < 12; ++i)
     EXPECT_LT(norm((1. / area[i]) * sum[i]), 0.03 * radius[i]) << i;
 }
@@ -122,7 +124,7 @@ TEST(Tessellation, energy_never_increases)
     slowness->push_back(f % 7 == 0 ? infinity : f < n / 2 ? 1. : 3.);
   for(const Front_kind kind : {Front_kind::dijkstra, Front_kind::planar, Front_kind::euclidean})
     for(const Slowness& slow : {Slowness(), Slowness(slowness)})
-      for(const std::size_t number : {3, 9, 50}) // two lie opposite from the start
+      for(const std::size_t number : {3, 9, 50}) // two centers would start at opposite points
       {
         SCOPED_TRACE(std::to_string(int(kind)) + " " + std::to_string(number) +
                      (slow ? " slow" : ""));
@@ -141,7 +143,8 @@ TEST(Tessellation, density_follows_slowness)
   for(Index f = 0; f < t.number_of_triangles(); ++f)
     slowness->push_back(point_at(t, {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0] < 0.5 ? 1. : 3.);
   const Tessellation found = cells(surface.triangles(), 60, {}, slowness);
-  // Equal cells in the metric: nine on the right for one on the left, but for those in between.
+  // Cells have equal size in the metric of travel times: nine on the right for one on the left,
+  // except for the cells in between.
   const auto right = std::count_if(found.centers.begin(), found.centers.end(),
                                    [&](const Surface_location& center)
                                    { return coordinates(t, center)[0] > 0.5; });
@@ -151,7 +154,7 @@ TEST(Tessellation, density_follows_slowness)
 
 TEST(Tessellation, patches_are_disks)
 {
-  // A plate with twelve holes: of more handles than cells are asked for.
+  // A plate with twelve holes has more handles than the requested number of cells.
   const Triangulation sieve =
       blocks(18, 14, 2, [](int i, int j, int) { return i % 4 < 2 || j % 4 < 2; });
   for(const Triangulation& mesh : {icosphere(3), torus(24, 12), cylinder(16, 9, 1., 3.),
@@ -168,7 +171,7 @@ TEST(Tessellation, patches_are_disks)
       const std::vector<bool> is_disk =
           are_disks(surface.t(), found.labels, Index(found.centers.size()));
       EXPECT_EQ(std::count(is_disk.begin(), is_disk.end(), false), 0);
-      // Each cell has a triangle.
+      // Each cell contains a triangle.
       for(Index i = 0; i < found.centers.size(); ++i)
         EXPECT_NE(std::count(found.labels.begin(), found.labels.end(), i), 0);
     }
@@ -182,7 +185,7 @@ TEST(Tessellation, patches_are_disks_without_relaxation)
   options.does_make_disks = true;
   options.max_steps = 0;
   const Tessellation found = cells(surface.triangles(), 1, options);
-  // One for the start, and one after each round of cells that were added.
+  // One energy for the initial centers, and one after each round in which cells were added.
   EXPECT_LE(found.energies.size(), found.centers.size());
   const std::vector<bool> is_disk =
       are_disks(surface.t(), found.labels, Index(found.centers.size()));
@@ -229,7 +232,7 @@ TEST(Tessellation, tessellates_surfels)
     ASSERT_LT(found.labels[vertex], 20u);
     size[found.labels[vertex]] += 1. / double(cloud.size());
   }
-  // Twenty cells of a sphere, at the start from a half of the mean to twice it.
+  // Twenty cells of a sphere. The initial sizes range from half of the mean to twice the mean.
   for(const double fraction : size)
   {
     EXPECT_GT(fraction, 0.6 / 20.);

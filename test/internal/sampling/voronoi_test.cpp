@@ -57,8 +57,8 @@ void expect_continuous_bisectors(const Surface_arrays& t, const Voronoi_diagram&
   }
 }
 
-// Lines end at a place of three cells or where the surface does, and together cross each side between
-// two cells once.
+// Expects that bisectors end at Voronoi vertices or at the boundary of the reached triangles, and
+// that exactly one of them crosses each edge between two cells.
 void expect_consistent(const Surface_arrays& t, const Voronoi_diagram& cells)
 {
   expect_continuous_bisectors(t, cells);
@@ -90,7 +90,7 @@ TEST(Voronoi_diagram, bisector_of_two_square_corners_is_the_diagonal)
 {
   const Triangulation plane = square(20, 0.2, 4);
   const Array_surface surface(plane);
-  // Opposite corners: the other diagonal.
+  // The sources are opposite corners, and the bisector is the other diagonal.
   const Voronoi_diagram cells =
       voronoi(surface.triangles(), sources_at({surface.at(0), surface.at(440)}));
   expect_consistent(surface.t(), cells);
@@ -100,7 +100,7 @@ TEST(Voronoi_diagram, bisector_of_two_square_corners_is_the_diagonal)
               1e-9);
   const auto u = coordinates(surface.t(), bisectors[0].polyline.front()),
              v = coordinates(surface.t(), bisectors[0].polyline.back());
-  // The first one's cell, around (0, 0), is on the left of the way up.
+  // The cell of the first source at (0, 0) is to the left if the bisector is followed upwards.
   const bool is_up = v[1] > u[1];
   EXPECT_EQ(bisectors[0].left, is_up ? 0u : 1u);
   EXPECT_EQ(bisectors[0].right, is_up ? 1u : 0u);
@@ -125,7 +125,7 @@ TEST(Voronoi_diagram, matches_euclidean_diagram_in_plane)
     for(const internal::Front_source& source : sources)
       seeds.push_back(scaled_coordinates(surface.t(), source.polyline[0]));
     const double edge_length = 1. / 50. / surface.scale();
-    // Differences of squares of some fifty sides.
+    // Round-off errors of differences of squared distances of about 50 edges.
     const double round_off_tolerance = 1e-10 * edge_length;
     double sum = 0.;
     std::size_t count = 0;
@@ -138,12 +138,12 @@ TEST(Voronoi_diagram, matches_euclidean_diagram_in_plane)
         double min_distance = infinity;
         for(const Point& seed : seeds)
           min_distance = std::min(min_distance, distance(p, seed));
-        // On a side both cells are as far.
+        // At a crossing of an edge, both sources have the same distance.
         if(corner_of(location) == none && halfedge_of(location) != none)
         {
           EXPECT_NEAR(to_left, to_right, round_off_tolerance);
         }
-        // Where a third cell begins is known to within a triangle; its sides are up to two long.
+        // A Voronoi vertex is located up to one triangle, whose edges have length at most two.
         EXPECT_LT(std::max(to_left, to_right) - min_distance, 2. * edge_length);
         sum += std::max(to_left, to_right) - min_distance;
         ++count;
@@ -164,7 +164,7 @@ TEST(Voronoi_diagram, matches_euclidean_diagram_in_plane)
       double min_distance = infinity;
       for(const Point& seed : seeds)
         min_distance = std::min(min_distance, distance(seed, center));
-      // A cell that comes to the centre but to no corner is not seen.
+      // A cell that contains the centroid but no corner of a triangle is not detected.
       EXPECT_NEAR(distance(seeds[cells.triangle_label(f)], center), min_distance, edge_length);
     }
   }
@@ -183,7 +183,7 @@ TEST(Voronoi_diagram, satisfies_euler_formula_on_sphere)
     for(const Voronoi_diagram::Bisector& bisector : bisectors)
       ends += 2 - 2 * is_same_point(surface.t(), canonical(surface.t(), bisector.polyline.front()),
                                     canonical(surface.t(), bisector.polyline.back()));
-    // Cells are discs here, and three lines meet at each place.
+    // All cells are disks here, and three bisectors meet at each Voronoi vertex.
     EXPECT_EQ(ends, 2 * bisectors.size());
     EXPECT_EQ(n - bisectors.size() + ends / 3, 2u);
   }
@@ -205,7 +205,8 @@ TEST(Voronoi_diagram, bisector_of_two_poles_is_closed)
   ASSERT_EQ(bisectors.size(), 1u);
   EXPECT_TRUE(is_same_point(surface.t(), canonical(surface.t(), bisectors[0].polyline.front()),
                             canonical(surface.t(), bisectors[0].polyline.back())));
-  // The equator; a chord may go below it, and fronts over triangles are off by some 0.1 percent.
+  // The bisector is the equator. Its chords lie below the sphere, and fronts on the triangles have
+  // an error of about 0.1 %.
   for(const Surface_location& location : bisectors[0].polyline)
     EXPECT_NEAR(test::dot(coordinates(surface.t(), location), pole), 0., 2e-3);
 }
@@ -220,11 +221,12 @@ TEST(Voronoi_diagram, cell_may_have_several_sources)
   expect_consistent(surface.t(), cells);
   for(const Index label : cells.labels())
     EXPECT_LT(label, 2u);
-  // From the middle of the left or upper side to that of the right: two straight pieces.
+  // The bisector consists of two segments, from the midpoint of the left or upper edge to that of
+  // the right edge.
   double length = 0.;
   for(const auto& bisector : cells.bisectors())
     length += surface.scale() * path_length(surface.t(), bisector.polyline);
-  // Where the fronts of the two sources of a cell meet, it bends inside a triangle.
+  // The bisector bends inside a triangle where the fronts of the two sources of one cell meet.
   EXPECT_NEAR(length, 0.5 + std::sqrt(0.5), 0.05);
 }
 
@@ -245,7 +247,7 @@ TEST(Voronoi_diagram, respects_distance_limit_and_obstacles)
   EXPECT_GT(unreached, 0u);
   ASSERT_EQ(near.bisectors().size(), 1u);
 
-  // A wall between two halves: each cell its own.
+  // An obstacle separates two halves, so that each cell fills one of them.
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
     if(std::abs(scaled_coordinates(surface.t(), {f, none, {1. / 3., 1. / 3., 1. / 3.}})[0]) *
@@ -268,7 +270,7 @@ TEST(Voronoi_diagram, bisector_moves_with_speed_and_offset)
   const Triangulation plane = square(40, 0.2, 4);
   const Array_surface surface(plane);
   const std::vector<Surface_location> ends = {surface.at(20 * 41), surface.at(20 * 41 + 40)};
-  // Where the lines cross the middle, between two points one apart.
+  // Returns the crossing of the bisector with the line between two points at distance one.
   const auto middle = [&](const Voronoi_diagram& cells)
   {
     double x = infinity, smallest_offset = infinity;
@@ -284,7 +286,7 @@ TEST(Voronoi_diagram, bisector_moves_with_speed_and_offset)
   };
   Sources later = sources_at(ends);
   later[1].offset = 0.2 / surface.scale();
-  // A line crosses sides, the nearest crossing is within one of them, 1/40.
+  // Bisectors are known at edges. The closest crossing is within one edge, 1/40.
   EXPECT_NEAR(middle(voronoi(surface.triangles(), later)), 0.6, 0.02);
 
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
@@ -293,11 +295,12 @@ TEST(Voronoi_diagram, bisector_moves_with_speed_and_offset)
       slowness[f] = 2.;
   Front_limits limits;
   limits.slowness = std::make_shared<const std::vector<double>>(slowness);
-  // From the left 0.5 + 2 (x - 0.5), from the right 2 (1 - x); the planar front is off by a percent.
+  // The travel time is 0.5 + 2 (x - 0.5) from the left and 2 (1 - x) from the right. The planar
+  // front has an error of 1 %.
   EXPECT_NEAR(middle(voronoi(surface.triangles(), sources_at(ends), limits)), 0.625, 0.02);
 }
 
-// Of the triangle that holds a place, in the domain's scale.
+// Returns the area of a triangle of the cut mesh, in the scale of the arrays.
 double cut_triangle_area(const Surface_arrays& t, const Voronoi_diagram::Cut_mesh& cut,
                          std::size_t triangle)
 {
@@ -326,17 +329,17 @@ TEST(Voronoi_diagram, cut_preserves_area_and_topology)
       {
         cut_area += cut_triangle_area(t, cut, f);
         ASSERT_LT(cut.labels[f], number);
-        // Sites belong to their own cells alone.
+        // A vertex of the mesh belongs to triangles of its own cell only.
         for(std::size_t k = 0; k < 3; ++k)
           if(const Index vertex = cut.corners[3 * f + k]; vertex < surface.size())
           {
             EXPECT_EQ(cut.labels[f], cells.labels()[vertex]);
           }
       }
-      EXPECT_NEAR(cut_area, total_area, 1e-12 * total_area); // rounding
+      EXPECT_NEAR(cut_area, total_area, 1e-12 * total_area); // round-off errors
 
-      // As many borders as there were, each side twice at most and both ways,
-      // and Euler's number.
+      // Each directed edge occurs at most once. Boundary edges are those of the mesh, split at
+      // crossings. The Euler characteristic is that of the mesh.
       std::set<std::pair<Index, Index>> directed_edges;
       for(std::size_t c = 0; c < cut.corners.size(); ++c)
         EXPECT_TRUE(
@@ -372,7 +375,7 @@ TEST(Voronoi_diagram, cut_of_square_has_two_equal_halves)
     halves[cut.labels[f]] += cut_triangle_area(surface.t(), cut, f);
   const double square_of_scale = surface.scale() * surface.scale();
   EXPECT_NEAR(halves[0] * square_of_scale, 0.5,
-              1e-9); // as the line, in its own test
+              1e-9); // the tolerance of the bisector in its own test
   EXPECT_NEAR(halves[1] * square_of_scale, 0.5, 1e-9);
 }
 
@@ -390,7 +393,7 @@ TEST(Voronoi_diagram, cut_is_watertight_with_distance_limit)
   for(std::size_t c = 0; c < cut.corners.size(); ++c)
     EXPECT_TRUE(
         directed_edges.insert({cut.corners[c], cut.corners[next_halfedge(Index(c))]}).second);
-  // The border of the square alone has no other side.
+  // Only the boundary edges of the square have no opposite halfedge.
   std::size_t number_of_boundary_halfedges = 0;
   for(const auto& [a, b] : directed_edges)
     number_of_boundary_halfedges += directed_edges.count({b, a}) == 0;
@@ -415,8 +418,8 @@ TEST(Voronoi_diagram, is_scale_invariant)
 
 TEST(Voronoi_diagram, handles_degenerate_input)
 {
-  // More cells than triangles can tell apart, two sources at one place, needles, and all of these at
-  // obstacles.
+  // More cells than the triangles can resolve, two sources at the same location, and needles; all
+  // of these also with obstacles.
   const std::vector<Triangulation> surfaces = {one_triangle(), tetrahedron(), square(4),
                                                grid(
                                                    12, 12,
@@ -483,7 +486,7 @@ TEST(Voronoi_diagram, labels_surfels_of_a_cloud)
     for(const internal::Front_source& source : sources)
       min_distance = std::min(min_distance, to(source));
     ASSERT_LT(cells.labels()[vertex], 12u);
-    // A front over local triangles is off by a percent or two.
+    // A front on the local triangles of a cloud has an error of 1 to 2 %.
     EXPECT_NEAR(to(sources[cells.labels()[vertex]]), min_distance, 0.02);
   }
 }

@@ -12,48 +12,52 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// How sites inside of a base triangle get their coordinates; those on its edges divide these by length.
+// Barycentric coordinates of vertices inside a base triangle. Vertices on its edges are
+// parameterized by arc length.
 enum class Base_coordinates
 {
-  heron,      // areas of the triangles that geodesic distances to the corners span in the plane
-  mean_value, // Floater's convex combinations (2003)
-  uniform     // the mean of the neighbours (Tutte 1963)
+  heron,      // areas of planar triangles whose edge lengths are geodesic distances to the corners
+  mean_value, // mean value coordinates (Floater 2003)
+  uniform     // the mean of the neighbors (Tutte 1963)
 };
 
-// A place on the base.
+// A location on the base mesh.
 struct Base_location
 {
   Index triangle = none;
   std::array<double, 3> barycentric = {1., 0., 0.};
 };
 
-// A mesh and its base, mapped onto each other: linear in each triangle of the fine mesh, continuous, and
-// one to one where no triangle is folded.
+// The parameterization of a mesh over its base mesh. The map is continuous and linear in each
+// triangle of the fine mesh. It is bijective if folds() is zero.
 class CGAL_GEODESIC_PROCESSING_EXPORT Base_map
 {
 public:
-  // Where triangles of a region fold in the coordinates asked for, these are replaced in the whole
-  // region by mean value coordinates, and where rounding folds these, by uniform ones: both are convex
-  // combinations with a triangle around them, which do not fold (Floater 1997).  Unless `repairs` is
-  // false.
+  // If a region has inverted triangles and `does_repair` is true, all its coordinates are replaced
+  // by mean value coordinates. If round-off errors invert triangles of these, uniform coordinates
+  // are used. Both are convex combinations with a convex boundary, which are injective (Floater
+  // 1997).
   //
-  // Geodesic distances are exact, in the triangles around each base vertex (Peyré and Cohen 2003,
-  // section 4.2).  Off flat places they do not divide edges by length: what they are wrong by there is
-  // taken off at all sites, in proportion to their distance from the opposite corner.
+  // Heron coordinates use exact geodesic distances in the triangles around each base vertex (Peyré
+  // and Cohen 2003, section 4.2). On curved surfaces they do not parameterize edges by arc length.
+  // The deviation on each edge is subtracted at all vertices of the region, with a weight that
+  // decreases linearly to zero at the opposite corner.
   Base_map(std::shared_ptr<const Base_mesh> base, Base_coordinates kind, bool does_repair = true);
 
   const Base_mesh& base() const { return *m_base; }
-  // 3 #triangles of the fine mesh: of each corner, in the base triangle of the region.  On edges the
-  // third one is zero, and both sides have the same two.
+  // 3 #triangles of the fine mesh: the barycentric coordinates of each corner in its base triangle.
+  // On a base edge the third coordinate is zero, and the other two are equal in both base
+  // triangles.
   const std::vector<std::array<double, 3>>& coordinates() const { return m_coordinates; }
 
-  // How many triangles are folded, and how many regions have been repaired.
+  // Number of inverted triangles, and number of regions whose coordinates were replaced.
   std::size_t folds() const { return m_number_of_folds; }
   std::size_t number_of_repaired_regions() const { return m_number_of_repaired_regions; }
 
-  // Where a place of the mesh, clean, is on the base.
+  // Maps a canonical location of the mesh to the base mesh. Linear in the number of fine triangles
+  // in the triangle of the mesh.
   Base_location operator()(const Surface_location& location) const;
-  // The other way; proportional to the triangles of the region.
+  // Maps a location of the base mesh to the mesh. Linear in the number of triangles of the region.
   Surface_location inverse(const Base_location& location) const;
 
 private:
@@ -62,7 +66,7 @@ private:
   std::shared_ptr<const Base_mesh> m_base;
   std::vector<std::array<double, 3>> m_coordinates;
   std::size_t m_number_of_folds = 0, m_number_of_repaired_regions = 0;
-  // Triangles of the fine mesh by the one of the mesh, and of the base, that they are a part of.
+  // Triangles of the fine mesh, grouped by triangle of the mesh and by base triangle.
   std::vector<Index> m_parent_begin, m_triangles_by_parent, m_region_begin, m_triangles_by_region;
 };
 

@@ -13,57 +13,64 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A coarse triangulation of a mesh whose edges are drawn on it: each triangle of the base is exactly a
-// set of triangles of the fine mesh, which is the mesh divided along these edges.
+// A coarse triangulation of a mesh whose edges are paths on the mesh. The mesh is split along these
+// paths; the result is the fine mesh. Each base triangle is the union of a set of its triangles.
 struct Base_mesh
 {
-  bool is_finished = true; // else there is nothing: a callback cancelled it
-  // The base vertices, clean: samples, of which those next to a side or a site have gone there.
+  bool is_finished = true; // false if the callback cancelled; then all arrays are empty
+  // #base vertices: canonical locations on the mesh. A sample close to an edge or vertex is moved
+  // onto it.
   std::vector<Surface_location> samples;
-  std::vector<std::array<Index, 3>> triangles; // of base vertices, counterclockwise
-  std::vector<Index> twin;                     // 3 #triangles: the opposite side, or none
-  std::vector<Index> edge;                     // 3 #triangles: which edge each side is
-  std::vector<Index> halfedge;                 // #edges: the first of its sides
-  std::vector<std::vector<Index>> path; // #edges: the fine mesh's sites along it, as `side` runs
-  std::vector<Index> vertex;            // #base vertices: where they are in the fine mesh
+  std::vector<std::array<Index, 3>> triangles; // base vertices at the corners, counterclockwise
+  std::vector<Index> twin;                     // 3 #triangles: the opposite halfedge, or none
+  std::vector<Index> edge;                     // 3 #triangles: the edge of each halfedge
+  std::vector<Index> halfedge;                 // #edges: the smaller one of its halfedges
+  // #edges: the vertices of the fine mesh along the edge, in the direction of `halfedge`.
+  std::vector<std::vector<Index>> path;
+  std::vector<Index> vertex; // #base vertices: the vertex of the fine mesh
 
-  Surface_arrays fine;       // the mesh's sites, and then new ones; with points
-  std::vector<Index> parent; // #triangles of `fine`: the triangle of the mesh it is a part of
-  std::vector<Index> region; // #triangles of `fine`: the triangle of the base
-  std::vector<Index> edge_of_halfedge; // #sides of `fine`: the edge that it is a part of, or none
-  std::vector<std::array<double, 3>> barycentric; // 3 #triangles of `fine`: of corners, in `whole`
+  Surface_arrays fine;       // the vertices of the mesh, followed by new ones; has points
+  std::vector<Index> parent; // #triangles of `fine`: the triangle of the mesh that contains it
+  std::vector<Index> region; // #triangles of `fine`: the base triangle that contains it
+  // 3 #triangles of `fine`: the base edge that contains the halfedge, or none.
+  std::vector<Index> edge_of_halfedge;
+  // 3 #triangles of `fine`: the barycentric coordinates of each corner in `parent`.
+  std::vector<std::array<double, 3>> barycentric;
 };
 
-// Draws the edges of a triangulation on a mesh, one after the other: each is the shortest in its strip of
-// triangles, and locally shortest as far as those before are not in its way, which it keeps off by a
-// two-hundredth of a side.  So it does with sites: edges meet at samples and nowhere else, in the order
-// of the base.  No side but those on edges joins two sites of one edge.
+// Traces the edges of a triangulation on a mesh, one after the other, and splits the mesh along
+// them. Each path is the shortest one in its triangle strip. It is a local geodesic unless it
+// touches the previous paths. A path keeps a distance of 1/200 of an edge from previous paths and
+// from vertices, so that paths meet at samples only, in the cyclic order of the triangulation. A
+// halfedge that connects two vertices of one path belongs to this path.
 //
-// Edges that form a spanning tree come first: then on a sphere there is a way for each of the others.
-// Where all edges have been drawn, in their order around samples, the regions are discs, as the base has
-// the mesh's Euler characteristic; that is checked all the same.
+// The edges of a spanning tree are traced first. On a sphere, every other edge then has a path. If
+// all edges are traced in their cyclic order, the regions are disks, because the triangulation has
+// the Euler characteristic of the mesh. The disks are verified nevertheless.
 //
-// coarse     with points
-// samples    of the base, clean, at different places; those on curves lie on their sides
-// triangles  of samples, counterclockwise: a surface with the topology of the mesh
-// is_feature   #sides of the mesh, twins alike: the border, and what else base edges are to follow
+// coarse      the mesh, with points
+// samples     canonical, pairwise different locations; samples of features lie on their edges
+// triangles   samples at the corners, counterclockwise; a surface with the topology of the mesh
+// is_feature  3 #triangles of the mesh, equal for both halfedges of an edge: the boundary and other
+//             edges that base edges must follow
 //
-// Nothing where an edge finds no way between those before it, as a short path can lead around the wrong
-// side of a handle, or where triangles are so thin that each edge makes the next ones cross many more of
-// them.
-// Near-linear in the size of the mesh and the paths.
+// Returns nothing if there is no path for an edge between the previous ones. A short path can pass
+// a handle on the wrong side. Also returns nothing if triangles are so thin that each path
+// multiplies the number of triangles that the next ones cross.
+// Takes near-linear time in the size of the mesh and of the paths.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::optional<Base_mesh> build_base_mesh(const Surface_arrays& coarse,
                                          const std::vector<Surface_location>& samples,
                                          const std::vector<std::array<Index, 3>>& triangles,
                                          const std::vector<bool>& is_feature);
 
-// The same for the samples and triangles of a remeshing.  Where these edges find no way, it has those
-// between cells before any was flipped, and each is drawn within the cells of its ends on the finer
-// surface whose sites tell them apart: as cells are discs that meet in arcs, there is room for all.
+// Computes a remeshing and traces its edges. If there is no path for one of them, traces instead
+// the edges of the dual triangulation before edge flips, on the refined surface. Each edge is then
+// confined to the cells of its end vertices. These cells are disks that meet in an
+// arc, so that a path exists.
 //
-// Throws Unsupported_surface_error where even so one finds no way, which nothing is known to cause, and
-// what remeshing() throws.
+// Throws `Unsupported_surface_error` if tracing fails nevertheless; no such input is known. Throws
+// the exceptions of remesh().
 CGAL_GEODESIC_PROCESSING_EXPORT
 Base_mesh build_base_mesh(const std::shared_ptr<const Surface_arrays>& triangles,
                           const Remeshing_options& options);

@@ -16,56 +16,65 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Remeshing_options
 {
-  std::size_t number_of_samples = 0;           // of samples, if these are enough
-  std::vector<Surface_location> first_samples; // of them, clean
-  // #triangles: as in Front_limits, but finite: there are no obstacles
+  // Minimum number of samples. More are added if the topology or another option requires them.
+  std::size_t number_of_samples = 0;
+  // Samples to start with, as canonical locations. They stay fixed.
+  std::vector<Surface_location> first_samples;
+  // #triangles: slowness as in Front_limits. All values must be finite: obstacles are not
+  // supported.
   std::shared_ptr<const std::vector<double>> slowness;
-  // #sides, twins alike: curves to be kept, the border among them; empty: the border alone
+  // 3 #triangles, equal for both halfedges of an edge: edges that the result preserves. Must
+  // include the boundary. If empty, only the boundary is preserved.
   std::vector<bool> is_feature;
-  // #sides, twins alike, or empty: how far apart samples are to be along curves; where this is zero, as
-  // far as all samples
+  // 3 #triangles, equal for both halfedges of an edge, or empty: the distance between adjacent
+  // samples along features, in the scale of the triangles. Zero stands for the distance of all
+  // samples.
   std::vector<double> feature_spacing;
-  std::size_t number_of_relaxation_steps =
-      0; // that move samples which are not on curves, or first ones
-  // How far sites may be from the triangles in space, and the middles of these and of their sides from
-  // the surface: samples are added where they are farther.
+  // Steps of Lloyd relaxation. Samples on features and first samples stay fixed.
+  std::size_t number_of_relaxation_steps = 0;
+  // Maximum distance between input and result, in the scale of the triangles. It is tested from the
+  // vertices of the input to the result, and from the centroids and edge midpoints of the result to
+  // the input. Samples are added until it holds.
   double maximum_deviation = infinity;
-  bool does_avoid_self_intersections = false; // samples are added where triangles in space cross
-  bool does_fit_to_input = false;       // points leave the surface: triangles are nearer to sites
-  unsigned seed = 0;                    // as in Sampling_options
-  std::function<bool(double)> callback; // told the fraction done; false cancels
+  // Adds samples at intersecting triangles of the result.
+  bool does_avoid_self_intersections = false;
+  // Moves the points of the result off the input, which reduces the distance of the input vertices.
+  bool does_fit_to_input = false;
+  unsigned seed = 0; // as in Sampling_options
+  // Receives the fraction that is completed. If it returns false, the remeshing is cancelled.
+  std::function<bool(double)> callback;
 };
 
 struct Remeshing
 {
-  std::vector<Surface_location> samples;       // clean
-  std::vector<std::array<double, 3>> points;   // of samples, in the caller's coordinates
-  std::vector<std::array<Index, 3>> triangles; // of samples, counterclockwise
-  std::size_t number_of_self_intersections =
-      0;                   // pairs, where these were to be avoided; no more than triangles
-  bool is_finished = true; // else there are no triangles
+  std::vector<Surface_location> samples;       // canonical locations on the input
+  std::vector<std::array<double, 3>> points;   // #samples, in the caller's coordinates
+  std::vector<std::array<Index, 3>> triangles; // samples at the corners, counterclockwise
+  // Pairs of intersecting triangles, at most the number of triangles. Computed only if
+  // does_avoid_self_intersections is set.
+  std::size_t number_of_self_intersections = 0;
+  bool is_finished = true; // false if the callback cancelled; then there are no triangles
 
-  // What they were before edges were flipped for larger angles: those between cells, which are told apart
-  // by the sites of a finer surface.
+  // The refined input whose vertices determine the cells, and the dual triangulation of the cells
+  // before edge flips.
   Refinement surface;
-  std::vector<Index>
-      cells; // #sites of the surface: the sample of each, none where there is no triangle
+  std::vector<Index> cells; // #vertices of surface: the sample of each, none without triangles
   std::vector<std::array<Index, 3>> dual_triangles;
 };
 
-// The geodesic Delaunay triangulation of samples on a mesh (Peyré and Cohen 2003, section 3): a
-// surface with the components, the genus and the borders of the mesh, without the sites that have no
-// triangle.  More samples than asked for come where it takes them: as long as the cells are no closed
-// balls, the sites of those that are not that are farthest from their samples.
+// Computes a geodesic Delaunay triangulation of samples on a mesh (Peyré and Cohen 2003, section
+// 3). The result has the same connected components, genus and boundary cycles as the mesh. Isolated
+// vertices are ignored. If the Voronoi cells of the samples violate the closed ball property,
+// samples are added: the farthest vertices of violating cells.
 //
-// Cells are told apart by sites: where the mesh has not enough for so many samples its sides are
-// halved.  In the worst case each site of such a finer mesh is a sample, and the result is that mesh,
-// so that it ends; where that is no surface yet, two triangles have the same corners, its sides are
-// halved there.
+// Cells are represented by labels of vertices. If the mesh has too few vertices for the samples,
+// its edges are split at their midpoints. The process terminates: in the worst case every vertex of
+// the refined mesh is a sample, and the result is that mesh. If two of its triangles have the same
+// vertices, their edges are split.
 //
-// Throws Invalid_argument_error when a mesh of so many vertices has more than 2^31 half-edges, and
-// Unsupported_surface_error when halving does not help.
-// About the time of sampling, and O(n log n) for each of some rounds of checking.
+// Throws `Invalid_argument_error` if the result would have more than 2^31 halfedges, and
+// `Unsupported_surface_error` if splitting edges does not resolve the violations.
+// Takes about the time of the sampling, and O(n log n) for each of a few rounds of checks.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Remeshing remesh(const std::shared_ptr<const Surface_arrays>& triangles,
                  const Remeshing_options& options);

@@ -11,25 +11,27 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A base, cut again and again, whose vertices lie on the mesh.
+// A base mesh after uniform refinement, with all vertices on the mesh.
 struct Semi_regular_mesh
 {
   std::vector<std::array<double, 3>> points; // in the caller's coordinates, level by level
   std::vector<Index> number_of_vertices;     // #levels
-  std::vector<Triangle> triangles;           // of the finest level, or
-  std::vector<Quad> quads;                   //   these
-  // Of sites from the finest level, in the caller's coordinates; zero where there is no maximum.
+  std::vector<Triangle> triangles;           // finest level; empty for a quad mesh
+  std::vector<Quad> quads;                   // finest level; empty for a triangle mesh
+  // Maximum distance of a mesh vertex from its image in the finest level, in the caller's unit.
+  // Zero if no maximum deviation was given.
   double deviation = 0.;
 };
 
-// The triangles of the base cut into four, as often as it takes until the sites of the mesh are not
-// farther than this, in the domain's scale, from what is at their places, and at most so many times.
-// coarse: the mesh that the map is of.  Proportional to the result and to the triangles of regions.
+// Refines the base triangles 1-to-4, `number_of_levels` times. If `maximum_deviation` is positive
+// (in the scale of the mesh), it stops once each vertex of the mesh is within this distance of the
+// point with the same base coordinates. `coarse` is the mesh that `map` parameterizes. Time is
+// proportional to the number of new vertices times the number of fine triangles in a region.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Semi_regular_mesh build_semi_regular_mesh(const Base_map& map, const Surface_arrays& coarse,
                                           unsigned number_of_levels, double maximum_deviation = 0.);
 
-// The triangles of the base cut into three quads, and these into four, so many times.
+// Divides each base triangle into three quads, and each quad into four, `number_of_levels` times.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Semi_regular_mesh build_semi_regular_quads(const Base_map& map, const Surface_arrays& coarse,
                                            unsigned number_of_levels);

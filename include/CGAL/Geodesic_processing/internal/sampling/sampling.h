@@ -13,27 +13,27 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Where samples may lie: at sites, or on a mesh also inside triangles.
+// Admissible locations of samples: vertices only, or (on a mesh) also points inside triangles.
 enum class Sample_location
 {
   vertex,
   triangle,
 };
 
-// Samples of a domain, and what each site knows of the nearest one.  A sample costs in proportion to
-// the sites that it is nearest to when it comes, and those next to them (Peyré and Cohen 2003,
-// section 3.1).
+// An incremental set of samples with the distance of each vertex to the closest sample (Peyré and
+// Cohen 2003, section 3.1). Adding a sample takes time proportional to the number of vertices in
+// its Voronoi cell and their neighbors.
 class CGAL_GEODESIC_PROCESSING_EXPORT Sampling
 {
 public:
-  // slowness: as in Front_limits.  Sites that no front can leave, those of a mesh that have no
-  // triangle or obstacles only, are no part of what is sampled.
+  // slowness: as in Front_limits. Vertices that no front can leave are not sampled: isolated
+  // vertices and vertices all of whose triangles are obstacles.
   Sampling(std::shared_ptr<const Surface_arrays> triangles, Front front,
            Sample_location sample_location,
            std::shared_ptr<const std::vector<double>> slowness = nullptr);
 
-  // Several come at once, by one front.  False when the callback cancelled it: then some distances
-  // are too long.
+  // Adds samples, all in one front. Returns false if the callback cancelled; some distances are
+  // then too large.
   bool add(const std::vector<Surface_location>& samples,
            const std::function<bool(double)>& callback = {});
   bool add(const Surface_location& sample, const std::function<bool(double)>& callback = {})
@@ -41,28 +41,31 @@ public:
     return add(std::vector<Surface_location>{sample}, callback);
   }
 
-  // The site that is farthest from all samples, one where none reaches before all others; none when
-  // each one holds a sample.
+  // Returns the vertex with the largest distance to the samples. Vertices that no sample reaches
+  // take precedence. Returns none if all distances are zero.
   Index farthest_vertex();
-  // The distance of the farthest site.  It never grows, because the distance of no site does.
+  // Returns the largest distance of a vertex to the closest sample. It never increases.
   double covering_radius();
-  // Where to put the next sample: the farthest site, or a place beside it that is farther.  Where no
-  // sample reaches, that part's site farthest from `start`, which is in it, or from its first one.
+  // Returns the location of the next sample: the farthest vertex, or a point in an incident
+  // triangle that is farther. If no sample reaches the vertex, returns instead the vertex of its
+  // connected component that is farthest from `start`, a vertex of the component, or from its first
+  // vertex.
   Surface_location farthest_location(Index start = none);
 
   const std::vector<Surface_location>& samples() const { return m_samples; }
-  // Distances to the nearest sample, and its place among the samples or none.
+  // #vertices: the distance to the closest sample, or infinity.
   const std::vector<double>& distances() const { return m_distances; }
+  // #vertices: the index of the closest sample, or none.
   const std::vector<Index>& labels() const { return m_labels; }
-  // The sites that are sampled.
+  // The vertices that fronts can leave, in increasing order.
   const std::vector<Index>& sampled_vertices() const { return m_sampled_vertices; }
 
 private:
   struct Entry
   {
-    double key; // the site's distance, as it was
+    double key; // the distance of the vertex when the entry was pushed
     Index vertex;
-    // The order among equal ones must not depend on the way.
+    // Ties are broken by index, so that the order does not depend on the history of the heap.
     bool operator<(const Entry& other) const
     {
       return key < other.key || (key == other.key && vertex > other.vertex);
@@ -84,32 +87,35 @@ private:
   Sample_location m_sample_location;
 
   std::vector<Surface_location> m_samples;
-  std::vector<bool> m_has_sample; // #triangles: a sample is inside; empty where none ever is
+  // #triangles: true if a sample is inside; empty if samples lie at vertices only.
+  std::vector<bool> m_has_sample;
   std::vector<double> m_distances;
   std::vector<Index> m_labels;
 
   std::vector<Index> m_sampled_vertices;
-  std::size_t m_first_unreached = 0; // before this place in m_sampled_vertices all are reached
-  // A heap of the sites whose distance was at least the threshold, when it was last filled.
+  std::size_t m_first_unreached = 0; // all earlier entries of m_sampled_vertices are reached
+  // A heap of the vertices whose distance was at least the threshold when it was last filled.
   std::vector<Entry> m_heap;
   double m_threshold = infinity;
 
-  // While an end of a part is looked for; #sites once one has been
-  std::vector<double> m_path_lengths; // along arcs
-  std::vector<bool> m_is_queued;      // to be gone on from
+  // Workspace of farthest_in_component(): #vertices, empty before its first call.
+  std::vector<double> m_path_lengths; // along edges
+  std::vector<bool> m_is_queued;      // the vertex must be expanded again
 };
 
-// When a sampling is enough.
+// Criteria that end farthest point sampling.
 struct Sampling_options
 {
-  std::size_t number_of_samples = 0;    // of samples to add
-  double covering_radius = 0.;          // or when it is down to this one
-  unsigned seed = 0;                    // of the site from which the first sample is farthest
-  std::function<bool(double)> callback; // told the fraction done; false cancels
+  std::size_t number_of_samples = 0; // maximum number of samples to add
+  double covering_radius = 0.;       // sampling ends if the covering radius is at most this
+  // Selects a random vertex. The first sample is the vertex of its component farthest from it.
+  unsigned seed = 0;
+  // Receives the fraction that is completed. If it returns false, the sampling is cancelled.
+  std::function<bool(double)> callback;
 };
 
-// Adds farthest places until the goal is met, or no site is left at a distance.  After each one `out`
-// is told the covering radius that it leaves.  False when the callback cancelled it.
+// Adds farthest locations until a criterion is met or all vertices are samples. After each sample,
+// calls `report_radius` with the covering radius. Returns false if the callback cancelled.
 CGAL_GEODESIC_PROCESSING_EXPORT
 bool sample_farthest_points(Sampling& sampling, const Sampling_options& options,
                             const std::function<void(double)>& report_radius);

@@ -14,32 +14,36 @@ namespace CGAL::Geodesic_processing::internal {
 
 struct Tessellation_options
 {
-  std::size_t number_of_cells = 1; // of cells
+  std::size_t number_of_cells = 1;
   unsigned max_steps = 20;
-  double energy_tolerance = 1e-3; // of a step, relative: with less the energy stalls
-  bool does_make_disks = false;   // of the patches of a mesh, by more cells than asked for
-  unsigned seed = 0;
+  double energy_tolerance = 1e-3; // stops if a step decreases the energy by a smaller fraction
+  bool does_make_disks = false;   // adds cells until each patch of a mesh is a disk
+  unsigned seed = 0;              // as in Sampling_options
   unsigned threads = 1;
-  std::function<bool(double)> callback; // told the fraction done; false cancels
+  // Receives the fraction that is completed. If it returns false, the computation is cancelled.
+  std::function<bool(double)> callback;
 };
 
 struct Tessellation
 {
-  std::vector<Surface_location> centers; // one for each cell
-  std::vector<Index>
-      labels; // of each triangle, on a cloud of each site; none where no centre reaches
-  std::vector<double>
-      energies; // at the start, after each step and after cells were added, in the domain's scale
-  bool is_finished = true; // false when the callback cancelled it
+  std::vector<Surface_location> centers; // #cells
+  // #triangles of a mesh or #surfels of a cloud: the cell, or none if no center reaches it.
+  std::vector<Index> labels;
+  // The energy of the initial centers, after each step and after each insertion of cells, in the
+  // scale of the triangles.
+  std::vector<double> energies;
+  bool is_finished = true; // false if the callback cancelled
 };
 
-// The cells of farthest points, whose centres go to their intrinsic centres of mass (Peyré and Cohen 2005,
-// section 3): down the gradient of the energy, the integral of squared distances, which no step raises.  Each
-// costs about five fronts over the surface.  Cells of a mesh are in one piece, as far as one of their neighbours
-// can take what is not.
+// Computes a centroidal Voronoi tessellation. Centers start at farthest points and move to the
+// intrinsic centroids of their cells (Peyré and Cohen 2005, section 3) by gradient descent. The
+// energy is the integral of squared distances to the closest center. No step increases it. A step
+// takes about the time of five fronts over the surface. A component of a mesh cell that does not
+// contain its center joins an adjacent cell.
 //
-// front: Euclidean on a cloud; slowness: as in Front_limits: distances are times then, and areas those of the
-// metric that measures them
+// front: Euclidean on a cloud
+// slowness: as in Front_limits, or null; distances are then travel times, and areas are those of
+// the metric that measures travel times
 CGAL_GEODESIC_PROCESSING_EXPORT
 Tessellation tessellate(std::shared_ptr<const Surface_arrays> triangles, const Front& front,
                         std::shared_ptr<const std::vector<double>> slowness,

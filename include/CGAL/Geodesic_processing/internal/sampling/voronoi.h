@@ -12,52 +12,54 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Which of several sources is nearest, the cells of a Voronoi diagram, and how far the others are where
-// cells meet.  A cell belongs to all sources of one label.
+// The geodesic Voronoi diagram of sources. Each vertex stores the label of the closest source and,
+// near bisectors, the distances to the adjacent cells. All sources with the same label share a
+// cell.
 class CGAL_GEODESIC_PROCESSING_EXPORT Voronoi_diagram
 {
 public:
-  // One front from all sources, and one from those of each cell that ends soon after others come
-  // first: the time of two fronts over the whole surface, and what cells visit beyond themselves.
-  // sources: their labels are below `number_of_cells`.
+  // Runs one front from all sources, and one from the sources of each cell, which stops shortly
+  // beyond the cell. Takes the time of two fronts over the surface, plus that of the overlaps of
+  // cells.
+  // sources: labels must be below `number_of_cells`
   Voronoi_diagram(std::shared_ptr<const Surface_arrays> triangles, Front front,
                   const std::vector<Front_source>& sources, Index number_of_cells,
                   const Front_limits& limits = {});
 
-  // False when the callback cancelled it: then cells are too small.
+  // Returns false if the callback cancelled; cells are then too small.
   bool is_finished() const { return m_is_finished; }
 
+  // #vertices: the distance to the closest source, and its label; infinity and none if unreached.
   const std::vector<double>& distances() const { return m_distances; }
-  const std::vector<Index>& labels() const { return m_labels; } // none where no source reaches
-  // The cell that a triangle's centre lies in; none unless all of its corners are reached.
+  const std::vector<Index>& labels() const { return m_labels; }
+  // Returns the cell of the centroid of a triangle, or none if a corner is unreached.
   Index triangle_label(Index triangle) const;
 
-  // Part of the line between two cells, from one place where three meet, or from a border, to the
-  // next, or closed.  Consecutive locations lie in a common
-  // triangle; inside it the line is straight.
+  // A bisector of two cells. Its ends are Voronoi vertices or boundary points, unless it is closed.
+  // Consecutive locations are connected by a segment in a common triangle.
   struct Bisector
   {
-    Index left, right; // the cells on either side
+    Index left, right; // the cells to the left and to the right
     std::vector<Surface_location> polyline;
-    bool is_closed = false; // the last location is the first one
+    bool is_closed = false; // if true, the last location equals the first one
   };
-  // On a mesh.
+  // Returns all bisectors of a mesh. O(n).
   std::vector<Bisector> bisectors() const;
 
-  // The mesh cut along the bisectors, so that each triangle lies in one cell.
+  // The mesh split along the bisectors, so that each triangle lies in one cell.
   struct Cut_mesh
   {
-    // Sites first, then where bisectors cross sides, then where three meet.
+    // The vertices of the mesh, the crossings of bisectors and edges, and the Voronoi vertices.
     std::vector<Surface_location> vertices;
     std::vector<Index> corners; // 3 #triangles
-    // #triangles: none unless all corners of the triangle that it is part of are reached.
+    // #triangles: the cell, or none if a corner of the original triangle is unreached.
     std::vector<Index> labels;
   };
-  // On a mesh.
+  // Splits a mesh along all bisectors. O(n).
   Cut_mesh cut() const;
 
 private:
-  // What a site knows of a cell other than its own.
+  // The distance from a vertex to a cell other than its own.
   struct Other_distance
   {
     Index vertex, label;
@@ -81,7 +83,7 @@ private:
 
   std::shared_ptr<const Surface_arrays> m_triangles;
   std::shared_ptr<const std::vector<double>> m_slowness;
-  bool m_has_circular_fronts = true; // fronts are circles about their sources
+  bool m_has_circular_fronts = true; // neither offsets nor slowness: fronts are circles
   bool m_is_finished = true;
   std::vector<double> m_distances;
   std::vector<Index> m_labels;
