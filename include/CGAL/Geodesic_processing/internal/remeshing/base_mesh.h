@@ -41,7 +41,7 @@ struct Base_mesh
 // Traces the edges of a triangulation on a mesh, one after the other, and splits the mesh along
 // them. Each path is the shortest one in its triangle strip. It is a local geodesic unless it
 // touches the previous paths. A path keeps a distance of 1/200 of an edge from previous paths and
-// from vertices, so that paths meet at samples only, in the cyclic order of the triangulation. A
+// from vertices. Paths therefore meet at samples only, in the cyclic order of the triangulation. A
 // halfedge that connects two vertices of one path belongs to this path.
 //
 // The edges of a spanning tree are traced first. On a sphere, every other edge then has a path. If
