@@ -514,7 +514,7 @@ Base_mesh build_base_mesh(const std::shared_ptr<const Surface_arrays>& triangles
     result = base_mesh_in_cells(found, is_feature);
   if(!result)
     throw Unsupported_surface_error(
-        "The edges of no base mesh can be drawn on the surface: it is too thin or too coarse.");
+        "The edges of the base mesh cannot be traced: the surface is too thin or too coarse.");
   return std::move(*result);
 }
 

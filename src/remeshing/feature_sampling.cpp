@@ -24,8 +24,8 @@ std::size_t number_requested_on_features(const Refined_surface& surface,
     if(surface.is_coarse_feature()[h] && requested_spacing[h] > 0.)
       result += surface.coarse().length[h] / requested_spacing[h];
   if(!(result <= double(max_number_of_vertices)))
-    throw Invalid_argument_error("A mesh with vertices so near to each other along curves has more "
-                                 "than 2^31 half-edges.");
+    throw Invalid_argument_error("The spacing along features is too small: the result would have "
+                                 "more than 2^31 halfedges.");
   return std::size_t(result);
 }
 

@@ -330,7 +330,7 @@ private:
   {
     if(++m_number_of_refinements > max_refinements)
       throw Unsupported_surface_error(
-          "The mesh folds onto itself so that samples cannot be joined.");
+          "The topology of the mesh cannot be preserved: too many faces share all their vertices.");
     std::vector<bool> is_unresolved(cells.samples.size(), false),
         is_split(t().corner.size(), false);
     for(const Index cell : unresolved)
@@ -407,7 +407,8 @@ Remeshing remesh(const std::shared_ptr<const Surface_arrays>& triangles,
                  const Remeshing_options& options)
 {
   if(options.number_of_samples > max_number_of_vertices)
-    throw Invalid_argument_error("A mesh of so many vertices has more than 2^31 half-edges.");
+    throw Invalid_argument_error(
+        "The number of samples is too large: the result would have more than 2^31 halfedges.");
   return Remesher(triangles, options).run();
 }
 
