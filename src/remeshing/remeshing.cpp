@@ -329,8 +329,8 @@ private:
   void refine_unresolved(const Cells& cells, const std::vector<Index>& unresolved)
   {
     if(++m_number_of_refinements > max_refinements)
-      throw Unsupported_surface_error(
-          "The topology of the mesh cannot be preserved: too many faces share all their vertices.");
+      throw Unsupported_surface_error("The samples cannot be triangulated with the topology of the "
+                                      "mesh, even after refinement.");
     std::vector<bool> is_unresolved(cells.samples.size(), false),
         is_split(t().corner.size(), false);
     for(const Index cell : unresolved)

@@ -13,12 +13,12 @@ namespace CGAL::Geodesic_processing::internal {
 namespace {
 
 std::array<double, 3> point_at(const Base_map& map, const Surface_arrays& coarse,
-                               const Coarse_location& base_place)
+                               const Coarse_location& location)
 {
-  const auto& c = base_place.coordinates;
+  const auto& c = location.coordinates;
   const double sum = double(c[0]) + double(c[1]) + double(c[2]);
   return coordinates(coarse,
-                     map.inverse({base_place.triangle, {c[0] / sum, c[1] / sum, c[2] / sum}}));
+                     map.inverse({location.triangle, {c[0] / sum, c[1] / sum, c[2] / sum}}));
 }
 
 // Returns the maximum distance from the vertices of the mesh to the points of a level with the same
@@ -80,9 +80,9 @@ Semi_regular_mesh build_semi_regular_mesh(const Base_map& map, const Surface_arr
   Semi_regular_mesh result;
   for(;;)
   {
-    const std::vector<Coarse_location> places = coarse_locations(subdivision);
-    while(result.points.size() < places.size())
-      result.points.push_back(point_at(map, coarse, places[result.points.size()]));
+    const std::vector<Coarse_location> locations = coarse_locations(subdivision);
+    while(result.points.size() < locations.size())
+      result.points.push_back(point_at(map, coarse, locations[result.points.size()]));
     if(!has_maximum)
       break;
     const unsigned levels = unsigned(subdivision.levels.size() - 1);
@@ -104,8 +104,8 @@ Semi_regular_mesh build_semi_regular_quads(const Base_map& map, const Surface_ar
   Quad_subdivision subdivision = subdivide_into_quads(
       map.base().triangles, Index(map.base().samples.size()), number_of_levels + 1);
   Semi_regular_mesh result;
-  for(const Coarse_location& base_place : subdivision.locations)
-    result.points.push_back(point_at(map, coarse, base_place));
+  for(const Coarse_location& location : subdivision.locations)
+    result.points.push_back(point_at(map, coarse, location));
   result.number_of_vertices = std::move(subdivision.number_of_vertices);
   result.quads = std::move(subdivision.levels.back());
   return result;

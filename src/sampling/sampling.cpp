@@ -186,9 +186,9 @@ Index Sampling::farthest_in_component(Index start)
       sum += m_path_lengths[vertex];
     threshold = sum / double(far.size());
     const auto is_far = [&](Index vertex) { return m_path_lengths[vertex] > threshold; };
-    const auto middle = std::partition(far.begin(), far.end(), is_far);
-    near.assign(middle, far.end());
-    far.erase(middle, far.end());
+    const auto near_begin = std::partition(far.begin(), far.end(), is_far);
+    near.assign(near_begin, far.end());
+    far.erase(near_begin, far.end());
     // By round-off errors the mean of a few equal values may be smaller than all of them.
     if(near.empty())
       near.swap(far);

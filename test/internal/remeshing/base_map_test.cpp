@@ -141,11 +141,11 @@ TEST(Base_map, heron_coordinates_of_planar_triangle_are_affine)
   const std::array<Point, 3> corner = {Point{0., 0., 0.}, Point{2., 0.3, 1.},
                                        Point{0.5, 1.7, -0.2}};
   Triangulation surface;
-  for(const Coarse_location& base_place : coarse_locations(subdivision))
+  for(const Coarse_location& location : coarse_locations(subdivision))
   {
     surface.points.push_back({0., 0., 0.});
     for(std::size_t k = 0; k < 3; ++k)
-      surface.points.back() = surface.points.back() + (base_place.coordinates[k] / 16.) * corner[k];
+      surface.points.back() = surface.points.back() + (location.coordinates[k] / 16.) * corner[k];
   }
   for(const Triangle& f : subdivision.finest().triangles)
     surface.corners.insert(surface.corners.end(), f.begin(), f.end());

@@ -148,8 +148,8 @@ TEST(Dual, detects_annular_cells_and_split_boundaries)
   // On a long tube the cells of a few samples are annuli. Those at the ends contain entire boundary
   // cycles.
   const Array_surface tube(cylinder(24, 60, 0.2, 5.));
-  const Index middle = 30 * 24;
-  const Dual rings = dual_of(tube, {tube.at(3), tube.at(middle + 3), tube.at(60 * 24 + 3)});
+  const Index central_ring = 30 * 24;
+  const Dual rings = dual_of(tube, {tube.at(3), tube.at(central_ring + 3), tube.at(60 * 24 + 3)});
   EXPECT_EQ(rings.non_disks, (std::vector<Index>{0, 1, 2}));
   EXPECT_EQ(rings.disconnected_boundaries, (std::vector<Index>{0, 2}));
   EXPECT_EQ(rings.disconnected_interfaces, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}}));

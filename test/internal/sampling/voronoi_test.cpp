@@ -271,7 +271,7 @@ TEST(Voronoi_diagram, bisector_moves_with_speed_and_offset)
   const Array_surface surface(plane);
   const std::vector<Surface_location> ends = {surface.at(20 * 41), surface.at(20 * 41 + 40)};
   // Returns the crossing of the bisector with the line between two points at distance one.
-  const auto middle = [&](const Voronoi_diagram& cells)
+  const auto crossing = [&](const Voronoi_diagram& cells)
   {
     double x = infinity, smallest_offset = infinity;
     for(const auto& bisector : cells.bisectors())
@@ -287,7 +287,7 @@ TEST(Voronoi_diagram, bisector_moves_with_speed_and_offset)
   Sources later = sources_at(ends);
   later[1].offset = 0.2 / surface.scale();
   // Bisectors are known at edges. The closest crossing is within one edge, 1/40.
-  EXPECT_NEAR(middle(voronoi(surface.triangles(), later)), 0.6, 0.02);
+  EXPECT_NEAR(crossing(voronoi(surface.triangles(), later)), 0.6, 0.02);
 
   std::vector<double> slowness(surface.t().number_of_triangles(), 1.);
   for(Index f = 0; f < slowness.size(); ++f)
@@ -297,7 +297,7 @@ TEST(Voronoi_diagram, bisector_moves_with_speed_and_offset)
   limits.slowness = std::make_shared<const std::vector<double>>(slowness);
   // The travel time is 0.5 + 2 (x - 0.5) from the left and 2 (1 - x) from the right. The planar
   // front has an error of 1 %.
-  EXPECT_NEAR(middle(voronoi(surface.triangles(), sources_at(ends), limits)), 0.625, 0.02);
+  EXPECT_NEAR(crossing(voronoi(surface.triangles(), sources_at(ends), limits)), 0.625, 0.02);
 }
 
 // Returns the area of a triangle of the cut mesh, in the scale of the arrays.
