@@ -26,9 +26,9 @@ struct Remeshing_options
   // 3 #triangles, equal for both halfedges of an edge: edges that the result preserves. Must
   // include the boundary. If empty, only the boundary is preserved.
   std::vector<bool> is_feature;
-  // 3 #triangles, equal for both halfedges of an edge, or empty: the distance between adjacent
-  // samples along features, in the scale of the triangles. Zero stands for the distance of all
-  // samples.
+  // 3 #triangles, equal for both halfedges of an edge, or empty: the requested distance between
+  // adjacent samples along features, in the scale of the triangles. If it is zero or empty, the
+  // distance between samples elsewhere is used.
   std::vector<double> feature_spacing;
   // Steps of Lloyd relaxation. Samples on features and first samples stay fixed.
   std::size_t number_of_relaxation_steps = 0;

@@ -38,8 +38,8 @@ struct Tessellation
 // Computes a centroidal Voronoi tessellation. Centers start at farthest points and move to the
 // intrinsic centroids of their cells (Peyré and Cohen 2005, section 3) by gradient descent. The
 // energy is the integral of squared distances to the closest center. No step increases it. A step
-// takes about the time of five fronts over the surface. A component of a mesh cell that does not
-// contain its center joins an adjacent cell.
+// takes about the time of five fronts over the surface. Fragments that are disconnected from their
+// cell are merged with an adjacent cell if there is one.
 //
 // front: Euclidean on a cloud
 // slowness: as in Front_limits, or null; distances are then travel times, and areas are those of
