@@ -25,8 +25,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Tried one after the other until every edge has a path. Large factors keep the edges in the
-// intended cells, but if a cell has few vertices, they leave no path.
+// Tried one after the other until every edge has a path. The first level keeps edges close to their
+// cells. If cells have few vertices, this may leave no room for some edges.
 constexpr std::array<Detour_factors, 3> detour_levels = {
     Detour_factors{2., 16., false}, Detour_factors{1., 1., true}, Detour_factors{2., 4., true}};
 // Confines each edge to the cells of its end vertices.
@@ -70,7 +70,7 @@ public:
   // Returns nothing if an edge has no path or a region is not a disk.
   std::optional<Base_mesh> run()
   {
-    if(!trace_features() || !draw_edges())
+    if(!trace_features() || !trace_edges())
       return std::nullopt;
     split_shortcuts();
     if(!label_regions())
@@ -164,7 +164,7 @@ private:
   // Traces the edges that follow no feature: a minimum spanning tree first (Kruskal), then the
   // others. Both groups are sorted by the distance of the end vertices in space. Returns false if
   // an edge has no path.
-  bool draw_edges()
+  bool trace_edges()
   {
     std::vector<Index> sorted, order, others;
     std::vector<double> length;
@@ -193,7 +193,7 @@ private:
     for(const Index edge : sorted)
       (merges_components(edge) ? order : others).push_back(edge);
     order.insert(order.end(), others.begin(), others.end());
-    return std::all_of(order.begin(), order.end(), [&](Index edge) { return draw_edge(edge); });
+    return std::all_of(order.begin(), order.end(), [&](Index edge) { return trace_edge(edge); });
   }
 
   // Returns the corners at the source of a base halfedge that lie between the traced edges adjacent
@@ -228,7 +228,7 @@ private:
   }
 
   // Traces an edge along a single mesh edge if possible, otherwise through a strip of triangles.
-  bool draw_edge(Index edge)
+  bool trace_edge(Index edge)
   {
     const Index h = m_result.halfedge[edge], twin = m_result.twin[h];
     if(twin == none)

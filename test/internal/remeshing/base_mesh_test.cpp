@@ -215,7 +215,7 @@ TEST(Base_mesh, follows_arbitrary_features)
               int(random() % 100) < percent;
       const Base_mesh base = build_base_mesh(surface.triangles(), options);
       expect_is_base(surface, base);
-      double feature_length = 0., drawn_length = 0.;
+      double feature_length = 0., traced_length = 0.;
       for(Index h = 0; h < options.is_feature.size(); ++h)
         if(options.is_feature[h])
           feature_length += norm(surface.t().point[surface.t().corner[next_halfedge(h)]] -
@@ -224,9 +224,9 @@ TEST(Base_mesh, follows_arbitrary_features)
         for(Index k = 0; k < 3 && base.edge_of_halfedge[h] != none; ++k)
           if(base.barycentric[h][k] == 0. && base.barycentric[next_halfedge(h)][k] == 0. &&
              options.is_feature[3 * base.parent[h / 3] + (k + 1) % 3])
-            drawn_length += norm(base.fine.point[base.fine.corner[next_halfedge(h)]] -
-                                 base.fine.point[base.fine.corner[h]]);
-      EXPECT_NEAR(drawn_length, feature_length, 1e-12 * feature_length);
+            traced_length += norm(base.fine.point[base.fine.corner[next_halfedge(h)]] -
+                                  base.fine.point[base.fine.corner[h]]);
+      EXPECT_NEAR(traced_length, feature_length, 1e-12 * feature_length);
     }
 }
 
