@@ -249,56 +249,14 @@ private:
     }
   }
 
-  // Computes the heron coordinates of the interior vertices (Peyré and Cohen 2003, section 4.2).
-  // The deviation from the arc length parameterization on each edge is interpolated and subtracted.
+  using Edge_table = std::vector<std::pair<double, double>>;
+
+  // Computes the heron coordinates of the interior vertices (Peyré and Cohen 2003, section 4.2). The
+  // deviation from the arc length parameterization on each edge is interpolated and subtracted.
   void heron(Index region)
   {
-    std::array<double, 3> length; // of the edge opposite to each corner
-    for(Index k = 0; k < 3; ++k)
-      length[k] = m_length[m_base.edge[3 * region + (k + 1) % 3]];
-    std::vector<Barycentric> raw(m_vertices.size());
-    const auto area_coordinates = [&](const Barycentric& d) -> Barycentric
-    {
-      Barycentric result;
-      double sum = 0.;
-      for(std::size_t k = 0; k < 3; ++k)
-        sum += result[k] = twice_area(length[k], d[(k + 1) % 3], d[(k + 2) % 3]);
-      if(!(sum > 0.))
-        return {1. / 3., 1. / 3., 1. / 3.};
-      for(double& x : result)
-        x /= sum;
-      return result;
-    };
-    for(const Index f : m_triangles)
-      for(Index j = 0; j < 3; ++j)
-      {
-        const std::size_t i = m_local_index[m_fine.corner[3 * f + j]];
-        Barycentric d = m_distances[3 * f + j];
-        // On a base edge the distances to its end vertices are those along the edge.
-        for(std::size_t k = 0; k < 3 && i >= m_number_of_interior; ++k)
-          if(m_image[i][k] == 0.)
-          {
-            d[(k + 1) % 3] = m_image[i][(k + 2) % 3] * length[k];
-            d[(k + 2) % 3] = m_image[i][(k + 1) % 3] * length[k];
-          }
-        raw[i] = area_coordinates(d);
-      }
-
-    // For each edge: pairs of the parameter from areas and the arc length parameter.
-    std::array<std::vector<std::pair<double, double>>, 3> table;
-    for(std::size_t i = m_number_of_interior; i < m_vertices.size(); ++i)
-      for(std::size_t k = 0; k < 3; ++k)
-        if(m_image[i][k] == 0.)
-        {
-          const double sum = raw[i][(k + 1) % 3] + raw[i][(k + 2) % 3];
-          const double fraction = m_image[i][(k + 2) % 3];
-          table[k].emplace_back(fraction == 0. || fraction == 1. || !(sum > 0.)
-                                    ? fraction
-                                    : raw[i][(k + 2) % 3] / sum,
-                                fraction);
-        }
-    for(auto& entries : table)
-      std::sort(entries.begin(), entries.end());
+    const std::vector<Barycentric> raw = area_coordinates(region);
+    const std::array<Edge_table, 3> table = edge_tables(raw);
     for(std::size_t i = 0; i < m_number_of_interior; ++i)
     {
       Barycentric image = raw[i];
@@ -317,8 +275,66 @@ private:
     }
   }
 
+  // Returns the coordinates of each vertex of a region (#m_vertices) from the areas of the planar
+  // triangles between its distances to two corners and the edge of these corners.
+  std::vector<Barycentric> area_coordinates(Index region) const
+  {
+    std::array<double, 3> length; // of the edge opposite to each corner
+    for(Index k = 0; k < 3; ++k)
+      length[k] = m_length[m_base.edge[3 * region + (k + 1) % 3]];
+    std::vector<Barycentric> raw(m_vertices.size());
+    for(const Index f : m_triangles)
+      for(Index j = 0; j < 3; ++j)
+      {
+        const std::size_t i = m_local_index[m_fine.corner[3 * f + j]];
+        Barycentric d = m_distances[3 * f + j];
+        // On a base edge the distances to its end vertices are those along the edge.
+        for(std::size_t k = 0; k < 3 && i >= m_number_of_interior; ++k)
+          if(m_image[i][k] == 0.)
+          {
+            d[(k + 1) % 3] = m_image[i][(k + 2) % 3] * length[k];
+            d[(k + 2) % 3] = m_image[i][(k + 1) % 3] * length[k];
+          }
+        raw[i] = normalized_areas(length, d);
+      }
+    return raw;
+  }
+
+  static Barycentric normalized_areas(const std::array<double, 3>& length, const Barycentric& d)
+  {
+    Barycentric result;
+    double sum = 0.;
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += result[k] = twice_area(length[k], d[(k + 1) % 3], d[(k + 2) % 3]);
+    if(!(sum > 0.))
+      return {1. / 3., 1. / 3., 1. / 3.};
+    for(double& x : result)
+      x /= sum;
+    return result;
+  }
+
+  // Returns for each edge the sorted pairs of the parameter from areas and the arc length parameter.
+  std::array<Edge_table, 3> edge_tables(const std::vector<Barycentric>& raw) const
+  {
+    std::array<Edge_table, 3> table;
+    for(std::size_t i = m_number_of_interior; i < m_vertices.size(); ++i)
+      for(std::size_t k = 0; k < 3; ++k)
+        if(m_image[i][k] == 0.)
+        {
+          const double sum = raw[i][(k + 1) % 3] + raw[i][(k + 2) % 3];
+          const double fraction = m_image[i][(k + 2) % 3];
+          table[k].emplace_back(fraction == 0. || fraction == 1. || !(sum > 0.)
+                                    ? fraction
+                                    : raw[i][(k + 2) % 3] / sum,
+                                fraction);
+        }
+    for(auto& entries : table)
+      std::sort(entries.begin(), entries.end());
+    return table;
+  }
+
   // Interpolates linearly in a table of sorted pairs. Returns x itself outside of the table.
-  static double interpolate_table(const std::vector<std::pair<double, double>>& table, double x)
+  static double interpolate_table(const Edge_table& table, double x)
   {
     const auto upper = std::upper_bound(table.begin(), table.end(), std::pair(x, infinity));
     if(upper == table.begin() || upper == table.end())

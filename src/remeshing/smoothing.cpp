@@ -21,6 +21,48 @@ constexpr double overrelaxation = 1.5;
 // first percentile of the angles is 0.8 degrees smaller on average.
 constexpr double min_flatness = 0.75;
 
+// Splits an acute triangle into the Voronoi regions of its corners: quads around the circumcenter,
+// added as two triangles each. add(k, fraction, corners) adds a triangle to the cell of corner k,
+// given by its fraction of the area and the sum of its corners.
+// squared_length: of each edge; dot_product: of the two edges at each corner
+template <typename Add>
+void split_acute(const std::array<Vec3, 3>& p, const std::array<double, 3>& squared_length,
+                 const std::array<double, 3>& dot_product, const Add& add)
+{
+  std::array<double, 3> weight;
+  for(int k = 0; k < 3; ++k)
+    weight[k] = squared_length[(k + 1) % 3] * dot_product[k];
+  const double sum = weight[0] + weight[1] + weight[2];
+  for(double& s : weight)
+    s /= sum;
+  const Vec3 circumcenter = weight[0] * p[0] + weight[1] * p[1] + weight[2] * p[2];
+  for(int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3, previous = (k + 2) % 3;
+    add(k, 0.5 * weight[previous], 1.5 * p[k] + 0.5 * p[next] + circumcenter);
+    add(k, 0.5 * weight[next], 1.5 * p[k] + 0.5 * p[previous] + circumcenter);
+  }
+}
+
+// Splits an obtuse triangle. The regions of the two acute corners are triangles that are bounded by
+// the bisectors of their edges to the obtuse corner. The rest is the region of the obtuse corner.
+template <typename Add>
+void split_obtuse(const std::array<Vec3, 3>& p, const std::array<double, 3>& squared_length,
+                  const std::array<double, 3>& dot_product, int obtuse_corner, const Add& add)
+{
+  const int next = (obtuse_corner + 1) % 3, previous = (obtuse_corner + 2) % 3;
+  add(obtuse_corner, 1., p[0] + p[1] + p[2]);
+  const auto subtract_corner = [&](int k, int other, double squared_length_to_obtuse)
+  {
+    const double ratio = 0.5 * squared_length_to_obtuse / dot_product[k];
+    const Vec3 corners = 2.5 * p[k] + 0.5 * p[obtuse_corner] + ratio * (p[other] - p[k]);
+    add(k, 0.5 * ratio, corners);
+    add(obtuse_corner, -0.5 * ratio, corners);
+  };
+  subtract_corner(next, previous, squared_length[obtuse_corner]);
+  subtract_corner(previous, next, squared_length[previous]);
+}
+
 } // namespace
 
 Smoothing::Smoothing(const Surface_arrays& triangles, const std::vector<double>* slowness,
@@ -109,7 +151,6 @@ void Smoothing::distribute(const std::array<Index, 3>& samples, double density)
     squared_length[k] = dot(edge[k], edge[k]);
     dot_product[k] = -dot(edge[k], edge[(k + 2) % 3]);
   }
-  // Adds a triangle, given by its fraction of the area and the sum of its corners.
   const auto add = [&](int k, double fraction, const Vec3& corners)
   {
     Cell& cell = m_cells[samples[k]];
@@ -119,37 +160,9 @@ void Smoothing::distribute(const std::array<Index, 3>& samples, double density)
   const auto obtuse =
       std::find_if(dot_product.begin(), dot_product.end(), [](double x) { return x <= 0.; });
   if(obtuse == dot_product.end())
-  {
-    // Acute triangle: the regions are quads around the circumcenter, added as two triangles each.
-    std::array<double, 3> weight;
-    for(int k = 0; k < 3; ++k)
-      weight[k] = squared_length[(k + 1) % 3] * dot_product[k];
-    const double sum = weight[0] + weight[1] + weight[2];
-    for(double& s : weight)
-      s /= sum;
-    const Vec3 circumcenter = weight[0] * p[0] + weight[1] * p[1] + weight[2] * p[2];
-    for(int k = 0; k < 3; ++k)
-    {
-      const int next = (k + 1) % 3, previous = (k + 2) % 3;
-      add(k, 0.5 * weight[previous], 1.5 * p[k] + 0.5 * p[next] + circumcenter);
-      add(k, 0.5 * weight[next], 1.5 * p[k] + 0.5 * p[previous] + circumcenter);
-    }
-    return;
-  }
-  // Obtuse triangle: the regions of the two acute corners are triangles that are bounded by the
-  // bisectors of their edges to the obtuse corner. The rest is the region of the obtuse corner.
-  const int obtuse_corner = int(obtuse - dot_product.begin()), next = (obtuse_corner + 1) % 3,
-            previous = (obtuse_corner + 2) % 3;
-  add(obtuse_corner, 1., p[0] + p[1] + p[2]);
-  const auto subtract_corner = [&](int k, int other, double squared_length_to_obtuse)
-  {
-    const double ratio = 0.5 * squared_length_to_obtuse / dot_product[k];
-    const Vec3 corners = 2.5 * p[k] + 0.5 * p[obtuse_corner] + ratio * (p[other] - p[k]);
-    add(k, 0.5 * ratio, corners);
-    add(obtuse_corner, -0.5 * ratio, corners);
-  };
-  subtract_corner(next, previous, squared_length[obtuse_corner]);
-  subtract_corner(previous, next, squared_length[previous]);
+    split_acute(p, squared_length, dot_product, add);
+  else
+    split_obtuse(p, squared_length, dot_product, int(obtuse - dot_product.begin()), add);
 }
 
 // Tests each edge once, and flips it if it violates the Delaunay condition. Flips may invalidate
