@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_STATE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_STATE_H
+
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/distances/vertex_fans.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// The rule by which a front crosses a triangle.
+enum class Front_kind
+{
+  dijkstra, // along edges only (Dijkstra 1959): an upper bound that does not converge under refinement
+  planar,    // as a straight line (Kimmel and Sethian 1998): first order, admits speeds
+  euclidean, // as a circle around an unfolded source, whose direction each vertex stores
+};
+
+// The tentative or final values of a vertex.
+struct Front_vertex
+{
+  double distance = infinity;
+  // On a mesh with directions: the corner of this vertex in the triangle through which the front
+  // arrived.  Otherwise, and on a cloud: the predecessor, or none.
+  Index corner = none;
+  Index state = 0; // the flags of front_relaxation.h
+};
+
+// The data of a front: the results of the last query, and the variables of the running one.
+//
+// The update rules in src/distances are functions of this struct.  Between two queries only the
+// vertices in `reached` differ from their defaults.
+struct Front_state
+{
+  // Returns true if vertices store the direction to their source.  With speeds, a Euclidean front is
+  // a planar one.
+  bool has_directions() const { return kind == Front_kind::euclidean && !slowness; }
+  // Returns the offset of the source of a reached vertex.
+  double offset_at(Index vertex) const
+  {
+    return has_single_source ? min_offset : offsets[sources[vertex]];
+  }
+  bool have_same_source(Index x, Index z) const
+  {
+    return has_single_source || sources[x] == sources[z];
+  }
+  double slowness_in(Index triangle) const { return slowness ? (*slowness)[triangle] : 1.; }
+
+  std::shared_ptr<const Surface_arrays> triangles;
+  std::shared_ptr<const Vertex_fans> fans; // null for dijkstra, and for clouds if euclidean
+  std::shared_ptr<const std::vector<Index>> components; // #vertices; euclidean on clouds only
+  Front_kind kind = Front_kind::dijkstra;
+  bool has_splits = false; // a Euclidean front got fans with split obtuse corners, for speeds
+
+  std::vector<Front_vertex> vertices; // #vertices
+  // #vertices, Euclidean fronts only: the unit vector to the source.  On a mesh its first axis is
+  // the halfedge that leaves the corner of the vertex, in the plane of that triangle; on a cloud it
+  // is in the tangent frame of the surfel.
+  std::vector<Vec2> directions;
+  std::vector<Index> sources; // #vertices: position among the sources, or none
+  std::vector<Index> reached; // nearly in the order of distance
+  Vertex_queue queue;
+  std::size_t number_invalidated =
+      0; // in the running query, each time that a vertex is invalidated
+  // The final vertices whose distance has decreased while the current vertex propagates.
+  std::vector<Index> corrected_vertices;
+
+  // Query
+  std::shared_ptr<const std::vector<double>> slowness; // #triangles; null if it is 1 everywhere
+  // The pieces of the sources by triangle, sorted by triangle.
+  std::vector<std::pair<Index, Front_source>> source_pieces;
+  std::vector<double> offsets; // #sources
+  double min_offset = 0.;
+  double max_distance = infinity;
+  bool has_single_source = false;
+  const std::vector<double>* known_distance = nullptr; // #vertices; see Front_limits
+  // Whether the current vertex improves its known distance.  Otherwise it relaxes only vertices
+  // whose known distance it improves.
+  bool improves_known_distance = true;
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_STATE_H

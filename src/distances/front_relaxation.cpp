@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "distances/front_relaxation.h"
+
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+
+namespace CGAL::Geodesic_processing::internal {
+
+bool may_improve_neighbors(const Front_state& front, Index vertex)
+{
+  if(!front.fans)
+    return true;
+  const double distance = front.vertices[vertex].distance;
+  for(Index i = front.fans->begin[vertex].edge; i < front.fans->begin[vertex + 1].edge; ++i)
+    if(const Index end = front.fans->edges[i].vertex;
+       distance < (*front.known_distance)[end] && distance < front.vertices[end].distance)
+      return true;
+  return false;
+}
+
+void invalidate_descendants(Front_state& front)
+{
+  const Surface_arrays& t = *front.triangles;
+  const Vertex_fans& s = *front.fans;
+  if(!can_invalidate(front))
+    return front.corrected_vertices.clear();
+  std::vector<Index> invalidated;
+  const auto invalidate_around = [&](Index from)
+  {
+    for(Index i = s.begin[from].edge; i < s.begin[from + 1].edge; ++i)
+    {
+      const Index v = s.edges[i].vertex;
+      Front_vertex& vertex = front.vertices[v];
+      if(vertex.distance == infinity || (vertex.state & source_flag) || vertex.corner == none ||
+         (t.corner[next_halfedge(vertex.corner)] != from &&
+          t.corner[previous_halfedge(vertex.corner)] != from))
+        continue;
+      vertex.distance = infinity;
+      vertex.state &= ~(final_flag | arrival_flags);
+      invalidated.push_back(v);
+    }
+  };
+  for(const Index vertex : front.corrected_vertices)
+    invalidate_around(vertex);
+  front.corrected_vertices.clear();
+  for(std::size_t i = 0; i < invalidated.size(); ++i)
+    invalidate_around(invalidated[i]);
+  front.number_invalidated += invalidated.size();
+  for(const Index vertex : invalidated)
+    for(Index i = s.begin[vertex].edge; i < s.begin[vertex + 1].edge; ++i)
+      if(const Index end = s.edges[i].vertex; front.vertices[end].state & final_flag)
+        front.queue.push(end, front.vertices[end].distance);
+}
+
+void relax_along_edge(Front_state& front, Index vertex, const Fan_position& position, Index flags)
+{
+  const Surface_arrays& t = *front.triangles;
+  const Vertex_fans::Fan_edge& edge = front.fans->edges[position.edge];
+  const double distance = front.vertices[vertex].distance + edge.length;
+  if(!(distance <= front.vertices[edge.vertex].distance))
+    return;
+  // In the triangle to the right of the edge, the edge is the halfedge that leaves the corner of the
+  // far end, so that the direction is the first axis.  At the boundary only the triangle to its left
+  // exists, in which the edge arrives at that corner.
+  Arrival arrival = {distance, {1., 0.}, none, flags, flags & tentative_flag ? edge.length : 0.};
+  const bool has_before = position.edge > front.fans->begin[vertex].edge &&
+                          ((&edge)[-1].flags & Vertex_fans::Fan_edge::has_triangle);
+  if(has_before)
+    arrival.corner = previous_halfedge(t.ring[position.ring - 1]);
+  else if(const Index corner = t.ring[position.ring]; t.twin[corner] != none)
+    arrival.corner = t.twin[corner];
+  else
+  {
+    arrival.corner = next_halfedge(corner);
+    arrival.direction = corner_angle(t, arrival.corner);
+  }
+  relax(front, edge.vertex, arrival, front.sources[vertex]);
+}
+
+void relax_all_edges(Front_state& front, Index vertex, Index flags)
+{
+  Fan_position position = {front.fans->begin[vertex].edge, front.fans->begin[vertex].ring};
+  for(; position.edge < front.fans->begin[vertex + 1].edge; ++position.edge)
+  {
+    relax_along_edge(front, vertex, position, flags);
+    if(front.fans->edges[position.edge].flags & Vertex_fans::Fan_edge::has_triangle)
+      ++position.ring;
+  }
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_RELAXATION_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_RELAXATION_H
+
+#include <CGAL/Geodesic_processing/internal/distances/Front_state.h>
+
+#include "core/prefetch.h"
+
+#include <cstddef>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Relaxation of vertices, shared by all update rules of a front.
+//
+// A final vertex can be corrected: if a Euclidean front arrives later with a smaller distance, the
+// vertex enters the queue again, and the vertices that were computed from it are invalidated.
+
+// Flags of Front_vertex::state.
+constexpr Index reached_flag = 1; // is in Front_state::reached
+constexpr Index final_flag = 2;   // has left the queue
+constexpr Index source_flag = 4;  // is on a source: propagates in all directions
+// Was reached along an edge although the front arrives through a triangle: its direction is not
+// reliable.
+constexpr Index tentative_flag = 8;
+constexpr Index straight_flag = 16; // its source is a segment: the front may be straight
+constexpr Index arrival_flags = source_flag | tentative_flag | straight_flag;
+// The higher bits count the corrections of a vertex.
+constexpr Index correction_unit = 32;
+// Most vertices need no correction; vertices of meshes of needles need up to thousands.  The bound
+// ends queries on inconsistent input.
+constexpr Index max_corrections = 4096;
+
+// A final vertex is corrected if its distance decreases by more than this fraction.  A front that is
+// fitted to an overestimated distance is too curved and yields underestimates, which no later
+// relaxation repairs.  On an irregular square, 1e-8 left errors of 2e-4; 1e-12 leaves round-off
+// errors at the same cost.
+constexpr double correction_tolerance = 1e-12;
+// On a curved surface, on which the front is inexact anyway, descendants are invalidated only if the
+// distance decreases by more than this fraction of an edge.  The errors are the same; queries are
+// 25 % faster on meshes in which half of the triangles are obtuse.
+constexpr double invalidation_ratio = 1e-2;
+// A vertex in the queue is relaxed only if its distance decreases by more than this fraction.  The
+// minimum of many values that differ by round-off errors is biased, increasingly with the distance.
+constexpr double relaxation_tolerance = 1e-14;
+// Bounds the number of invalidated vertices by this multiple of the reached ones.  Scans need 0.2,
+// meshes of needles 1; on a folded Schwarz lantern the number is unbounded.  Beyond the budget a
+// vertex is corrected a few times only and nothing is invalidated.
+constexpr std::size_t max_invalidation_ratio = 4;
+constexpr std::size_t min_invalidation_budget = 20000; // allowed in every query
+constexpr Index max_corrections_over_budget = 8;
+
+// The values that an update rule computes for a vertex.
+struct Arrival
+{
+  double distance;
+  Vec2 direction; // as Front_state::directions
+  Index corner;   // as Front_vertex::corner
+  Index flags;    // of arrival_flags
+  double delay;   // added to the distance to yield the key in the queue
+};
+
+// Returns whether the budget of invalidations is not exhausted.
+inline bool can_invalidate(const Front_state& front)
+{
+  return front.number_invalidated <=
+         min_invalidation_budget + max_invalidation_ratio * front.reached.size();
+}
+
+// Returns whether the descendants of a final vertex whose distance decreases by `correction` must be
+// invalidated.
+inline bool needs_invalidation(const Front_state& front, Index vertex, double correction)
+{
+  const Vertex_fans::Fan_edge& edge = front.fans->edges[front.fans->begin[vertex].edge];
+  return !(edge.flags & Vertex_fans::Fan_edge::is_curved) ||
+         correction > invalidation_ratio * edge.length;
+}
+
+// Updates a vertex if the arrival is better than its values, and puts it into the queue.  Returns
+// whether the vertex was updated.
+inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index source)
+{
+  if(!front.improves_known_distance && !(arrival.distance < (*front.known_distance)[v]))
+    return false;
+  // Without directions, a vertex that does not become final is not used by anyone.
+  if(arrival.distance > front.max_distance && !front.has_directions())
+    return false;
+  Front_vertex& vertex = front.vertices[v];
+  const bool is_final = vertex.state & final_flag;
+  if(is_final)
+  {
+    const Index max_corrections_here =
+        can_invalidate(front) ? max_corrections : max_corrections_over_budget;
+    if(!front.has_directions() || vertex.state >= max_corrections_here * correction_unit ||
+       arrival.distance >=
+           vertex.distance - correction_tolerance * (vertex.distance - front.min_offset))
+      return false;
+    vertex.state += correction_unit;
+    if(front.fans && needs_invalidation(front, v, vertex.distance - arrival.distance))
+      front.corrected_vertices.push_back(v);
+  }
+  else if(arrival.distance >= vertex.distance)
+  {
+    // The same distance replaces a tentative one: its direction can be trusted.
+    const bool is_better = arrival.distance == vertex.distance && (vertex.state & tentative_flag) &&
+                           !(arrival.flags & tentative_flag);
+    if(!is_better)
+      return false;
+  }
+  const bool is_reached = vertex.state & reached_flag;
+  vertex.distance = arrival.distance;
+  if(!front.directions.empty())
+    front.directions[v] = arrival.direction;
+  vertex.corner = arrival.corner;
+  vertex.state = (vertex.state & ~arrival_flags) | arrival.flags | reached_flag;
+  front.sources[v] = source;
+  // The delay lets the front arrive through a triangle before a tentative vertex becomes final.
+  if(is_reached)
+    front.queue.push(v, arrival.distance + arrival.delay);
+  else
+  {
+    front.reached.push_back(v);
+    front.queue.insert(v, arrival.distance + arrival.delay);
+    if(front.fans)
+      prefetch(&front.fans->begin[v]);
+  }
+  return true;
+}
+
+// Invalidates the vertices that were computed from triangles with a corrected corner, recursively, and
+// puts the final vertices adjacent to them into the queue again.
+void invalidate_descendants(Front_state& front);
+
+// Returns whether a vertex that does not improve its known distance may improve that of an adjacent
+// vertex.
+bool may_improve_neighbors(const Front_state& front, Index vertex);
+
+// Relaxes the far end of a fan edge with the length of the edge.  Requires fans.
+void relax_along_edge(Front_state& front, Index vertex, const Fan_position& position, Index flags);
+
+// Relaxes all vertices adjacent to a vertex with the lengths of the edges.  Requires fans.
+void relax_all_edges(Front_state& front, Index vertex, Index flags);
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_RELAXATION_H
