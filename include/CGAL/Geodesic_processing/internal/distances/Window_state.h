@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_STATE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_STATE_H
+
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/Vertex_queue.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_pool.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// The last segment of a path to a vertex.
+struct Window_arrival
+{
+  double distance = infinity; // minus the smallest offset
+  // The unit vector to the source in the plane of the triangle of `corner`; the first axis is the
+  // halfedge that leaves the corner.
+  Vec2 direction = {1., 0.};
+  Index corner = none; // a corner of the vertex; none if the vertex is on a source
+  Index origin = none; // of the window, or the other end of the edge
+};
+
+// The piece of a source in a triangle, from `begin` to `end` in barycentric coordinates.
+struct Source_piece
+{
+  Index triangle;
+  Index source;
+  std::array<double, 3> begin, end;
+  double offset;
+};
+
+// The data of window propagation: the results of the last query, and the variables of the running one.
+//
+// Between two queries only the entries that `reached`, `queue` and `crossed_halfedges` list differ from
+// their defaults.
+struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
+{
+  struct Vertex : Window_arrival
+  {
+    Index source = none;
+    Index state = 0; // flags of Window_propagator
+  };
+
+  Window_state(std::shared_ptr<const Surface_arrays> triangles,
+               std::shared_ptr<const std::vector<bool>> is_pseudo_source);
+  // Resets everything that the last query changed, also a cancelled one; O(visited).
+  void clear();
+
+  // Returns the label of the source, and the distance, of the origin of windows.
+  Index source_of(Index origin) const
+  {
+    return origin < vertices.size() ? vertices[origin].source
+                                    : source_pieces[origin - vertices.size()].source;
+  }
+  double distance_of(Index origin) const
+  {
+    return origin < vertices.size() ? vertices[origin].distance
+                                    : source_pieces[origin - vertices.size()].offset;
+  }
+
+  std::shared_ptr<const Surface_arrays> triangles;
+  std::shared_ptr<const std::vector<bool>> is_pseudo_source; // #vertices: paths may bend here
+  double max_edge_length = 0.;
+
+  std::vector<Vertex> vertices; // #vertices
+  std::vector<Index> reached;
+  Vertex_queue queue; // halfedges, and #halfedges + vertex
+
+  // 2 #halfedges: the windows that wait to cross each one.  List 0 arrived through the halfedge of the
+  // adjacent triangle that shares its begin, list 1 through the one that shares its end.
+  std::vector<Window_list> waiting;
+  Window_pool pool;
+  std::vector<std::uint8_t> number_of_crossings; // #halfedges: how often windows have crossed it
+  std::vector<Index> crossed_halfedges;
+  // The windows that have crossed a halfedge, if it has been crossed often.
+  std::unordered_map<Index, std::vector<Window>> known_windows;
+  std::vector<Window> windows; // 1 + those that cross now; the first entry is unused
+
+  std::vector<Source_piece> source_pieces;
+  std::vector<std::pair<Index, Index>> pieces_by_triangle; // (triangle, piece), sorted
+  double min_offset = 0.;
+  double max_distance = infinity; // minus min_offset
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_STATE_H

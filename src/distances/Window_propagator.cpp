@@ -1,0 +1,506 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "distances/Window_propagator.h"
+
+#include <CGAL/Geodesic_processing/exceptions.h>
+#include "core/unfold.h"
+#include "distances/Window_goal.h"
+#include "distances/window_operations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Flags of Window_state::Vertex::state.
+constexpr Index reached_flag = 1;   // is in Window_state::reached
+constexpr Index finalized_flag = 2; // has relaxed its neighbors
+
+// A path that bends by this angle counts as straight: its length changes by a fraction of 1e-17 only.
+constexpr double straight_angle_tolerance = 1e-8;
+// Windows cross most halfedges once or twice.  If they cross one more often than this, they may circulate
+// around spikes and between coincident faces, and the halfedge stores the windows that have crossed it.
+constexpr std::uint8_t max_untracked_crossings = 8;
+// If all vertices are on one line, all windows have equal distances and none dominates.  This bounds
+// their number.
+constexpr std::size_t max_known_windows = 1000;
+
+// Returns whether two corners of a vertex are in the same fan.
+bool are_in_same_fan(const Surface_arrays& t, Index entry_corner, Index other)
+{
+  Index corner = entry_corner;
+  do
+  {
+    if(corner == other)
+      return true;
+    corner = next_corner_ccw(t, corner);
+  } while(corner != none && corner != entry_corner);
+  for(corner = next_corner_cw(t, entry_corner); corner != none && corner != entry_corner;
+      corner = next_corner_cw(t, corner))
+    if(corner == other)
+      return true;
+  return false;
+}
+
+} // namespace
+
+std::shared_ptr<const std::vector<bool>> find_pseudo_sources(const Surface_arrays& t)
+{
+  if(t.is_cloud())
+    throw Unsupported_surface_error("Exact distances need a mesh, not a cloud.");
+  auto result = std::make_shared<std::vector<bool>>(t.number_of_vertices());
+  for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
+  {
+    double total_angle = 0.;
+    bool is_boundary = false;
+    for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
+    {
+      total_angle += interior_angle(t, t.ring[i]);
+      is_boundary = is_boundary || t.twin[t.ring[i]] == none;
+    }
+    Index fan_size = 0, corner = t.ring_begin[vertex] < t.ring_begin[vertex + 1]
+                                     ? t.ring[t.ring_begin[vertex]]
+                                     : none;
+    if(!is_boundary && corner != none)
+      do
+      {
+        ++fan_size;
+        corner = next_corner_ccw(t, corner);
+      } while(corner != t.ring[t.ring_begin[vertex]]);
+    (*result)[vertex] = is_boundary || total_angle > 2. * pi + straight_angle_tolerance ||
+                        fan_size < t.ring_begin[vertex + 1] - t.ring_begin[vertex];
+  }
+  return result;
+}
+
+Window_state::Window_state(std::shared_ptr<const Surface_arrays> arrays,
+                           std::shared_ptr<const std::vector<bool>> pseudo_sources)
+    : triangles(std::move(arrays)), is_pseudo_source(std::move(pseudo_sources)),
+      vertices(triangles->number_of_vertices()),
+      queue(triangles->corner.size() + triangles->number_of_vertices()),
+      waiting(2 * triangles->corner.size()), number_of_crossings(triangles->corner.size())
+{
+  for(const double length : triangles->length)
+    max_edge_length = std::max(max_edge_length, length);
+}
+
+void Window_state::clear()
+{
+  const Index number_of_halfedges = Index(triangles->corner.size());
+  for(const Index vertex : reached)
+    vertices[vertex] = Window_state::Vertex{};
+  reached.clear();
+  for(const Index h : crossed_halfedges)
+    number_of_crossings[h] = 0;
+  crossed_halfedges.clear();
+  known_windows.clear();
+  while(!queue.empty())
+    if(const std::size_t h = queue.pop().vertex; h < number_of_halfedges)
+      for(const int list_index : {0, 1})
+        pool.release(waiting[2 * h + list_index]);
+}
+
+bool Window_propagator::step()
+{
+  const Index item = m_state.queue.pop().vertex,
+              number_of_halfedges = Index(m_state.triangles->corner.size());
+  if(item < number_of_halfedges)
+  {
+    cross_triangle(item);
+    return false;
+  }
+  finalize_vertex(item - number_of_halfedges);
+  return true;
+}
+
+bool Window_propagator::relax(Index v, const Window_arrival& arrival, Index source)
+{
+  if(m_goal)
+    m_goal->keep_arrival(v, arrival);
+  Window_state::Vertex& vertex = m_state.vertices[v];
+  const double distance = arrival.distance;
+  if(!(distance < vertex.distance) || distance > m_state.max_distance)
+    return false;
+  if(m_goal && !m_goal->reach(v, distance))
+    return false;
+  if(!(vertex.state & reached_flag))
+    m_state.reached.push_back(v);
+  // A finalized vertex is not reopened by round-off errors.
+  const bool is_unchanged =
+      (vertex.state & finalized_flag) && distance >= vertex.distance * (1. - merge_tolerance);
+  vertex = {arrival, source, vertex.state | reached_flag};
+  if(!is_unchanged)
+    m_state.queue.push(Index(m_state.triangles->corner.size() + v), distance);
+  return true;
+}
+
+// Relaxes along the edges of a vertex and emits windows to the region that no straight line through the
+// vertex reaches.
+void Window_propagator::finalize_vertex(Index v)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  m_state.vertices[v].state |= finalized_flag;
+  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
+  {
+    relax_along_edge(t.ring[i], false);
+    relax_along_edge(t.ring[i], true);
+    if(m_state.vertices[v].corner == none)
+      emit_window(t.ring[i], 0., pi);
+  }
+  if(m_state.vertices[v].corner != none && (*m_state.is_pseudo_source)[v])
+    create_pseudosource_windows(v);
+}
+
+void Window_propagator::relax_along_edge(Index corner, bool is_incoming)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const Index v = t.corner[corner], h = is_incoming ? previous_halfedge(corner) : corner;
+  const Index far_corner = is_incoming ? h : next_halfedge(corner);
+  const double distance = m_state.vertices[v].distance + t.length[h];
+  if(!(m_goal && m_goal->collects_all()) &&
+     !(distance < m_state.vertices[t.corner[far_corner]].distance))
+    return;
+  const bool is_on_axis = is_incoming || t.twin[corner] != none;
+  relax(t.corner[far_corner],
+        {distance, is_on_axis ? Vec2{1., 0.} : corner_angle(t, far_corner),
+         is_incoming || !is_on_axis ? far_corner : t.twin[corner], v},
+        m_state.vertices[v].source);
+}
+
+// Emits windows from a vertex at which a shortest path may bend: into the directions that are at least pi
+// from the direction to the source, on both sides.
+void Window_propagator::create_pseudosource_windows(Index v)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const Index entry_corner = m_state.vertices[v].corner;
+  const Vec2 direction = m_state.vertices[v].direction;
+  const double right_angle = std::atan2(std::max(direction[1], 0.), direction[0]);
+  const double left_angle = interior_angle(t, entry_corner) - right_angle;
+  double total_angle = right_angle + left_angle;
+  Index fan_size = 1, corner = next_corner_ccw(t, entry_corner);
+  for(; corner != none && corner != entry_corner; corner = next_corner_ccw(t, corner), ++fan_size)
+    total_angle += interior_angle(t, corner);
+  const bool is_closed = corner == entry_corner;
+  if(!is_closed)
+    total_angle = infinity;
+  double angle = left_angle; // from the direction to the source to the corner, counterclockwise
+  for(corner = next_corner_ccw(t, entry_corner);
+      corner != none && corner != entry_corner && angle < total_angle - pi;
+      corner = next_corner_ccw(t, corner))
+  {
+    emit_window(corner, pi - angle, total_angle - pi - angle);
+    angle += interior_angle(t, corner);
+  }
+  if(!is_closed)
+  {
+    angle = right_angle;
+    for(corner = next_corner_cw(t, entry_corner); corner != none;
+        corner = next_corner_cw(t, corner), ++fan_size)
+    {
+      angle += interior_angle(t, corner);
+      emit_window(corner, 0., angle - pi);
+    }
+  }
+  if(fan_size < t.ring_begin[v + 1] - t.ring_begin[v])
+    emit_windows_of_other_fans(v);
+}
+
+// Emits windows into the fans of a non-manifold vertex through which the path did not arrive.
+void Window_propagator::emit_windows_of_other_fans(Index v)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
+    if(!are_in_same_fan(t, m_state.vertices[v].corner, t.ring[i]))
+      emit_window(t.ring[i], 0., pi);
+}
+
+// Enqueues a window on the edge opposite to a corner, between two angles from the halfedge that leaves the
+// corner.
+void Window_propagator::emit_window(Index corner, double from, double to)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const Index h = next_halfedge(corner);
+  const double length = t.length[h], right = t.length[corner],
+               left = t.length[previous_halfedge(corner)], opening = interior_angle(t, corner);
+  from = std::max(from, 0.);
+  if(t.twin[h] == none || !(length > 0.) ||
+     !(std::min(to, opening) - from > straight_angle_tolerance))
+    return;
+  const auto position_at = [&](double angle) // distance from the left end of the edge
+  {
+    const double right_weight = right * std::sin(angle),
+                 left_weight = left * std::sin(opening - angle);
+    return right_weight + left_weight > 0. ? length * (left_weight / (right_weight + left_weight))
+                                           : 0.5 * length;
+  };
+  const Vec2 apex_point = third_corner(length, left, right);
+  enqueue(t.twin[h], {{apex_point[0], -apex_point[1]},
+                      m_state.vertices[t.corner[corner]].distance,
+                      to < opening ? position_at(to) : 0.,
+                      from > 0. ? position_at(from) : length,
+                      t.corner[corner],
+                      1.f});
+}
+
+// Moves the waiting windows of a halfedge that may be on a shortest path to m_state.windows, in the order
+// along the halfedge.
+void Window_propagator::collect_windows(Index h)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const double length = t.length[h], min_length = merge_tolerance * length;
+  const double max_by_begin = max_useful_distance(t.corner[h]),
+               max_by_end = max_useful_distance(t.corner[next_halfedge(h)]) + length;
+  Window_list* const lists = &m_state.waiting[2 * std::size_t(h)];
+  m_state.windows.resize(lists[0].size + lists[1].size + 1);
+  Window* stack_top = m_state.windows.data(); // the first entry is a sentinel
+  for(const int k : {0, 1})
+  {
+    const Window* const begin = m_state.pool.begin(lists[k]);
+    for(const Window* w = begin; w != begin + lists[k].size; ++w)
+    {
+      if(!(w->end - w->begin > min_length) ||
+         is_too_long(*w, max_by_begin + w->end - w->offset, max_by_end - w->begin - w->offset))
+        continue;
+      stack_top[1] = *w;
+      for(; stack_top != m_state.windows.data() &&
+            !split_overlap(stack_top[0], stack_top[1], min_length);
+          --stack_top)
+        stack_top[0] = stack_top[1];
+      if(stack_top[1].end - stack_top[1].begin > min_length)
+        ++stack_top;
+    }
+    m_state.pool.release(lists[k]);
+  }
+  m_state.windows.resize(std::size_t(stack_top - m_state.windows.data()) + 1);
+  if(m_state.number_of_crossings[h] == 0)
+    m_state.crossed_halfedges.push_back(h);
+  if(m_state.number_of_crossings[h] < max_untracked_crossings)
+    ++m_state.number_of_crossings[h];
+  else
+    drop_dominated(h);
+}
+
+// Drops the windows that are dominated by windows that have crossed this halfedge before, and stores the
+// others.
+void Window_propagator::drop_dominated(Index h)
+{
+  std::vector<Window>& known_windows = m_state.known_windows[h];
+  if(known_windows.size() > max_known_windows)
+    return m_state.windows.resize(1);
+  const double min_length = merge_tolerance * m_state.triangles->length[h];
+  std::size_t number_kept = 1;
+  for(std::size_t i = 1; i < m_state.windows.size(); ++i)
+  {
+    Window w = m_state.windows[i];
+    for(double width = infinity; w.end - w.begin > min_length && w.end - w.begin < width;)
+    {
+      width = w.end - w.begin;
+      for(const Window& other : known_windows)
+        trim_dominated(w, other);
+    }
+    if(w.end - w.begin > min_length)
+      m_state.windows[number_kept++] = w;
+  }
+  m_state.windows.resize(number_kept);
+  known_windows.insert(known_windows.end(), m_state.windows.begin() + 1, m_state.windows.end());
+}
+
+// Returns the distance at a vertex beyond which no window is useful.
+double Window_propagator::max_useful_distance(Index vertex) const
+{
+  const double max_here = m_state.vertices[vertex].distance * (1. + round_off_tolerance);
+  return m_goal ? std::min(max_here, m_goal->max_useful_distance(vertex)) : max_here;
+}
+
+// Returns whether a window is farther everywhere than the path through one of the ends of the halfedge, or
+// than the maximum distance.
+bool Window_propagator::is_too_long(const Window& w, double max_by_begin, double max_by_end) const
+{
+  const double max_length = m_state.max_distance - w.offset;
+  if(w.weight == 0.f)
+    return -w.end * w.source[0] > max_by_begin || -w.begin * w.source[0] > max_by_end ||
+           std::min(-w.begin * w.source[0], -w.end * w.source[0]) > max_length;
+  const double to_begin = w.begin - w.source[0], to_end = w.end - w.source[0],
+               square = w.source[1] * w.source[1];
+  if(std::min({max_by_begin, max_by_end, max_length}) < 0. ||
+     to_end * to_end + square > max_by_begin * max_by_begin ||
+     to_begin * to_begin + square > max_by_end * max_by_end)
+    return true;
+  const double offset_from_window = std::max({to_begin, -to_end, 0.});
+  return offset_from_window * offset_from_window + square > max_length * max_length;
+}
+
+// Propagates the windows that wait at a halfedge through its triangle.
+void Window_propagator::cross_triangle(Index h)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  collect_windows(h);
+  const Window* const windows = m_state.windows.data() + 1;
+  const std::size_t n = m_state.windows.size() - 1;
+  if(n == 0)
+    return;
+  const Index left = previous_halfedge(h);
+  const Vec2 apex_point = apex(t, h);
+
+  // Windows first .. last - 1 may reach the apex.
+  std::size_t first = 0, last = n;
+  while(first < n && side_of_apex_line(windows[first], windows[first].end, apex_point) < 0.)
+    ++first;
+  while(last > first &&
+        side_of_apex_line(windows[last - 1], windows[last - 1].begin, apex_point) > 0.)
+    --last;
+  const Nearest_window nearest = find_nearest(h, apex_point, first, last);
+  if(nearest.index == n)
+    return;
+  if(nearest.distance < m_state.vertices[t.corner[left]].distance && t.length[left] > 0.)
+    relax_apex(h, apex_point, nearest);
+
+  if(m_goal)
+    m_goal->meet_sources_behind(h, m_state.windows);
+
+  if(t.twin[left] != none && t.length[left] > 0. && last > 0)
+    cross_to_left(h, apex_point, last, nearest);
+  if(const Index right = next_halfedge(h);
+     t.twin[right] != none && t.length[right] > 0. && first < n)
+    cross_to_right(h, apex_point, first, nearest);
+}
+
+// Returns the window with the smallest distance at the apex among first .. last - 1 and the windows
+// adjacent to them, whose lines bend at an end of the window.  In a search for all paths, relaxes the apex
+// by each of them.
+Window_propagator::Nearest_window Window_propagator::find_nearest(Index h, const Vec2& apex_point,
+                                                                  std::size_t first,
+                                                                  std::size_t last)
+{
+  const Window* const windows = m_state.windows.data() + 1;
+  const std::size_t n = m_state.windows.size() - 1;
+  const bool relaxes_all =
+      m_goal && m_goal->collects_all() && m_state.triangles->length[previous_halfedge(h)] > 0.;
+  Nearest_window nearest = {n, infinity, 0., {1., 0.}};
+  for(std::size_t i = first - (first > 0); i < last + (last < n); ++i)
+  {
+    const Window& w = windows[i];
+    const double at_begin = side_of_apex_line(w, w.begin, apex_point),
+                 at_end = side_of_apex_line(w, w.end, apex_point);
+    double distance, position;
+    Vec2 to_source;
+    if(at_begin <= 0. && at_end >= 0.)
+    {
+      to_source = w.weight == 0.f ? w.source : w.source - apex_point;
+      distance = w.offset + (w.weight == 0.f ? -dot(to_source, apex_point) : norm(to_source));
+      position = at_end > at_begin ? w.begin + (w.end - w.begin) * (-at_begin / (at_end - at_begin))
+                                   : w.begin;
+    }
+    else
+    {
+      position = at_begin > 0. ? w.begin : w.end;
+      to_source = Vec2{position, 0.} - apex_point;
+      distance = w.distance(position) + norm(to_source);
+    }
+    if(relaxes_all)
+      relax_apex(h, apex_point, {i, distance, position, to_source});
+    if(distance < nearest.distance)
+      nearest = {i, distance, position, to_source};
+  }
+  return nearest;
+}
+
+void Window_propagator::relax_apex(Index h, const Vec2& apex_point, const Nearest_window& nearest)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const Index left = previous_halfedge(h);
+  const double base = t.length[h];
+  const double size = norm(nearest.to_source);
+  const Vec2 direction =
+      size > 0. ? rotated_back((1. / size) * nearest.to_source, (-1. / t.length[left]) * apex_point)
+                : Vec2{1., 0.};
+  // A line that bends at an end of the halfedge has the vertex there as its origin.
+  Index origin = m_state.windows[nearest.index + 1].origin;
+  const bool has_bend = nearest.to_source[1] == -apex_point[1];
+  if(has_bend && nearest.position <= merge_tolerance * base)
+    origin = t.corner[h];
+  else if(has_bend && nearest.position >= base * (1. - merge_tolerance))
+    origin = t.corner[next_halfedge(h)];
+  relax(t.corner[left], {nearest.distance, direction, left, origin}, m_state.source_of(origin));
+}
+
+// Enqueues the parts of the windows that leave through the left edge.  Lines that cross the line of the
+// nearest window are not shortest behind it and are dropped.
+void Window_propagator::cross_to_left(Index h, const Vec2& apex_point, std::size_t last,
+                                      const Nearest_window& nearest)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const Index left = previous_halfedge(h);
+  const double left_length = t.length[left];
+  const Window* const windows = m_state.windows.data() + 1;
+  Window_list list = m_state.pool.allocate(last);
+  Window* next_window = m_state.pool.begin(list);
+  const Vec2 axis = (1. / left_length) * apex_point;
+  for(std::size_t i = 0; i < last; ++i)
+  {
+    const Window& w = windows[i];
+    const double at_begin = side_of_apex_line(w, w.begin, apex_point),
+                 at_end = side_of_apex_line(w, w.end, apex_point);
+    if(at_begin < 0. && !(i > nearest.index && w.begin >= nearest.position))
+      *next_window++ = clip_through_left(w, at_begin, at_end, axis, left_length);
+  }
+  list.size = Index(next_window - m_state.pool.begin(list));
+  enqueue(t.twin[left], 0, list);
+}
+
+void Window_propagator::cross_to_right(Index h, const Vec2& apex_point, std::size_t first,
+                                       const Nearest_window& nearest)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  const Index right = next_halfedge(h);
+  const double base = t.length[h], right_length = t.length[right];
+  const Window* const windows = m_state.windows.data() + 1;
+  const std::size_t n = m_state.windows.size() - 1;
+  Window_list list = m_state.pool.allocate(n - first);
+  Window* next_window = m_state.pool.begin(list);
+  const Vec2 axis = (1. / right_length) * Vec2{base - apex_point[0], apex_point[1]};
+  for(std::size_t i = first; i < n; ++i)
+  {
+    const Window& w = windows[i];
+    const double at_begin = side_of_apex_line(w, w.begin, apex_point),
+                 at_end = side_of_apex_line(w, w.end, apex_point);
+    if(at_end > 0. && !(i < nearest.index && w.end <= nearest.position))
+      *next_window++ = mirror(
+          clip_through_left(mirror(w, base), -at_end, -at_begin, axis, right_length), right_length);
+  }
+  list.size = Index(next_window - m_state.pool.begin(list));
+  enqueue(t.twin[right], 1, list);
+}
+
+// Adds windows to those that wait at a halfedge, and releases an empty list.
+void Window_propagator::enqueue(Index h, int list_index, Window_list list)
+{
+  const Surface_arrays& t = *m_state.triangles;
+  if(list.size == 0)
+  {
+    list.size = 1;
+    return m_state.pool.release(list);
+  }
+  Window_list& waiting = m_state.waiting[2 * std::size_t(h) + list_index];
+  if(waiting.size > 0)
+  {
+    list = m_state.pool.merge(waiting, list);
+  }
+  waiting = list;
+  m_state.queue.push(h, std::min(m_state.vertices[t.corner[h]].distance,
+                                 m_state.vertices[t.corner[next_halfedge(h)]].distance));
+}
+
+void Window_propagator::enqueue(Index h, const Window& window)
+{
+  if(h == none)
+    return;
+  const Window_list list = m_state.pool.allocate(1);
+  *m_state.pool.begin(list) = window;
+  enqueue(h, 0, list);
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_PROPAGATOR_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_PROPAGATOR_H
+
+#include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_state.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+class Window_goal;
+
+// The relative round-off error of a sum of thousands of lengths is smaller.
+constexpr double round_off_tolerance = 1e-12;
+
+// Returns for each vertex whether a shortest path may bend there: its angles sum to more than 2 pi, or it
+// is on the boundary or not manifold.  Throws Unsupported_surface_error if the arrays are a cloud.
+CGAL_GEODESIC_PROCESSING_EXPORT
+std::shared_ptr<const std::vector<bool>> find_pseudo_sources(const Surface_arrays& triangles);
+
+// The steps of window propagation, forward or, with a goal, back from a location.
+class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagator
+{
+public:
+  explicit Window_propagator(Window_state& state, Window_goal* goal = nullptr)
+      : m_state(state), m_goal(goal)
+  {}
+
+  // Initializes vertices and windows from the sources; requires a cleared state and its min_offset.
+  void start(const std::vector<Front_source>& sources);
+  // Processes the first item of the queue.  Returns true if it is a vertex.
+  bool step();
+
+private:
+  void start_at_point(const Surface_location& location, Index source, double offset);
+  void start_along(const Source_piece& piece);
+  bool relax(Index vertex, const Window_arrival& arrival, Index source);
+
+  void finalize_vertex(Index vertex);
+  void relax_along_edge(Index corner, bool is_incoming);
+  void create_pseudosource_windows(Index vertex);
+  void emit_windows_of_other_fans(Index vertex);
+  void emit_window(Index corner, double from, double to);
+
+  // The window with the smallest distance at the apex of the triangle that windows cross.
+  struct Nearest_window
+  {
+    std::size_t index;
+    double distance;
+    double position; // at which its line to the apex crosses the halfedge
+    Vec2 to_source;  // from the apex
+  };
+  void cross_triangle(Index h);
+  Nearest_window find_nearest(Index h, const Vec2& apex_point, std::size_t first, std::size_t last);
+  void relax_apex(Index h, const Vec2& apex_point, const Nearest_window& nearest);
+  void cross_to_left(Index h, const Vec2& apex_point, std::size_t last,
+                     const Nearest_window& nearest);
+  void cross_to_right(Index h, const Vec2& apex_point, std::size_t first,
+                      const Nearest_window& nearest);
+  void collect_windows(Index h);
+  void drop_dominated(Index h);
+  double max_useful_distance(Index vertex) const;
+  bool is_too_long(const Window& window, double max_by_begin, double max_by_end) const;
+
+  void enqueue(Index h, int list_index, Window_list list);
+  void enqueue(Index h, const Window& window);
+
+  Window_state& m_state;
+  Window_goal* m_goal; // null in a forward propagation
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_PROPAGATOR_H

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_OPERATIONS_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_OPERATIONS_H
+
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/distances/Window_pool.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Geodesic_processing::internal {
+
+// Operations on windows, in their coordinates (see Window).
+
+// Positions and sources that differ by less than this fraction of the edge or distance are equal.
+constexpr double merge_tolerance = 1e-13;
+// Two windows are split only if their overlap is larger than this fraction of the smaller one.
+constexpr double min_overlap_ratio = 0.6;
+
+// Returns a positive value if the position on the edge is to the right of the window's line through the
+// apex, and a negative value if it is to the left.
+inline double side_of_apex_line(const Window& window, double position, const Vec2& apex_point)
+{
+  return (position * double(window.weight) - window.source[0]) * apex_point[1] +
+         window.source[1] * (apex_point[0] - position);
+}
+
+// Returns the window in the coordinates of the reversed edge, whose length is `length`, reflected.
+inline Window mirror(Window w, double length)
+{
+  if(w.weight == 0.f)
+    w.offset -= w.source[0] * length;
+  w.source[0] = length * double(w.weight) - w.source[0];
+  const double begin = w.begin;
+  w.begin = length - w.end;
+  w.end = length - begin;
+  return w;
+}
+
+// Returns the part of a window that leaves the triangle through its left edge, in the coordinates of that
+// edge's twin.  The left edge runs from the origin along `axis` to the apex and has this length.  `begin`
+// and `end` are side_of_apex_line() of the window's ends; `begin` is negative.
+inline Window clip_through_left(Window w, double begin, double end, const Vec2& axis, double length)
+{
+  // The line through (b, 0) meets the edge at the fraction b y / (b y + side_of_apex_line(b)).
+  const double y = w.source[1];
+  w.begin = length * (w.begin * y / (w.begin * y + begin));
+  w.end = end < 0. ? length * (w.end * y / (w.end * y + end)) : length;
+  w.source = {dot(w.source, axis), std::min(0., cross(axis, w.source))};
+  return w;
+}
+
+// Splits two overlapping windows at the position at which their distances are equal; `a` is the first one
+// along the edge.  If their sources are equal, merges `a` into `b`.  Returns false if `a` is not needed
+// any more.
+inline bool split_overlap(Window& a, Window& b, double min_length)
+{
+  double overlap_begin = std::max(a.begin, b.begin), overlap_end = std::min(a.end, b.end);
+  if(overlap_end - overlap_begin < -min_length)
+    return true;
+  const auto is_equal = [&](double p, double q)
+  { return std::abs(p - q) <= merge_tolerance * std::abs(p); };
+  if(std::abs(a.source[0] - b.source[0]) <= merge_tolerance * std::abs(a.source[0]) + min_length &&
+     std::abs(a.source[1] - b.source[1]) <= merge_tolerance * std::abs(a.source[1]) + min_length &&
+     is_equal(a.offset, b.offset) && a.weight == b.weight)
+  {
+    b.begin = std::min(a.begin, b.begin);
+    b.end = std::max(a.end, b.end);
+    return false;
+  }
+  if(!(overlap_end - overlap_begin >
+       min_overlap_ratio * std::min(a.end - a.begin, b.end - b.begin) + min_length))
+    return true;
+  double difference_at_begin = a.distance(overlap_begin) - b.distance(overlap_begin),
+         difference_at_end = a.distance(overlap_end) - b.distance(overlap_end);
+  if(difference_at_begin >= 0. && difference_at_end >= 0.)
+  {
+    if(a.end <= b.end)
+    {
+      if(a.begin >= b.begin)
+        return false;
+      a.end = overlap_begin;
+    }
+    return true;
+  }
+  if(difference_at_begin <= 0. && difference_at_end <= 0.)
+  {
+    if(b.begin >= a.begin)
+      b.begin = overlap_end;
+    return true;
+  }
+  if(difference_at_begin > 0.)
+    return true; // not in order: both stay as they are
+  // Regula falsi.  The interval [overlap_begin, overlap_end] always contains the crossing, so that only
+  // parts with larger distances are cut off.
+  const double tolerance = 1e-14 * (std::abs(a.source[0]) + std::abs(a.source[1]));
+  for(int step = 0; step < 4 && overlap_begin < overlap_end; ++step)
+  {
+    const double crossing =
+        overlap_begin + (overlap_end - overlap_begin) *
+                            (difference_at_begin / (difference_at_begin - difference_at_end));
+    if(!(crossing > overlap_begin && crossing < overlap_end))
+      break;
+    const double value = a.distance(crossing) - b.distance(crossing);
+    if(value <= tolerance)
+    {
+      overlap_begin = crossing;
+      difference_at_begin = value;
+    }
+    if(value >= -tolerance)
+    {
+      overlap_end = crossing;
+      difference_at_end = value;
+    }
+  }
+  if(a.end <= b.end)
+    a.end = overlap_end;
+  if(b.begin >= a.begin)
+    b.begin = overlap_begin;
+  return true;
+}
+
+// Shortens a window at its ends where another window has a distance that is not larger.
+inline void trim_dominated(Window& w, const Window& other)
+{
+  const double overlap_begin = std::max(w.begin, other.begin),
+               overlap_end = std::min(w.end, other.end);
+  const auto is_nearer = [&](double position)
+  {
+    return other.distance(position) <=
+           w.distance(position) + merge_tolerance * std::abs(w.distance(position));
+  };
+  if(!(overlap_begin < overlap_end) || (overlap_begin > w.begin && overlap_end < w.end) ||
+     !is_nearer(overlap_begin) || !is_nearer(overlap_end))
+    return;
+  // Two hyperbolas intersect at most twice.  In between, their difference has one extremum.
+  const double slope = (w.source[0] - other.source[0]) / (w.offset - other.offset);
+  const double extremum =
+      w.source[0] + std::abs(w.source[1]) * slope / std::sqrt(1. - slope * slope);
+  if(extremum > overlap_begin && extremum < overlap_end && !is_nearer(extremum))
+    return;
+  if(overlap_begin == w.begin)
+    w.begin = overlap_end;
+  else
+    w.end = overlap_begin;
+}
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_WINDOW_OPERATIONS_H
