@@ -19,10 +19,12 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// How many square roots of the time step the surface may be wide: exp(-600) is about 1e-260.
+// The maximum width of a component in square roots of the time step: exp(-600) is about 1e-260, close to
+// underflow.
 constexpr double max_width = 600.;
 
-// A bound on the width of the widest component: twice the longest distance from one of its sites.
+// Returns an upper bound of the largest diameter of a connected component: twice the largest distance from
+// one of its vertices along edges.
 double component_width(const std::shared_ptr<const Surface_arrays>& triangles,
                        const std::vector<Index>& component, std::size_t number_of_components)
 {
@@ -42,7 +44,8 @@ double component_width(const std::shared_ptr<const Surface_arrays>& triangles,
   return 2. * max_distance;
 }
 
-// The direction in which a function falls in each triangle, or zero where it has none.
+// Returns the unit vector of the negative gradient of a function in each triangle, or zero if it is
+// constant.  function: #vertices.
 Field unit_descent_directions(const Operators& operators, const Vector& function)
 {
   Field result(operators.number_of_triangles(), Vec2{0., 0.});
@@ -51,11 +54,11 @@ Field unit_descent_directions(const Operators& operators, const Vector& function
     const Index* corner = &operators.corner[3 * f];
     const std::array<double, 3> value = {function[corner[0]], function[corner[1]],
                                          function[corner[2]]};
-    // Divided by the largest first: heat far away is below what squares can hold.
+    // Scaled by the largest value: far from the sources the squares of heat values underflow.
     const double max_value = std::max({std::abs(value[0]), std::abs(value[1]), std::abs(value[2])});
     const double difference_1 = (value[1] - value[0]) / max_value,
                  difference_2 = (value[2] - value[0]) / max_value;
-    // Opposite to the source of a symmetric surface there is no direction, only rounding.
+    // Opposite to the source of a symmetric surface the gradient consists of round-off errors.
     if(!(std::max(std::abs(difference_1), std::abs(difference_2)) >= 1e-13))
       continue;
     const Vec2 gradient = difference_1 * operators.hat_gradient[3 * f + 1] +
@@ -67,12 +70,72 @@ Field unit_descent_directions(const Operators& operators, const Vector& function
   return result;
 }
 
+// Heat at a vertex.
+struct Deposit
+{
+  Index vertex;
+  double weight;
+  double offset; // of its source
+};
+
+// Returns the heat sources of a query: a point by its barycentric coordinates, a segment with half of its
+// length, in diffusion lengths, at each end.
+std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_length,
+                                 const std::vector<Front_source>& sources)
+{
+  std::vector<Deposit> result;
+  const auto deposit = [&](const Surface_location& location, double total_weight, double offset)
+  {
+    for(int k = 0; k < (location.triangle == none ? 1 : 3); ++k)
+    {
+      const Index vertex =
+          location.triangle == none ? location.vertex : t.corner[3 * location.triangle + k];
+      const double weight =
+          location.triangle == none ? total_weight : total_weight * location.barycentric[k];
+      if(weight > 0.)
+        result.push_back({vertex, weight, offset});
+    }
+  };
+  for(const Front_source& source : sources)
+  {
+    if(source.polyline.size() == 1)
+      deposit(source.polyline[0], 1., source.offset);
+    for(std::size_t i = 1; i < source.polyline.size(); ++i)
+    {
+      const double length =
+          polyline_length(t, {source.polyline[i - 1], source.polyline[i]}) / diffusion_length;
+      deposit(source.polyline[i - 1], 0.5 * length, source.offset);
+      deposit(source.polyline[i], 0.5 * length, source.offset);
+    }
+  }
+  return result;
+}
+
+// Shifts the potential of each connected component such that its weighted mean over the sources in the
+// component is the weighted mean of their offsets.  Returns the shift of each component; not a number if
+// the component has no source.
+std::vector<double> component_shifts(const std::vector<Index>& component,
+                                     std::size_t number_of_components,
+                                     const std::vector<Deposit>& deposits, const Vector& potential)
+{
+  std::vector<double> shift(number_of_components, 0.), total_weight(number_of_components, 0.);
+  for(const Deposit& deposit : deposits)
+  {
+    shift[component[deposit.vertex]] +=
+        deposit.weight * (deposit.offset - potential[deposit.vertex]);
+    total_weight[component[deposit.vertex]] += deposit.weight;
+  }
+  for(std::size_t i = 0; i < shift.size(); ++i)
+    shift[i] /= total_weight[i];
+  return shift;
+}
+
 } // namespace
 
 struct Heat_solver::Systems
 {
-  Operators operators;          // of the triangulation that carries the heat
-  std::vector<Index> component; // #sites
+  Operators operators;          // of the intrinsic triangulation
+  std::vector<Index> component; // #vertices
   std::size_t number_of_components = 0;
   double diffusion_length = 0.; // square root of the time step
   std::unique_ptr<Sparse_solver> heat, poisson;
@@ -89,7 +152,8 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
   double mean = 0.;
   for(const double length : t.length)
     mean += length / double(t.length.size());
-  // A millionth of a side's length keeps the cotangents below a million (Sharp and Crane 2020).
+  // Mollification by 1e-6 of the mean edge length bounds the cotangents by about 1e6 (Sharp and Crane
+  // 2020).
   mollify(t, 1e-6 * (mean > 0. ? mean : 1.));
   if(!t.is_cloud())
     flip_to_delaunay(t);
@@ -105,7 +169,8 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
   const Vector mass = lumped_mass(systems->operators);
   heat.diagonal() += (mass.array() > 0.).select(mass, 1.);
   systems->heat = std::make_unique<Sparse_solver>(heat);
-  // A shift small enough to change nothing on a long strip would be lost in rounding.
+  // One vertex of each component is pinned.  A diagonal shift of the singular matrix that is small enough
+  // for a long strip would be lost in round-off errors.
   laplacian.pin(poisson);
   systems->poisson = std::make_unique<Sparse_solver>(poisson);
 
@@ -128,46 +193,15 @@ bool Heat_solver::run(const std::vector<Front_source>& sources, const Front_limi
   }
   m_dijkstra.run(sources);
 
-  const Surface_arrays& t = *m_triangles;
   const Systems& s = *m_systems;
-  const Index n = static_cast<Index>(m_distance.size());
-
-  // Heat, and its mean offset, given to the sites around each source: points by their barycentric
-  // coordinates, segments half at each end.
+  const std::vector<Deposit> deposits = deposits_of(*m_triangles, s.diffusion_length, sources);
   double min_offset = infinity;
   for(const Front_source& source : sources)
     min_offset = std::min(min_offset, source.offset);
-  Vector heat = Vector::Zero(n);
-  std::vector<std::pair<Index, double>> deposits; // sites and heat, in order
-  std::vector<double> offset;                     // of each of those
-  const auto deposit =
-      [&](const Surface_location& location, double total_weight, double source_offset)
-  {
-    for(int k = 0; k < (location.triangle == none ? 1 : 3); ++k)
-    {
-      const Index vertex =
-          location.triangle == none ? location.vertex : t.corner[3 * location.triangle + k];
-      const double weight =
-          location.triangle == none ? total_weight : total_weight * location.barycentric[k];
-      if(weight <= 0.)
-        continue;
-      heat[vertex] += weight * std::exp(-(source_offset - min_offset) / s.diffusion_length);
-      deposits.emplace_back(vertex, weight);
-      offset.push_back(source_offset);
-    }
-  };
-  for(const Front_source& source : sources)
-  {
-    if(source.polyline.size() == 1)
-      deposit(source.polyline[0], 1., source.offset);
-    for(std::size_t i = 1; i < source.polyline.size(); ++i)
-    {
-      const double length =
-          polyline_length(t, {source.polyline[i - 1], source.polyline[i]}) / s.diffusion_length;
-      deposit(source.polyline[i - 1], 0.5 * length, source.offset);
-      deposit(source.polyline[i], 0.5 * length, source.offset);
-    }
-  }
+  Vector heat = Vector::Zero(Eigen::Index(m_distance.size()));
+  for(const Deposit& deposit : deposits)
+    heat[deposit.vertex] +=
+        deposit.weight * std::exp(-(deposit.offset - min_offset) / s.diffusion_length);
   const Vector u = s.heat->solve(heat);
   if(is_cancelled(0.5))
   {
@@ -175,22 +209,14 @@ bool Heat_solver::run(const std::vector<Front_source>& sources, const Front_limi
     return false;
   }
 
-  // Away from the sources, so that distances grow along it.
+  // The directions point away from the sources: distances increase along them.
   const Vector potential =
       s.poisson->solve(minus_divergence(s.operators, unit_descent_directions(s.operators, u)));
-
-  std::vector<double> shift(s.number_of_components, 0.), total_weight(s.number_of_components, 0.);
-  for(std::size_t i = 0; i < deposits.size(); ++i)
-  {
-    const auto [vertex, weight] = deposits[i];
-    shift[s.component[vertex]] += weight * (offset[i] - potential[vertex]);
-    total_weight[s.component[vertex]] += weight;
-  }
+  const std::vector<double> shift =
+      component_shifts(s.component, s.number_of_components, deposits, potential);
   for(const Index vertex : m_dijkstra.reached())
   {
-    const Index component = s.component[vertex];
-    const double distance =
-        std::max(potential[vertex] + shift[component] / total_weight[component], min_offset);
+    const double distance = std::max(potential[vertex] + shift[s.component[vertex]], min_offset);
     if(distance > limits.maximum_distance)
       continue;
     m_distance[vertex] = distance;

@@ -11,23 +11,24 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// An obtuse corner and the site behind the opposite side that splits it.
+// An obtuse corner and the vertex behind its opposite edge that splits it.
 struct Splitting_vertex
 {
   Index corner;
-  Index vertex;  // none where no site within reach splits the corner
-  double length; // from the corner to that site
-  Vec2 base;     // from that site to the corner's two neighbours, the one that the corner's side
-                 //   runs to first
+  Index vertex;  // none if no vertex within max_steps triangles splits the corner
+  double length; // from the corner to that vertex
+  Vec2 base;     // lengths from that vertex to the ends of the corner's halfedge and of the other edge
 };
 
+// Unfolds triangles behind the edge opposite to a corner until one has a vertex that splits the corner into
+// two acute angles.  `angle` is (cos, sin) of the corner.
 Splitting_vertex find_splitting_vertex(const Surface_arrays& t, Index corner, const Vec2& angle)
 {
   constexpr int max_steps = 20;
   const Vec2 a = {t.length[corner], 0.}, b = t.length[previous_halfedge(corner)] * angle;
-  // The side to look behind, from `left` to `right` as seen from the corner.
+  // The halfedge to be crossed; it runs from `begin` to `end`.
   Index h = next_halfedge(corner);
-  Vec2 left_end = a, right_end = b;
+  Vec2 begin = a, end = b;
   for(int step = 0; step < max_steps; ++step)
   {
     h = t.twin[h]; // runs from end to begin
@@ -36,8 +37,8 @@ Splitting_vertex find_splitting_vertex(const Surface_arrays& t, Index corner, co
     const double length = t.length[h];
     if(length <= 0.)
       break;
-    const Vec2 direction = (1. / length) * (left_end - right_end);
-    const Vec2 position = right_end + rotated(apex(t, h), direction);
+    const Vec2 direction = (1. / length) * (begin - end);
+    const Vec2 position = end + rotated(apex(t, h), direction);
     const bool is_acute_to_a = dot(a, position) > 0., is_acute_to_b = dot(b, position) > 0.;
     if(is_acute_to_a && is_acute_to_b && cross(a, position) > 0. && cross(position, b) > 0.)
       return {corner,
@@ -46,23 +47,23 @@ Splitting_vertex find_splitting_vertex(const Surface_arrays& t, Index corner, co
               {norm(a - position), norm(b - position)}};
     if(is_acute_to_a)
     {
-      // Too close to a: the cone passes between w and end.
-      left_end = position;
+      // The vertex is closer to a: the directions that split the angle are between it and end.
+      begin = position;
       h = previous_halfedge(h);
-      // previous_halfedge runs from w to end
     }
     else
     {
-      right_end = position;
+      end = position;
       h = next_halfedge(h);
     }
   }
   return {corner, none, 0., {0., 0.}};
 }
 
-// Angles around a site add up to 2 pi within this: coordinates of single precision leave less.
+// Tolerance for an angle sum of 2 pi.  The errors of single precision coordinates are smaller.
 constexpr double flat_angle_tolerance = 1e-6;
 
+// Appends the fan edges of all vertices.
 void add_edges(const Surface_arrays& t, Vertex_fans& s)
 {
   const Index n = static_cast<Index>(t.number_of_vertices());
@@ -71,8 +72,8 @@ void add_edges(const Surface_arrays& t, Vertex_fans& s)
   for(Index vertex = 0; vertex < n; ++vertex)
   {
     s.begin[vertex] = {static_cast<Index>(s.edges.size()), 0, t.ring_begin[vertex]};
-    std::size_t fan_begin = s.edges.size(); // where it begins
-    Vec2 total_turn = {1., 0.};             // of its triangles so far
+    std::size_t fan_begin = s.edges.size();
+    Vec2 total_turn = {1., 0.}; // rotation by the angles of the fan so far
     for(Index i = t.ring_begin[vertex]; i < t.ring_begin[vertex + 1]; ++i)
     {
       const Index corner = t.ring[i], next = next_halfedge(corner),
@@ -98,6 +99,7 @@ void add_edges(const Surface_arrays& t, Vertex_fans& s)
   s.begin[n] = {static_cast<Index>(s.edges.size()), 0, t.ring_begin[n]};
 }
 
+// Appends the splits of all obtuse corners, in CSR format, and sets the flags of their fan edges.
 void add_splits(const Surface_arrays& t, Vertex_fans& s)
 {
   std::vector<Splitting_vertex> splitting_vertices;
@@ -105,7 +107,7 @@ void add_splits(const Surface_arrays& t, Vertex_fans& s)
   {
     const double a = t.length[corner], b = t.length[previous_halfedge(corner)],
                  opposite = t.length[next_halfedge(corner)];
-    // A right angle needs no split, and is common: rounding must not make it obtuse.
+    // Right angles are common and need no split; the tolerance covers their round-off errors.
     if(!(opposite * opposite > a * a + b * b))
       continue;
     const Vec2 angle = angle_between(a, b, opposite);
@@ -116,7 +118,7 @@ void add_splits(const Surface_arrays& t, Vertex_fans& s)
       splitting_vertices.push_back(splitting);
   }
 
-  // Each is seen from both ends of the bases of its two halves.
+  // Each split corner has two halves, each seen from both ends of its base.
   const auto for_each_half = [&](const auto& visit)
   {
     for(const Splitting_vertex& splitting : splitting_vertices)

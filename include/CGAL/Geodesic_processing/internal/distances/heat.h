@@ -11,23 +11,25 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Distances by the heat method (Crane, Weischedel and Wardetzky 2013), on the intrinsic Delaunay
+// Computes distances by the heat method (Crane, Weischedel and Wardetzky 2013), on the intrinsic Delaunay
 // triangulation of a mesh or on the weighted triangles of a cloud.
 //
-// The time step is the square of the mean length of a side, or more where the surface is more than
-// 300 of those wide: heat that underflows has no direction.  A source with an offset gets as much
-// less heat as it would have lost on the way.  A whole component is shifted such that the mean
-// over its sources is right.
+// The time step is the square of the mean edge length.  It is increased if a component may be wider than
+// 600 square roots of it, because heat that underflows has no gradient.  The heat of a source with an
+// offset is reduced by the decay over that distance.  The distances of a connected component are shifted
+// such that their mean over the sources equals the mean offset.
 class CGAL_GEODESIC_PROCESSING_EXPORT Heat_solver
 {
 public:
-  // Two sparse factorizations.
+  // Computes two sparse factorizations, of the heat and of the Poisson system.
   explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles);
 
-  // As Front::run(); labels, predecessors and what is reached are those of the shortest arcs.
-  // Throws Unsupported_surface_error when the limits ask for speeds.
+  // As Front::run(), in O(#vertices) memory and two back substitutions.  Sources, predecessors and the
+  // reached vertices are those of Dijkstra's algorithm; targets and known distances are ignored.  Throws
+  // Unsupported_surface_error if the limits have a slowness.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
+  // Returns the distance of a vertex, or interpolates linearly in a triangle.  Infinite if not reached.
   double distance(Index vertex) const { return m_distance[vertex]; }
   double distance(const Surface_location& location) const;
   Index source(Index vertex) const { return m_dijkstra.source(vertex); }
@@ -39,7 +41,7 @@ private:
   std::shared_ptr<const Surface_arrays> m_triangles;
   std::shared_ptr<const Systems> m_systems;
   Front m_dijkstra;
-  std::vector<double> m_distance; // #sites
+  std::vector<double> m_distance; // #vertices
   std::vector<Index> m_reached;
 };
 
