@@ -17,11 +17,12 @@ struct Splitting_vertex
   Index corner;
   Index vertex;  // none if no vertex within max_steps triangles splits the corner
   double length; // from the corner to that vertex
-  Vec2 base;     // lengths from that vertex to the ends of the corner's halfedge and of the other edge
+  // The distances from that vertex to the other corners of the triangle, the next corner first.
+  Vec2 base;
 };
 
-// Unfolds triangles behind the edge opposite to a corner until one has a vertex that splits the corner into
-// two acute angles.  `angle` is (cos, sin) of the corner.
+// Unfolds triangles behind the edge opposite to a corner until one has a vertex that splits the
+// corner into two acute angles.  `angle` is (cos, sin) of the corner.
 Splitting_vertex find_splitting_vertex(const Surface_arrays& t, Index corner, const Vec2& angle)
 {
   constexpr int max_steps = 20;
@@ -99,10 +100,10 @@ void add_edges(const Surface_arrays& t, Vertex_fans& s)
   s.begin[n] = {static_cast<Index>(s.edges.size()), 0, t.ring_begin[n]};
 }
 
-// Appends the splits of all obtuse corners, in CSR format, and sets the flags of their fan edges.
-void add_splits(const Surface_arrays& t, Vertex_fans& s)
+// Returns the obtuse corners that can be split, with the vertices that split them.
+std::vector<Splitting_vertex> find_splitting_vertices(const Surface_arrays& t)
 {
-  std::vector<Splitting_vertex> splitting_vertices;
+  std::vector<Splitting_vertex> result;
   for(Index corner = 0; corner < t.corner.size(); ++corner)
   {
     const double a = t.length[corner], b = t.length[previous_halfedge(corner)],
@@ -115,9 +116,15 @@ void add_splits(const Surface_arrays& t, Vertex_fans& s)
       continue;
     const Splitting_vertex splitting = find_splitting_vertex(t, corner, angle);
     if(splitting.vertex != none)
-      splitting_vertices.push_back(splitting);
+      result.push_back(splitting);
   }
+  return result;
+}
 
+// Appends the splits of all obtuse corners, in CSR format, and sets the flags of their fan edges.
+void add_splits(const Surface_arrays& t, Vertex_fans& s)
+{
+  const std::vector<Splitting_vertex> splitting_vertices = find_splitting_vertices(t);
   // Each split corner has two halves, each seen from both ends of its base.
   const auto for_each_half = [&](const auto& visit)
   {

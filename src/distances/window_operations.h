@@ -18,8 +18,8 @@ constexpr double merge_tolerance = 1e-13;
 // Two windows are split only if their overlap is larger than this fraction of the smaller one.
 constexpr double min_overlap_ratio = 0.6;
 
-// Returns a positive value if the position on the edge is to the right of the window's line through the
-// apex, and a negative value if it is to the left.
+// Returns a value that is positive if a position on the edge is to the right of the line from the
+// window's source to the apex, and negative if it is to the left.  The scale is arbitrary.
 inline double side_of_apex_line(const Window& window, double position, const Vec2& apex_point)
 {
   return (position * double(window.weight) - window.source[0]) * apex_point[1] +
@@ -38,9 +38,9 @@ inline Window mirror(Window w, double length)
   return w;
 }
 
-// Returns the part of a window that leaves the triangle through its left edge, in the coordinates of that
-// edge's twin.  The left edge runs from the origin along `axis` to the apex and has this length.  `begin`
-// and `end` are side_of_apex_line() of the window's ends; `begin` is negative.
+// Returns the part of a window that leaves the triangle through its left edge, in the coordinates
+// of that edge's twin.  The left edge runs from the origin along `axis` to the apex and has this
+// length.  `begin` and `end` are side_of_apex_line() of the window's ends; `begin` is negative.
 inline Window clip_through_left(Window w, double begin, double end, const Vec2& axis, double length)
 {
   // The line through (b, 0) meets the edge at the fraction b y / (b y + side_of_apex_line(b)).
@@ -51,9 +51,37 @@ inline Window clip_through_left(Window w, double begin, double end, const Vec2& 
   return w;
 }
 
-// Splits two overlapping windows at the position at which their distances are equal; `a` is the first one
-// along the edge.  If their sources are equal, merges `a` into `b`.  Returns false if `a` is not needed
-// any more.
+// Narrows the interval [begin, end] in which `a` and `b` become equally far, by four steps of the
+// regula falsi.  The interval always contains the position of equal distance, so that the callers
+// cut off only parts with larger distances.  The differences are those of the distances of `a` and
+// `b` at its ends.
+inline void bracket_equal_distance(const Window& a, const Window& b, double& begin, double& end,
+                                   double difference_at_begin, double difference_at_end)
+{
+  const double tolerance = 1e-14 * (std::abs(a.source[0]) + std::abs(a.source[1]));
+  for(int step = 0; step < 4 && begin < end; ++step)
+  {
+    const double crossing =
+        begin + (end - begin) * (difference_at_begin / (difference_at_begin - difference_at_end));
+    if(!(crossing > begin && crossing < end))
+      break;
+    const double value = a.distance(crossing) - b.distance(crossing);
+    if(value <= tolerance)
+    {
+      begin = crossing;
+      difference_at_begin = value;
+    }
+    if(value >= -tolerance)
+    {
+      end = crossing;
+      difference_at_end = value;
+    }
+  }
+}
+
+// Splits two overlapping windows at the position of equal distance; `a` is the first one along the
+// edge.  If one of them is farther in the whole overlap, cuts its overlap off.  If their sources
+// are equal, merges `a` into `b`.  Returns false if `a` must be removed.
 inline bool split_overlap(Window& a, Window& b, double min_length)
 {
   double overlap_begin = std::max(a.begin, b.begin), overlap_end = std::min(a.end, b.end);
@@ -72,8 +100,8 @@ inline bool split_overlap(Window& a, Window& b, double min_length)
   if(!(overlap_end - overlap_begin >
        min_overlap_ratio * std::min(a.end - a.begin, b.end - b.begin) + min_length))
     return true;
-  double difference_at_begin = a.distance(overlap_begin) - b.distance(overlap_begin),
-         difference_at_end = a.distance(overlap_end) - b.distance(overlap_end);
+  const double difference_at_begin = a.distance(overlap_begin) - b.distance(overlap_begin),
+               difference_at_end = a.distance(overlap_end) - b.distance(overlap_end);
   if(difference_at_begin >= 0. && difference_at_end >= 0.)
   {
     if(a.end <= b.end)
@@ -92,28 +120,7 @@ inline bool split_overlap(Window& a, Window& b, double min_length)
   }
   if(difference_at_begin > 0.)
     return true; // not in order: both stay as they are
-  // Regula falsi.  The interval [overlap_begin, overlap_end] always contains the crossing, so that only
-  // parts with larger distances are cut off.
-  const double tolerance = 1e-14 * (std::abs(a.source[0]) + std::abs(a.source[1]));
-  for(int step = 0; step < 4 && overlap_begin < overlap_end; ++step)
-  {
-    const double crossing =
-        overlap_begin + (overlap_end - overlap_begin) *
-                            (difference_at_begin / (difference_at_begin - difference_at_end));
-    if(!(crossing > overlap_begin && crossing < overlap_end))
-      break;
-    const double value = a.distance(crossing) - b.distance(crossing);
-    if(value <= tolerance)
-    {
-      overlap_begin = crossing;
-      difference_at_begin = value;
-    }
-    if(value >= -tolerance)
-    {
-      overlap_end = crossing;
-      difference_at_end = value;
-    }
-  }
+  bracket_equal_distance(a, b, overlap_begin, overlap_end, difference_at_begin, difference_at_end);
   if(a.end <= b.end)
     a.end = overlap_end;
   if(b.begin >= a.begin)
@@ -121,7 +128,8 @@ inline bool split_overlap(Window& a, Window& b, double min_length)
   return true;
 }
 
-// Shortens a window at its ends where another window has a distance that is not larger.
+// Cuts off the part of a window that overlaps with another one, if the other one is not farther in
+// the whole overlap and if the overlap contains an end of the window.
 inline void trim_dominated(Window& w, const Window& other)
 {
   const double overlap_begin = std::max(w.begin, other.begin),
