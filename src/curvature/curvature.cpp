@@ -17,14 +17,14 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The radius of a ball in mean lengths around its site: the least that evens out the triangulation of
-// a scan.
+// The default radius of a ball in mean edge lengths of its center: the smallest one that averages
+// out the irregular triangulation of a scan.
 constexpr double radius_in_edge_lengths = 3.;
 
-// A surface of second order has six coefficients; with twice as many surfels noise averages out.
+// A quadric has six coefficients.  Twice as many surfels average out noise.
 constexpr std::size_t min_number_of_surfels = 12;
 
-// The sum over edges of  angle  length  e e^T, of which one direction lies in two dimensions.
+// A symmetric 3 x 3 matrix: the sum over edges of angle * length * e e^T, e the unit direction.
 struct Curvature_tensor
 {
   std::array<double, 6> sum = {}; // xx, yy, zz, yz, zx, xy
@@ -42,6 +42,7 @@ struct Curvature_tensor
     for(int i = 0; i < 6; ++i)
       sum[i] += other.sum[i];
   }
+  // Returns p^T M q.
   double evaluate(const Vec3& p, const Vec3& q) const
   {
     double result = 0.;
@@ -54,21 +55,23 @@ struct Curvature_tensor
   }
 };
 
-// What each triangle and each side add to the balls that hold them.
+// The contributions of triangles and halfedges to the balls that contain them.
 struct Curvature_terms
 {
-  std::vector<Vec3> normal; // #triangles: as long as twice the area
-  std::vector<double>
-      weighted_angle; // #sides: the angle between the normals, positive at a convex edge,
-                      //   times half of the length: the twin has the other half
-  std::vector<Curvature_tensor> tensor; // #triangles: of its sides
+  std::vector<Vec3> normal; // #triangles: of length 2 area
+  // #halfedges: the dihedral angle between the normals, positive at a convex edge, times half of
+  // the length; the twin has the other half.  0 at the boundary.
+  std::vector<double> weighted_angle;
+  std::vector<Curvature_tensor> tensor; // #triangles: sum over its halfedges
 };
 
+// Returns the unit direction of a halfedge.
 Vec3 edge_direction(const Surface_arrays& t, Index h)
 {
   return unit(t.point[t.corner[next_halfedge(h)]] - t.point[t.corner[h]]);
 }
 
+// Computes the contributions of all triangles and halfedges of a mesh.
 Curvature_terms curvature_terms(const Surface_arrays& t)
 {
   Curvature_terms result;
@@ -92,6 +95,7 @@ Curvature_terms curvature_terms(const Surface_arrays& t)
   return result;
 }
 
+// Returns the mean length of the edges of a vertex, over its triangles.
 double mean_length(const Surface_arrays& t, Index v)
 {
   double sum = 0.;
@@ -100,7 +104,8 @@ double mean_length(const Surface_arrays& t, Index v)
   return sum / (2. * (t.ring_begin[v + 1] - t.ring_begin[v]));
 }
 
-// Of the symmetric form  a, b; b, c  in two directions.
+// Returns the eigenvalues and eigenvectors of the symmetric form (a, b; b, c) in the orthonormal
+// basis (x, y).
 Curvature principal_curvature(double a, double b, double c, const Vec3& x, const Vec3& y)
 {
   const double half_difference = std::hypot(0.5 * (a - c), b),
@@ -109,7 +114,8 @@ Curvature principal_curvature(double a, double b, double c, const Vec3& x, const
           std::cos(angle) * y - std::sin(angle) * x, std::cos(angle) * x + std::sin(angle) * y};
 }
 
-// Edges and triangles count as far as the front comes into them.
+// Returns the curvature from the normal cycle of a ball.  Edges and triangles at its boundary are
+// weighted by the fraction that the front covers.
 Curvature normal_cycle(const Surface_arrays& t, const Curvature_terms& terms, const Front& front,
                        double radius)
 {
@@ -123,14 +129,15 @@ Curvature normal_cycle(const Surface_arrays& t, const Curvature_terms& terms, co
       tensor.add(fraction * terms.weighted_angle[h], edge_direction(t, h));
     return fraction;
   };
-  // The part of a side, from one end, that the front covers when it is reached there.
+  // Adds the part of a halfedge that the front covers from its end `from`, and returns its
+  // fraction.
   const auto add_covered = [&](Index h, Index from)
   { return add_halfedge(h, std::min(1., (radius - front.distance(from)) / t.length[h])); };
   for(const Index v : front.reached())
     for(Index i = t.ring_begin[v]; i < t.ring_begin[v + 1]; ++i)
     {
       const Index corner = t.ring[i], f = corner / 3;
-      // Once for each triangle, at the first corner that is inside.
+      // Each triangle is counted once: at its corner with the smallest index in the ball.
       const Index next = t.corner[next_halfedge(corner)],
                   previous = t.corner[previous_halfedge(corner)];
       const bool has_next = is_inside(next);
@@ -162,12 +169,12 @@ Curvature normal_cycle(const Surface_arrays& t, const Curvature_terms& terms, co
   const double scale = 2. / twice_area;
   const double a = scale * tensor.evaluate(x, x), b = scale * tensor.evaluate(x, y),
                c = scale * tensor.evaluate(y, y);
-  // Edges lie across the direction in which they bend the surface.
+  // The directions are exchanged, because an edge bends the surface perpendicularly to itself.
   const Curvature result = principal_curvature(a, b, c, x, y);
   return {result.min_curvature, result.max_curvature, result.max_direction, result.min_direction};
 }
 
-// Of the quadric that is nearest to a ball of surfels, the site's first.
+// Returns the curvature of the quadric fitted to a ball of surfels.  The first one is the center.
 Curvature fit_curvature(const Surface_arrays& t, const std::vector<Index>& ball)
 {
   const Index origin = ball.front();
@@ -179,8 +186,8 @@ Curvature fit_curvature(const Surface_arrays& t, const std::vector<Index>& ball)
     return {};
   const std::array<double, 6>& surface = quadric.coefficients;
 
-  // Its second fundamental form above the site, in orthonormal directions; positive where it bends away
-  // from the surfel's normal.
+  // The negative second fundamental form at the center, in the orthonormal basis (e, f) of the
+  // tangent plane.
   const Vec3 along_u = quadric.x + surface[1] * quadric.plane_normal,
              along_v = quadric.y + surface[2] * quadric.plane_normal;
   const Vec3 e = unit(along_u), f = unit(along_v - dot(along_v, e) * e);
@@ -204,8 +211,9 @@ std::vector<Curvature> curvatures(const std::shared_ptr<const Surface_arrays>& t
   const Surface_arrays& t = *triangles;
   std::vector<Curvature> result(t.number_of_vertices());
   const Curvature_terms terms = t.is_cloud() ? Curvature_terms() : curvature_terms(t);
-  // Straight fronts are near enough for a ball, and never take back what they know: a Euclidean one does,
-  // for milliseconds at each site of a lantern of Schwarz.  Surfels have arcs in many directions.
+  // Planar fronts are accurate enough for a ball, and never correct final vertices.  Euclidean
+  // fronts do, which takes milliseconds for each vertex of a Schwarz lantern.  On clouds, edges in
+  // many directions make Dijkstra's algorithm accurate enough.
   const Front_kind kind = t.is_cloud() ? Front_kind::dijkstra : Front_kind::planar;
   for_each_row(Front(triangles, kind), result.size(), {}, threads,
                [&](std::size_t i, Front& front, Front_limits limits)

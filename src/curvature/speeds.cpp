@@ -13,22 +13,25 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Sharp creases of a mesh of 2^31 half-edges come to some hundred thousands; needles may come to more,
-// and overflow.
+// Bounds the absolute values.  Sharp edges of a mesh of 2^31 halfedges yield some hundred thousands.
+// Without the bound, needles overflow.
 constexpr double max_curvature_bound = 1e6;
 
-// On a cloud each triangle counts as far as the surfels agree on it.
+// Returns the weight of a triangle: 1 on a mesh; on a cloud the fraction of its corners' surfels
+// that have it.
 double weight(const Surface_arrays& t, Index triangle)
 {
   return t.weight.empty() ? 1. : t.weight[triangle];
 }
 
+// Returns twice the weighted area of a triangle.
 double doubled_area(const Surface_arrays& t, Index triangle)
 {
   const double* const l = &t.length[3 * std::size_t(triangle)];
   return weight(t, triangle) * twice_area(l[0], l[1], l[2]);
 }
 
+// Returns sqrt(area) * function(min_curvature, max_curvature) of each vertex, bounded.
 template <typename Function>
 std::vector<double> map_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
                                    double radius, unsigned threads, const Function& function)
@@ -84,7 +87,8 @@ std::vector<double> relative_gradient_norms(const Surface_arrays& t,
   {
     const auto p = unfolded(t, f);
     const Index* const v = &t.corner[3 * std::size_t(f)];
-    // Twice the area times the gradient, turned by a right angle: each corner gives the side behind it.
+    // Twice the area times the gradient, rotated by a right angle: the sum over the corners of the
+    // value times the opposite edge.
     double squared_norm = 0.;
     for(const std::vector<double>& channel : channels)
     {

@@ -13,8 +13,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Propagates windows from a location back to the sources of a forward query.
 //
-// The forward distance of a vertex is a lower bound of the rest of a path.  Therefore only windows that may
-// be on a path of the required length are propagated.
+// The forward distance of a vertex is a lower bound of the rest of a path.  Therefore only windows
+// that may be on a path of the required length are propagated.
 class CGAL_GEODESIC_PROCESSING_EXPORT Reverse_window_search
 {
 public:
@@ -28,8 +28,8 @@ public:
 
   const Window_state& state() const { return m_state; }
   const std::vector<Meeting>& meetings() const { return m_goal.meetings(); }
-  // Continues a path, which begins at the sources and ends at a vertex or origin, by all arrivals kept
-  // there, recursively, and appends the complete paths; at most 64.  Requires find_all().
+  // Continues a path from the sources, which ends at a vertex, recursively by all arrivals kept
+  // there.  Appends the complete paths, at most 64 in total.  Requires find_all().
   void collect_paths(Index vertex, const std::vector<Surface_location>& path,
                      std::vector<std::vector<Surface_location>>& paths) const;
 

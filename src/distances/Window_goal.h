@@ -13,22 +13,21 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A connection between windows that are propagated back from a location and the results of the forward
-// query.
+// A path that joins windows propagated back from a location with the results of a forward query.
 struct Meeting
 {
   double distance = infinity; // total length of the path
   Index vertex = none;        // at which they meet; none if they meet on a source
-  // Otherwise: a point of a source piece, the vector from it to the origin of the windows in the layout
-  // of its triangle, the length of that vector, and the origin.
+  // Otherwise: a point of a source piece, the vector from it to the origin of the windows in the
+  // layout of its triangle, the length of that vector, and the origin.
   Surface_location location;
   Vec2 direction = {0., 0.};
   double length = 0.;
   Index origin = none;
 };
 
-// The goal of a backward search: connects it to the results of a forward query, and bounds it by the best
-// connection found.
+// The goal of a backward search: connects it to the results of a forward query, and bounds it by
+// the best connection found.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_goal
 {
 public:
@@ -46,7 +45,8 @@ public:
 
   // Keeps an arrival if all paths are searched and none from the same direction was kept.
   void keep_arrival(Index vertex, const Window_arrival& arrival);
-  // Returns whether a path through a vertex at this distance may be short enough, and connects there.
+  // Returns whether a path through a vertex at this distance may be short enough, and connects
+  // there.
   bool reach(Index vertex, double distance);
   // Returns the distance at a vertex beyond which no path is short enough.
   double max_useful_distance(Index vertex) const;

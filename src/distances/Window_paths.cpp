@@ -16,17 +16,19 @@
 #include <optional>
 #include <utility>
 
-// Distances and paths of the exact method at any location, by a reverse search or from the arrivals that
-// vertices store.
+// Distances and paths of the exact method at any location, by a reverse search or from the arrivals
+// that vertices store.
 
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Paths whose distance from each other is everywhere below this fraction of their length are the same.
+// Paths whose distance from each other is everywhere below this fraction of their length are the
+// same.
 constexpr double path_tolerance = 1e-6;
 
-// Returns whether consecutive locations of a path are not in a common triangle, due to round-off errors.
+// Returns whether consecutive locations of a path are not in a common triangle, due to round-off
+// errors.
 bool is_disconnected(const Surface_arrays& t, const std::vector<Surface_location>& path)
 {
   return std::adjacent_find(path.begin(), path.end(),

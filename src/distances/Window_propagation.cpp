@@ -37,7 +37,8 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
        !limits.callback(
            std::min(1., double(m_state.reached.size()) / double(m_state.vertices.size()))))
     {
-      // The distances of the waiting windows are at least the first key minus the length of an edge.
+      // The distances of the waiting windows are at least the first key minus the length of an
+      // edge.
       m_state.max_distance =
           std::min(m_state.max_distance, m_state.queue.front().key - m_state.max_edge_length);
       is_finished = false;
@@ -63,7 +64,8 @@ bool Window_propagation::run(const std::vector<Front_source>& sources, const Fro
   return is_finished;
 }
 
-// Decreases the maximum distance to the largest distance of the targets, once all of them are reached.
+// Decreases the maximum distance to the largest distance of the targets, once all of them are
+// reached.
 void Window_propagation::limit_to_targets(const std::vector<Surface_location>& targets)
 {
   const Surface_arrays& t = *m_state.triangles;
@@ -89,7 +91,7 @@ Index Window_propagation::predecessor(Index v) const
     return none;
   const Index next = t.corner[next_halfedge(vertex.corner)],
               previous = t.corner[previous_halfedge(vertex.corner)];
-  // The end of the edge at the smaller angle to the direction, if it is closer to the source.
+  // Prefers the edge with the smaller angle to the direction, if its end is closer to the source.
   const Vec2 direction_from_next = rotated_back(corner_angle(t, vertex.corner), vertex.direction);
   const bool is_next = vertex.direction[0] >= direction_from_next[0];
   for(const Index candidate : {is_next ? next : previous, is_next ? previous : next})

@@ -19,13 +19,15 @@ namespace {
 constexpr Index reached_flag = 1;   // is in Window_state::reached
 constexpr Index finalized_flag = 2; // has relaxed its neighbors
 
-// A path that bends by this angle counts as straight: its length changes by a fraction of 1e-17 only.
+// A path that bends by this angle counts as straight: its length changes by a fraction of 1e-17
+// only.
 constexpr double straight_angle_tolerance = 1e-8;
-// Windows cross most halfedges once or twice.  If they cross one more often than this, they may circulate
-// around spikes and between coincident faces, and the halfedge stores the windows that have crossed it.
+// Windows cross most halfedges once or twice.  If they cross one more often than this, they may
+// circulate around spikes or between coincident faces.  Then the halfedge stores the windows that
+// cross it.
 constexpr std::uint8_t max_untracked_crossings = 8;
-// If all vertices are on one line, all windows have equal distances and none dominates.  This bounds
-// their number.
+// If all vertices are on one line, all windows have equal distances and none dominates.  This
+// bounds their number.
 constexpr std::size_t max_known_windows = 1000;
 
 // Returns whether two corners of a vertex are in the same fan.
@@ -137,8 +139,8 @@ bool Window_propagator::relax(Index v, const Window_arrival& arrival, Index sour
   return true;
 }
 
-// Relaxes along the edges of a vertex and emits windows to the region that no straight line through the
-// vertex reaches.
+// Relaxes along the edges of a vertex and emits windows to the region that no straight line through
+// the vertex reaches.
 void Window_propagator::finalize_vertex(Index v)
 {
   const Surface_arrays& t = *m_state.triangles;
@@ -170,8 +172,8 @@ void Window_propagator::relax_along_edge(Index corner, bool is_incoming)
         m_state.vertices[v].source);
 }
 
-// Emits windows from a vertex at which a shortest path may bend: into the directions that are at least pi
-// from the direction to the source, on both sides.
+// Emits windows from a vertex at which a shortest path may bend, into all directions whose angle to
+// the source is at least pi to the left and to the right.
 void Window_propagator::create_pseudosource_windows(Index v)
 {
   const Surface_arrays& t = *m_state.triangles;
@@ -217,8 +219,8 @@ void Window_propagator::emit_windows_of_other_fans(Index v)
       emit_window(t.ring[i], 0., pi);
 }
 
-// Enqueues a window on the edge opposite to a corner, between two angles from the halfedge that leaves the
-// corner.
+// Enqueues a window on the edge opposite to a corner, between two angles from the halfedge that
+// leaves the corner.
 void Window_propagator::emit_window(Index corner, double from, double to)
 {
   const Surface_arrays& t = *m_state.triangles;
@@ -245,8 +247,8 @@ void Window_propagator::emit_window(Index corner, double from, double to)
                       1.f});
 }
 
-// Moves the waiting windows of a halfedge that may be on a shortest path to m_state.windows, in the order
-// along the halfedge.
+// Moves the waiting windows of a halfedge that may be on a shortest path to m_state.windows, in the
+// order along the halfedge.
 void Window_propagator::collect_windows(Index h)
 {
   const Surface_arrays& t = *m_state.triangles;
@@ -283,8 +285,8 @@ void Window_propagator::collect_windows(Index h)
     drop_dominated(h);
 }
 
-// Drops the windows that are dominated by windows that have crossed this halfedge before, and stores the
-// others.
+// Drops the windows that are dominated by windows that have crossed this halfedge before, and
+// stores the others.
 void Window_propagator::drop_dominated(Index h)
 {
   std::vector<Window>& known_windows = m_state.known_windows[h];
@@ -315,8 +317,8 @@ double Window_propagator::max_useful_distance(Index vertex) const
   return m_goal ? std::min(max_here, m_goal->max_useful_distance(vertex)) : max_here;
 }
 
-// Returns whether a window is farther everywhere than the path through one of the ends of the halfedge, or
-// than the maximum distance.
+// Returns whether a window is farther everywhere than the path through one of the ends of the
+// halfedge, or than the maximum distance.
 bool Window_propagator::is_too_long(const Window& w, double max_by_begin, double max_by_end) const
 {
   const double max_length = m_state.max_distance - w.offset;
@@ -368,9 +370,9 @@ void Window_propagator::cross_triangle(Index h)
     cross_to_right(h, apex_point, first, nearest);
 }
 
-// Returns the window with the smallest distance at the apex among first .. last - 1 and the windows
-// adjacent to them, whose lines bend at an end of the window.  In a search for all paths, relaxes the apex
-// by each of them.
+// Returns the window with the smallest distance at the apex, among first .. last - 1 and the two
+// windows adjacent to them.  The line of a window that does not see the apex bends at an end of the
+// window.  In a search for all paths, relaxes the apex by each of them.
 Window_propagator::Nearest_window Window_propagator::find_nearest(Index h, const Vec2& apex_point,
                                                                   std::size_t first,
                                                                   std::size_t last)
@@ -427,8 +429,8 @@ void Window_propagator::relax_apex(Index h, const Vec2& apex_point, const Neares
   relax(t.corner[left], {nearest.distance, direction, left, origin}, m_state.source_of(origin));
 }
 
-// Enqueues the parts of the windows that leave through the left edge.  Lines that cross the line of the
-// nearest window are not shortest behind it and are dropped.
+// Enqueues the parts of the windows that leave through the left edge.  Lines that cross the line of
+// the nearest window are not shortest behind it and are dropped.
 void Window_propagator::cross_to_left(Index h, const Vec2& apex_point, std::size_t last,
                                       const Nearest_window& nearest)
 {

@@ -17,8 +17,9 @@ class Window_goal;
 // The relative round-off error of a sum of thousands of lengths is smaller.
 constexpr double round_off_tolerance = 1e-12;
 
-// Returns for each vertex whether a shortest path may bend there: its angles sum to more than 2 pi, or it
-// is on the boundary or not manifold.  Throws Unsupported_surface_error if the arrays are a cloud.
+// Returns for each vertex whether a shortest path may bend there.  This requires an angle sum above
+// 2 pi, a boundary, or more than one fan.  Throws Unsupported_surface_error if the arrays are a
+// cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const std::vector<bool>> find_pseudo_sources(const Surface_arrays& triangles);
 

@@ -12,8 +12,8 @@ namespace CGAL::Geodesic_processing::internal {
 // The geometry of a circular front in the plane (Reimers 2004).
 //
 // The front passes a vertex x at the origin.  An edge of a given length runs from x along the first
-// axis to a vertex z; the front comes from below it and is evaluated at a point y above it.  The
-// difference of the distances of z and x is `difference`.
+// axis to a vertex z.  The front arrives from below this edge and is evaluated at a point y above
+// it.  `difference` is the distance of z minus the distance of x.
 
 struct Circular_front
 {
@@ -52,9 +52,10 @@ inline bool fit_source_direction(double length, double difference, Circular_fron
   return true;
 }
 
-// Returns the residual d + l c - (l^2 - d^2) / (2 r) of a circle of this curvature (see below).  It is
-// positive if the difference is larger than that of the circle, negative if smaller, and equal to the
-// excess for a straight front.  `cosine` is that of the angle at x between the edge and the source.
+// Returns the residual d + l c - (l^2 - d^2) / (2 r) of a circle of this curvature (see below).  It
+// is positive if the difference is larger than that of the circle, negative if smaller, and equal
+// to the excess for a straight front.  `cosine` is that of the angle at x between the edge and the
+// source.
 inline double excess_gain(double curvature, double length, double difference, double cosine)
 {
   return difference + length * cosine -
@@ -64,10 +65,10 @@ inline double excess_gain(double curvature, double length, double difference, do
 // Returns the curvature of the circle that has the source's direction at x and the given difference
 // along the edge, but at least `min_curvature`.
 //
-// With d = difference, l = length, c = cosine, u = source, e = the edge's direction:
-// |l e - r u| = r + d yields 1 / r = 2 (d + l c) / (l^2 - d^2).  Only an excess beyond 1e-11 of the
-// distance is used.  Otherwise round-off errors always increase the curvature and accumulate: the
-// relative error after 300 edges of a flat square was 1e-10 instead of 1e-15.
+// With d = difference, l = length, c = cosine, u = source, e = the edge's direction: |l e - r u| =
+// r + d yields 1 / r = 2 (d + l c) / (l^2 - d^2).  Only an excess beyond 1e-11 of the distance is
+// used.  Otherwise round-off errors always increase the curvature and accumulate.  On a flat
+// square, the relative error after 300 edges was 1e-10 instead of 1e-15.
 inline double fitted_curvature(double min_curvature, double length, double difference,
                                double cosine, double distance)
 {

@@ -14,7 +14,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the unit direction of a halfedge in the layout of its triangle, or (1, 0) if its length is 0.
+// Returns the unit direction of a halfedge in the layout of its triangle, or (1, 0) if its length
+// is 0.
 inline Vec2 edge_direction(const std::array<Vec2, 3>& corners, Index h)
 {
   const Vec2 edge = corners[next_halfedge(h) % 3] - corners[h % 3];
@@ -22,8 +23,9 @@ inline Vec2 edge_direction(const std::array<Vec2, 3>& corners, Index h)
   return edge_length > 0. ? (1. / edge_length) * edge : Vec2{1., 0.};
 }
 
-// Returns the polar angle of a direction at a vertex, counterclockwise from the halfedge that leaves the
-// first corner of its one-ring.  The direction is given in the frame of a corner of the vertex.
+// Returns the polar angle of a direction at a vertex, counterclockwise from the halfedge that
+// leaves the first corner of its one-ring.  The direction is given in the frame of a corner of the
+// vertex.
 inline double polar_angle(const Surface_arrays& t, Index corner, const Vec2& direction)
 {
   double result = std::atan2(std::max(0., direction[1]), direction[0]);

@@ -16,7 +16,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// for_each_row() by whatever engine it is.
+// Calls for_each_row() with the type of the engine.
 template <typename Row>
 bool for_each_row_with(const Distance_engine& engine, std::size_t number_of_rows,
                        const Front_limits& limits, unsigned threads, const Row& row)
@@ -57,7 +57,7 @@ sparse_distance_matrix(const Distance_engine& engine, double scale,
   constexpr std::size_t max_entries = (std::numeric_limits<int>::max)();
 
   std::vector<std::vector<Entry>> rows(from.size());
-  std::atomic<std::size_t> number_of_entries{0}; // so far, of all rows
+  std::atomic<std::size_t> number_of_entries{0}; // of all rows computed so far
   const bool is_complete = for_each_row_with(
       engine, from.size(), limits, threads,
       [&](std::size_t i, auto& row_engine, const Front_limits& row_limits)

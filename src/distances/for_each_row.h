@@ -15,16 +15,16 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Calls row(i, engine, limits) for each row, on several threads, each with an engine of its own: a row
-// that lets it run within the limits and writes only what is its own gives the same for any number of
-// threads.  The callback of the limits is told the part of the rows that are done, by one thread at a
-// time.  False when it cancelled.
+// Calls row(i, engine, limits) for each row i, on several threads; each thread has a copy of the
+// engine.  If a row only runs its engine within the limits and writes its own entries, the results
+// do not depend on the number of threads.  The callback of the limits receives the fraction of the
+// rows done, from one thread at a time.  Returns false if it cancelled.
 template <typename Engine, typename Row>
 bool for_each_row(const Engine& engine, std::size_t number_of_rows, Front_limits limits,
                   unsigned threads, const Row& row)
 {
   std::mutex mutex;
-  std::vector<std::unique_ptr<Engine>> idle_engines; // engines that wait for a row
+  std::vector<std::unique_ptr<Engine>> idle_engines;
   std::size_t number_done = 0;
   std::atomic<bool> is_cancelled{false};
   const std::function<bool(double)> callback = std::exchange(limits.callback, nullptr);

@@ -24,8 +24,8 @@ void prefetch_around(const Front_state& front, Index vertex)
   if(!front.fans)
     return prefetch(front.triangles->ring.data() + front.triangles->ring_begin[vertex]);
   const Vertex_fans::Offsets& first = front.fans->begin[vertex];
-  // Cache lines: four hold the fan edges of a vertex of degree 6, two hold three splits.  The addresses
-  // may be beyond the end of the array, which pointer arithmetic does not admit.
+  // Cache lines: four hold the fan edges of a vertex of degree 6, two hold three splits.  The
+  // addresses may be beyond the end of the array, which pointer arithmetic does not admit.
   const auto prefetch_lines = [](const void* address, std::uintptr_t number_of_lines)
   {
     for(std::uintptr_t line = 0; line < number_of_lines; ++line)
@@ -39,9 +39,9 @@ void prefetch_around(const Front_state& front, Index vertex)
   prefetch(&front.directions[vertex]);
 }
 
-// Returns the vertices of the targets.  A vertex is final as soon as the front is farther than its
-// distance by the second number, the length of the longest edge of its triangles: then no triangle can
-// decrease its distance.
+// Returns the vertices of the targets, each with the length of the longest edge of its triangles.
+// If the front is farther than the distance of a vertex by this length, no triangle can decrease
+// it.
 std::vector<std::pair<Index, double>>
 finalization_delays(const Surface_arrays& t, const std::vector<Surface_location>& targets)
 {
@@ -112,8 +112,8 @@ void Front::begin_query(const Front_limits& limits)
   }
 }
 
-// Makes the vertices final in the order of their distances, until the queue is empty, the targets are
-// final, or the callback cancels the query.  Returns false if cancelled.
+// Makes the vertices final in the order of their distances, until the queue is empty, the targets
+// are final, or the callback cancels the query.  Returns false if cancelled.
 bool Front::propagate(const Front_limits& limits)
 {
   Front_state& front = m_state;
@@ -123,8 +123,8 @@ bool Front::propagate(const Front_limits& limits)
   for(std::size_t number_of_visits = 0; !front.queue.empty(); ++number_of_visits)
   {
     const Vertex_queue::Entry entry = front.queue.front();
-    // Tentative vertices are delayed.  Therefore a later vertex may be closer than this one, and the
-    // query continues.
+    // Tentative vertices are delayed.  Therefore a later vertex may be closer than this one, and
+    // the query continues.
     const double distance = front.vertices[entry.vertex].distance;
     if(distance > limits.maximum_distance || distance == infinity)
     {
@@ -201,7 +201,7 @@ Index Front::predecessor(Index v) const
     return vertex.corner;
   const Index next = t.corner[next_halfedge(vertex.corner)],
               previous = t.corner[previous_halfedge(vertex.corner)];
-  // The end of the edge at the smaller angle to the direction, if it is closer to the source.
+  // Prefers the edge with the smaller angle to the direction, if its end is closer to the source.
   const Vec2 direction_from_next =
       rotated_back(corner_angle(t, vertex.corner), front.directions[v]);
   const bool is_next = front.directions[v][0] >= direction_from_next[0];

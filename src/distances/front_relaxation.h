@@ -13,8 +13,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 // Relaxation of vertices, shared by all update rules of a front.
 //
-// A final vertex can be corrected: if a Euclidean front arrives later with a smaller distance, the
-// vertex enters the queue again, and the vertices that were computed from it are invalidated.
+// A Euclidean front may arrive at a final vertex later with a smaller distance.  Then the vertex is
+// corrected: it enters the queue again, and the vertices that were computed from it are
+// invalidated.
 
 // Flags of Front_vertex::state.
 constexpr Index reached_flag = 1; // is in Front_state::reached
@@ -31,12 +32,12 @@ constexpr Index correction_unit = 32;
 // ends queries on inconsistent input.
 constexpr Index max_corrections = 4096;
 
-// A final vertex is corrected if its distance decreases by more than this fraction.  A front that is
-// fitted to an overestimated distance is too curved and yields underestimates, which no later
+// A final vertex is corrected if its distance decreases by more than this fraction.  A front that
+// is fitted to an overestimated distance is too curved and yields underestimates, which no later
 // relaxation repairs.  On an irregular square, 1e-8 left errors of 2e-4; 1e-12 leaves round-off
 // errors at the same cost.
 constexpr double correction_tolerance = 1e-12;
-// On a curved surface, on which the front is inexact anyway, descendants are invalidated only if the
+// On a curved surface the front is not exact anyway.  There descendants are invalidated only if the
 // distance decreases by more than this fraction of an edge.  The errors are the same; queries are
 // 25 % faster on meshes in which half of the triangles are obtuse.
 constexpr double invalidation_ratio = 1e-2;
@@ -67,8 +68,8 @@ inline bool can_invalidate(const Front_state& front)
          min_invalidation_budget + max_invalidation_ratio * front.reached.size();
 }
 
-// Returns whether the descendants of a final vertex whose distance decreases by `correction` must be
-// invalidated.
+// Returns whether the descendants of a final vertex whose distance decreases by `correction` must
+// be invalidated.
 inline bool needs_invalidation(const Front_state& front, Index vertex, double correction)
 {
   const Vertex_fans::Fan_edge& edge = front.fans->edges[front.fans->begin[vertex].edge];
@@ -82,7 +83,7 @@ inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index sou
 {
   if(!front.improves_known_distance && !(arrival.distance < (*front.known_distance)[v]))
     return false;
-  // Without directions, a vertex that does not become final is not used by anyone.
+  // Without directions, only final vertices are used by update rules.
   if(arrival.distance > front.max_distance && !front.has_directions())
     return false;
   Front_vertex& vertex = front.vertices[v];
@@ -127,8 +128,8 @@ inline bool relax(Front_state& front, Index v, const Arrival& arrival, Index sou
   return true;
 }
 
-// Invalidates the vertices that were computed from triangles with a corrected corner, recursively, and
-// puts the final vertices adjacent to them into the queue again.
+// Invalidates the vertices that were computed from triangles with a corrected corner, recursively,
+// and puts the final vertices adjacent to them into the queue again.
 void invalidate_descendants(Front_state& front);
 
 // Returns whether a vertex that does not improve its known distance may improve that of an adjacent

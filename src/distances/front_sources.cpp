@@ -20,8 +20,8 @@ void initialize_vertex(Front_state& front, Index vertex, double distance, Index 
   relax(front, vertex, {distance, {1., 0.}, none, source_flag | flags, 0.}, source);
 }
 
-// Converts a unit vector in the layout of a triangle to the frame of the vertex at one of its corners
-// (Front_state::directions).
+// Converts a unit vector in the layout of a triangle to the frame of the vertex at one of its
+// corners (Front_state::directions).
 Vec2 in_corner_frame(const Front_state& front, const Vec2& vector,
                      const std::array<Vec2, 3>& corners, Index corner)
 {

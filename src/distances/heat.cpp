@@ -19,12 +19,12 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The maximum width of a component in square roots of the time step: exp(-600) is about 1e-260, close to
-// underflow.
+// The maximum width of a component in square roots of the time step: exp(-600) is about 1e-260,
+// close to underflow.
 constexpr double max_width = 600.;
 
-// Returns an upper bound of the largest diameter of a connected component: twice the largest distance from
-// one of its vertices along edges.
+// Returns an upper bound of the largest diameter of a connected component: twice the largest
+// distance from one of its vertices along edges.
 double component_width(const std::shared_ptr<const Surface_arrays>& triangles,
                        const std::vector<Index>& component, std::size_t number_of_components)
 {
@@ -78,8 +78,8 @@ struct Deposit
   double offset; // of its source
 };
 
-// Returns the heat sources of a query: a point by its barycentric coordinates, a segment with half of its
-// length, in diffusion lengths, at each end.
+// Returns the heat sources of a query: a point by its barycentric coordinates, a segment with half
+// of its length, in diffusion lengths, at each end.
 std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_length,
                                  const std::vector<Front_source>& sources)
 {
@@ -111,9 +111,9 @@ std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_lengt
   return result;
 }
 
-// Shifts the potential of each connected component such that its weighted mean over the sources in the
-// component is the weighted mean of their offsets.  Returns the shift of each component; not a number if
-// the component has no source.
+// Shifts the potential of each connected component such that its weighted mean over the sources in
+// the component is the weighted mean of their offsets.  Returns the shift of each component; not a
+// number if the component has no source.
 std::vector<double> component_shifts(const std::vector<Index>& component,
                                      std::size_t number_of_components,
                                      const std::vector<Deposit>& deposits, const Vector& potential)
@@ -152,8 +152,8 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
   double mean = 0.;
   for(const double length : t.length)
     mean += length / double(t.length.size());
-  // Mollification by 1e-6 of the mean edge length bounds the cotangents by about 1e6 (Sharp and Crane
-  // 2020).
+  // Mollification by 1e-6 of the mean edge length bounds the cotangents by about 1e6 (Sharp and
+  // Crane 2020).
   mollify(t, 1e-6 * (mean > 0. ? mean : 1.));
   if(!t.is_cloud())
     flip_to_delaunay(t);
@@ -169,8 +169,8 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
   const Vector mass = lumped_mass(systems->operators);
   heat.diagonal() += (mass.array() > 0.).select(mass, 1.);
   systems->heat = std::make_unique<Sparse_solver>(heat);
-  // One vertex of each component is pinned.  A diagonal shift of the singular matrix that is small enough
-  // for a long strip would be lost in round-off errors.
+  // One vertex of each component is pinned.  A diagonal shift of the singular matrix that is small
+  // enough for a long strip would be lost in round-off errors.
   laplacian.pin(poisson);
   systems->poisson = std::make_unique<Sparse_solver>(poisson);
 

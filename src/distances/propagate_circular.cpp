@@ -13,14 +13,13 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// If an adjacent vertex z became final before this vertex was reached, and its distance is smaller than
-// that of this vertex's circle by more than this fraction of the edge, the front of z enters the triangle
-// between them a second time.  On one face of a cube projected to a sphere, the errors were up to
-// 2.8 % (mean 0.04 %) without this; 0.20 % (0.007 %) with 1e-3; 0.44 % (0.013 %) with 1e-2; and 0.20 %
-// (0.0066 %) with 0.
+// If the distance of an adjacent final vertex z is smaller than that of the circle of this vertex,
+// by more than this fraction of their edge, the front of z enters their triangle a second time.  On
+// one face of a cube projected to a sphere, the errors were up to 2.8 % (mean 0.04 %) without this;
+// 0.20 % (0.007 %) with 1e-3; 0.44 % (0.013 %) with 1e-2; and 0.20 % (0.0066 %) with 0.
 constexpr double reentry_ratio = 1e-3;
-// An edge that is farther than pi from the source, by more than this sine, is in the shadow of its
-// vertex: the front arrives behind it from elsewhere.
+// An edge is in the shadow of its vertex if its angle to the source exceeds pi by more than this
+// sine.  The front arrives behind it along another path.
 constexpr double shadow_tolerance = -1e-12;
 
 void update_from(Front_state& front, Index corner, bool is_mirrored);
@@ -45,9 +44,9 @@ double max_useful_gain(const Front_state& front, const Front_vertex& x, const Fr
   return max_gain;
 }
 
-// Rotates a direction at the far vertex y from coordinates whose first axis is the crossed edge, from
-// (0, 0) to (base, 0), into the frame of the corner at y.  Returns false if that triangle has an edge
-// of length 0.
+// Rotates a direction at the far vertex y into the frame of the corner at y.  The first axis of the
+// given coordinates is the crossed edge, from (0, 0) to (base, 0).  Returns false if that triangle
+// has an edge of length 0.
 bool to_target_frame(const Vec2& backward, bool is_mirrored, double base, const Vec2& y,
                      const Vec2& opening, Vec2& direction)
 {
@@ -65,9 +64,9 @@ bool to_target_frame(const Vec2& backward, bool is_mirrored, double base, const 
   return true;
 }
 
-// Relaxes the far vertex of the triangle after a fan edge by the circular front that crosses one of the
-// two edges at `v`: the right one or, if mirrored, the left one, as seen from `v`.  `angle` is the unit
-// vector of the angle between the source and that edge.
+// Relaxes the far vertex of the triangle after a fan edge by the circular front that crosses an
+// edge at `v`.  This is the right edge or, if mirrored, the left edge, as seen from `v`.  `angle`
+// is the unit vector of the angle between the source and that edge.
 void update_circular(Front_state& front, Index v, const Fan_position& position, bool is_mirrored,
                      const Vec2& angle, double min_curvature)
 {
@@ -82,8 +81,8 @@ void update_circular(Front_state& front, Index v, const Fan_position& position, 
     return;
   const double base = near.length;
   const Vec2 y = far.length * opening;
-  // The curvature of a front on a polyhedron is at least that of a front from a point at this distance.
-  // Therefore the gain is at least |y - r u| - r with r = 1 / min_curvature.
+  // The curvature of a front on a polyhedron is at least that of a front from a point at this
+  // distance.  Therefore the gain is at least |y - r u| - r with r = 1 / min_curvature.
   const Index flags = (x.state | z.state) & straight_flag;
   double curvature = flags ? 0. : min_curvature;
   const Vec2 source = {angle[0], -angle[1]};
@@ -116,8 +115,8 @@ void update_circular(Front_state& front, Index v, const Fan_position& position, 
   const Index arrival_corner = is_mirrored ? next_halfedge(corner) : previous_halfedge(corner);
   const bool is_accepted =
       relax(front, far.vertex, {distance, direction, arrival_corner, flags, 0.}, front.sources[v]);
-  // Around a vertex of positive curvature, the front passed the near vertex on the other side of the
-  // vertex before.  The recursion ends because each call decreases a distance.
+  // Around a vertex of positive curvature, the front passed the near vertex on the other side of
+  // the vertex before.  The recursion ends because each call decreases a distance.
   if(is_accepted && has_nearer_neighbor && was_reached_after(front, v, near.vertex))
     update_from(front, is_mirrored ? previous_halfedge(corner) : next_halfedge(corner),
                 !is_mirrored);
@@ -136,8 +135,8 @@ void update_from(Front_state& front, Index corner, bool is_mirrored)
                   1. / (front.vertices[vertex].distance - front.offset_at(vertex)));
 }
 
-// Relaxes from a tentative vertex: by the circle, or straight line, through its distance and that of
-// an adjacent vertex (Reimers 2004).
+// Relaxes from a tentative vertex: by the circle, or straight line, through its distance and that
+// of an adjacent vertex (Reimers 2004).
 void propagate_without_direction(Front_state& front, Index v)
 {
   const Vertex_fans& s = *front.fans;
@@ -187,9 +186,9 @@ Fan fan_of(const Vertex_fans& s, Index v, Index triangle)
   return {begin, end, is_closed, is_only_fan};
 }
 
-// Relaxes through the triangles around a vertex, counterclockwise and clockwise from the triangle
-// through which the front arrived, as long as the crossed edge is within pi of the source.  Returns
-// whether this covered all triangles of the vertex.
+// Relaxes through the triangles around a vertex, in both directions from the triangle through which
+// the front arrived.  Stops at an edge whose angle to the source exceeds pi.  Returns whether this
+// covered all triangles of the vertex.
 bool propagate_around(Front_state& front, Index v)
 {
   const Vertex_fans& s = *front.fans;
@@ -203,7 +202,8 @@ bool propagate_around(Front_state& front, Index v)
     return Fan_position{edge, entry.ring + edge - entry.edge};
   };
   const auto opening = [&](Index triangle) -> const Vec2& { return s.edges[triangle].opening; };
-  // If no triangle reaches the end of an edge, that end gets the length of the edge and no direction.
+  // If no triangle reaches the end of an edge, that end gets the length of the edge and no
+  // direction.
   const Index tentative_flags = tentative_flag | straight;
   relax_along_edge(front, v, position_of(entry.edge), tentative_flags);
   relax_along_edge(front, v, position_of(entry.edge + 1), tentative_flags);
@@ -268,8 +268,8 @@ void propagate_circular(Front_state& front, Index v)
     return relax_all_edges(front, v, state & straight_flag);
   if(state & tentative_flag)
     return propagate_without_direction(front, v);
-  // The vertex is a pseudo-source in its shadow at a saddle or boundary vertex, and in its other fans
-  // if it is not manifold.
+  // A saddle or boundary vertex is a pseudo-source for its shadow, a non-manifold vertex for its
+  // other fans.
   if(!propagate_around(front, v))
     relax_all_edges(front, v, state & straight_flag);
 }

@@ -11,14 +11,14 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The triangles of a cloud have no twins: directions are stored in the tangent planes of the surfels and
-// rotated into the plane of each triangle.
+// The triangles of a cloud have no twins.  Directions are stored in the tangent planes of the
+// surfels and rotated into the plane of each triangle.
 
 namespace {
 
-// Applies to a vector perpendicular to the unit vector `from` the smallest rotation that takes `from` to
-// the line of the unit vector `to`.  This unfolds across a sharp edge, where a projection would turn the
-// vector towards the edge.
+// Applies to a vector perpendicular to the unit vector `from` the smallest rotation that takes
+// `from` to the line of the unit vector `to`.  This unfolds across a sharp edge, where a projection
+// would turn the vector towards the edge.
 Vec3 rotated_between(const Vec3& v, const Vec3& from, const Vec3& to)
 {
   const double cosine = dot(from, to);
@@ -26,7 +26,8 @@ Vec3 rotated_between(const Vec3& v, const Vec3& from, const Vec3& to)
   return v - (dot(v, axis) / (1. + std::abs(cosine))) * (from + axis);
 }
 
-// The plane of the triangle (from, along, target): `from` is the origin and `along` is on the first axis.
+// The plane of the triangle (from, along, target): `from` is the origin and `along` is on the first
+// axis.
 struct Triangle_frame
 {
   double base; // length of the edge from `from` to `along`
@@ -55,9 +56,9 @@ bool triangle_frame(const Surface_arrays& t, Index from, Index along, Index targ
   return true;
 }
 
-// Computes the circular front at `from` in the plane of a triangle.  `source` is the direction in space
-// from `from` to the source, or null if `from` is tentative; then the direction is fitted to the distances
-// of both ends of the edge.  Returns false if there is no such front.
+// Computes the circular front at `from` in the plane of a triangle.  `source` is the direction in
+// space from `from` to the source.  If it is null, because `from` is tentative, the direction is
+// fitted to the distances of both ends of the edge.  Returns false if there is no such front.
 bool front_in_triangle(const Front_state& front, Index from, Index along, const Vec3* source,
                        const Triangle_frame& frame, Circular_front& circle)
 {
@@ -82,7 +83,8 @@ bool front_in_triangle(const Front_state& front, Index from, Index along, const 
   return true;
 }
 
-// Relaxes `target` by the circular front that passes `from` and crosses the edge from `from` to `along`.
+// Relaxes `target` by the circular front that passes `from` and crosses the edge from `from` to
+// `along`.
 void update_on_cloud(Front_state& front, Index from, const Vec3* source, Index along, Index target)
 {
   const Surface_arrays& t = *front.triangles;
@@ -156,8 +158,8 @@ void propagate_on_cloud(Front_state& front, Index v)
   const auto [axis_1, axis_2] = tangent_frame(t.normal[v]);
   const Vec3 source = front.directions[v][0] * axis_1 + front.directions[v][1] * axis_2;
   const bool is_tentative = from.state & tentative_flag;
-  // Inside a connected component of triangles, the front moves along edges of triangles only: the longer
-  // edges of the proximity graph would arrive before the front through the triangles.
+  // Edges of the proximity graph connect different components of triangles only.  Inside a
+  // component, these longer edges would arrive before the front through the triangles.
   for(Index i = t.graph.begin[v]; i < t.graph.begin[v + 1]; ++i)
     if((*front.components)[v] != (*front.components)[t.graph.target[i]])
       relax_cloud_edge(front, v, from, t.graph.target[i], t.graph.length[i]);

@@ -14,7 +14,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// By the points of a triangulation, in its unit.
+// Returns the curvatures by the vertices of a triangulation, in its unit.
 std::vector<Curvature> curvatures_of(const Triangulation& shape, double radius = 0.,
                                      unsigned threads = 1)
 {
@@ -30,7 +30,7 @@ std::vector<Curvature> curvatures_of(const Triangulation& shape, double radius =
   return result;
 }
 
-// z = f(x, y) over a square around the origin.
+// Returns the graph z = f(x, y) over a square centered at the origin.
 Triangulation graph(std::size_t n, double size, const std::function<double(double, double)>& f,
                     double jitter = 0.24)
 {
@@ -44,7 +44,7 @@ Triangulation graph(std::size_t n, double size, const std::function<double(doubl
       jitter);
 }
 
-// A frame of two unit vectors that are perpendicular to each other and to the normal.
+// Checks that the directions are unit vectors perpendicular to each other and to the normal.
 void expect_frame(const Curvature& curvature, const Point& normal, double tolerance)
 {
   EXPECT_NEAR(norm(curvature.min_direction), 1., 1e-12);
@@ -64,7 +64,7 @@ TEST(Curvature, sphere_curvature_is_inverse_radius)
     const auto found = curvatures_of(sphere);
     for(Index i = 0; i < found.size(); ++i)
     {
-      // Sides are 0.07 long, and balls of a radius of three have some forty edges.
+      // Edges are 0.07 long; a ball with a radius of three edges contains about 40 edges.
       EXPECT_NEAR(radius * found[i].min_curvature, 1., 0.05);
       EXPECT_NEAR(radius * found[i].max_curvature, 1., 0.05);
       EXPECT_LE(found[i].min_curvature, found[i].max_curvature);
@@ -84,8 +84,8 @@ TEST(Curvature, cylinder_has_one_non_zero_curvature)
     const Point& p = pipe.points[i];
     if(p[2] < 0.6 || p[2] > 5.4)
       continue;
-    // Its edges bend by 2 pi / 80 each: a ball has eight of them beside each other, so that one more
-    // or less is an eighth of them, at both ends in part.
+    // The dihedral angle of each edge is 2 pi / 80.  A ball covers eight parallel edges: one more
+    // or less changes the curvature by an eighth.
     EXPECT_NEAR(found[i].max_curvature, 1. / radius, 0.1 / radius);
     EXPECT_NEAR(found[i].min_curvature, 0., 0.02 / radius);
     EXPECT_GT(std::abs(found[i].min_direction[2]), 0.999);
@@ -113,7 +113,7 @@ TEST(Curvature, torus_matches_formula)
       const double a = 2. * pi * i / 160., b = 2. * pi * j / 80.;
       const double around = std::cos(b) / (major_radius + minor_radius * std::cos(b)),
                    across = 1. / minor_radius;
-      // A ball of 0.12 averages over a third of a radian of b.
+      // A ball of radius 0.12 averages over a third of a radian of b.
       EXPECT_NEAR(curvature.max_curvature, across, 0.05 * across);
       EXPECT_NEAR(curvature.min_curvature, around, 0.05 * across);
       const Point axis = {-std::sin(a), std::cos(a), 0.};
@@ -123,7 +123,7 @@ TEST(Curvature, torus_matches_formula)
 
 TEST(Curvature, saddle_has_curvatures_of_opposite_sign)
 {
-  // Turned by 0.3, on a triangulation without any order.
+  // Rotated by 0.3 radians, on an irregular triangulation.
   const double c = std::cos(0.3), s = std::sin(0.3);
   const Triangulation saddle = graph(60, 1.,
                                      [=](double x, double y)
@@ -132,8 +132,8 @@ TEST(Curvature, saddle_has_curvatures_of_opposite_sign)
                                        return 0.5 * (u * u - v * v);
                                      });
   const Curvature middle = curvatures_of(saddle, 0.25)[30 + 61 * 30];
-  // Normals point up, from where a valley is not convex.  A ball of 0.25 has curvatures down to
-  // (1 + 0.25^2)^-1.5 of those in its middle.
+  // Normals point upwards: the curvature of a valley is negative.  In a ball of radius 0.25 the
+  // curvature decreases to (1 + 0.25^2)^-1.5 of that in the center.
   EXPECT_NEAR(middle.min_curvature, -1., 0.1);
   EXPECT_NEAR(middle.max_curvature, 1., 0.1);
   EXPECT_GT(std::abs(dot(middle.min_direction, Point{c, s, 0.})), 0.99);
@@ -144,7 +144,7 @@ TEST(Curvature, plane_has_zero_curvature)
 {
   for(const Curvature& curvature : curvatures_of(square(12, 0.24)))
   {
-    EXPECT_NEAR(curvature.min_curvature, 0., 1e-12); // rounding
+    EXPECT_NEAR(curvature.min_curvature, 0., 1e-12); // round-off error
     EXPECT_NEAR(curvature.max_curvature, 0., 1e-12);
   }
 }

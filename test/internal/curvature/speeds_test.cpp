@@ -18,7 +18,7 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using Function = std::function<double(const Point&)>;
 
-// Of functions of the points of a triangulation, by its points.
+// Returns the relative gradient norms of functions of position, by the vertices of a triangulation.
 std::vector<double> gradients_of(const Triangulation& shape, const std::vector<Function>& functions)
 {
   const Array_surface surface(shape);
@@ -39,14 +39,14 @@ double z_of(const Point& p) { return p[2]; }
 
 TEST(Speeds, total_curvature_is_scale_invariant)
 {
-  EXPECT_NEAR(sphere_total_curvature, 4. * std::sqrt(pi), 1e-15); // rounding
+  EXPECT_NEAR(sphere_total_curvature, 4. * std::sqrt(pi), 1e-15); // round-off error
   for(const double radius : {1., 1e-6, 1e6})
   {
     Triangulation sphere = icosphere(4);
     for(Point& p : sphere.points)
       p = radius * p;
     const Array_surface surface(sphere);
-    // 2 / r times the root of 4 pi r^2, with curvatures within the bound of their own test.
+    // 2 / r times the square root of 4 pi r^2; the tolerance is that of the curvature test.
     for(const double curvature : total_curvatures(surface.triangles(), 0., 1))
       EXPECT_NEAR(curvature, sphere_total_curvature, 0.05 * sphere_total_curvature);
   }
@@ -58,7 +58,7 @@ TEST(Speeds, total_curvature_of_a_cylinder_matches_formula)
   const Array_surface surface(pipe);
   const auto found = total_curvatures(surface.triangles(), 0.6 / surface.scale(), 2);
   const double expected = std::sqrt(2. * pi * 2. * 6.) / 2.;
-  // As the curvatures in their own test: an eighth of an edge too much or too little.
+  // The same tolerance as in the curvature test: one of eight edges.
   for(Index i = 0; i < surface.size(); ++i)
     if(surface.point(i)[2] > 0.6 && surface.point(i)[2] < 5.4)
     {
@@ -70,17 +70,17 @@ TEST(Speeds, plane_has_no_curvature_and_linear_functions_constant_gradient)
 {
   const Triangulation plane = square(12, 0.24);
   for(const double curvature : total_curvatures(Array_surface(plane).triangles(), 0., 1))
-    EXPECT_NEAR(curvature, 0., 1e-11); // rounding, over sides of a twelfth
+    EXPECT_NEAR(curvature, 0., 1e-11); // round-off error; edges of length 1/12
   const std::vector<std::vector<Function>> images = {
       {x_of}, {x_of, y_of}, {[](const Point& p) { return 1e308 * (p[1] - 0.5 * p[0] - 0.25); }}};
   for(const auto& functions : images)
     for(const double gradient : gradients_of(plane, functions))
-      EXPECT_NEAR(gradient, 1., 1e-12); // rounding, over sides of a twelfth
+      EXPECT_NEAR(gradient, 1., 1e-12); // round-off error; edges of length 1/12
 }
 
 TEST(Speeds, gradients_differ_across_a_crease)
 {
-  // Up to and from the line at 1/2, which the triangles do not cross.
+  // The gradient changes at x = 1/2; no triangle crosses this line.
   const Triangulation plane = grid(
       12, 12,
       [](double u, double v) {
@@ -95,7 +95,7 @@ TEST(Speeds, gradients_differ_across_a_crease)
     const double x = plane.points[i][0];
     if(std::abs(x - 0.5) < 1e-9)
       continue;
-    EXPECT_NEAR(three[i], x < 0.5 ? 1. / 3. : 1., 1e-12); // rounding
+    EXPECT_NEAR(three[i], x < 0.5 ? 1. / 3. : 1., 1e-12); // round-off error
     EXPECT_NEAR(root[i], x < 0.5 ? std::sqrt(0.5) : 1., 1e-12);
   }
 }
@@ -112,7 +112,7 @@ TEST(Speeds, height_gradient_on_a_sphere_is_the_sine)
   for(std::size_t i = 0; i < sphere.points.size(); ++i)
   {
     const double sine = std::sqrt(1. - sphere.points[i][2] * sphere.points[i][2]);
-    // At a pole the mean over triangles as wide as a side, 0.08, is half of that.
+    // At a pole the sine is 0; the mean over triangles of width 0.08 is half of that width.
     EXPECT_NEAR(found[i], sine, 0.05);
     EXPECT_NEAR(on_cloud[surfels.internal_vertex[i]], sine, 0.05);
   }

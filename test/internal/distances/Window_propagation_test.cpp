@@ -23,7 +23,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Sums of some hundred lengths, and as many changes of coordinates.
+// Round-off error of some hundred sums of lengths and changes of coordinates.
 constexpr double round_off = 1e-12;
 
 std::vector<double> run(const Array_surface& surface,
@@ -42,7 +42,7 @@ Triangulation scaled(Triangulation surface, double x, double y, double z)
   return surface;
 }
 
-// Hills and saddles over the unit square.
+// A height field with hills and saddles over the unit square.
 Triangulation hilly_square(std::size_t n, double height, unsigned seed = 1)
 {
   return grid(
@@ -53,7 +53,7 @@ Triangulation hilly_square(std::size_t n, double height, unsigned seed = 1)
       0.24, seed);
 }
 
-// The unit square without the quarter beyond its centre; points there are of no triangle.
+// The unit square without its upper right quarter, whose vertices are isolated.
 Triangulation l_shaped_room(std::size_t n, double jitter)
 {
   Triangulation result = square(n, jitter);
@@ -73,7 +73,7 @@ Triangulation l_shaped_room(std::size_t n, double jitter)
     if(is_kept(f))
       corners.insert(corners.end(), &result.corners[3 * f], &result.corners[3 * f] + 3);
   result.corners = corners;
-  // The wall is straight.
+  // The new boundary is straight.
   for(Index i = 0; i < result.points.size(); ++i)
   {
     const std::size_t column = i % (n + 1), row = i / (n + 1);
@@ -109,7 +109,7 @@ TEST(Window_propagation, accepts_sources_in_faces_and_on_edges)
   for(int i = 0; i < 10; ++i)
   {
     Surface_location at = random_location(*surface.triangles(), random);
-    if(i % 2 == 1) // on a side
+    if(i % 2 == 1) // on an edge
       at.barycentric = {at.barycentric[0], 1. - at.barycentric[0], 0.};
     const Point p = point_at(*surface.triangles(), at);
     const auto d = run(surface, {surface.source(at)});
@@ -161,7 +161,8 @@ TEST(Window_propagation, bends_around_boundary_corner)
                                            const Point& q = l_shaped_mesh.points[i];
                                            if(q[0] > 0.5 + 1e-9 && q[1] > 0.5 + 1e-9)
                                              return infinity;
-                                           // The corner is in the way when it lies left of the way from the right to the left.
+                                           // The path bends at the corner if the corner is to the
+                                           // left of the segment from a to b.
                                            const Point& a = p[0] - p[1] > q[0] - q[1] ? p : q;
                                            const Point& b = p[0] - p[1] > q[0] - q[1] ? q : p;
                                            const double turn = (b[0] - a[0]) * (corner[1] - a[1]) -
@@ -182,7 +183,7 @@ TEST(Window_propagation, lies_between_bounds_on_sphere)
   {
     const Triangulation sphere = icosphere(level);
     const Array_surface surface(sphere);
-    double inner = 1.; // radius of the largest ball inside
+    double inner = 1.; // radius of the inscribed ball
     for(std::size_t f = 0; f < sphere.corners.size(); f += 3)
     {
       const Point &p = sphere.points[sphere.corners[f]], &q = sphere.points[sphere.corners[f + 1]],
@@ -198,8 +199,9 @@ TEST(Window_propagation, lies_between_bounds_on_sphere)
       const auto d = run(surface, {surface.source(source)});
       for(Index i = 0; i < surface.size(); ++i)
       {
-        // The nearest point of a convex surface is never farther from another one's than these are;
-        // and from the centre its faces look larger by at most 1 / inner.
+        // The projection to a convex surface does not increase distances, and the central
+        // projection from the inscribed ball to the sphere increases them by a factor of at most 1
+        // / inner.
         const double edge = great_circle(sphere.points[i], sphere.points[source]);
         EXPECT_LE(d[i], edge * (1. + round_off));
         EXPECT_GE(d[i], inner * edge * (1. - round_off));
@@ -281,13 +283,13 @@ TEST(Window_propagation, accepts_polyline_sources)
 {
   const Triangulation plane = square(20, 0.24);
   const Array_surface surface(plane);
-  // Along sides: the lower border.
+  // Along edges: the lower boundary.
   std::vector<Index> boundary_edge(21);
   std::iota(boundary_edge.begin(), boundary_edge.end(), 0);
   EXPECT_LT(largest_error(run(surface, {surface.line(boundary_edge, 0.5)}),
                           [&](Index i) { return 0.5 + plane.points[i][1]; }),
             round_off);
-  // Part of it, and a segment within a face.
+  // A part of the boundary, and a segment inside a face.
   EXPECT_LT(
       largest_error(
           run(surface, {surface.line({boundary_edge.begin() + 5, boundary_edge.begin() + 9})}),
@@ -363,7 +365,7 @@ TEST(Window_propagation, cancelled_run_keeps_final_distances)
   const auto partial = surface.distances(windows);
   for(Index i = 0; i < surface.size(); ++i)
     EXPECT_TRUE(partial[i] == full[i] || partial[i] == infinity);
-  // Nothing of it is left in the next one.
+  // The next query does not depend on the cancelled one.
   ASSERT_TRUE(windows.run({surface.source(0)}));
   EXPECT_EQ(surface.distances(windows), full);
 }
@@ -415,7 +417,7 @@ TEST(Window_propagation, distances_inside_faces_are_exact)
     ASSERT_TRUE(windows.run({internal::Front_source{{begin, end}, 0., 0}}));
     EXPECT_NEAR(flat.scale() * windows.distance(at), distance_to_segment(r, p, q), round_off);
   }
-  // The same as windows from there.
+  // The distance inside a face equals that of the reverse query.
   for(const Triangulation& shape :
       {hilly_square(24, 0.2), jittered(icosphere(3), 0.1), l_shaped_room(12, 0.2)})
   {
@@ -464,7 +466,7 @@ TEST(Window_propagation, path_length_equals_distance)
         }
         ASSERT_FALSE(path.empty());
         EXPECT_TRUE(is_same_point(t, path.front(), canonical(t, from)));
-        // One of the sources is at its end.
+        // The path ends on one of the sources.
         double min_distance = infinity;
         for(const internal::Front_source& source : sources)
         {
@@ -472,7 +474,7 @@ TEST(Window_propagation, path_length_equals_distance)
                       q = point_at(t, source.polyline.back());
           const double distance_to_source =
               p == q ? distance(end, p) : distance_to_segment(end, p, q);
-          // A line that is traced turns by rounding at each side.
+          // Tracing adds round-off errors at each edge.
           if(distance_to_source < 1e-9)
             min_distance = std::min(min_distance, source.offset);
         }
@@ -487,7 +489,8 @@ TEST(Window_propagation, paths_pass_through_lattice_vertices)
   const std::size_t n = 200;
   const Array_surface surface(square(n));
   Window_propagation windows(surface.triangles());
-  // Half of the lines from there to other sites meet sites on their way, after up to a hundred sides.
+  // Half of the lines from this vertex to other vertices pass through vertices, after up to 100
+  // edges.
   ASSERT_TRUE(windows.run({surface.source(Index((n + 1) * 192 + 121))}));
   std::mt19937 random(1);
   for(int i = 0; i < 200; ++i)
@@ -502,7 +505,7 @@ TEST(Window_propagation, paths_pass_through_lattice_vertices)
 
 TEST(Window_propagation, departure_reproduces_target_by_tracing)
 {
-  // On convex surfaces, where no shortest path bends.
+  // On convex surfaces no shortest path bends at a vertex.
   for(const Triangulation& shape : {square(16, 0.24), icosphere(3), cone(12, 6, 5.)})
   {
     const Array_surface surface(shape);
@@ -519,7 +522,7 @@ TEST(Window_propagation, departure_reproduces_target_by_tracing)
         const Departure departure = windows.departure(to);
         EXPECT_NEAR(departure.length, windows.distance(to) - source.offset, round_off);
         const auto line = trace_straightest(t, departure.from, departure.angle, departure.length);
-        // The direction of the first part of the path, which may be short.
+        // The first segment of the path may be short, which limits the accuracy of its direction.
         EXPECT_LT(distance(point_at(t, line.locations.back()), point_at(t, to)), 1e-8);
       }
     }
@@ -551,7 +554,7 @@ TEST(Window_propagation, polar_angles_are_counterclockwise_around_vertex)
 
 TEST(Window_propagation, polar_angles_are_counterclockwise_around_edge_location)
 {
-  // Counterclockwise seen from above, from one direction along the side or the other.
+  // The angle is measured from the edge, in the direction of its halfedge with the smaller index.
   const Triangulation plane = square(16, 0.24);
   const Array_surface surface(plane);
   const Surface_arrays& t = *surface.triangles();
@@ -576,7 +579,8 @@ TEST(Window_propagation, polar_angles_are_counterclockwise_around_edge_location)
 
 TEST(Window_propagation, polar_angle_matches_departure)
 {
-  // Flat with borders, convex, with saddles, with flat parts whose lines pass sites, and rough.
+  // Flat with boundary, convex, with saddles, with flat regions whose lines pass through vertices,
+  // rough.
   for(const Triangulation& shape :
       {square(16, 0.24), icosphere(3), cone(12, 6, 5.), cone(12, 6, 7.5), torus(24, 12),
        tetrahedron(), double_torus(3), jittered(icosphere(3), 0.05)})
@@ -591,7 +595,7 @@ TEST(Window_propagation, polar_angle_matches_departure)
     {
       ASSERT_TRUE(windows.run({source}));
       const Surface_location from = canonical(t, source.polyline.front());
-      double whole = 2. * pi; // once around
+      double whole = 2. * pi; // angle sum at the source
       if(const Index vertex = vertex_of(t, from); vertex != none)
       {
         whole = 0.;
@@ -603,14 +607,15 @@ TEST(Window_propagation, polar_angle_matches_departure)
         const Departure departure = windows.departure(vertex_location(t, vertex));
         EXPECT_NEAR(departure.length, windows.distance(vertex) - source.offset, round_off);
         const double found = windows.polar_angle_of_departure(vertex);
-        // As of the directions of other tests.
+        // The same tolerance as for the other directions.
         EXPECT_NEAR(std::remainder(found - departure.polar_angle, whole), 0., 1e-8);
       }
     }
   }
 }
 
-// The lengths of all shortest paths, whether they are paths from one end to the other, and all apart.
+// Returns the number of shortest paths, and checks their lengths, their ends, and that they are
+// different.
 std::size_t number_of_paths(const Array_surface& surface, const Window_propagation& windows,
                             const Surface_location& from, double offset = 0.)
 {
@@ -619,7 +624,7 @@ std::size_t number_of_paths(const Array_surface& surface, const Window_propagati
   const auto paths = windows.paths(from, 1e-9);
   for(const auto& path : paths)
   {
-    // The tolerance, and rounding.
+    // The tolerance of paths() and round-off errors.
     EXPECT_NEAR(path_length(t, path), shortest, 2e-9 * shortest);
     EXPECT_TRUE(is_same_point(t, path.front(), canonical(t, from)));
     for(const auto& other : paths)
@@ -632,7 +637,7 @@ std::size_t number_of_paths(const Array_surface& surface, const Window_propagati
   return paths.size();
 }
 
-// Each triangle cut into four, the surface unchanged; its own points come first.
+// Returns the 1-to-4 refinement; the vertices of the input keep their indices.
 Triangulation subdivide(const Triangulation& surface)
 {
   Triangulation result{surface.points, {}};
@@ -674,7 +679,7 @@ TEST(Window_propagation, finds_all_shortest_paths_on_platonic_solids)
                             {0., 1., 1.}},
                            {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
                             1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7}};
-  // Down the middle of each of four faces, over each of six edges.
+  // Octahedron: through the centers of four pairs of faces.  Cube: over six edges.
   struct Case
   {
     Triangulation surface;
@@ -698,7 +703,8 @@ TEST(Window_propagation, finds_all_shortest_paths_on_platonic_solids)
 
 TEST(Window_propagation, finds_shortest_paths_on_both_sides_of_hole)
 {
-  // A square ring: up and down are equally long around its hole.
+  // A square with a square hole in the center: the paths to the left and right of it are equally
+  // long.
   const std::size_t n = 12;
   Triangulation ring = square(n);
   std::vector<Index> corners;
@@ -718,8 +724,8 @@ TEST(Window_propagation, finds_shortest_paths_on_both_sides_of_hole)
               1. / 3. + 2. * std::hypot(1. / 6., 1. / 3.), round_off);
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 12))), 2u);
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(5, 12))), 1u);
-  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 0))), 1u); // of one point
-  // Sources at places, on both sides of the hole; and two lines, each of which has one nearest point.
+  EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 0))), 1u); // of length 0
+  // Two point sources, to the left and right of the hole; then two segments.
   ASSERT_TRUE(windows.run({surface.source(at(0, 6)), surface.source(at(12, 6))}));
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 12))), 2u);
   EXPECT_EQ(number_of_paths(surface, windows, surface.at(at(6, 10))), 2u);
@@ -736,8 +742,8 @@ TEST(Window_propagation, finds_shortest_paths_on_both_sides_of_hole)
 
 TEST(Window_propagation, shortest_path_is_unique_off_cut_locus)
 {
-  // Random places are not on it, nor are vertices without a symmetry.  Around a pipe the places
-  // opposite to the source are.
+  // Random locations, and vertices of surfaces without symmetry, are not on the cut locus.  On a
+  // cylinder the vertices opposite to the source are.
   for(const Triangulation& shape :
       {square(12, 0.24), jittered(icosphere(3), 0.02), jittered(cone(12, 6, 5.), 0.02),
        jittered(cone(12, 6, 8.), 0.02), hilly_square(12, 0.2)})
@@ -773,7 +779,7 @@ TEST(Window_propagation, shortest_path_is_unique_off_cut_locus)
 
 TEST(Window_propagation, passes_pinched_vertex)
 {
-  // Two squares that share the point at the end of one and the begin of the other.
+  // Two squares that share a vertex: the last one of the first, the first one of the second.
   Triangulation shape = square(8, 0.24), other = square(8, 0.24, 2);
   const Index shared = Index(shape.points.size()) - 1, first = Index(shape.points.size());
   for(const Point& p : other.points)
@@ -786,7 +792,7 @@ TEST(Window_propagation, passes_pinched_vertex)
   EXPECT_LT(largest_error(d,
                           [&](Index i)
                           {
-                            if(i == first) // of no triangle
+                            if(i == first) // isolated
                               return infinity;
                             return i < first ? distance(shape.points[i], shape.points[3])
                                              : distance(pinch, shape.points[3]) +
@@ -797,8 +803,8 @@ TEST(Window_propagation, passes_pinched_vertex)
 
 TEST(Window_propagation, handles_needles_and_zero_length_edges)
 {
-  // A square squeezed to nothing in its middle, one that folds flat, coincident points, and a pillow
-  // without area.
+  // A square with columns of zero and of nearly zero width, a square projected to a line,
+  // coincident vertices, and two coincident faces without area.
   Triangulation squeezed = square(12);
   for(Point& p : squeezed.points)
     p[0] = p[0] < 0.3 ? p[0] : p[0] < 0.6 ? 0.3 : p[0] < 0.9 ? 0.3 + 1e-13 * p[0] : p[0];
@@ -815,7 +821,7 @@ TEST(Window_propagation, handles_needles_and_zero_length_edges)
       for(Index i = 0; i < surface.size(); ++i)
       {
         EXPECT_TRUE(std::isfinite(d[i]));
-        // Never shorter than in space.
+        // At least the Euclidean distance in space.
         EXPECT_GE(d[i], distance(shape.points[i], shape.points[source]) - round_off);
       }
       for(Index h = 0; h < t.corner.size(); ++h)
@@ -828,8 +834,8 @@ TEST(Window_propagation, handles_needles_and_zero_length_edges)
 
 TEST(Window_propagation, terminates_on_needles_and_spikes)
 {
-  // Two faces on each other that a line crosses to and fro, and spikes a thousand times as high as
-  // wide, around which it winds.
+  // Two coincident thin faces that a geodesic crosses alternately, and spikes 1,000 times as high
+  // as wide around which geodesics wind.
   const Triangulation pillow{{{0., 0., 0.}, {1., 1e-6, 0.}, {3., 0., 0.}}, {0, 1, 2, 0, 2, 1}};
   const Triangulation spikes = grid(
       24, 24,

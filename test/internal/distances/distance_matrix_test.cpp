@@ -31,7 +31,7 @@ struct Distance_matrix : testing::Test
     }
   }
 
-  // Each entry is what the engine alone says, also where a limit makes the matrix sparse.
+  // Checks that each entry equals the result of a single query, also with a maximum distance.
   template <typename Engine>
   void expect_rows_match(Engine engine)
   {

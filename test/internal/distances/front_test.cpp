@@ -22,10 +22,10 @@ using namespace CGAL::Geodesic_processing::test;
 using Kind = Front_kind;
 constexpr Kind all_kinds[] = {Kind::dijkstra, Kind::planar, Kind::euclidean};
 
-// A final site is corrected by one part in 10^12 or more; what is below is left, and on these surfaces
-// passed on some tens of times.
+// Final vertices are corrected only if their distance changes by more than 1e-12.  On these
+// surfaces smaller errors are propagated some tens of times.
 constexpr double flat_tolerance = 1e-10;
-// Sums of some hundred lengths.
+// Round-off error of a sum of some hundred lengths.
 constexpr double round_off = 1e-12;
 
 std::vector<double> run(const Array_surface& surface, Kind kind,
@@ -73,8 +73,8 @@ TEST(Front, is_exact_on_flat_convex_meshes)
 
 TEST(Front, is_exact_on_flat_meshes_of_obtuse_triangles)
 {
-  // Angles up to 168 degrees: a site may hand on a front before the one that comes the long way
-  // around a needle has turned its direction, and has to take back what it gave.
+  // Angles up to 168 degrees.  A vertex may propagate before the correct front arrives around a
+  // needle.  Then its descendants must be invalidated.
   for(const double height : {0.2, 0.3, 5.})
     for(const unsigned seed : {1u, 2u, 3u})
     {
@@ -125,8 +125,8 @@ TEST(Front, is_exact_on_cones_and_behind_saddles)
                       : distance_on_cone(ring + 1., (i - 1) / n + 1., (i - 1) % n * total_angle / n,
                                          total_angle);
       };
-      // Above 3 pi the shadow's edge passes through triangles of half of its size: there a circle
-      // is fitted to two fronts.
+      // If the total angle exceeds 3 pi, the boundary of the shadow passes through the interior of
+      // triangles, in which a circle is fitted to the distances of two fronts.
       EXPECT_LT(largest_error(d, exact_distance),
                 total_angle < 3. * pi ? flat_tolerance * rows : 0.01)
           << "total angle " << total_angle << " ring " << ring;
@@ -137,7 +137,8 @@ TEST(Front, is_exact_on_cones_and_behind_saddles)
   }
 }
 
-// A square with a hole [0.5, 0.5 + 1/n] x [0, 0.5]: the border's two inner corners throw shadows.
+// A square without the wall [0.5, 0.5 + 1/n] x [0, 0.5].  Shortest paths bend at the wall's two
+// upper corners.
 struct Square_with_wall
 {
   static constexpr std::size_t n = 32;
@@ -149,7 +150,7 @@ struct Square_with_wall
     for(std::size_t j = 0; j <= n; ++j)
       for(std::size_t i = n / 2; i <= n / 2 + 1; ++i)
         surface.points[i + (n + 1) * j] = {double(i) / n, double(j) / n, 0.};
-    for(std::size_t i = 0; i <= n; ++i) // the top of the wall
+    for(std::size_t i = 0; i <= n; ++i) // the upper edge of the wall
       surface.points[i + (n + 1) * (n / 2)][1] = 0.5;
     std::vector<Index> corners;
     for(std::size_t cell = 0; cell < n * n; ++cell)
@@ -161,7 +162,7 @@ struct Square_with_wall
 
   bool is_visible(const Point& p, const Point& q) const
   {
-    // Where the segment is in the wall's range of x it must not be below the wall's top.
+    // In the wall's range of x, the segment must not be below the wall's upper edge.
     const double low = std::min(p[0], q[0]), high = std::max(p[0], q[0]);
     const double from = std::max(low, corner[0][0]), to = std::min(high, corner[1][0]);
     if(from >= to)
@@ -192,18 +193,19 @@ TEST(Front, bends_around_boundary_corners)
     const auto d = run(surface, Kind::euclidean, {surface.source(source)});
     const auto exact_distance = [&](Index i)
     {
-      // The points under the wall, in no triangle, are not reached.
+      // The isolated vertices inside the wall are not reached.
       return std::isinf(d[i])
                  ? infinity
                  : wall.exact_distance(wall.surface.points[source], wall.surface.points[i]);
     };
-    // Exact but along the shadow's edge, where a circle is fitted to two fronts: part of a side.
+    // Errors of a fraction of an edge occur only along the boundary of the shadow, if a circle is
+    // fitted to the distances of two fronts.
     EXPECT_LT(largest_error(d, exact_distance), 0.2 / wall.n) << "source " << source;
     EXPECT_LT(mean_relative_error(d, 1e-3, exact_distance), 5e-4) << "source " << source;
   }
 }
 
-// The mean error over vertices farther than 5 percent of the largest distance.
+// Returns the mean relative error at the vertices whose distance exceeds 5 % of the largest one.
 double error_on_sphere(unsigned level, Kind kind)
 {
   const Triangulation sphere = icosphere(level);
@@ -222,16 +224,16 @@ TEST(Front, converges_with_second_order_on_sphere)
   const double coarse = error_on_sphere(3, Kind::euclidean),
                middle = error_on_sphere(4, Kind::euclidean),
                fine = error_on_sphere(5, Kind::euclidean);
-  // Sides halve from one to the next.  The cut locus, where the front meets itself, is a point.
+  // Each level halves the edges.  The cut locus, at which the front meets itself, is a point.
   EXPECT_GT(std::log2(coarse / fine) / 2., 1.6);
   EXPECT_GT(std::log2(middle / fine), 1.5);
-  EXPECT_LT(fine, 0.0015); // the bar for 10,242 vertices
+  EXPECT_LT(fine, 0.0015); // for 10,242 vertices
 }
 
 TEST(Front, is_accurate_on_skewed_grid)
 {
-  // A side of a cube blown up to a sphere.  Where fronts pass its vertices on one side only, they went up to
-  // 2.8 % too far.
+  // A face of a cube projected to a sphere.  If fronts enter each triangle only once, the errors
+  // are up to 2.8 % (see reentry_ratio).
   const Triangulation cube_face = grid(60, 60,
                                        [](double u, double v)
                                        {
@@ -249,8 +251,8 @@ TEST(Front, is_accurate_on_skewed_grid)
     const auto d =
         run(surface, Kind::euclidean, {surface.source(surface.in(triangle, barycentric))});
     for(Index i = 0; i < d.size(); ++i)
-      // What front.cpp says at worth_a_return; and the source lies by an eighth of the square of an edge, 1e-4,
-      // below the sphere.
+      // The error that reentry_ratio documents.  The source is below the sphere by an eighth of a
+      // squared edge length, 1e-4.
       EXPECT_NEAR(d[i] / great_circle(unit(position), cube_face.points[i]), 1.,
                   d[i] > 0.2 ? 2.5e-3 : 0.1)
           << triangle << " " << i;
@@ -260,21 +262,23 @@ TEST(Front, is_accurate_on_skewed_grid)
 TEST(Front, planar_front_converges_with_first_order)
 {
   const double coarse = error_on_sphere(3, Kind::planar), fine = error_on_sphere(5, Kind::planar);
-  // h log h: the circle's bend around the source costs the logarithm, half an order here.
+  // The error is h log h: straight fronts are inaccurate close to the source.  The logarithm
+  // reduces the observed order by about one half.
   EXPECT_GT(std::log2(coarse / fine) / 2., 0.5);
   EXPECT_LT(fine, 0.02);
 }
 
 TEST(Front, planar_front_matches_five_point_scheme_on_right_triangles)
 {
-  // Rouy and Tourin's scheme on a grid, for which the fronts of Kimmel and Sethian were made.
+  // The upwind scheme of Rouy and Tourin on a grid, which the method of Kimmel and Sethian
+  // generalizes.
   const std::size_t n = 20;
   const Array_surface surface(square(n));
   const auto d = run(surface, Kind::planar, {surface.source(Index(n))}); // at (1,0)
   const double h = 1. / n;
   std::vector<double> exact_distance(d.size());
   for(std::size_t j = 0; j <= n; ++j)
-    for(std::size_t i = 0; i <= n; ++i) // i sides to the left of the source
+    for(std::size_t i = 0; i <= n; ++i) // i edges to the left of the source
     {
       double& value = exact_distance[j * (n + 1) + n - i];
       if(i == 0 || j == 0)
@@ -291,7 +295,7 @@ TEST(Front, planar_front_matches_five_point_scheme_on_right_triangles)
 
 TEST(Front, dijkstra_is_not_consistent)
 {
-  // The diagonal against the sides of a regular grid that has the other diagonals.
+  // The distance along the diagonal that a regular grid does not contain.
   Triangulation plane = square(16);
   for(Point& p : plane.points)
     p[0] = 1. - p[0];
@@ -299,7 +303,7 @@ TEST(Front, dijkstra_is_not_consistent)
     std::swap(plane.corners[c], plane.corners[c + 1]);
   const Array_surface surface(plane);
   const auto d = run(surface, Kind::dijkstra, {surface.source(16)});
-  EXPECT_NEAR(d[16 * 17], 2., round_off); // from (0,0) to (1,1): two sides, not sqrt(2)
+  EXPECT_NEAR(d[16 * 17], 2., round_off); // from (0,0) to (1,1): not sqrt(2)
 }
 
 TEST(Front, dijkstra_matches_bellman_ford)
@@ -307,7 +311,7 @@ TEST(Front, dijkstra_matches_bellman_ford)
   for(const Triangulation& surface : {jittered(icosphere(3), 0.02), Square_with_wall().surface,
                                       disjoint_union(square(7, 0.24), tetrahedron())})
   {
-    // Bellman and Ford: no queue at all.
+    // Reference: the Bellman-Ford algorithm.
     std::vector<double> exact_distance(surface.points.size(), infinity);
     exact_distance[3] = 0.25;
     exact_distance[20] = 0.;
@@ -368,7 +372,7 @@ TEST(Front, accepts_sources_in_triangles_and_on_edges)
     EXPECT_LT(
         largest_error(run(surface, Kind::euclidean, {surface.source(location)}), exact_distance),
         flat_tolerance);
-    // First order: at most two of the 20 sides across.
+    // First order: the error is at most two edges.
     EXPECT_LT(largest_error(run(surface, Kind::planar, {surface.source(location)}), exact_distance),
               0.1);
   }
@@ -398,8 +402,8 @@ TEST(Front, is_exact_in_triangle_of_source)
 
 TEST(Front, is_straight_next_to_polyline_source)
 {
-  // The lower half of a column in the middle, with both ends inside: a wave on both sides, circles
-  // around the ends.
+  // Half of the middle column of edges; both ends are inside the square.  The front is straight to
+  // the left and right, and circular around the ends.
   Triangulation plane = square(24, 0.24);
   std::vector<Index> line;
   for(Index j = 6; j <= 18; ++j)
@@ -410,7 +414,7 @@ TEST(Front, is_straight_next_to_polyline_source)
   const Array_surface surface(plane);
   const Point a = plane.points[line.front()], b = plane.points[line.back()];
   const auto exact_distance = [&](Index i) { return distance_to_segment(plane.points[i], a, b); };
-  // Sites in triangles that hold only a vertex of the line are first reached from there.
+  // Vertices whose triangles contain only a vertex of the line are first reached from that vertex.
   const double edge_length = 1. / 24.;
   const auto d = run(surface, Kind::euclidean, {surface.line(line)});
   EXPECT_LT(largest_error(d, exact_distance), 0.1 * edge_length);
@@ -423,7 +427,7 @@ TEST(Front, is_straight_next_to_polyline_source)
 
 TEST(Front, is_exact_from_polyline_across_faces)
 {
-  // From one point of a face to another: the polyline x = 0.31 across a regular grid.
+  // The polyline x = 0.31 across a regular grid; its ends are inside faces.
   const std::size_t n = 10;
   const Triangulation plane = square(n);
   const Array_surface surface(plane);
@@ -431,7 +435,8 @@ TEST(Front, is_exact_from_polyline_across_faces)
   const double fraction = 0.1; // of the column 0.3 .. 0.4
   for(Index j = 0; j < n; ++j)
   {
-    // Face 2 c has the corners (0,0), (1,0), (1,1) of its cell, face 2 c + 1 (0,0), (1,1), (0,1).
+    // The corners of face 2 c are (0,0), (1,0), (1,1) of cell c, those of face 2 c + 1 are (0,0),
+    // (1,1), (0,1).
     const Index cell = 3 + n * j;
     source.polyline.push_back(surface.in(2 * cell, {1. - fraction, fraction, 0.}));
     source.polyline.push_back(surface.in(2 * cell, {1. - fraction, 0., fraction}));
@@ -446,7 +451,7 @@ TEST(Front, measures_distance_from_boundary_of_annulus)
 {
   const Index n = 48, rows = 10;
   const Triangulation annulus_mesh =
-      annulus(n, rows, 1., 3.); // the first row of points is the outer one
+      annulus(n, rows, 1., 3.); // the first row of points is the outer boundary
   const Array_surface surface(annulus_mesh);
   for(const Index first : {Index(0), Index(n * rows)})
   {
@@ -463,7 +468,7 @@ TEST(Front, measures_distance_from_boundary_of_annulus)
                                                       annulus_mesh.points[boundary_loop[k + 1]]));
       return result;
     };
-    // At the creases between the waves of two segments: part of a side, of length 0.2 to 0.4.
+    // The error is a fraction of an edge of length 0.2 to 0.4, between the fronts of two segments.
     EXPECT_LT(largest_error(d, exact_distance), 0.1 * 0.3)
         << "from the border that begins at " << first;
   }
@@ -498,14 +503,14 @@ TEST(Front, does_not_mix_fronts_of_several_sources)
       Front front(surface.triangles(), Kind::euclidean);
       front.run(sources);
       const auto d = surface.distances(front);
-      // Where two fronts meet in a triangle, each may have to go along a side: half of it at most.
-      // One percent of many sides of 1/30 in a cell of three sides, few of which are concerned.
+      // If two fronts meet in a triangle, each may arrive along an edge, which is at most half of
+      // an edge too long.  Few vertices are affected: the mean error is below 1 %.
       const double edge_length = 1. / 30.;
       EXPECT_LT(largest_error(d, exact_distance), 0.5 * edge_length)
           << number_of_sources << " sources " << has_offsets;
       EXPECT_LT(mean_relative_error(d, edge_length, exact_distance), 0.01)
           << number_of_sources << " sources " << has_offsets;
-      // The label is that of a source that explains the distance.
+      // The distance to the reported source is close to the minimum.
       for(Index i = 0; i < d.size(); ++i)
         EXPECT_LT(to_source(i, front.source(surface.vertex(i))),
                   exact_distance(i) + 0.5 * edge_length);
@@ -532,7 +537,7 @@ TEST(Front, ignores_sources_that_are_overtaken)
 {
   const Triangulation plane = square(16, 0.24);
   const Array_surface surface(plane);
-  // The second starts later than the first one arrives there.
+  // The front of the first source arrives at the second one before that starts.
   for(const Kind kind : all_kinds)
   {
     Front front(surface.triangles(), kind);
@@ -554,7 +559,7 @@ TEST(Front, adds_offset_of_source)
     for(const double offset : {-2., 0.5, 100.})
     {
       const auto e = run(surface, kind, {surface.source(7, offset)});
-      // Roundings of the offset's size.
+      // Round-off errors are relative to the offset.
       EXPECT_LT(largest_error(e, [&](Index i) { return offset + d[i]; }),
                 1e-13 * (1. + std::abs(offset)));
     }
@@ -563,7 +568,7 @@ TEST(Front, adds_offset_of_source)
 
 TEST(Front, distance_is_symmetric)
 {
-  // Exact where the surface is flat between them; elsewhere each way has the method's error.
+  // On a curved surface both distances have the error of the method.
   const Array_surface surface(jittered(icosphere(4), 0.02));
   std::mt19937 random(4);
   double sum = 0.;
@@ -596,7 +601,7 @@ TEST(Front, satisfies_triangle_inequality)
   for(int a = 0; a < 6; ++a)
     for(int b = 0; b < 6; ++b)
       for(Index c = 0; c < surface.size(); ++c)
-        // Twice the largest relative error of a distance, see distance_is_symmetric.
+        // The factor allows twice the largest relative error of distance_is_symmetric.
         EXPECT_LE(d[a][c], (d[a][points[b]] + d[b][c]) * 1.04);
 }
 
@@ -634,8 +639,8 @@ TEST(Front, does_not_cross_obstacles)
   const Array_surface surface(plane);
   for(const bool has_gap : {false, true})
   {
-    // The column of cells at x in [0.5, 0.55] is an obstacle; but for the uppermost, if there is
-    // a gap.
+    // The cells with x in [0.5, 0.55] are an obstacle, except for the uppermost one if there is a
+    // gap.
     std::vector<double> slowness(surface.triangles()->number_of_triangles(), 1.);
     for(Index j = 0; j < n - has_gap; ++j)
       for(Index k = 0; k < 2; ++k)
@@ -649,12 +654,12 @@ TEST(Front, does_not_cross_obstacles)
       {
         const bool is_behind = i % (n + 1) > 10;
         if(!is_behind)
-          EXPECT_LE(d[i], 2.); // along the sides of a square
+          EXPECT_LE(d[i], 2.); // along two boundary edges of the square
         else if(!has_gap)
           EXPECT_EQ(d[i], infinity);
         else
         {
-          // Over the gap, between heights 0.95 and 1.
+          // The path passes through the gap, 0.95 < y < 1.
           EXPECT_GE(d[i], std::hypot(0.5, 0.95 - 0.3 / n));
           EXPECT_LT(d[i], infinity);
         }
@@ -663,8 +668,8 @@ TEST(Front, does_not_cross_obstacles)
   }
 }
 
-// Through a medium of slowness 1 below y = 0.5 into one of slowness p above: Fermat's shortest time
-// from (0.5, 0) to a point, by bisection of its derivative (Snell's law).
+// Returns the travel time from (0.5, 0) to a point, with slowness 1 below y = 0.5 and slowness p
+// above.  The minimum over all paths is found by bisection of the derivative (Snell's law).
 double time_through_layers(const Point& target, double p)
 {
   if(target[1] <= 0.5)
@@ -672,7 +677,8 @@ double time_through_layers(const Point& target, double p)
     const double straight_ray = std::hypot(target[0] - 0.5, target[1]);
     if(p >= 1.)
       return straight_ray;
-    // Along the border of the faster medium, entered and left at the critical angle.
+    // The head wave runs along the interface in the faster medium; it enters and leaves at the
+    // critical angle.
     const double horizontal = std::abs(target[0] - 0.5), vertical = 0.5 + 0.5 - target[1];
     const double head_wave = p * horizontal + vertical * std::sqrt(1. - p * p);
     return horizontal >= vertical * p / std::sqrt(1. - p * p) ? std::min(straight_ray, head_wave)
@@ -711,7 +717,7 @@ TEST(Front, satisfies_snells_law)
       error[level] = mean_relative_error(
           d, 0.05, [&](Index i) { return time_through_layers(plane.points[i], p); });
     }
-    // First order but for the logarithm, with h = 1/80.
+    // First order up to a logarithm, h = 1/80.
     EXPECT_LT(error[1], 0.02) << p;
     EXPECT_GT(std::log2(error[0] / error[1]), 0.4) << p;
   }
@@ -733,7 +739,7 @@ TEST(Front, reaches_exactly_vertices_within_maximum_distance)
       for(Index i = 0; i < surface.size(); ++i)
       {
         const double d = surface.scale() * front.distance(surface.vertex(i));
-        // A gain of 1e-9 is one that the front may leave.
+        // The front ignores improvements below 1e-9.
         if(all[i] <= limit * (1. - 1e-9))
         {
           EXPECT_NEAR(d, all[i], 1e-8) << "limit " << limit << " kind " << int(kind);
@@ -759,7 +765,7 @@ TEST(Front, lists_reached_vertices_once_and_nearly_sorted)
     auto reached = front.reached();
     EXPECT_EQ(reached.size(), surface.size());
     for(std::size_t i = 1; i < reached.size(); ++i)
-      // Nearly: by less than the longest side, which is below 2 in the domain's scale.
+      // Up to the length of the longest edge, which is below 2 in the unit of the arrays.
       EXPECT_GT(front.distance(reached[i]), front.distance(reached[i - 1]) - 2.);
     std::sort(reached.begin(), reached.end());
     EXPECT_EQ(std::unique(reached.begin(), reached.end()), reached.end());
@@ -784,9 +790,9 @@ TEST(Front, distances_of_targets_match_full_run)
           limits.targets.push_back(random_location(*surface.triangles(), random));
         front.run({surface.source(0)}, limits);
         for(const Surface_location& target : limits.targets)
-          EXPECT_NEAR(front.distance(target), full.distance(target), 1e-8); // see `flat`
+          EXPECT_NEAR(front.distance(target), full.distance(target), 1e-8); // see flat_tolerance
       }
-      // A near one is reached without the rest.
+      // The query stops after a target that is close to the source.
       Front_limits limits;
       limits.targets = {surface.at(1)};
       front.run({surface.source(0)}, limits);
@@ -834,12 +840,12 @@ TEST(Front, is_cancelled_by_callback)
       if(d[i] < infinity)
       {
         ++finite;
-        EXPECT_NEAR(d[i], all[i], 1e-3); // the last of them might still have been corrected
+        EXPECT_NEAR(d[i], all[i], 1e-3); // the last ones would still have been corrected
       }
     EXPECT_EQ(finite, front.reached().size());
     EXPECT_GT(finite, 0u);
     EXPECT_LT(finite, d.size());
-    // And the next run is a whole one.
+    // The next query is complete.
     EXPECT_TRUE(front.run({surface.source(0)}));
     EXPECT_EQ(surface.distances(front), all);
   }
@@ -879,7 +885,6 @@ TEST(Front, predecessors_lead_to_source)
 
 TEST(Front, distances_inside_triangles_are_exact_in_plane)
 {
-  // Exact in the plane, inside of triangles as at their corners.
   const Triangulation plane = stretched_square(16, 1., 0.6, 8);
   const Array_surface surface(plane);
   const Surface_arrays& t = *surface.triangles();
@@ -908,7 +913,7 @@ TEST(Front, distance_is_continuous_at_corners)
       {
         const double corner = front.distance(t.corner[3 * f + k]);
         EXPECT_EQ(front.distance(Surface_location{f, none, barycentric_at_corner(k)}), corner);
-        // Never more than the way to a corner.
+        // At most the distance through the corner.
         Surface_location location = random_location(t, random);
         location.triangle = f;
         const double distance_to_corner =
@@ -970,7 +975,7 @@ TEST(Front, copies_run_concurrently)
 
 TEST(Front, handles_degenerate_triangles)
 {
-  // A row of points on a line, twice the same point, and a face with one corner on its own side.
+  // Coincident vertices, collinear vertices, and triangles of area zero.
   Triangulation surface = square(8, 0.24);
   for(int i = 0; i < 5; ++i)
     surface.points[40 + i] = surface.points[40];
@@ -984,7 +989,7 @@ TEST(Front, handles_degenerate_triangles)
       for(Index i = 0; i < d.size(); ++i)
       {
         EXPECT_TRUE(d[i] < infinity);
-        // The surface turns over at these points; there the method errs by a percent.
+        // Some faces are inverted at these vertices, which causes errors of 1 %.
         EXPECT_GE(d[i], 0.98 * distance(surface.points[source], surface.points[i]) - round_off);
       }
       for(int i = 1; i < 5; ++i)
@@ -994,7 +999,7 @@ TEST(Front, handles_degenerate_triangles)
 
 TEST(Front, passes_pinched_vertices)
 {
-  // Two squares that share a corner point: (1, 1) of the first is (0, 0) of the second.
+  // Two squares that share a vertex: (1, 1) of the first one is (0, 0) of the second one.
   const Index n = 6, m = (n + 1) * (n + 1);
   Triangulation second = square(n, 0.24, 2);
   for(Point& p : second.points)
@@ -1008,7 +1013,7 @@ TEST(Front, passes_pinched_vertices)
   const auto d = run(arrays, Kind::euclidean, {arrays.source(0)});
   for(Index i = 0; i < d.size(); ++i)
   {
-    if(i == m) // in no triangle any more
+    if(i == m) // isolated
       EXPECT_EQ(d[i], infinity);
     else if(i < m)
       EXPECT_NEAR(d[i], distance(surface.points[0], surface.points[i]), flat_tolerance);
@@ -1052,7 +1057,8 @@ TEST(Front, stops_where_known_distances_are_smaller)
     Front_limits limits;
     limits.known_distance = &known;
     EXPECT_TRUE(front.run({surface.source(960)}, limits));
-    // Both are straight in the plane; the sites halfway may be told by other triangles.
+    // The distances differ by at most 2 % of an edge: close to the bisector they may be computed in
+    // other triangles.
     double max_error = 0.;
     std::vector<bool> is_near_improvement(surface.size(), false);
     for(Index f = 0; f < t.number_of_triangles(); ++f)
@@ -1065,7 +1071,7 @@ TEST(Front, stops_where_known_distances_are_smaller)
         if(has_improved)
         {
           is_near_improvement[t.corner[3 * f + k]] = true;
-          // The ring beyond is known, but for chains of arcs that need none.
+          // One more ring of vertices is reached, except by Dijkstra's algorithm.
           if(kind != Kind::dijkstra)
           {
             EXPECT_LT(front.distance(t.corner[3 * f + k]), infinity);
@@ -1081,7 +1087,7 @@ TEST(Front, stops_where_known_distances_are_smaller)
         EXPECT_EQ(front.distance(vertex), infinity);
       }
     }
-    // A side is 1/30, in units of the domain.
+    // The length of an edge is 1/30.
     EXPECT_LE(max_error, kind == Kind::dijkstra ? 0. : 0.02 / 30. / surface.scale());
   }
 }

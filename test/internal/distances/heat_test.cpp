@@ -35,15 +35,15 @@ TEST(Heat, error_decreases_under_refinement)
     error[level - 3] = mean_relative_error(
         d, 0.05 * pi, [&](Index i) { return great_circle(sphere.points[100], sphere.points[i]); });
   }
-  // The step is the square of a side, so it gets better, without an order.
+  // The time step is the squared edge length: the error decreases, but without a fixed order.
   EXPECT_LT(error[1], error[0]);
   EXPECT_LT(error[2], error[1]);
-  EXPECT_LT(error[2], 0.01); // 0.64 percent is what CGAL's class has on this mesh
+  EXPECT_LT(error[2], 0.01); // CGAL's Surface_mesh_geodesic_distances_3: 0.0064
 }
 
 TEST(Heat, is_accurate_for_several_sources)
 {
-  // A wave from both poles: half a sphere each.
+  // Each pole is the nearest source of half of the sphere.
   const Triangulation sphere = icosphere(5);
   const Array_surface surface(sphere);
   const std::vector<Index> poles = {0, 3}; // opposite vertices of the icosahedron
@@ -55,7 +55,7 @@ TEST(Heat, is_accurate_for_several_sources)
                                   return std::min(great_circle(sphere.points[0], sphere.points[i]),
                                                   great_circle(sphere.points[3], sphere.points[i]));
                                 }),
-            0.03); // the equator, where the two meet, is rounded
+            0.03); // the method is smooth at the equator, the distance is not
 }
 
 TEST(Heat, adds_offset_of_source)
@@ -65,7 +65,7 @@ TEST(Heat, adds_offset_of_source)
   const auto d = heat_distances(surface, {surface.source(0)});
   const auto with_offset = heat_distances(surface, {surface.source(0, 3.)});
   EXPECT_LT(largest_error(with_offset, [&](Index i) { return 3. + d[i]; }), 1e-9);
-  // Two corners, one a quarter behind the other.
+  // Two corners, the second one with an offset of 0.25.
   const auto both = heat_distances(surface, {surface.source(0), surface.source(1680, 0.25)});
   EXPECT_LT(mean_relative_error(both, 0.1,
                                 [&](Index i)
@@ -74,13 +74,13 @@ TEST(Heat, adds_offset_of_source)
                                       distance(plane.points[i], plane.points[0]),
                                       0.25 + distance(plane.points[i], plane.points[1680]));
                                 }),
-            0.05); // some percent of the method itself, on a mesh with 40 sides across
+            0.05); // error of the method on a mesh of 40 x 40 cells
 }
 
 TEST(Heat, is_accurate_in_each_component)
 {
   Triangulation surface = disjoint_union(square(20, 0.24), icosphere(3));
-  surface.points.push_back({7., 7., 7.}); // in no triangle
+  surface.points.push_back({7., 7., 7.}); // isolated
   const Array_surface arrays(surface);
   const auto d = heat_distances(arrays, {arrays.source(0)});
   for(Index i = 0; i < d.size(); ++i)
@@ -92,7 +92,7 @@ TEST(Heat, is_accurate_in_each_component)
   const auto e =
       heat_distances(arrays, {arrays.source(0), arrays.source(441), arrays.source(isolated)});
   EXPECT_EQ(e[isolated], 0.);
-  // The other components' sources change nothing here.
+  // The sources in other components do not change these distances.
   EXPECT_LT(largest_error(e, [&](Index i) { return i < 441 ? d[i] : e[i]; }), 1e-9);
   EXPECT_LT(mean_relative_error(e, 0.3,
                                 [&](Index i) {
@@ -114,7 +114,7 @@ TEST(Heat, is_finite_on_degenerate_triangles)
   const auto d = heat_distances(arrays, {arrays.source(0)});
   for(Index i = 0; i < d.size(); ++i)
     EXPECT_TRUE(d[i] >= 0. && d[i] < 2.);
-  // And where all points are the same.
+  // All vertices coincide.
   const Array_surface point({std::vector<Point>(4, Point{1., 2., 3.}), {0, 1, 2, 0, 2, 3}});
   for(const double x : heat_distances(point, {point.source(0)}))
     EXPECT_TRUE(std::abs(x) < 1e-3);
@@ -195,7 +195,7 @@ TEST(Heat, reports_sources_and_predecessors)
   {
     const double to_first = great_circle(surface.point(0), surface.point(i)),
                  to_second = great_circle(surface.point(3), surface.point(i));
-    // Along arcs, so that near the equator it may be either.
+    // The source is the nearest one along edges, which may be either close to the equator.
     if(std::abs(to_first - to_second) > 0.3)
     {
       EXPECT_EQ(solver.source(surface.vertex(i)), to_first < to_second ? 0u : 1u);

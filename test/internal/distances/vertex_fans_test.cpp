@@ -20,7 +20,7 @@ using namespace CGAL::Geodesic_processing::test;
 
 TEST(Vertex_fans, contain_incident_edges_and_triangles)
 {
-  // A pinched site, borders, and a closed surface.
+  // A non-manifold vertex, boundaries, and a closed surface.
   const Triangulation bowtie = {
       {{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}}, {0, 1, 2, 0, 3, 4}};
   for(const Triangulation& triangulation : {bowtie, square(5), icosphere(2)})
@@ -30,7 +30,7 @@ TEST(Vertex_fans, contain_incident_edges_and_triangles)
     const Vertex_fans s = build_vertex_fans(t, true);
     for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
     {
-      // The triangles of the star, in its order.
+      // The triangles of the one-ring, in its order.
       Index i = t.ring_begin[vertex];
       for(Index j = s.begin[vertex].edge; j < s.begin[vertex + 1].edge; ++j)
       {
@@ -57,7 +57,7 @@ TEST(Vertex_fans, contain_incident_edges_and_triangles)
 
 TEST(Vertex_fans, split_obtuse_corners_into_acute_ones)
 {
-  // In the plane what is unfolded lies where it is.
+  // In the plane, unfolded vertices keep their positions.
   const Triangulation plane = grid(
       20, 20,
       [](double u, double v) {
@@ -69,7 +69,7 @@ TEST(Vertex_fans, split_obtuse_corners_into_acute_ones)
   const Vertex_fans s = build_vertex_fans(t, true);
   const auto position_of = [&](Index vertex)
   { return surface.point(surface.caller_vertex(vertex)); };
-  // Each split is seen from both ends of the bases of its two halves.
+  // Each split has two halves, each stored at both ends of its base.
   std::vector<int> number_of_views(t.corner.size(), 0);
   for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
     for(Index i = s.begin[vertex].split; i < s.begin[vertex + 1].split; ++i)
@@ -83,7 +83,7 @@ TEST(Vertex_fans, split_obtuse_corners_into_acute_ones)
       EXPECT_TRUE(split.neighbor == t.corner[next_halfedge(split.corner)] ||
                   split.neighbor == t.corner[previous_halfedge(split.corner)]);
       EXPECT_TRUE(split.neighbor == vertex || split.neighbor == split.along);
-      // A few unfoldings, each with a few roundings.
+      // Round-off errors of a few unfoldings.
       EXPECT_NEAR(surface.scale() * split.base,
                   distance(position_of(vertex), position_of(split.along)), 1e-12);
       const Vec2 to_along = split.apex - Vec2{split.base, 0.};
@@ -100,13 +100,13 @@ TEST(Vertex_fans, split_obtuse_corners_into_acute_ones)
     const bool is_obtuse_split = number_of_views[corner] != 0;
     EXPECT_TRUE(number_of_views[corner] == 0 || number_of_views[corner] == 4);
     split_corners += is_obtuse_split;
-    // Behind the border there is nothing.  Farther inside than 20 thin triangles there is.
+    // No vertex splits a corner if the boundary or the limit of 20 triangles comes first.
     const Point p = position_of(t.corner[corner]);
     const bool is_inner = p[0] > 0.2 && p[0] < 0.8 && p[1] > 0.12 && p[1] < 0.18;
     EXPECT_TRUE(is_obtuse_split || !is_inner || corner_angle(t, corner)[0] >= 0.);
   }
   EXPECT_GT(split_corners, 100u);
-  // What is split is reached through its halves only.
+  // A split corner is reached only through its halves.
   for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
   {
     Index i = t.ring_begin[vertex];
@@ -135,7 +135,7 @@ TEST(Vertex_fans, mark_curved_vertices)
     return result;
   };
   EXPECT_EQ(number_of_curved_vertices(square(10, 0.25)), 0u);
-  // Creases and borders unfold, tips and saddles do not.
+  // Vertices on straight creases and on the boundary are not marked; cone and saddle vertices are.
   const auto fold = [](double u, double v) { return Point{u, v, std::abs(u - 0.5)}; };
   EXPECT_EQ(number_of_curved_vertices(grid(10, 10, fold)), 0u);
   EXPECT_EQ(number_of_curved_vertices(cone(8, 3, 5.)), 1u);
@@ -161,7 +161,7 @@ TEST(Vertex_fans, are_shared_while_referenced)
   EXPECT_EQ(shared_vertex_fans(surface.t(), false), without_splits);
   EXPECT_EQ(shared_vertex_fans(surface.t(), true), with_splits);
   EXPECT_NE(without_splits, with_splits);
-  // Lengths of copies may be changed.
+  // Copies do not share, because their lengths may be changed.
   Surface_arrays copy = surface.t();
   for(double& length : copy.length)
     length *= 2.;

@@ -8,28 +8,29 @@
 #include <memory>
 #include <vector>
 
-// What speeds are made of: numbers that do not change when the surface is scaled.
+// Scale-invariant values of vertices from which speed functions are computed.
 
 namespace CGAL::Geodesic_processing::internal {
 
-// #sites: the sum of the sizes of the principal curvatures, which curvatures() finds with this radius,
-// in units of 1 / sqrt(area of the surface).
+// Returns |min_curvature| + |max_curvature| of each vertex (#vertices), as curvatures() computes
+// them with this radius, times the square root of the surface's area.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> total_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
                                      double radius, unsigned threads);
 
-// The same of their sum, which is twice the mean curvature: negative where the surface bends towards its
-// normals.
+// Returns min_curvature + max_curvature of each vertex, which is twice the mean curvature, times
+// the square root of the surface's area.  Negative if the surface bends towards its normals.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> doubled_mean_curvatures(const std::shared_ptr<const Surface_arrays>& triangles,
                                             double radius, unsigned threads);
 
-// That of a sphere: 4 sqrt(pi).
+// The total curvature of a sphere: 4 sqrt(pi).
 inline constexpr double sphere_total_curvature = 7.0898154036220641;
 
-// #sites: the mean over the star of the sizes of the gradients in its triangles, in units of the largest
-// one; zeros when there is none.  The square of a size is the sum of those of the channels.
-// channels: each #sites.  Throws Invalid_argument_error when a value is not finite.
+// Returns for each vertex (#vertices) the area-weighted mean of the gradient norms of its
+// triangles, divided by the largest of these means; 0 if all are 0.  The squared norm of a triangle
+// is the sum over the channels.  channels: #vertices values each.  Throws Invalid_argument_error if
+// a value is not finite.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<double> relative_gradient_norms(const Surface_arrays& triangles,
                                             std::vector<std::vector<double>> channels);

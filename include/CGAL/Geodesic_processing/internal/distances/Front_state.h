@@ -18,7 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 // The rule by which a front crosses a triangle.
 enum class Front_kind
 {
-  dijkstra, // along edges only (Dijkstra 1959): an upper bound that does not converge under refinement
+  // Along edges only (Dijkstra 1959): an upper bound that does not converge under refinement.
+  dijkstra,
   planar,    // as a straight line (Kimmel and Sethian 1998): first order, admits speeds
   euclidean, // as a circle around an unfolded source, whose direction each vertex stores
 };
@@ -39,8 +40,8 @@ struct Front_vertex
 // vertices in `reached` differ from their defaults.
 struct Front_state
 {
-  // Returns true if vertices store the direction to their source.  With speeds, a Euclidean front is
-  // a planar one.
+  // Returns true if vertices store the direction to their source.  With speeds, a Euclidean front
+  // is a planar one.
   bool has_directions() const { return kind == Front_kind::euclidean && !slowness; }
   // Returns the offset of the source of a reached vertex.
   double offset_at(Index vertex) const
@@ -60,15 +61,14 @@ struct Front_state
   bool has_splits = false; // a Euclidean front got fans with split obtuse corners, for speeds
 
   std::vector<Front_vertex> vertices; // #vertices
-  // #vertices, Euclidean fronts only: the unit vector to the source.  On a mesh its first axis is
-  // the halfedge that leaves the corner of the vertex, in the plane of that triangle; on a cloud it
-  // is in the tangent frame of the surfel.
+  // #vertices, Euclidean fronts only: the unit vector to the source.  On a mesh it is in the plane
+  // of the triangle of the vertex's `corner`; the first axis is the halfedge that leaves this
+  // corner.  On a cloud it is in the tangent frame of the surfel.
   std::vector<Vec2> directions;
   std::vector<Index> sources; // #vertices: position among the sources, or none
   std::vector<Index> reached; // nearly in the order of distance
   Vertex_queue queue;
-  std::size_t number_invalidated =
-      0; // in the running query, each time that a vertex is invalidated
+  std::size_t number_invalidated = 0; // number of invalidations in the running query
   // The final vertices whose distance has decreased while the current vertex propagates.
   std::vector<Index> corrected_vertices;
 

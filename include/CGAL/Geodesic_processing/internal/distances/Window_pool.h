@@ -13,11 +13,11 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// An interval of a halfedge that is crossed by straight lines from one unfolded source (Mitchell, Mount
-// and Papadimitriou 1987).
+// An interval of a halfedge that is crossed by straight lines from one unfolded source (Mitchell,
+// Mount and Papadimitriou 1987).
 //
-// Coordinates: the halfedge begins at the origin and runs along the first axis; the triangle that the
-// window crosses next is above it, the source below it.
+// Coordinates: the halfedge begins at the origin and runs along the first axis.  The triangle that
+// the window crosses next is above the halfedge, the source below it.
 struct Window
 {
   Vec2 source;       // of a straight front: the unit vector towards the source
@@ -43,8 +43,8 @@ struct Window_list
   Index capacity_log2 = 0;
 };
 
-// Memory for arrays of windows, whose capacities are powers of two.  Released arrays are reused; allocation
-// takes O(1) amortized time.  Pointers are valid until the next allocation.
+// Memory for arrays of windows, whose capacities are powers of two.  Released arrays are reused;
+// allocation takes O(1) amortized time.  Pointers are valid until the next allocation.
 class Window_pool
 {
 public:

@@ -20,32 +20,34 @@ struct Departure
 {
   Surface_location from, next; // a point of the source, and the end of the path's first segment
   double angle = 0.;           // in the plane of the triangle of `from`, as for trace_straightest()
-  // Counterclockwise.  At a vertex: from the halfedge that leaves the first corner of its one-ring.  On an
-  // edge: from the halfedge with the smaller index.  Otherwise equal to `angle`.
+  // Counterclockwise.  At a vertex: from the halfedge that leaves the first corner of its one-ring.
+  // On an edge: from the halfedge with the smaller index.  Otherwise equal to `angle`.
   double polar_angle = 0.;
   double length = infinity; // without the offset of the source; infinite if there is no path
 };
 
-// Computes exact geodesic distances on a mesh by window propagation (Mitchell, Mount and Papadimitriou
-// 1987).
+// Computes exact geodesic distances on a mesh by window propagation (Mitchell, Mount and
+// Papadimitriou 1987).
 //
-// All windows that wait at a halfedge cross its triangle together (Qin et al. 2016), in the order of the
-// smaller distance of the ends of the halfedge.  A window is dropped if no shortest path can use it: if it
-// is longer than a detour through an end of its edge (Xin and Wang 2009), if another window is closer
-// everywhere, or if its lines cross the shortest one to the apex.  Saddle, boundary and non-manifold
-// vertices are pseudo-sources for the region that no straight line through them reaches.
+// All windows that wait at a halfedge cross its triangle together (Qin et al. 2016).  Halfedges are
+// ordered by the smaller distance of their ends.  A window is dropped if no shortest path can use
+// it.  This is the case if a detour through an end of its edge is shorter (Xin and Wang 2009), if
+// another window is closer everywhere, or if its lines cross the shortest one to the apex.  Saddle,
+// boundary and non-manifold vertices are pseudo-sources for the region that no straight line
+// through them reaches.
 //
 // Windows with the same unfolded source are merged again.  Therefore flat regions cost as much as a
-// front, curved ones O(n^1.5) time in practice.  Windows are discarded after they have crossed.  The time
-// of a query depends only on the visited triangles.  Copies share the triangles and may run concurrently.
+// front, curved ones O(n^1.5) time in practice.  Windows are discarded after they have crossed.
+// The time of a query depends only on the visited triangles.  Copies share the triangles and may
+// run concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagation
 {
 public:
   // Throws Unsupported_surface_error if the arrays are a cloud.
   explicit Window_propagation(std::shared_ptr<const Surface_arrays> triangles);
 
-  // As Front::run(); known_distance is ignored.  Throws Unsupported_surface_error if the limits have a
-  // slowness.
+  // As Front::run(); known_distance is ignored.  Throws Unsupported_surface_error if the limits
+  // have a slowness.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
   // The results of the last query, in the unit of the arrays, as those of a Front.
@@ -56,21 +58,21 @@ public:
   Index source(Index vertex) const { return m_state.vertices[vertex].source; }
   Index predecessor(Index vertex) const;
   const std::vector<Index>& reached() const { return m_state.reached; }
-  // Returns the exact distance at a location.  If it is not a vertex, windows are propagated back from it
-  // until they meet a source or a vertex through which a shortest path leads.
+  // Returns the exact distance at a location.  Inside a face or edge, windows are propagated back
+  // from the location until they meet a source, or a vertex on a shortest path.
   double distance(const Surface_location& location) const;
-  // Returns the shortest path from a location to the nearest source, shortened by shorten_geodesic().
-  // Empty if no source reaches the location, or if round-off errors in degenerate triangles prevent
-  // the reconstruction.
+  // Returns the shortest path from a location to the nearest source, shortened by
+  // shorten_geodesic().  Empty if no source reaches the location, or if round-off errors in
+  // degenerate triangles prevent the reconstruction.
   std::vector<Surface_location> path(const Surface_location& from) const;
-  // Returns all locally shortest paths whose length exceeds the distance by at most this fraction, which
-  // must be far smaller than an edge; at most 64 paths.
+  // Returns all paths, at most 64, whose length exceeds the distance by at most this fraction.  The
+  // tolerance must be far smaller than an edge.
   std::vector<std::vector<Surface_location>> paths(const Surface_location& from,
                                                    double tolerance) const;
   // Returns the first segment, at the source, of the shortest path to a location.
   Departure departure(const Surface_location& to) const;
-  // Returns departure().polar_angle for a vertex, more than ten times as fast: only the straight line
-  // incident to the source is followed.  Zero if the vertex is on a source.
+  // Returns departure().polar_angle for a vertex, more than ten times as fast: only the straight
+  // line incident to the source is followed.  Zero if the vertex is on a source.
   double polar_angle_of_departure(Index vertex) const;
 
 private:

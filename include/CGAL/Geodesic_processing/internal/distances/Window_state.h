@@ -38,10 +38,11 @@ struct Source_piece
   double offset;
 };
 
-// The data of window propagation: the results of the last query, and the variables of the running one.
+// The data of window propagation: the results of the last query, and the variables of the running
+// one.
 //
-// Between two queries only the entries that `reached`, `queue` and `crossed_halfedges` list differ from
-// their defaults.
+// Between two queries only the entries that `reached`, `queue` and `crossed_halfedges` list differ
+// from their defaults.
 struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
 {
   struct Vertex : Window_arrival
@@ -75,8 +76,8 @@ struct CGAL_GEODESIC_PROCESSING_EXPORT Window_state
   std::vector<Index> reached;
   Vertex_queue queue; // halfedges, and #halfedges + vertex
 
-  // 2 #halfedges: the windows that wait to cross each one.  List 0 arrived through the halfedge of the
-  // adjacent triangle that shares its begin, list 1 through the one that shares its end.
+  // 2 #halfedges: the windows that wait to cross each one.  List 0 arrived through the halfedge of
+  // the adjacent triangle that shares its begin, list 1 through the one that shares its end.
   std::vector<Window_list> waiting;
   Window_pool pool;
   std::vector<std::uint8_t> number_of_crossings; // #halfedges: how often windows have crossed it

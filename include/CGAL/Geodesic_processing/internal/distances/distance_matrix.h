@@ -16,10 +16,11 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// What computes the rows of a matrix; each thread has a copy.
+// The method that computes the rows of a matrix; each thread copies it.
 using Distance_engine = std::variant<const Front*, const Window_propagation*, const Heat_solver*>;
 
-// The distances from each source, alone, to each place, times the scale.  Empty when the callback of
+// Returns the distances from each source, one query each, to each location, times `scale`.  The
+// matrix is #from x #to; unreachable pairs are infinite.  Returns an empty matrix if the callback of
 // the limits cancelled it.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::MatrixXd distance_matrix(const Distance_engine& engine, double scale,
@@ -27,8 +28,10 @@ Eigen::MatrixXd distance_matrix(const Distance_engine& engine, double scale,
                                 const std::vector<Surface_location>& to, const Front_limits& limits,
                                 unsigned threads);
 
-// Those within the limits, from each of some sites to each; throws Invalid_argument_error when there
-// are more than 2^31.  column[site] is none or the site's place among the sources.
+// Returns the distances between the sources that are within the limits, times `scale`.  The
+// matrix is #from x #from.  column: #vertices; the position of a vertex among the sources, or none.
+// Throws Invalid_argument_error if there are more than 2^31 - 1 entries.  Returns an empty matrix if
+// cancelled.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::SparseMatrix<double, Eigen::RowMajor>
 sparse_distance_matrix(const Distance_engine& engine, double scale,

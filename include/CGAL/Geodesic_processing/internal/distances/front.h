@@ -20,19 +20,19 @@ struct Front_limits
   // #triangles: 1 / speed, infinite for an obstacle; null if it is 1 everywhere.
   std::shared_ptr<const std::vector<double>> slowness;
   // #vertices: distances known from previous queries, or null.  The front propagates only from
-  // vertices whose known distance it improves, and reaches one ring of vertices beyond them: a
-  // triangle in which two fronts meet needs the new distance at all of its corners.  Without that
-  // ring the mean error of the combined distances is 20 to 2,000 times larger on scans and
-  // mechanical parts.
+  // vertices whose known distance it improves, and reaches one ring of vertices beyond them.  This
+  // is because a triangle in which two fronts meet needs the new distance at all of its corners.
+  // Without that ring the mean error of the combined distances is 20 to 2,000 times larger on scans
+  // and mechanical parts.
   const std::vector<double>* known_distance = nullptr;
   std::function<bool(double)> callback; // receives the fraction done; returns false to cancel
 };
 
-// Computes distances from sources by a front: Dijkstra's algorithm, fast marching, or circular fronts
-// (Front_kind), on meshes and clouds.
+// Computes distances from sources by a front: Dijkstra's algorithm, fast marching, or circular
+// fronts (Front_kind), on meshes and clouds.
 //
-// A query takes O(k log k) time for k reached vertices; no array of size #vertices is cleared.  Copies
-// share the triangles and may run concurrently.
+// A query takes O(k log k) time for k reached vertices; no array of size #vertices is cleared.
+// Copies share the triangles and may run concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Front
 {
 public:
@@ -49,8 +49,7 @@ public:
   // Returns the position of the nearest source in the array of sources, or none if not reached.
   Index source(Index vertex) const { return m_state.sources[vertex]; }
   // Returns the adjacent vertex, closer to the source, next to which the shortest path arrives.
-  // Returns none if the vertex is on a source, if the path arrives from inside a triangle without
-  // such a vertex, or if the vertex is not reached.
+  // Returns none if the vertex is on a source or not reached, or if there is no such vertex.
   Index predecessor(Index vertex) const;
   // Returns the reached vertices, each once, nearly in the order of their distances.
   const std::vector<Index>& reached() const { return m_state.reached; }

@@ -11,25 +11,26 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Computes distances by the heat method (Crane, Weischedel and Wardetzky 2013), on the intrinsic Delaunay
-// triangulation of a mesh or on the weighted triangles of a cloud.
+// Computes distances by the heat method (Crane, Weischedel and Wardetzky 2013), on the intrinsic
+// Delaunay triangulation of a mesh or on the weighted triangles of a cloud.
 //
-// The time step is the square of the mean edge length.  It is increased if a component may be wider than
-// 600 square roots of it, because heat that underflows has no gradient.  The heat of a source with an
-// offset is reduced by the decay over that distance.  The distances of a connected component are shifted
-// such that their mean over the sources equals the mean offset.
+// The time step is the square of the mean edge length.  It is increased if a component may be wider
+// than 600 square roots of it, because heat that underflows has no gradient.  The heat of a source
+// with an offset is reduced by the decay over that distance.  The distances of a connected
+// component are shifted such that their mean over the sources equals the mean offset.
 class CGAL_GEODESIC_PROCESSING_EXPORT Heat_solver
 {
 public:
   // Computes two sparse factorizations, of the heat and of the Poisson system.
   explicit Heat_solver(std::shared_ptr<const Surface_arrays> triangles);
 
-  // As Front::run(), in O(#vertices) memory and two back substitutions.  Sources, predecessors and the
-  // reached vertices are those of Dijkstra's algorithm; targets and known distances are ignored.  Throws
-  // Unsupported_surface_error if the limits have a slowness.
+  // As Front::run().  Solves two linear systems by their factorizations.  Sources, predecessors and
+  // the reached vertices are those of Dijkstra's algorithm.  Targets and known distances are
+  // ignored.  Throws Unsupported_surface_error if the limits have a slowness.
   bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
 
-  // Returns the distance of a vertex, or interpolates linearly in a triangle.  Infinite if not reached.
+  // Returns the distance of a vertex, or interpolates linearly in a triangle.  Infinite if not
+  // reached.
   double distance(Index vertex) const { return m_distance[vertex]; }
   double distance(const Surface_location& location) const;
   Index source(Index vertex) const { return m_dijkstra.source(vertex); }

@@ -12,68 +12,73 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// All that a front reads around a site, in one run of memory: a front visits sites all over
-// it, and waits for memory longer than it computes.
+// The edges and triangles around each vertex, as a front reads them.
+//
+// The data of a vertex is contiguous, because a front visits vertices in random order and spends
+// more time on memory access than on arithmetic.
 struct Vertex_fans
 {
-  // A side, seen from the site, and the triangle between it and the next spoke.
+  // An edge incident to the vertex, and the triangle between it and the next edge of the fan.
   struct Fan_edge
   {
     enum Flag : Index
     {
-      has_triangle = 1,         // else it is the last one of its fan
-      is_repeated = 2,          // it begins or ends a closed fan, and stands at both ends
-      is_obtuse_split = 4,      // the triangle's corner at this end is obtuse, and split
-      is_next_obtuse_split = 8, // that at the next spoke's end is
-      is_curved = 16, // the first one of a site whose triangles turn by more or less than 2 pi
+      has_triangle = 1,         // otherwise it is the last edge of its fan
+      is_repeated = 2,          // first edge of a closed fan, stored at both ends
+      is_obtuse_split = 4,      // the triangle's corner at `vertex` is obtuse and split
+      is_next_obtuse_split = 8, // the same for the corner at the next edge's `vertex`
+      is_curved = 16,           // first edge of an interior vertex whose angle sum is not 2 pi
     };
-    Index vertex; // the site at the far end
+    Index vertex; // at the far end
     Index flags;
     double length;
-    Vec2 opening; // unit vector at the triangle's angle, seen from this spoke
+    Vec2 opening; // (cos, sin) of the triangle's angle at the center vertex
   };
-  // Half of an obtuse corner, which the site behind the opposite side splits into two acute angles
-  // once the triangles between are unfolded into its plane (Kimmel and Sethian 1998, section 3):
-  // a triangle as good as a real one to reach that corner, seen from one end of its base.
+  // One half of a split obtuse corner (Kimmel and Sethian 1998, section 3).  The triangles behind
+  // the opposite edge are unfolded into the plane of the triangle until a vertex splits the obtuse
+  // angle into two acute ones.  Each half is a virtual triangle that contains the corner.  It is
+  // stored at both ends of its base.
   struct Split
   {
-    Index corner;   // the obtuse one
-    Index target;   // its site
-    Index along;    // the site at the other end of the base
-    Index neighbor; // the end that is a neighbour of the corner's site
-    double base;    // its length
-    Vec2 apex;      // where the corner lies when the base runs from this end along the first axis
+    Index corner;   // the obtuse corner
+    Index target;   // the vertex of that corner
+    Index along;    // the other end of the base
+    Index neighbor; // the end of the base that is adjacent to the target
+    double base;    // length of the base
+    Vec2 apex;      // position of the corner; the base runs along the first axis
   };
 
-  // Where the spokes and the splits of a site begin, and its star: as in a CSR.
+  // The begins of the edges, the splits and the one-ring of a vertex, as in CSR format.
   struct Offsets
   {
     Index edge, split, ring;
   };
 
-  std::vector<Offsets> begin; // #sites + 1
-  std::vector<Fan_edge>
-      edges; // of each fan counterclockwise; the first one again ends a closed fan
+  std::vector<Offsets> begin; // #vertices + 1
+  // Each fan is in counterclockwise order; a closed fan ends with a copy of its first edge.
+  std::vector<Fan_edge> edges;
   std::vector<Split> splits;
 };
 
-// O(#triangles).  The corners of meshes are split, where that is asked for; at most 20 triangles are
-// unfolded for each.
+// Computes the fans of all vertices in O(#triangles) time.  If `with_splits`, obtuse corners of
+// meshes are split; at most 20 triangles are unfolded for each corner.
 CGAL_GEODESIC_PROCESSING_EXPORT Vertex_fans build_vertex_fans(const Surface_arrays& triangles,
                                                               bool with_splits);
 
-// The same, made anew only when nobody else has them: for triangles that change no more.
+// Returns build_vertex_fans(), computed once as long as any user holds the result.  The triangles
+// must not change afterwards.  Thread-safe.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const Vertex_fans> shared_vertex_fans(const Surface_arrays& triangles,
                                                       bool with_splits);
 
-// Where the triangle of a corner stands around the site of that corner.
+// The position of a triangle in the fan of one of its vertices.
 struct Fan_position
 {
-  Index edge; // the one that the triangle follows
-  Index ring; // the triangle's place in the star
+  Index edge; // fan edge before the triangle
+  Index ring; // position in Surface_arrays::ring
 };
 
+// Returns the position of the triangle of a corner around the vertex of that corner; O(degree).
 inline Fan_position fan_position(const Surface_arrays& triangles, const Vertex_fans& fans,
                                  Index vertex, Index corner)
 {
