@@ -20,7 +20,7 @@ Window_propagation::Window_propagation(std::shared_ptr<const Surface_arrays> tri
 bool Window_propagation::run(const std::vector<Front_source>& sources, const Front_limits& limits)
 {
   if(limits.slowness)
-    throw Unsupported_surface_error("Exact distances know no speeds.");
+    throw Unsupported_surface_error("The exact method does not support speeds.");
   m_state.clear();
   m_state.min_offset = infinity;
   for(const Front_source& source : sources)

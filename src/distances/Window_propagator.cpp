@@ -52,7 +52,7 @@ bool are_in_same_fan(const Surface_arrays& t, Index entry_corner, Index other)
 std::shared_ptr<const std::vector<bool>> find_pseudo_sources(const Surface_arrays& t)
 {
   if(t.is_cloud())
-    throw Unsupported_surface_error("Exact distances need a mesh, not a cloud.");
+    throw Unsupported_surface_error("The exact method requires a mesh, not a point cloud.");
   auto result = std::make_shared<std::vector<bool>>(t.number_of_vertices());
   for(Index vertex = 0; vertex < t.number_of_vertices(); ++vertex)
   {

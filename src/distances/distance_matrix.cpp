@@ -69,7 +69,7 @@ sparse_distance_matrix(const Distance_engine& engine, double scale,
         std::sort(rows[i].begin(), rows[i].end());
         if((number_of_entries += rows[i].size()) > max_entries)
           throw Invalid_argument_error(
-              "More than 2^31 pairs of sites are within the maximum distance.");
+              "More than 2^31 pairs of vertices are within the maximum distance.");
       });
   if(!is_complete)
     return Matrix();
