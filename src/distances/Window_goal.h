@@ -26,8 +26,8 @@ struct Meeting
   Index origin = none;
 };
 
-// The goal of a backward search: connects it to the results of a forward query, and bounds it by
-// the best connection found.
+// Finds the meetings of a backward search with the results of a forward query.  The length of the
+// shortest meeting bounds the search.
 class CGAL_GEODESIC_PROCESSING_EXPORT Window_goal
 {
 public:
@@ -43,17 +43,19 @@ public:
   // Returns the arrivals that were kept at a vertex, in a search for all paths.
   const std::vector<Window_arrival>& arrivals(Index vertex) const;
 
-  // Keeps an arrival if all paths are searched and none from the same direction was kept.
+  // In a search for all paths, stores an arrival at a vertex, unless one from the same direction is
+  // stored.
   void keep_arrival(Index vertex, const Window_arrival& arrival);
-  // Returns whether a path through a vertex at this distance may be short enough, and connects
-  // there.
+  // Returns whether the path through a vertex at this backward distance may be short enough.  If it
+  // is the shortest one so far, it becomes the meeting.
   bool reach(Index vertex, double distance);
   // Returns the distance at a vertex beyond which no path is short enough.
   double max_useful_distance(Index vertex) const;
-  // Connects a position in the layout of a triangle to the source pieces in the triangle.
+  // Tests the segments from a position in the layout of a triangle to the closest points of the
+  // source pieces in this triangle.
   void meet_sources(Index triangle, const Vec2& position, Index origin);
-  // Connects windows that cross the triangle of a halfedge to the source pieces in the triangle.
-  // windows: 1 + the windows; the first entry is unused.
+  // Tests the paths from windows that cross a halfedge to the source pieces in its triangle.  The
+  // first entry of `windows` is unused.
   void meet_sources_behind(Index h, const std::vector<Window>& windows);
 
 private:
@@ -62,7 +64,7 @@ private:
 
   std::shared_ptr<const Surface_arrays> m_triangles;
   const Window_state* m_forward = nullptr;
-  bool m_collects_all = false; // m_meeting.distance is the maximum length
+  bool m_collects_all = false; // then m_meeting.distance is the maximum length
   Meeting m_meeting;
   std::vector<Meeting> m_meetings;
   std::unordered_map<Index, std::vector<Window_arrival>> m_arrivals; // by vertex

@@ -53,9 +53,9 @@ inline bool fit_source_direction(double length, double difference, Circular_fron
 }
 
 // Returns the residual d + l c - (l^2 - d^2) / (2 r) of a circle of this curvature (see below).  It
-// is positive if the difference is larger than that of the circle, negative if smaller, and equal
-// to the excess for a straight front.  `cosine` is that of the angle at x between the edge and the
-// source.
+// is positive if `difference` is larger than that of the circle, and negative if it is smaller.
+// For a straight front it is the difference of both.  `cosine` is that of the angle at x between
+// the edge and the source.
 inline double excess_gain(double curvature, double length, double difference, double cosine)
 {
   return difference + length * cosine -

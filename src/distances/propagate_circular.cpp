@@ -115,8 +115,8 @@ void update_circular(Front_state& front, Index v, const Fan_position& position, 
   const Index arrival_corner = is_mirrored ? next_halfedge(corner) : previous_halfedge(corner);
   const bool is_accepted =
       relax(front, far.vertex, {distance, direction, arrival_corner, flags, 0.}, front.sources[v]);
-  // Around a vertex of positive curvature, the front passed the near vertex on the other side of
-  // the vertex before.  The recursion ends because each call decreases a distance.
+  // The near vertex was reached before, around the opposite side of a vertex of positive curvature.
+  // The recursion ends because each call decreases a distance.
   if(is_accepted && has_nearer_neighbor && was_reached_after(front, v, near.vertex))
     update_from(front, is_mirrored ? previous_halfedge(corner) : next_halfedge(corner),
                 !is_mirrored);

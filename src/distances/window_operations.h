@@ -26,7 +26,7 @@ inline double side_of_apex_line(const Window& window, double position, const Vec
          window.source[1] * (apex_point[0] - position);
 }
 
-// Returns the window in the coordinates of the reversed edge, whose length is `length`, reflected.
+// Reflects a window, so that its edge of this length runs in the opposite direction.
 inline Window mirror(Window w, double length)
 {
   if(w.weight == 0.f)
@@ -52,9 +52,9 @@ inline Window clip_through_left(Window w, double begin, double end, const Vec2& 
 }
 
 // Narrows the interval [begin, end] in which `a` and `b` become equally far, by four steps of the
-// regula falsi.  The interval always contains the position of equal distance, so that the callers
-// cut off only parts with larger distances.  The differences are those of the distances of `a` and
-// `b` at its ends.
+// regula falsi.  The interval always contains the position of equal distance, so that a caller cuts
+// off only parts with larger distances.  The differences at the ends are distance of `a` minus
+// distance of `b`.
 inline void bracket_equal_distance(const Window& a, const Window& b, double& begin, double& end,
                                    double difference_at_begin, double difference_at_end)
 {

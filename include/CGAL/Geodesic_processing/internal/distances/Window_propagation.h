@@ -65,8 +65,8 @@ public:
   // shorten_geodesic().  Empty if no source reaches the location, or if round-off errors in
   // degenerate triangles prevent the reconstruction.
   std::vector<Surface_location> path(const Surface_location& from) const;
-  // Returns all paths, at most 64, whose length exceeds the distance by at most this fraction.  The
-  // tolerance must be far smaller than an edge.
+  // Returns all locally shortest paths to the sources whose length exceeds the distance by at most
+  // this fraction of it; at most 64 paths.  That fraction must be far shorter than an edge.
   std::vector<std::vector<Surface_location>> paths(const Surface_location& from,
                                                    double tolerance) const;
   // Returns the first segment, at the source, of the shortest path to a location.

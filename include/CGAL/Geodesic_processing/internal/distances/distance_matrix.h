@@ -20,18 +20,18 @@ namespace CGAL::Geodesic_processing::internal {
 using Distance_engine = std::variant<const Front*, const Window_propagation*, const Heat_solver*>;
 
 // Returns the distances from each source, one query each, to each location, times `scale`.  The
-// matrix is #from x #to; unreachable pairs are infinite.  Returns an empty matrix if the callback of
-// the limits cancelled it.
+// matrix is #from x #to; unreachable pairs are infinite.  Returns an empty matrix if the callback
+// of the limits cancelled it.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::MatrixXd distance_matrix(const Distance_engine& engine, double scale,
                                 const std::vector<Front_source>& from,
                                 const std::vector<Surface_location>& to, const Front_limits& limits,
                                 unsigned threads);
 
-// Returns the distances between the sources that are within the limits, times `scale`.  The
-// matrix is #from x #from.  column: #vertices; the position of a vertex among the sources, or none.
-// Throws Invalid_argument_error if there are more than 2^31 - 1 entries.  Returns an empty matrix if
-// cancelled.
+// Returns the distances between the sources that are within the limits, times `scale`.  The matrix
+// is #from x #from.  column: #vertices; the position of a vertex among the sources, or none.
+// Throws Invalid_argument_error if there are more than 2^31 - 1 entries.  Returns an empty matrix
+// if cancelled.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::SparseMatrix<double, Eigen::RowMajor>
 sparse_distance_matrix(const Distance_engine& engine, double scale,
