@@ -40,8 +40,8 @@ Vec2 in_corner_frame(const Front_state& front, const Vec2& vector,
   return tangent_coordinates(front, t.corner[corner], result[0] * axis_1 + result[1] * axis_2);
 }
 
-// Stores the piece of a source in a triangle, and relaxes the corners of the triangle with their
-// distances to it.
+// Stores the piece of a source between two locations in a triangle, and relaxes the corners of the
+// triangle with their distances to it.  Does nothing if one location is not in the triangle.
 void initialize_triangle(Front_state& front, Index triangle, const Surface_location& begin,
                          const Surface_location& end, double offset, Index source)
 {

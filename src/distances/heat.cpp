@@ -70,7 +70,7 @@ Field unit_descent_directions(const Operators& operators, const Vector& function
   return result;
 }
 
-// Heat at a vertex.
+// A portion of the heat of a source, at one vertex.
 struct Deposit
 {
   Index vertex;
@@ -78,8 +78,8 @@ struct Deposit
   double offset; // of its source
 };
 
-// Returns the heat sources of a query: a point by its barycentric coordinates, a segment with half
-// of its length, in diffusion lengths, at each end.
+// Distributes the heat of the sources to vertices.  A point has heat 1, divided by its barycentric
+// coordinates.  A segment has half of its length, in units of `diffusion_length`, at each end.
 std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_length,
                                  const std::vector<Front_source>& sources)
 {
@@ -111,9 +111,9 @@ std::vector<Deposit> deposits_of(const Surface_arrays& t, double diffusion_lengt
   return result;
 }
 
-// Shifts the potential of each connected component such that its weighted mean over the sources in
-// the component is the weighted mean of their offsets.  Returns the shift of each component; not a
-// number if the component has no source.
+// Returns the number to be added to the potential in each connected component.  After that the
+// weighted mean of the potential over the sources in the component equals that of their offsets.
+// Not a number if the component has no source.
 std::vector<double> component_shifts(const std::vector<Index>& component,
                                      std::size_t number_of_components,
                                      const std::vector<Deposit>& deposits, const Vector& potential)

@@ -34,7 +34,8 @@ Planar_distance planar_update(const Front_state& front, Index x, Index z, double
   return {distance_at_x + slowness * straight_front.delay, straight_front.is_closer_to_end};
 }
 
-// Relaxes the obtuse corners that are split by an edge of which `v` is an end.
+// Relaxes the vertices of split obtuse corners through the virtual triangles whose base ends at
+// `v`.
 void relax_split_corners(Front_state& front, Index v)
 {
   const Vertex_fans& s = *front.fans;
