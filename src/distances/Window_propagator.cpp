@@ -431,8 +431,8 @@ void Window_propagator::relax_apex(Index h, const Vec2& apex_point, const Neares
 
 // Enqueues the parts of the windows that leave through the left edge.  Lines that cross the line of
 // the nearest window are not shortest behind it and are dropped.
-void Window_propagator::cross_to_left(Index h, const Vec2& apex_point, std::size_t last,
-                                      const Nearest_window& nearest)
+void Window_propagator::cross_to_left(Index h, Vec2 apex_point, std::size_t last,
+                                      Nearest_window nearest)
 {
   const Surface_arrays& t = *m_state.triangles;
   const Index left = previous_halfedge(h);
@@ -453,8 +453,8 @@ void Window_propagator::cross_to_left(Index h, const Vec2& apex_point, std::size
   enqueue(t.twin[left], 0, list);
 }
 
-void Window_propagator::cross_to_right(Index h, const Vec2& apex_point, std::size_t first,
-                                       const Nearest_window& nearest)
+void Window_propagator::cross_to_right(Index h, Vec2 apex_point, std::size_t first,
+                                       Nearest_window nearest)
 {
   const Surface_arrays& t = *m_state.triangles;
   const Index right = next_halfedge(h);

@@ -24,7 +24,7 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 std::shared_ptr<const std::vector<bool>> find_pseudo_sources(const Surface_arrays& triangles);
 
 // The steps of window propagation, forward or, with a goal, back from a location.
-class CGAL_GEODESIC_PROCESSING_EXPORT Window_propagator
+class Window_propagator
 {
 public:
   explicit Window_propagator(Window_state& state, Window_goal* goal = nullptr)
@@ -32,9 +32,9 @@ public:
   {}
 
   // Initializes vertices and windows from the sources; requires a cleared state and its min_offset.
-  void start(const std::vector<Front_source>& sources);
+  CGAL_GEODESIC_PROCESSING_EXPORT void start(const std::vector<Front_source>& sources);
   // Processes the first item of the queue.  Returns true if it is a vertex.
-  bool step();
+  CGAL_GEODESIC_PROCESSING_EXPORT bool step();
 
 private:
   void start_at_point(const Surface_location& location, Index source, double offset);
@@ -58,10 +58,9 @@ private:
   void cross_triangle(Index h);
   Nearest_window find_nearest(Index h, const Vec2& apex_point, std::size_t first, std::size_t last);
   void relax_apex(Index h, const Vec2& apex_point, const Nearest_window& nearest);
-  void cross_to_left(Index h, const Vec2& apex_point, std::size_t last,
-                     const Nearest_window& nearest);
-  void cross_to_right(Index h, const Vec2& apex_point, std::size_t first,
-                      const Nearest_window& nearest);
+  // Arguments are passed by value: the loops write doubles that could alias referenced ones.
+  void cross_to_left(Index h, Vec2 apex_point, std::size_t last, Nearest_window nearest);
+  void cross_to_right(Index h, Vec2 apex_point, std::size_t first, Nearest_window nearest);
   void collect_windows(Index h);
   void drop_dominated(Index h);
   double max_useful_distance(Index vertex) const;
