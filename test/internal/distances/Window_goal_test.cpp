@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "distances/Window_goal.h"
+
+#include "distances/Window_propagator.h"
+
+#include "Array_surface.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+// Propagates windows from a location until the queue is empty.
+Window_state propagated(const Array_surface& surface, const Surface_location& source)
+{
+  Window_state state(surface.triangles(), find_pseudo_sources(surface.t()));
+  Window_propagator propagator(state);
+  propagator.start({surface.source(source)});
+  while(!state.queue.empty())
+    propagator.step();
+  return state;
+}
+
+TEST(Window_goal, connects_at_vertices_and_bounds_paths)
+{
+  const Array_surface surface(square(6, 0.24));
+  const Window_state forward = propagated(surface, surface.at(0));
+  Window_goal goal(surface.triangles());
+  goal.find_shortest(forward);
+  const Index v = surface.vertex(10);
+  const double rest = forward.vertices[v].distance;
+  EXPECT_TRUE(goal.reach(v, 0.5));
+  EXPECT_EQ(goal.meeting().vertex, v);
+  EXPECT_EQ(goal.meeting().distance, 0.5 + rest);
+  EXPECT_FALSE(goal.reach(v, 0.6));
+  EXPECT_NEAR(goal.max_useful_distance(v), 0.5, 1e-10);
+}
+
+TEST(Window_goal, meets_sources_in_the_same_triangle)
+{
+  const Array_surface surface(square(6, 0.24));
+  const Surface_location source = surface.in(7, {0.2, 0.3, 0.5});
+  const Window_state forward = propagated(surface, source);
+  Window_goal goal(surface.triangles());
+  goal.find_shortest(forward);
+  goal.meet_sources(source.triangle, {0., 0.}, surface.vertex(0)); // the first corner
+  const Index corner = surface.t().corner[3 * source.triangle];
+  EXPECT_EQ(goal.meeting().vertex, none);
+  EXPECT_NEAR(goal.meeting().distance, forward.vertices[corner].distance, 1e-12);
+}
+
+TEST(Window_goal, keeps_one_arrival_per_direction)
+{
+  const Array_surface surface(square(6, 0.24));
+  const Window_state forward = propagated(surface, surface.at(0));
+  Window_goal goal(surface.triangles());
+  const Index v = surface.vertex(24), corner = surface.t().ring[surface.t().ring_begin[v]];
+  const Window_arrival arrival = {0.1, {1., 0.}, corner, none},
+                       other = {0.1, {0.8, 0.6}, corner, none};
+  goal.find_shortest(forward);
+  goal.keep_arrival(v, arrival);
+  EXPECT_TRUE(goal.arrivals(v).empty());
+  goal.find_all(forward, 10.);
+  goal.keep_arrival(v, arrival);
+  goal.keep_arrival(v, arrival);
+  EXPECT_EQ(goal.arrivals(v).size(), 1u);
+  goal.keep_arrival(v, other);
+  EXPECT_EQ(goal.arrivals(v).size(), 2u);
+  goal.find_all(forward, forward.vertices[v].distance);
+  goal.keep_arrival(v, arrival);
+  EXPECT_TRUE(goal.arrivals(v).empty());
+}
+
+} // namespace

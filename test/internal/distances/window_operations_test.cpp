@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "distances/window_operations.h"
+
+#include "Array_surface.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using namespace CGAL::Geodesic_processing::test;
+
+const Window circular = {{0.4, -1.5}, 0.7, 0.2, 0.9, 0, 1.f};
+const Window straight = {{0.6, -0.8}, 0.7, 0.2, 0.9, 0, 0.f};
+
+TEST(Window_operations, reflection_preserves_distances)
+{
+  for(const Window& window : {circular, straight})
+  {
+    const Window reflected = mirror(window, 1.);
+    for(const double x : {0., 0.25, 0.5, 1.})
+      EXPECT_NEAR(reflected.distance(1. - x), window.distance(x), 1e-15);
+    const Window twice = mirror(reflected, 1.);
+    EXPECT_NEAR(twice.begin, window.begin, 1e-15);
+    EXPECT_NEAR(twice.end, window.end, 1e-15);
+  }
+}
+
+TEST(Window_operations, clipped_window_has_the_same_source)
+{
+  const Vec2 apex_point = {0.8, 0.9};
+  const double length = norm(apex_point);
+  const Vec2 axis = (1. / length) * apex_point;
+  const Window w = circular;
+  const Window left = clip_through_left(w, side_of_apex_line(w, w.begin, apex_point),
+                                        side_of_apex_line(w, w.end, apex_point), axis, length);
+  EXPECT_GE(left.begin, 0.);
+  EXPECT_LE(left.end, length);
+  EXPECT_LT(left.begin, left.end);
+  for(const double x : {left.begin, left.end})
+    EXPECT_NEAR(left.distance(x), w.offset + norm(x * axis - w.source), 1e-15);
+  // The line from the source to the first point crosses the edge at the begin of the window.
+  const Vec2 direction = left.begin * axis - w.source;
+  EXPECT_NEAR(w.source[0] - w.source[1] / direction[1] * direction[0], w.begin, 1e-15);
+}
+
+TEST(Window_operations, overlap_is_split_at_equal_distances)
+{
+  Window a = {{0.2, -1.}, 0., 0., 0.9, 0, 1.f}, b = {{0.8, -1.1}, 0., 0.05, 1., 1, 1.f};
+  ASSERT_TRUE(split_overlap(a, b, 1e-13));
+  // The position of equal distance is in both windows, so that no part of the minimum is lost.
+  EXPECT_LE(a.distance(b.begin), b.distance(b.begin));
+  EXPECT_GE(a.distance(a.end), b.distance(a.end));
+  EXPECT_GE(a.end, b.begin);
+  EXPECT_NEAR(a.end, b.begin, 0.01); // four steps
+}
+
+TEST(Window_operations, windows_of_one_source_are_merged)
+{
+  Window a = circular, b = circular;
+  a.end = b.begin = 0.5;
+  EXPECT_FALSE(split_overlap(a, b, 1e-13));
+  EXPECT_EQ(b.begin, 0.2);
+  EXPECT_EQ(b.end, 0.9);
+}
+
+TEST(Window_operations, dominated_ends_are_trimmed)
+{
+  Window w = circular;
+  Window other = circular;
+  other.offset -= 0.1;
+  other.end = 0.5;
+  trim_dominated(w, other);
+  EXPECT_EQ(w.begin, 0.5);
+  other.offset = w.offset + 0.1;
+  other.end = 0.9;
+  trim_dominated(w, other);
+  EXPECT_EQ(w.begin, 0.5);
+}
+
+} // namespace
