@@ -4,10 +4,14 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_FRONT_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/core/vec2.h>
+#include <CGAL/Geodesic_processing/internal/core/vec3.h>
 #include <CGAL/Geodesic_processing/internal/distances/Front_state.h>
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
