@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "operators/eigenfunctions.h"
+#include "transport/Group_lasso.h"
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
@@ -20,104 +21,6 @@
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
-
-template <typename Scalar>
-using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
-
-// Lengths of the vectors of a column, whose second components follow the first ones.
-template <typename Vectors>
-auto lengths(const Vectors& column)
-{
-  const Eigen::Index n = column.size() / 2;
-  return (column.head(n).array().square() + column.tail(n).array().square()).sqrt();
-}
-
-// Many problems of one basis: for each column p, the least sum of weight |w| over all w in p + span Q,
-// where Q are orthonormal columns that are orthogonal to p.  By the alternating direction method of
-// multipliers (Boyd et al. 2011, section 6), in which the step for the coefficients is a product with
-// the transpose of Q.
-template <typename Matrix_type>
-class Group_lasso
-{
-public:
-  using Scalar = typename Matrix_type::Scalar;
-
-  Group_lasso(const Matrix_type& basis, const Column<Scalar>& weight, Matrix_type particular)
-      : m_basis(basis), m_sqrt_area(weight), m_particular(std::move(particular)),
-        m_primal(m_particular), m_dual(Matrix_type::Zero(m_primal.rows(), m_primal.cols())),
-        m_threshold(m_primal.cols())
-  {
-    const Scalar area = m_sqrt_area.square().sum();
-    for(Eigen::Index j = 0; j < m_primal.cols(); ++j)
-      m_threshold[j] = threshold_factor * m_particular.col(j).norm() / std::sqrt(area);
-  }
-
-  Eigen::Index columns() const { return m_particular.cols(); }
-
-  void advance()
-  {
-    m_argument = m_primal - m_dual;
-    transposed_product(m_basis, m_argument, m_coefficients);
-    product(m_basis, m_coefficients, m_field);
-    m_field += m_particular;
-    const Eigen::Index n = m_sqrt_area.size();
-    Column<Scalar> x(n), y(n), factor(n);
-    for(Eigen::Index j = 0; j < columns(); ++j)
-    {
-      const auto relaxed = [&](Eigen::Index from)
-      {
-        return relaxation_factor * m_field.col(j).segment(from, n).array() +
-               (1 - relaxation_factor) * m_primal.col(j).segment(from, n).array() +
-               m_dual.col(j).segment(from, n).array();
-      };
-      x = relaxed(0);
-      y = relaxed(n);
-      factor = (x.square() + y.square()).sqrt().max(min_length);
-      factor = (1 - m_threshold[j] * m_sqrt_area / factor).max(Scalar(0));
-      m_primal.col(j).head(n) = (factor * x).matrix();
-      m_primal.col(j).tail(n) = (factor * y).matrix();
-      m_dual.col(j).head(n) = ((1 - factor) * x).matrix();
-      m_dual.col(j).tail(n) = ((1 - factor) * y).matrix();
-    }
-  }
-
-  // Of the last step, with which p + Q c is what it found.
-  const Matrix_type& coefficients() const { return m_coefficients; }
-
-  auto sum(Eigen::Index j) const { return m_field.col(j); }
-  Scalar upper(Eigen::Index j) const { return (m_sqrt_area * lengths(m_field.col(j))).sum(); }
-  // What the step took away is orthogonal to Q.
-  Scalar lower(Eigen::Index j) const
-  {
-    const Column<Scalar> slope = (m_field.col(j) - m_argument.col(j)).array();
-    const Scalar max_slope = (lengths(slope) / m_sqrt_area.max(min_length)).maxCoeff();
-    return max_slope > 0 ? m_particular.col(j).dot(slope.matrix()) / max_slope : 0;
-  }
-
-  // Drops a column: the last one takes its place.
-  void remove_column(Eigen::Index j)
-  {
-    const Eigen::Index last = columns() - 1;
-    for(Matrix_type* m :
-        {&m_particular, &m_primal, &m_dual, &m_argument, &m_field, &m_coefficients})
-    {
-      m->col(j).swap(m->col(last));
-      m->conservativeResize(Eigen::NoChange, last);
-    }
-    m_threshold[j] = m_threshold[last];
-  }
-
-private:
-  static constexpr Scalar relaxation_factor = Scalar(1.7);
-  // Times the mean square of the particular field's vectors; of a tenth to eight the quickest.
-  static constexpr Scalar threshold_factor = Scalar(0.4);
-  static constexpr Scalar min_length = std::numeric_limits<Scalar>::min();
-
-  const Matrix_type& m_basis;
-  const Column<Scalar>& m_sqrt_area;
-  Matrix_type m_particular, m_primal, m_dual, m_argument, m_field, m_coefficients;
-  Column<Scalar> m_threshold;
-};
 
 // Makes columns orthonormal; those that the others span are dropped.  Returns what they were multiplied
 // with.
@@ -212,6 +115,83 @@ solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix part
 }
 
 constexpr std::size_t columns_per_block = 32;
+
+// Sums over triangles are split so, whatever the number of threads.
+constexpr std::size_t number_of_slices = 16;
+
+// Column i less column j, for each j < i, ordered by i.
+Masses pairwise_differences(const Masses& masses)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::Index pair = 0;
+  for(Eigen::Index i = 0; i < masses.cols(); ++i)
+    for(Eigen::Index j = 0; j < i; ++j, ++pair)
+    {
+      for(Masses::InnerIterator it(masses, i); it; ++it)
+        entries.emplace_back(it.row(), pair, it.value());
+      for(Masses::InnerIterator it(masses, j); it; ++it)
+        entries.emplace_back(it.row(), pair, -it.value());
+    }
+  Masses result(masses.rows(), pair);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+// Fields times areas, so that a difference's length is all that is summed.
+Float_matrix area_weighted_fields(const Particular_fields& particular, const Vector& sqrt_area,
+                                  const Masses& masses, unsigned threads, Progress& progress)
+{
+  const Eigen::Index triangles = sqrt_area.size();
+  Float_matrix result(2 * triangles, masses.cols());
+  for_each_block(std::size_t(masses.cols()), columns_per_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   if(!progress.should_continue())
+                     return;
+                   const Eigen::Index size = Eigen::Index(end - begin);
+                   Matrix block = particular.fields(masses.middleCols(Eigen::Index(begin), size));
+                   block.topRows(triangles).array().colwise() *= sqrt_area.array();
+                   block.bottomRows(triangles).array().colwise() *= sqrt_area.array();
+                   result.middleCols(Eigen::Index(begin), size) = block.cast<float>();
+                 });
+  return result;
+}
+
+// Entry (i, j), i < j: the sum of the lengths of the vectors of column i less column j.  Few triangles at once stay in the cache for all pairs.  Sums of parts are added in their order.
+Matrix pairwise_sums_of_lengths(const Float_matrix& fields, unsigned threads, Progress& progress)
+{
+  constexpr std::size_t triangles_per_block = 1024;
+  const Eigen::Index n = fields.cols(), triangles = fields.rows() / 2;
+  const std::size_t number_of_blocks =
+      (std::size_t(triangles) + triangles_per_block - 1) / triangles_per_block;
+  std::vector<Matrix> sums(number_of_slices);
+  for_each_block(
+      number_of_slices, 1, threads,
+      [&](std::size_t slice, std::size_t, std::size_t)
+      {
+        if(!progress.should_continue())
+          return;
+        Matrix& sum = sums[slice];
+        sum = Matrix::Zero(n, n);
+        for(std::size_t block = slice * number_of_blocks / number_of_slices;
+            block < (slice + 1) * number_of_blocks / number_of_slices; ++block)
+        {
+          const Eigen::Index begin = Eigen::Index(block * triangles_per_block);
+          const Eigen::Index size = std::min(Eigen::Index(triangles_per_block), triangles - begin);
+          const auto x = fields.middleRows(begin, size).array();
+          const auto y = fields.middleRows(triangles + begin, size).array();
+          for(Eigen::Index j = 0; j < n; ++j)
+            for(Eigen::Index i = 0; i < j; ++i)
+              sum(i, j) += double(
+                  ((x.col(i) - x.col(j)).square() + (y.col(i) - y.col(j)).square()).sqrt().sum());
+        }
+      });
+  Matrix result = Matrix::Zero(n, n);
+  if(!progress.is_cancelled())
+    for(const Matrix& sum : sums)
+      result += sum;
+  return result;
+}
 
 } // namespace
 
@@ -481,78 +461,26 @@ Matrix Spectral_transport::all_pairs(const Masses& masses,
                                      const Spectral_transport_options& options) const
 {
   const Eigen::Index n = masses.cols();
-  Matrix result = Matrix::Zero(n, n);
   if(m_basis.cols() > 0)
   {
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::Index pair = 0;
-    for(Eigen::Index i = 0; i < n; ++i)
-      for(Eigen::Index j = 0; j < i; ++j, ++pair)
-      {
-        for(Masses::InnerIterator it(masses, i); it; ++it)
-          entries.emplace_back(it.row(), pair, it.value());
-        for(Masses::InnerIterator it(masses, j); it; ++it)
-          entries.emplace_back(it.row(), pair, -it.value());
-      }
-    Masses differences(masses.rows(), pair);
-    differences.setFromTriplets(entries.begin(), entries.end());
+    const Masses differences = pairwise_differences(masses);
     const std::vector<Transport_bounds> bounds = distances(differences, options);
-    if(bounds.empty())
-      return pair > 0 ? Matrix() : result;
-    pair = 0;
+    if(bounds.empty() && differences.cols() > 0)
+      return {};
+    Matrix result = Matrix::Zero(n, n);
+    std::size_t pair = 0;
     for(Eigen::Index i = 0; i < n; ++i)
       for(Eigen::Index j = 0; j < i; ++j, ++pair)
         result(i, j) = result(j, i) = bounds[pair].value();
     return result;
   }
 
-  // Fields times areas, so that a difference's length is all that is summed.
-  const Eigen::Index triangles = m_sqrt_area.size();
-  Float_matrix fields(2 * triangles, n);
-  Progress progress(options.callback, std::size_t(n) / columns_per_block + 17);
-  for_each_block(std::size_t(n), columns_per_block, options.threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   if(!progress.should_continue())
-                     return;
-                   const Eigen::Index size = Eigen::Index(end - begin);
-                   Matrix block =
-                       m_particular->fields(masses.middleCols(Eigen::Index(begin), size));
-                   block.topRows(triangles).array().colwise() *= m_sqrt_area.array();
-                   block.bottomRows(triangles).array().colwise() *= m_sqrt_area.array();
-                   fields.middleCols(Eigen::Index(begin), size) = block.cast<float>();
-                 });
-  // Few triangles at once stay in the cache for all pairs.  Sums of parts are added in their order.
-  constexpr std::size_t triangles_per_block = 1024;
-  const std::size_t number_of_blocks =
-      (std::size_t(triangles) + triangles_per_block - 1) / triangles_per_block;
-  constexpr std::size_t number_of_slices = 16;
-  std::vector<Matrix> sums(number_of_slices);
-  for_each_block(
-      number_of_slices, 1, options.threads,
-      [&](std::size_t slice, std::size_t, std::size_t)
-      {
-        if(!progress.should_continue())
-          return;
-        Matrix& sum = sums[slice];
-        sum = Matrix::Zero(n, n);
-        for(std::size_t block = slice * number_of_blocks / number_of_slices;
-            block < (slice + 1) * number_of_blocks / number_of_slices; ++block)
-        {
-          const Eigen::Index begin = Eigen::Index(block * triangles_per_block);
-          const Eigen::Index size = std::min(Eigen::Index(triangles_per_block), triangles - begin);
-          const auto x = fields.middleRows(begin, size).array();
-          const auto y = fields.middleRows(triangles + begin, size).array();
-          for(Eigen::Index j = 0; j < n; ++j)
-            for(Eigen::Index i = 0; i < j; ++i)
-              sum(i, j) += double(
-                  ((x.col(i) - x.col(j)).square() + (y.col(i) - y.col(j)).square()).sqrt().sum());
-        }
-      });
+  Progress progress(options.callback, std::size_t(n) / columns_per_block + 1 + number_of_slices);
+  const Float_matrix fields =
+      area_weighted_fields(*m_particular, m_sqrt_area, masses, options.threads, progress);
+  Matrix result = pairwise_sums_of_lengths(fields, options.threads, progress);
   if(progress.is_cancelled())
     return {};
-  for(const Matrix& sum : sums)
-    result += sum;
   std::vector<std::vector<double>> mass;
   for(Eigen::Index j = 0; j < n; ++j)
     mass.push_back(column_masses(masses, j));
