@@ -36,44 +36,12 @@ public:
         reduced_index[vertex] = Index(m_free_vertices.size());
         m_free_vertices.push_back(vertex);
       }
-
-    const auto n = Eigen::Index(m_free_vertices.size());
-    m_sqrt_mass.resize(n);
-    for(Eigen::Index i = 0; i < n; ++i)
+    m_sqrt_mass.resize(size());
+    for(Eigen::Index i = 0; i < size(); ++i)
       m_sqrt_mass[i] = std::sqrt(mass[m_free_vertices[i]]);
-
-    const Sparse_matrix full_laplacian = Laplacian(operators).matrix(operators);
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(std::size_t(full_laplacian.nonZeros()));
-    for(int column = 0; column < full_laplacian.outerSize(); ++column)
-      for(Sparse_matrix::InnerIterator it(full_laplacian, column); it; ++it)
-        if(reduced_index[it.row()] != none && reduced_index[it.col()] != none)
-          entries.emplace_back(std::max(reduced_index[it.row()], reduced_index[it.col()]),
-                               std::min(reduced_index[it.row()], reduced_index[it.col()]),
-                               it.value());
-    m_laplacian.resize(n, n);
-    m_laplacian.setFromTriplets(entries.begin(), entries.end());
-    if(n == 0)
-      return;
-
-    // One site of each closed component is held; constants are taken out by hand.
-    std::vector<Index> constant_index(number, none);
-    Index constants = 0;
-    Sparse_matrix pinned = m_laplacian;
-    for(Eigen::Index i = 0; i < n; ++i)
-    {
-      const Index c = component[m_free_vertices[i]];
-      if(has_border[c] || constant_index[c] != none)
-        continue;
-      constant_index[c] = constants++;
-      pinned.coeffRef(i, i) *= 2.;
-    }
-    m_null_space = Matrix::Zero(n, constants);
-    for(Eigen::Index i = 0; i < n; ++i)
-      if(const Index c = constant_index[component[m_free_vertices[i]]]; c != none)
-        m_null_space(i, c) = m_sqrt_mass[i];
-    m_null_space.colwise().normalize();
-    m_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
+    assemble_laplacian(operators, reduced_index);
+    if(size() > 0)
+      factorize(component, has_border);
   }
 
   Eigen::Index size() const { return Eigen::Index(m_free_vertices.size()); }
@@ -108,6 +76,43 @@ public:
   }
 
 private:
+  void assemble_laplacian(const Operators& operators, const std::vector<Index>& reduced_index)
+  {
+    const Sparse_matrix full_laplacian = Laplacian(operators).matrix(operators);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(std::size_t(full_laplacian.nonZeros()));
+    for(int column = 0; column < full_laplacian.outerSize(); ++column)
+      for(Sparse_matrix::InnerIterator it(full_laplacian, column); it; ++it)
+        if(reduced_index[it.row()] != none && reduced_index[it.col()] != none)
+          entries.emplace_back(std::max(reduced_index[it.row()], reduced_index[it.col()]),
+                               std::min(reduced_index[it.row()], reduced_index[it.col()]),
+                               it.value());
+    m_laplacian.resize(size(), size());
+    m_laplacian.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  // One site of each closed component is held; constants are taken out by hand.
+  void factorize(const std::vector<Index>& component, const std::vector<bool>& has_border)
+  {
+    std::vector<Index> constant_index(has_border.size(), none);
+    Index constants = 0;
+    Sparse_matrix pinned = m_laplacian;
+    for(Eigen::Index i = 0; i < size(); ++i)
+    {
+      const Index c = component[m_free_vertices[i]];
+      if(has_border[c] || constant_index[c] != none)
+        continue;
+      constant_index[c] = constants++;
+      pinned.coeffRef(i, i) *= 2.;
+    }
+    m_null_space = Matrix::Zero(size(), constants);
+    for(Eigen::Index i = 0; i < size(); ++i)
+      if(const Index c = constant_index[component[m_free_vertices[i]]]; c != none)
+        m_null_space(i, c) = m_sqrt_mass[i];
+    m_null_space.colwise().normalize();
+    m_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
+  }
+
   std::vector<Index> m_free_vertices; // where functions may be other than zero
   Vector m_sqrt_mass;                 // of them
   Sparse_matrix m_laplacian;

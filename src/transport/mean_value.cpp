@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,24 @@ struct Spherical_triangle
     return determinant * determinant <= 1e-6 * largest;
   }
 
+  Vec3 plane_normal() const
+  {
+    const Vec3& a = ray[0]->offset;
+    return cross(ray[1]->offset - a, ray[2]->offset - a);
+  }
+
+  // Its barycentric coordinates if the point is on the triangle.
+  std::optional<Triple> coordinates_of_point(const Vec3& plane_normal, double tolerance) const
+  {
+    const Vec3 &a = ray[0]->offset, &b = ray[1]->offset, &c = ray[2]->offset;
+    if(!(std::abs(dot(a, plane_normal)) <= tolerance * norm(plane_normal)))
+      return std::nullopt;
+    const Triple result = nearest_in_triangle(a, b, c, {0., 0., 0.});
+    if(!(norm(result[0] * a + result[1] * b + result[2] * c) <= tolerance))
+      return std::nullopt;
+    return result;
+  }
+
   // The coefficients of the integral of all unit vectors in the triangle, as a sum of those of its
   // corners: the integral is half the sum of sides times the unit normals of their planes.
   Triple vertex_coefficients() const
@@ -149,6 +168,21 @@ struct Spherical_triangle
   }
 };
 
+// Computes the rays to all vertices.  Returns the vertex where the point is, or none.
+Index cast_rays(const Surface_arrays& t, const Vec3& point, double tolerance,
+                std::vector<Ray>& rays)
+{
+  for(Index vertex = 0; vertex < rays.size(); ++vertex)
+  {
+    const Vec3 offset = t.point[vertex] - point;
+    const double length = norm(offset);
+    if(length <= tolerance && t.ring_begin[vertex] != t.ring_begin[vertex + 1])
+      return vertex;
+    rays[vertex] = {offset, length, (1. / length) * offset};
+  }
+  return none;
+}
+
 } // namespace
 
 Mean_value_coordinates::Mean_value_coordinates(std::shared_ptr<const Surface_arrays> triangles)
@@ -179,16 +213,10 @@ std::pair<Vector, double> Mean_value_coordinates::weights(const Vec3& point) con
   Vector result = Vector::Zero(Eigen::Index(t.number_of_vertices()));
 
   std::vector<Ray> rays(t.number_of_vertices());
-  for(Index vertex = 0; vertex < rays.size(); ++vertex)
+  if(const Index vertex = cast_rays(t, point_in_domain, m_distance_tolerance, rays); vertex != none)
   {
-    const Vec3 offset = t.point[vertex] - point_in_domain;
-    const double length = norm(offset);
-    if(length <= m_distance_tolerance && t.ring_begin[vertex] != t.ring_begin[vertex + 1])
-    {
-      result[vertex] = 1.;
-      return {result, infinity};
-    }
-    rays[vertex] = {offset, length, (1. / length) * offset};
+    result[vertex] = 1.;
+    return {result, infinity};
   }
 
   double sum_of_absolute_weights = 0.;
@@ -199,22 +227,15 @@ std::pair<Vector, double> Mean_value_coordinates::weights(const Vec3& point) con
     const bool is_thin = triangle.is_thin();
     if(is_thin)
     {
-      const Vec3 &a = rays[corner[0]].offset, &b = rays[corner[1]].offset,
-                 &c = rays[corner[2]].offset;
-      const Vec3 normal = cross(b - a, c - a);
+      const Vec3 normal = triangle.plane_normal();
       if(!(dot(normal, normal) > 0.))
         continue;
-      if(std::abs(dot(a, normal)) <= m_distance_tolerance * norm(normal))
+      if(const auto coordinates = triangle.coordinates_of_point(normal, m_distance_tolerance))
       {
-        const Triple coefficients = nearest_in_triangle(a, b, c, {0., 0., 0.});
-        if(norm(coefficients[0] * a + coefficients[1] * b + coefficients[2] * c) <=
-           m_distance_tolerance)
-        {
-          result.setZero();
-          for(int k = 0; k < 3; ++k)
-            result[corner[k]] = coefficients[k];
-          return {result, infinity};
-        }
+        result.setZero();
+        for(int k = 0; k < 3; ++k)
+          result[corner[k]] = (*coordinates)[k];
+        return {result, infinity};
       }
       if(triangle.determinant == 0.)
         continue;

@@ -228,6 +228,33 @@ private:
     return best;
   }
 
+  // The straight line b + u direction of a grain through a triangle.
+  struct Triangle_crossing
+  {
+    double sum; // of what flows out
+    std::array<double, 3> direction;
+    double u = infinity;   // where it leaves the triangle
+    Index opposite = none; // the corner opposite of the side through which it leaves
+  };
+
+  Triangle_crossing cross_triangle(Index f, const std::array<double, 3>& b) const
+  {
+    const std::array<double, 3> out = {opposite_outflow(3 * f), opposite_outflow(3 * f + 1),
+                                       opposite_outflow(3 * f + 2)};
+    Triangle_crossing result;
+    result.sum = out[0] + out[1] + out[2];
+    for(Index k = 0; k < 3; ++k)
+    {
+      const double direction = result.direction[k] = result.sum * b[k] - out[k];
+      if(out[k] > 0. && direction < 0. && -b[k] / direction < result.u)
+      {
+        result.u = -b[k] / direction;
+        result.opposite = 3 * f + k;
+      }
+    }
+    return result;
+  }
+
   void trace(Streamline& line, const Surface_location& from) const
   {
     std::unordered_map<Index, unsigned> visits;
@@ -235,34 +262,21 @@ private:
     std::array<double, 3> b = from.barycentric;
     for(double time = 0.;;)
     {
-      const std::array<double, 3> out = {opposite_outflow(3 * f), opposite_outflow(3 * f + 1),
-                                         opposite_outflow(3 * f + 2)};
-      const double sum = out[0] + out[1] + out[2];
-      std::array<double, 3> direction;
-      double u = infinity;
-      Index opposite = none;
-      for(Index k = 0; k < 3; ++k)
-      {
-        direction[k] = sum * b[k] - out[k];
-        if(out[k] > 0. && direction[k] < 0. && -b[k] / direction[k] < u)
-        {
-          u = -b[k] / direction[k];
-          opposite = 3 * f + k;
-        }
-      }
+      const Triangle_crossing crossing = cross_triangle(f, b);
+      const double sum = crossing.sum;
       // Where the mass is at the end of time, or where all flows to.
       const double mass = std::max(0., m_source_mass[f] - time * sum), last = m_target_mass[f];
       double end = last > 0. ? (1. - time) / (last + std::sqrt(mass * last)) : infinity;
       if(sum < 0.)
         end = std::min(end, -1. / sum);
-      const bool ends_here = end <= u;
-      u = std::min(u, end);
+      const bool ends_here = end <= crossing.u;
+      const double u = std::min(crossing.u, end);
       if(u == infinity)
         return; // nothing flows here
       for(std::size_t k = 0; k < 3; ++k)
-        b[k] = std::max(0., b[k] + u * direction[k]);
+        b[k] = std::max(0., b[k] + u * crossing.direction[k]);
       if(!ends_here)
-        b[opposite % 3] = 0.;
+        b[crossing.opposite % 3] = 0.;
       const double total = b[0] + b[1] + b[2];
       for(double& coordinate : b)
         coordinate /= total;
@@ -276,7 +290,7 @@ private:
       }
       const double stretch = 1. + sum * u;
       time = std::min(1., time + mass * u * (1. + stretch) / (stretch * stretch));
-      const Index h = next_halfedge(opposite), twin = t().twin[h];
+      const Index h = next_halfedge(crossing.opposite), twin = t().twin[h];
       if(twin == none || ++visits[h] > max_visits)
         return;
       std::array<double, 3> coordinates = {0., 0., 0.};

@@ -55,6 +55,37 @@ constexpr Index child_corner(Index h, Index child, Index j)
 }
 constexpr Index center_child_corner(Index h, Index j) { return 3 * (4 * (h / 3) + 3) + j % 3; }
 
+std::vector<Index> child_twins(const Surface_arrays& t)
+{
+  std::vector<Index> result(4 * t.corner.size());
+  for(Index h = 0; h < t.corner.size(); ++h)
+  {
+    const Index k = h % 3, twin = t.twin[h], l = twin % 3;
+    const bool is_border = twin == none;
+    result[child_corner(h, k, k)] = is_border ? none : child_corner(twin, l + 1, l);
+    result[child_corner(h, k + 1, k)] = is_border ? none : child_corner(twin, l, l);
+    result[child_corner(h, k + 2, k)] = center_child_corner(h, k);
+    result[center_child_corner(h, k)] = child_corner(h, k + 2, k);
+  }
+  return result;
+}
+
+// Counterclockwise around each site: of a middle those in the one triangle, then those in the other.
+std::vector<Index> child_corners_by_vertex(const Surface_arrays& t)
+{
+  std::vector<Index> result;
+  result.reserve(4 * t.corner.size());
+  for(const Index corner : t.ring)
+    result.push_back(child_corner(corner, corner % 3, corner % 3));
+  for(Index h = 0; h < t.corner.size(); ++h)
+  {
+    const Index k = h % 3;
+    result.insert(result.end(), {child_corner(h, k + 1, k), center_child_corner(h, k + 2),
+                                 child_corner(h, k, k + 1)});
+  }
+  return result;
+}
+
 } // namespace
 
 Surface_arrays refined(const Surface_arrays& t)
@@ -86,31 +117,8 @@ Surface_arrays refined(const Surface_arrays& t)
   if(t.is_cloud())
     result.graph.begin.assign(number_of_vertices + 1, 0);
   else
-  {
-    result.twin.resize(result.corner.size());
-    for(Index h = 0; h < t.corner.size(); ++h)
-    {
-      const Index k = h % 3, twin = t.twin[h], l = twin % 3;
-      const bool is_border = twin == none;
-      result.twin[child_corner(h, k, k)] = is_border ? none : child_corner(twin, l + 1, l);
-      result.twin[child_corner(h, k + 1, k)] = is_border ? none : child_corner(twin, l, l);
-      result.twin[child_corner(h, k + 2, k)] = center_child_corner(h, k);
-      result.twin[center_child_corner(h, k)] = child_corner(h, k + 2, k);
-    }
-  }
-
-  // Counterclockwise around each site: of a middle those in the one triangle, then those in the other.
-  std::vector<Index> corners;
-  corners.reserve(result.corner.size());
-  for(const Index corner : t.ring)
-    corners.push_back(child_corner(corner, corner % 3, corner % 3));
-  for(Index h = 0; h < t.corner.size(); ++h)
-  {
-    const Index k = h % 3;
-    corners.insert(corners.end(), {child_corner(h, k + 1, k), center_child_corner(h, k + 2),
-                                   child_corner(h, k, k + 1)});
-  }
-  set_rings(result, number_of_vertices, corners);
+    result.twin = child_twins(t);
+  set_rings(result, number_of_vertices, child_corners_by_vertex(t));
   return result;
 }
 
