@@ -166,7 +166,7 @@ std::size_t number_of_harmonic_fields(const Surface_arrays& triangles)
 }
 
 std::vector<Field> harmonic_fields(const Surface_arrays& triangles, const Operators& operators,
-                                   const Sparse_solver& laplacian)
+                                   const Poisson_solver& poisson_solver)
 {
   if(triangles.is_cloud())
     throw Unsupported_surface_error("A cloud has no harmonic fields: its triangles are not glued.");
@@ -175,7 +175,7 @@ std::vector<Field> harmonic_fields(const Surface_arrays& triangles, const Operat
   for(const Index h : trees.generators(triangles))
   {
     Field field = field_of_form(operators, closed_form_across(triangles, trees, h));
-    add_scaled(-1., gradient(operators, laplacian.solve(minus_divergence(operators, field))),
+    add_scaled(-1., gradient(operators, poisson_solver.solve(minus_divergence(operators, field))),
                field);
     for(int sweep = 0; sweep < 2; ++sweep) // the second one for what rounding left
       for(const Field& previous : result)

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HARMONIC_FIELDS_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
 #include <vector>
@@ -18,11 +19,11 @@ namespace CGAL::Geodesic_processing::internal {
 // neither a tree of sites nor a cotree of triangles holds (Tong, Alliez, Cohen-Steiner and Desbrun 2006),
 // less their gradient part.  Loops of loose fans through pinched sites count as well.
 //
-// laplacian  of the same operators, held.  Throws Unsupported_surface_error on a cloud, where nothing
+// poisson_solver  of the same operators.  Throws Unsupported_surface_error on a cloud, where nothing
 // is glued.  One solution and a sweep over all the fields before for each.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Field> harmonic_fields(const Surface_arrays& triangles, const Operators& operators,
-                                   const Sparse_solver& laplacian);
+                                   const Poisson_solver& poisson_solver);
 
 // How many of them there are.  O(n)
 CGAL_GEODESIC_PROCESSING_EXPORT

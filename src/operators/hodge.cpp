@@ -8,18 +8,6 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-namespace {
-
-std::unique_ptr<Sparse_solver> pinned_laplacian_solver(const Operators& operators)
-{
-  const Laplacian laplacian(operators);
-  Sparse_matrix matrix = laplacian.matrix(operators);
-  laplacian.pin(matrix);
-  return std::make_unique<Sparse_solver>(matrix);
-}
-
-} // namespace
-
 Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators)
 {
   if(triangles.is_cloud())
@@ -45,19 +33,17 @@ Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Oper
 Hodge_solver::Hodge_solver(const Surface_arrays& triangles, Operators operators)
     : m_operators(std::move(operators)),
       m_edge_operators(crouzeix_raviart_operators(triangles, m_operators)),
-      m_vertex_solver(pinned_laplacian_solver(m_operators)),
-      m_edge_solver(pinned_laplacian_solver(m_edge_operators))
+      m_vertex_solver(m_operators), m_edge_solver(m_edge_operators)
 {}
 
 Hodge_components Hodge_solver::decompose(const Field& field) const
 {
   Hodge_components result;
   result.gradient =
-      gradient(m_operators, m_vertex_solver->solve(minus_divergence(m_operators, field)));
-  // Three turns to the left are one to the right.
-  const Field rotated_right = rotated_left(rotated_left(rotated_left(field)));
-  result.rotation = rotated_left(gradient(
-      m_edge_operators, m_edge_solver->solve(minus_divergence(m_edge_operators, rotated_right))));
+      gradient(m_operators, m_vertex_solver.solve(minus_divergence(m_operators, field)));
+  result.rotation = rotated_left(
+      gradient(m_edge_operators,
+               m_edge_solver.solve(minus_divergence(m_edge_operators, rotated_right(field)))));
   result.harmonic = field;
   for(std::size_t f = 0; f < field.size(); ++f)
     result.harmonic[f] = field[f] - result.gradient[f] - result.rotation[f];

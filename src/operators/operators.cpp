@@ -94,6 +94,13 @@ Field rotated_left(Field field)
   return field;
 }
 
+Field rotated_right(Field field)
+{
+  for(Vec2& vector : field)
+    vector = {vector[1], -vector[0]};
+  return field;
+}
+
 double inner_product(const Operators& operators, const Field& a, const Field& b)
 {
   double result = 0.;

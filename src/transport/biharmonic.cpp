@@ -20,10 +20,7 @@ Biharmonic_distances::Biharmonic_distances(const Surface_arrays& triangles)
   m_component_mass = Vector::Zero(Eigen::Index(m_number_of_components));
   for(std::size_t vertex = 0; vertex < m_component.size(); ++vertex)
     m_component_mass[m_component[vertex]] += m_mass[Eigen::Index(vertex)];
-  const Laplacian laplacian(m_operators);
-  Sparse_matrix matrix = laplacian.matrix(m_operators);
-  laplacian.pin(matrix);
-  m_solver = std::make_unique<Sparse_solver>(matrix, Elimination_order::fast);
+  m_solver = std::make_unique<Poisson_solver>(m_operators);
 }
 
 // Of the masses, less the ones of the same masses at the held site of the component: a difference of two

@@ -83,15 +83,97 @@ std::vector<Field> circulations(const Surface_arrays& t, const Operators& operat
   if(dimension == 0 || dimension > max_number_of_circulations ||
      std::find(t.twin.begin(), t.twin.end(), none) != t.twin.end())
     return {};
-  const Laplacian laplacian(operators);
-  Sparse_matrix matrix = laplacian.matrix(operators);
-  laplacian.pin(matrix);
   std::vector<Field> result =
-      harmonic_fields(t, operators, Sparse_solver(matrix, Elimination_order::low_fill));
+      harmonic_fields(t, operators, Poisson_solver(operators, Elimination_order::low_fill));
   for(Field& field : result)
     field = rotated_left(std::move(field));
   return result;
 }
+
+// The space of flows without divergence that is searched: rotated gradients of functions of the fans
+// and, if lengths are those of the surface, circulations.
+class Solenoidal_space
+{
+public:
+  // An element of the space.
+  struct Coefficients
+  {
+    Vector stream_function;          // #fans
+    std::vector<double> circulation; // #circulations
+  };
+
+  Solenoidal_space(const Surface_arrays& triangles, const Operators& operators,
+                   const std::vector<Metric_tensor>& metric, const Fans& fans)
+      : m_triangles(triangles), m_operators(operators), m_metric(metric),
+        m_fan_operators(fan_operators(triangles, operators, fans)),
+        m_solver(m_fan_operators, stream_function_tensors(), Elimination_order::low_fill),
+        // Of measured lengths they are not orthogonal.
+        m_circulations(metric.empty() ? circulations(triangles, operators) : std::vector<Field>())
+  {}
+
+  // The orthogonal projection of a field after the metric.
+  Coefficients project(const Field& field) const
+  {
+    Coefficients result;
+    result.stream_function =
+        m_solver.solve(minus_divergence(m_fan_operators, rotated_right(measured(field))));
+    for(const Field& circulation : m_circulations)
+      result.circulation.push_back(inner_product(m_operators, field, circulation));
+    return result;
+  }
+
+  // The field after the metric.
+  Field field(const Coefficients& coefficients) const
+  {
+    Field result = measured(rotated_left(gradient(m_fan_operators, coefficients.stream_function)));
+    for(std::size_t i = 0; i < m_circulations.size(); ++i)
+      for(std::size_t f = 0; f < result.size(); ++f)
+        result[f] = result[f] + coefficients.circulation[i] * m_circulations[i][f];
+    return result;
+  }
+
+  void add_flux(const Coefficients& coefficients, std::vector<double>& outward_flux) const
+  {
+    const Vector& function = coefficients.stream_function;
+    for(Index h = 0; h < outward_flux.size(); ++h)
+      outward_flux[h] -=
+          function[m_fan_operators.corner[next_halfedge(h)]] - function[m_fan_operators.corner[h]];
+    for(std::size_t i = 0; i < m_circulations.size(); ++i)
+      for(Index h = 0; h < outward_flux.size(); ++h)
+      {
+        const auto p = unfolded(m_triangles, h / 3);
+        outward_flux[h] += coefficients.circulation[i] * cross(p[next_halfedge(h) % 3] - p[h % 3],
+                                                               -1. * m_circulations[i][h / 3]);
+      }
+  }
+
+private:
+  Field measured(Field field) const
+  {
+    if(!m_metric.empty())
+      for(std::size_t f = 0; f < field.size(); ++f)
+        field[f] = product(m_metric[f], field[f]);
+    return field;
+  }
+
+  std::vector<Metric_tensor> stream_function_tensors() const
+  {
+    std::vector<Metric_tensor> result(m_operators.number_of_triangles(), Metric_tensor{1., 0., 1.});
+    for(std::size_t f = 0; f < m_metric.size(); ++f)
+    {
+      const Metric_tensor s = squared(m_metric[f]);
+      result[f] = {s[2], -s[1], s[0]}; // turned
+    }
+    return result;
+  }
+
+  const Surface_arrays& m_triangles;
+  const Operators& m_operators;
+  const std::vector<Metric_tensor>& m_metric;
+  Operators m_fan_operators;
+  Poisson_solver m_solver;
+  std::vector<Field> m_circulations;
+};
 
 // What flows out of triangles through their sides, and what that costs.
 class Flux_field
@@ -203,69 +285,18 @@ private:
   // Adds a function's turned gradient, and what circles around handles: if that makes the flow shorter.
   void minimize_cost()
   {
-    const Operators operators = fan_operators(m_triangles, m_operators, m_fans);
-    std::vector<Metric_tensor> tensors(m_absorbed_mass.size(), Metric_tensor{1., 0., 1.});
-    const auto rotated_gradient = [&](const Vector& function)
-    {
-      Field result = rotated_left(gradient(operators, function));
-      if(!m_metric.empty())
-        for(std::size_t f = 0; f < result.size(); ++f)
-          result[f] = product(m_metric[f], result[f]);
-      return result;
-    };
-    const auto integrated_curl = [&](Field field)
-    {
-      if(!m_metric.empty())
-        for(std::size_t f = 0; f < field.size(); ++f)
-          field[f] = product(m_metric[f], field[f]);
-      return minus_divergence(operators,
-                              rotated_left(rotated_left(rotated_left(std::move(field)))));
-    };
-    if(!m_metric.empty())
-      for(std::size_t f = 0; f < tensors.size(); ++f)
-      {
-        const Metric_tensor s = squared(m_metric[f]);
-        tensors[f] = {s[2], -s[1], s[0]}; // turned
-      }
-    const Laplacian laplacian(operators);
-    Sparse_matrix matrix = laplacian.matrix(operators);
-    laplacian.assemble(operators, tensors, matrix);
-    laplacian.pin(matrix);
-    const Sparse_solver solver(matrix, Elimination_order::low_fill);
-
-    Field centroid_flow(m_absorbed_mass.size());
-    for(Index f = 0; f < centroid_flow.size(); ++f)
-      if(m_operators.area[f] > 0.)
-      {
-        const auto p = unfolded_corners(f);
-        Vec2 sum = {0., 0.};
-        for(Index k = 0; k < 3; ++k)
-          sum = sum + m_outward_flux[3 * f + k] * ((p[k] + p[(k + 1) % 3]) - 2. * p[(k + 2) % 3]);
-        centroid_flow[f] = (1. / (6. * m_operators.area[f])) * sum;
-      }
-      else
-        centroid_flow[f] = {0., 0.};
-    const auto deviation_of = [&](Field field)
+    const Solenoidal_space space(m_triangles, m_operators, m_metric, m_fans);
+    const Field centroid_flow = this->centroid_flow();
+    const auto deviation = [&](Field field)
     {
       for(std::size_t f = 0; f < field.size(); ++f)
         field[f] = field[f] - centroid_flow[f];
       return field;
     };
-    // Of measured lengths they are not orthogonal.
-    const std::vector<Field> circulation_basis =
-        m_metric.empty() ? circulations(m_triangles, m_operators) : std::vector<Field>();
     Admm admm(m_operators,
               [&](const Field& field)
               {
-                const Field deviation = deviation_of(field);
-                Field result = rotated_gradient(solver.solve(integrated_curl(deviation)));
-                for(const Field& circulation_field : circulation_basis)
-                {
-                  const double coefficient =
-                      inner_product(m_operators, deviation, circulation_field);
-                  for(std::size_t f = 0; f < result.size(); ++f)
-                    result[f] = result[f] + coefficient * circulation_field[f];
-                }
+                Field result = space.field(space.project(deviation(field)));
                 for(std::size_t f = 0; f < result.size(); ++f)
                   result[f] = centroid_flow[f] + result[f];
                 return result;
@@ -280,23 +311,26 @@ private:
     }
     const double previous_cost = cost();
     std::vector<double> outward_flux = m_outward_flux;
-    const Field deviation = deviation_of(admm.flow());
-    const Vector function = solver.solve(integrated_curl(deviation));
-    for(Index h = 0; h < m_outward_flux.size(); ++h)
-      m_outward_flux[h] -=
-          function[operators.corner[next_halfedge(h)]] - function[operators.corner[h]];
-    for(const Field& circulation_field : circulation_basis)
-    {
-      const double coefficient = inner_product(m_operators, deviation, circulation_field);
-      for(Index h = 0; h < m_outward_flux.size(); ++h)
-      {
-        const auto p = unfolded(m_triangles, h / 3);
-        m_outward_flux[h] +=
-            coefficient * cross(p[next_halfedge(h) % 3] - p[h % 3], -1. * circulation_field[h / 3]);
-      }
-    }
+    space.add_flux(space.project(deviation(admm.flow())), m_outward_flux);
     if(cost() > previous_cost)
       m_outward_flux = std::move(outward_flux);
+  }
+
+  // #triangles: the field at the centroids; zero in triangles without area.
+  Field centroid_flow() const
+  {
+    Field result(m_absorbed_mass.size(), Vec2{0., 0.});
+    for(Index f = 0; f < result.size(); ++f)
+    {
+      if(!(m_operators.area[f] > 0.))
+        continue;
+      const auto p = unfolded_corners(f);
+      Vec2 sum = {0., 0.};
+      for(Index k = 0; k < 3; ++k)
+        sum = sum + m_outward_flux[3 * f + k] * ((p[k] + p[(k + 1) % 3]) - 2. * p[(k + 2) % 3]);
+      result[f] = (1. / (6. * m_operators.area[f])) * sum;
+    }
+    return result;
   }
 
   // Linear in the triangle: length is convex, so that its mean is at most that at the corners.

@@ -51,11 +51,10 @@ void write_gradient(const Operators& operators, const std::vector<Hat_gradients>
 }
 
 // Of functions that are zero on the border; one site of each component without border is held.
-Sparse_matrix inner_laplacian(const Operators& operators, const Sparse_matrix& laplacian,
-                              const std::vector<bool>& is_border,
+Sparse_matrix inner_laplacian(const Operators& operators, const std::vector<bool>& is_border,
                               const std::vector<Index>& component, std::size_t components)
 {
-  Sparse_matrix result = laplacian;
+  Sparse_matrix result = Laplacian(operators).matrix(operators);
   for(int column = 0; column < result.outerSize(); ++column)
     for(Sparse_matrix::InnerIterator it(result, column); it; ++it)
       if(is_border[it.row()] || is_border[it.col()])
@@ -217,11 +216,7 @@ Particular_fields::Particular_fields(const Surface_arrays& triangles, const Oper
 {
   std::size_t components = 0;
   std::tie(m_component, components) = internal::components(operators);
-  const Laplacian laplacian(operators);
-  const Sparse_matrix matrix = laplacian.matrix(operators);
-  Sparse_matrix pinned = matrix;
-  laplacian.pin(pinned);
-  m_poisson_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
+  m_poisson_solver = std::make_unique<Poisson_solver>(operators);
 
   const auto n = Eigen::Index(operators.number_of_triangles());
   m_harmonic.resize(2 * n, 0);
@@ -257,8 +252,7 @@ Particular_fields::Particular_fields(const Surface_arrays& triangles, const Oper
     return;
   }
   m_inner_solver = std::make_unique<Sparse_solver>(
-      inner_laplacian(operators, matrix, m_is_border, m_component, components),
-      Elimination_order::fast);
+      inner_laplacian(operators, m_is_border, m_component, components), Elimination_order::fast);
 }
 
 Particular_fields::~Particular_fields() = default;

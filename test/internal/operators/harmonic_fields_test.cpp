@@ -21,10 +21,7 @@ constexpr double round_off = 1e-10;
 
 std::vector<Field> harmonic_basis(const Array_surface& surface, const Operators& o)
 {
-  const Laplacian laplacian(o);
-  Sparse_matrix matrix = laplacian.matrix(o);
-  laplacian.pin(matrix);
-  return harmonic_fields(surface.t(), o, Sparse_solver(matrix));
+  return harmonic_fields(surface.t(), o, Poisson_solver(o));
 }
 
 // A square whose inner cells are left out where both numbers are odd.
@@ -99,10 +96,7 @@ TEST(Harmonic_fields, throws_on_cloud)
   const Cloud cloud = octahedron_sphere(2);
   const Surfel_arrays sphere = build_surfel_arrays(cloud.points, cloud.normals);
   const Operators o = operators(sphere.arrays);
-  const Laplacian laplacian(o);
-  Sparse_matrix matrix = laplacian.matrix(o);
-  laplacian.pin(matrix);
-  EXPECT_THROW(harmonic_fields(sphere.arrays, o, Sparse_solver(matrix)), Unsupported_surface_error);
+  EXPECT_THROW(harmonic_fields(sphere.arrays, o, Poisson_solver(o)), Unsupported_surface_error);
 }
 
 } // namespace

@@ -25,10 +25,7 @@ constexpr double round_off = 1e-9;
 
 std::vector<Field> harmonic_basis(const Array_surface& surface, const Operators& o)
 {
-  const Laplacian laplacian(o);
-  Sparse_matrix matrix = laplacian.matrix(o);
-  laplacian.pin(matrix);
-  return harmonic_fields(surface.t(), o, Sparse_solver(matrix));
+  return harmonic_fields(surface.t(), o, Poisson_solver(o));
 }
 
 // How many dimensions the images of many random fields span.

@@ -4,9 +4,8 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HODGE_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
-
-#include <memory>
 
 namespace CGAL::Geodesic_processing::internal {
 
@@ -38,7 +37,7 @@ public:
 
 private:
   Operators m_operators, m_edge_operators;
-  std::unique_ptr<Sparse_solver> m_vertex_solver, m_edge_solver;
+  Poisson_solver m_vertex_solver, m_edge_solver;
 };
 
 } // namespace CGAL::Geodesic_processing::internal

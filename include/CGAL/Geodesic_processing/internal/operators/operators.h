@@ -89,6 +89,10 @@ Vector minus_divergence(const Operators& operators, const Field& field);
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field rotated_left(Field field);
 
+// A quarter turn to the right in each triangle.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Field rotated_right(Field field);
+
 // The integral of the product of two fields.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double inner_product(const Operators& operators, const Field& a, const Field& b);

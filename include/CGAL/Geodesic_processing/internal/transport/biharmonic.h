@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/dense_product.h>
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 #include <CGAL/Geodesic_processing/internal/transport/particular_fields.h>
 
@@ -36,7 +37,7 @@ private:
   std::size_t m_number_of_components = 0;
   Vector m_mass;           // #sites
   Vector m_component_mass; // #components
-  std::unique_ptr<Sparse_solver> m_solver;
+  std::unique_ptr<Poisson_solver> m_solver;
   mutable std::once_flag m_squares_computed;
   mutable Vector
       m_squared_distances; // #sites: of the distance to the site of the component that is held

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/dense_product.h>
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
 #include <array>
@@ -84,9 +85,9 @@ private:
   const Operators& m_operators;
   Particular_field m_kind;
   std::vector<Index> m_component;
-  std::unique_ptr<Sparse_solver> m_poisson_solver; // of all sites
-  std::unique_ptr<Sparse_solver> m_inner_solver;   // of functions that vanish on the border
-  std::vector<bool> m_is_border;                   // #sites
+  std::unique_ptr<Poisson_solver> m_poisson_solver;
+  std::unique_ptr<Sparse_solver> m_inner_solver; // of functions that vanish on the border
+  std::vector<bool> m_is_border;                 // #sites
   std::unique_ptr<Tree> m_tree;
   std::vector<std::array<Vec2, 2>>
       m_hat_gradients; // #triangles: gradients of corners 1 and 2, as columns
