@@ -16,8 +16,9 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The problem L x = value M x on the sites where functions may be other than zero, as one of the operator
-// M^(1/2) L^-1 M^(1/2), whose largest eigenvalues are the inverses of the least ones.
+// The generalized eigenproblem L x = value M x on the free vertices, in symmetric form. The
+// operator M^(1/2) L^-1 M^(1/2) has the reciprocals as eigenvalues, so that its largest eigenvalues
+// belong to the smallest values. A vertex is free if it has mass and is not on the boundary.
 class Inverse_operator
 {
 public:
@@ -47,7 +48,7 @@ public:
   Eigen::Index size() const { return Eigen::Index(m_free_vertices.size()); }
   const Matrix& null_space() const { return m_null_space; }
 
-  // To columns that are orthogonal to the constants.
+  // Applies the operator to columns, which must be orthogonal to the null space.
   Matrix apply(const Matrix& columns) const
   {
     Matrix result = m_sqrt_mass.asDiagonal() * columns;
@@ -55,7 +56,8 @@ public:
     return m_sqrt_mass.asDiagonal() * result;
   }
 
-  // How many functions have a value below a number, which lies in a gap; -1 when it could not be counted.
+  // Returns the number of eigenvalues below `value`, which must lie in a gap of the spectrum.
+  // Returns -1 if the factorization failed.
   Eigen::Index number_of_eigenvalues_below(double value) const
   {
     Sparse_matrix shifted = m_laplacian;
@@ -66,7 +68,7 @@ public:
     return (ldlt.vectorD().array() < 0.).count() - m_null_space.cols();
   }
 
-  // A column of values of functions at all sites.
+  // Returns the function of each column, at all vertices.
   Matrix functions(const Matrix& columns, std::size_t number_of_vertices) const
   {
     Matrix result = Matrix::Zero(Eigen::Index(number_of_vertices), columns.cols());
@@ -91,7 +93,8 @@ private:
     m_laplacian.setFromTriplets(entries.begin(), entries.end());
   }
 
-  // One site of each closed component is held; constants are taken out by hand.
+  // Pins one vertex of each component without boundary. The null space is projected out by the
+  // Lanczos iteration.
   void factorize(const std::vector<Index>& component, const std::vector<bool>& has_border)
   {
     std::vector<Index> constant_index(has_border.size(), none);
@@ -113,15 +116,15 @@ private:
     m_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
   }
 
-  std::vector<Index> m_free_vertices; // where functions may be other than zero
-  Vector m_sqrt_mass;                 // of them
+  std::vector<Index> m_free_vertices; // indices of vertices
+  Vector m_sqrt_mass;                 // #free vertices
   Sparse_matrix m_laplacian;
-  Matrix m_null_space; // as columns, orthonormal: what the Laplacian does not see
+  Matrix m_null_space; // orthonormal columns: the constants of components without boundary
   std::unique_ptr<Sparse_solver> m_solver;
 };
 
-// Golub and Underwood 1977, with all columns kept orthogonal to all others and never restarted: three
-// to four columns for each function.
+// Block Lanczos iteration (Golub and Underwood 1977) with full reorthogonalization and without
+// restarts. It uses three to four columns for each eigenfunction.
 class Block_lanczos
 {
 public:
@@ -129,14 +132,14 @@ public:
       : m_inverse(inverse), m_residual(inverse.size(), 0)
   {}
 
-  // Columns that can still be added.
+  // Returns the maximum number of columns that can be added.
   Eigen::Index remaining_dimension() const
   {
     return m_inverse.size() - m_inverse.null_space().cols() - m_size;
   }
 
-  // Adds the next block, with some random columns in it: what no earlier one has seen of a group of
-  // repeated values.
+  // Adds the next block. Random columns are appended to it: if an eigenvalue has a higher
+  // multiplicity than a block has columns, previous blocks miss some of its eigenvectors.
   void expand(Eigen::Index number_of_random_columns)
   {
     Matrix block(m_inverse.size(), m_residual.cols() + number_of_random_columns);
@@ -163,8 +166,9 @@ public:
     m_projected_operator.bottomRows(number_added) = coefficients.transpose();
   }
 
-  // The best approximations in the span of all columns, largest values first, and which are good: a
-  // residual within 1e-8 of the value leaves one of 1e-16 in the value.
+  // Computes the Ritz pairs, largest values first, and the number of converged ones. The error of a
+  // value is of second order in the residual: a relative residual of 1e-8 leaves a relative error
+  // of 1e-16.
   void solve()
   {
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(m_projected_operator);
@@ -188,8 +192,8 @@ public:
   }
 
 private:
-  // To the constants and to all columns, which are not changed: twice is enough.  Returns the shares of
-  // the columns.
+  // Makes the columns of the block orthogonal to the null space and to the basis. One sweep leaves
+  // round-off errors; the second one removes them. Returns the coefficients of the basis.
   Matrix make_orthogonal(Matrix& block) const
   {
     Matrix total_coefficients = Matrix::Zero(m_size, block.cols());
@@ -207,7 +211,8 @@ private:
     return total_coefficients;
   }
 
-  // Modified Gram-Schmidt; columns in which rounding alone is left are dropped.
+  // Applies the modified Gram-Schmidt method. A column is dropped if only round-off errors remain
+  // of it. Returns the number of columns left.
   Eigen::Index make_orthonormal(Matrix& block) const
   {
     Eigen::Index kept = 0;
@@ -228,18 +233,18 @@ private:
   const Inverse_operator& m_inverse;
   std::mt19937 m_random{1};
   std::uniform_real_distribution<double> m_uniform{-1., 1.};
-  Matrix m_basis;                     // more than m_size
-  Eigen::Index m_size = 0;            // columns that there are
-  Eigen::Index m_last_block_size = 0; // columns of the last block
-  Matrix m_projected_operator;        // the operator among the columns
-  Matrix m_residual; // what the operator makes of the last block, without the columns' share
+  Matrix m_basis;          // capacity: more than m_size columns
+  Eigen::Index m_size = 0; // number of columns that are set
+  Eigen::Index m_last_block_size = 0;
+  Matrix m_projected_operator; // the operator in the basis
+  Matrix m_residual;           // the operator applied to the last block, orthogonal to the basis
   Vector m_values;
   Matrix m_vectors;
   Eigen::Index m_number_of_converged = 0;
 };
 
-// The least number of functions, `number` or more, after which there is a gap; none of those that are
-// known, though one more must be.
+// Returns the smallest number of functions, at least `number`, that is followed by a gap. Returns 0
+// if there is none among the converged values. The value after the gap must have converged as well.
 Eigen::Index size_up_to_gap(const Block_lanczos& lanczos, Eigen::Index number)
 {
   for(Eigen::Index k = number; k < lanczos.number_of_converged(); ++k)
@@ -272,7 +277,7 @@ Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& 
     return result;
   }
 
-  constexpr Eigen::Index block = 8; // as quick as 4, and half of the time of 32
+  constexpr Eigen::Index block = 8; // as fast as 4, twice as fast as 32
   Block_lanczos lanczos(inverse);
   lanczos.expand(block);
   Eigen::Index number_chosen = 0,
@@ -290,7 +295,7 @@ Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& 
       number_chosen = dimension;
     if(number_chosen == 0 || number_chosen == dimension || recounts == 5)
       continue;
-    // In the middle of the gap.
+    // The midpoint of the gap.
     const double cutoff = 0.5 * (lanczos.value(number_chosen - 1) + lanczos.value(number_chosen));
     const Eigen::Index missing = inverse.number_of_eigenvalues_below(cutoff) - number_chosen;
     if(missing <= 0)

@@ -16,7 +16,7 @@ Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Oper
   result.area = operators.area;
   result.corner.resize(operators.corner.size());
   result.hat_gradient.resize(operators.hat_gradient.size());
-  result.number_of_vertices = 1; // the border
+  result.number_of_vertices = 1; // the boundary
   for(Index h = 0; h < triangles.corner.size(); ++h)
   {
     const Index twin = triangles.twin[h];
@@ -25,7 +25,8 @@ Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Oper
     else
       result.corner[h] = twin < h ? result.corner[twin] : Index(result.number_of_vertices++);
     result.hat_gradient[h] =
-        -2. * operators.hat_gradient[previous_halfedge(h)]; // of the corner opposite
+        // the hat function of the opposite corner
+        -2. * operators.hat_gradient[previous_halfedge(h)];
   }
   return result;
 }

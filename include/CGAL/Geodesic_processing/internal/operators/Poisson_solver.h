@@ -10,24 +10,24 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Solves Poisson's equation L u = f with the positive semidefinite Laplacian L of the operators: the
-// factorization of L with one vertex of each component pinned.
+// Solves Poisson's equation L u = f, where L is the positive semidefinite Laplacian of the
+// operators. This class factorizes L with one pinned vertex in each component.
 //
-// If f sums to zero on each component (as minus_divergence() of a field does), u solves the equation
-// and vanishes at the pinned vertex of each component.  This also gives the gradient part of a field.
+// If f sums to zero on each component, u solves the equation and vanishes at the pinned vertices.
+// The function minus_divergence() returns such an f for every field. The gradient of the solution
+// is then the gradient part of the field.
 class CGAL_GEODESIC_PROCESSING_EXPORT Poisson_solver : public Sparse_solver
 {
 public:
-  // One assembly and one factorization.
+  // Assembles and factorizes L for K = identity (see Laplacian).
   explicit Poisson_solver(const Operators& operators,
                           Elimination_order order = Elimination_order::fast);
 
-  // The same for L = minus the divergence of K times the gradient, where K is `tensors`, one for each
-  // triangle.
+  // Assembles and factorizes L for the tensors K of all triangles (see Laplacian).
   Poisson_solver(const Operators& operators, const std::vector<Metric_tensor>& tensors,
                  Elimination_order order = Elimination_order::fast);
 
-  // Pins and factorizes `matrix`, which `laplacian` has assembled.
+  // Pins and factorizes `matrix`, which must be assembled by `laplacian`.
   Poisson_solver(const Laplacian& laplacian, Sparse_matrix matrix,
                  Elimination_order order = Elimination_order::fast);
 };

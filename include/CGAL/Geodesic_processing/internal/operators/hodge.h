@@ -9,14 +9,18 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Functions that are linear in each triangle and continuous at the middle of each side (Crouzeix and
-// Raviart 1973), with one value for all the border: the same operators, where a "corner" is a side and
-// its hat is 1 in its middle and 0 in those of the two others.
+// Computes the operators of nonconforming linear elements (Crouzeix and Raviart 1973). Such
+// functions are linear in each triangle and continuous at the midpoint of each edge. In the result,
+// `corner[h]` is the index of the edge of halfedge h, and all boundary edges share the index 0. The
+// hat function of an edge is 1 at its midpoint and 0 at the midpoints of the two other edges of a
+// triangle. Throws Unsupported_surface_error if the surface is a cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators);
 
-// What a field is the sum of, orthogonal to each other, #triangles each: a gradient, the quarter turn of
-// the gradient of a function of sides, and a rest, which is spanned by harmonic_fields().
+// The three orthogonal components of a field, each of #triangles vectors. Their sum is the field.
+// - `gradient` is the gradient of a function of the vertices.
+// - `rotation` is the rotated gradient of a function of the edges.
+// - `harmonic` is a linear combination of harmonic_fields().
 struct Hodge_components
 {
   Field gradient;
@@ -24,13 +28,15 @@ struct Hodge_components
   Field harmonic;
 };
 
-// The Hodge decomposition of the fields of a mesh (Polthier and Preuss 2003).  On a component the three
-// spaces have #sites - 1, #inner sides (one less where there is no border) and 2 genus +
-// max(border loops - 1, 0) dimensions: twice the number of triangles together.
+// Computes the Hodge decomposition of the fields of a mesh (Polthier and Preuss 2003). On one
+// component, the gradients have dimension #vertices - 1. The rotations have dimension #inner edges,
+// or one less if the component has no boundary. The harmonic fields have dimension 2 genus +
+// max(#boundary loops - 1, 0). The sum is 2 #triangles.
 class CGAL_GEODESIC_PROCESSING_EXPORT Hodge_solver
 {
 public:
-  // Two factorizations.  Throws Unsupported_surface_error on a cloud, where nothing is glued.
+  // Factorizes two Laplacians. Throws Unsupported_surface_error if the surface is a cloud, because
+  // the triangles of a cloud have no twins.
   Hodge_solver(const Surface_arrays& triangles, Operators operators);
 
   Hodge_components decompose(const Field& field) const;
