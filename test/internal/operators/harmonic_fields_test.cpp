@@ -16,7 +16,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of solutions of systems with some hundred unknowns.
+// Round-off errors of the solutions of systems with some hundred unknowns.
 constexpr double round_off = 1e-10;
 
 std::vector<Field> harmonic_basis(const Array_surface& surface, const Operators& o)
@@ -24,7 +24,7 @@ std::vector<Field> harmonic_basis(const Array_surface& surface, const Operators&
   return harmonic_fields(surface.t(), o, Poisson_solver(o));
 }
 
-// A square whose inner cells are left out where both numbers are odd.
+// Returns a square grid without the cells whose two indices are odd.
 Triangulation perforated_square(std::size_t n)
 {
   Triangulation result = square(n), kept = result;
@@ -38,7 +38,8 @@ Triangulation perforated_square(std::size_t n)
   return kept;
 }
 
-// A strip of which two opposite corners are one: a loop through a point.
+// Returns a strip of which two opposite corners are one vertex. The loop passes through this
+// nonmanifold vertex.
 Triangulation pinched_loop()
 {
   Triangulation result = grid(6, 1, [](double u, double v) { return Point{u, 0.1 * v, 0.}; });
