@@ -17,10 +17,9 @@ namespace CGAL::Geodesic_processing::internal {
 struct Eigenfunctions
 {
   Vector value; // #functions: positive, in ascending order
-  Matrix
-      // #vertices by #functions: one column for each value, orthonormal with respect to the lumped
-      // mass
-      function;
+  // #vertices by #functions: one column for each value, orthonormal with respect to the lumped
+  // mass
+  Matrix function;
 };
 
 // Returns the minimum relative gap between the eigenvalues k and k + 1 (counted from 1) if they

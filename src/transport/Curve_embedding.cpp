@@ -14,7 +14,7 @@ namespace {
 
 using Barycentric = std::array<double, 3>;
 
-// Of a part in the area of the whole.
+// Returns the area of a subtriangle, relative to its parent.
 double area_fraction(const std::array<Barycentric, 3>& corner)
 {
   const auto& [a, b, c] = corner;
@@ -30,7 +30,8 @@ Surface_location Curve_embedding::refined(const Surface_location& location) cons
   const auto begin = m_subtriangles_begin.find(location.triangle);
   if(begin == m_subtriangles_begin.end())
     return location;
-  // In the part from whose sides it is the farthest.
+  // Round-off errors can move the point out of all subtriangles. Hence the subtriangle with the
+  // largest minimum coordinate is used.
   Surface_location result;
   double best_minimum = -infinity;
   const auto& b = location.barycentric;

@@ -23,15 +23,15 @@ namespace {
 
 using Barycentric = std::array<double, 3>;
 
-// Of a side: closer points are one.
+// Closer points on an edge, or inside a triangle, are the same (barycentric coordinates).
 constexpr double snapping_tolerance = 1e-10;
 
-// Far below what distances tell apart: across a side of no length no direction is known.
+// Far below the precision of distances. Across an edge of length zero, a direction is undefined.
 constexpr double min_edge_length = 0x1p-36;
 
 struct Vertex_info
 {
-  Index vertex = none; // of crossings to be found
+  Index vertex = none; // none for crossings that the triangulation inserted
   Barycentric barycentric = {};
 };
 
@@ -67,13 +67,13 @@ Barycentric mean_coordinates(std::initializer_list<Barycentric> points)
   return result;
 }
 
-// The sides of a triangle that hold a point: bit k for side k.
+// Returns the edges of a triangle that contain a point: bit k for edge k.
 unsigned incident_edge_mask(const Barycentric& b)
 {
   return (b[2] == 0. ? 1u : 0u) | (b[0] == 0. ? 2u : 0u) | (b[1] == 0. ? 4u : 0u);
 }
 
-// Which of sides 0 to 2 holds both points, or none.
+// Returns the edge, 0 to 2, that contains both points, or none.
 Index common_edge(const Barycentric& p, const Barycentric& q)
 {
   const unsigned both = incident_edge_mask(p) & incident_edge_mask(q);
@@ -108,7 +108,7 @@ private:
     curve
   };
 
-  // On a side, from its source on; of two twins the first one knows.
+  // A point on an edge. The parameter is relative to the canonical halfedge, from its source.
   struct Edge_point
   {
     double parameter;
@@ -117,10 +117,10 @@ private:
   struct Edge_data
   {
     std::vector<Edge_point> points;                 // without the ends
-    std::vector<std::pair<double, double>> covered; // by curves
+    std::vector<std::pair<double, double>> covered; // intervals on curves
   };
 
-  // A part of a curve through a triangle.
+  // A segment of a curve through a triangle.
   struct Segment
   {
     std::size_t curve;
@@ -162,7 +162,7 @@ private:
     return points.back().vertex;
   }
 
-  // The site where a location is, new ones included.
+  // Returns the vertex at a location. A new vertex is added if needed.
   Index add(const Surface_location& location)
   {
     if(const Index vertex = vertex_of(m_coarse, location); vertex != none)
@@ -234,7 +234,8 @@ private:
     m_covered_edges.push_back({curve, canonical(h), std::minmax(from, to)});
   }
 
-  // Whether what is between two sites would wrongly be a part of the curves.
+  // Returns true if an edge between a and b must be split, because both are on curves or one is on
+  // a curve and the other in a region.
   bool is_shortcut(Index a, Index b) const
   {
     return m_vertex_kind[a] != Vertex_kind::free && m_vertex_kind[b] != Vertex_kind::free &&
@@ -275,7 +276,7 @@ private:
     for(auto& [h, edge_data] : m_edges)
       std::sort(edge_data.points.begin(), edge_data.points.end(),
                 [](const Edge_point& a, const Edge_point& b) { return a.parameter < b.parameter; });
-    // Those of others on the same side.
+    // Adds the vertices of other curves on the same edge.
     for(const auto& [curve, h, interval] : m_covered_edges)
       for(const Edge_point& point : m_edges[h].points)
         if(interval.first <= point.parameter && point.parameter <= interval.second)
@@ -294,7 +295,8 @@ private:
     return is_enclosed({corner[0], corner[1], corner[2]});
   }
 
-  // Whether a triangle would wrongly be a part of the curves.
+  // Returns true if a triangle must be split: its corners are on curves or in regions, and at least
+  // one is on a curve.
   bool is_enclosed(const std::array<Index, 3>& corner) const
   {
     return m_vertex_kind[corner[0]] != Vertex_kind::free &&
@@ -319,7 +321,8 @@ private:
     }
   }
 
-  // Delaunay's, with the curves' segments.  All is exact: what was found on a side stays there.
+  // Computes the constrained Delaunay triangulation of a triangle with the curve segments. The
+  // predicates and constructions are exact, so that points on an edge stay there.
   void triangulate(Index triangle)
   {
     auto corners = unfolded(m_coarse, triangle);
@@ -369,7 +372,7 @@ private:
     v->info() = {add_new_vertex({triangle, none, b}, kind), b};
   }
 
-  // Vertices that the triangulation inserted.
+  // Assigns indices to the crossings of segments, which the triangulation inserted.
   void number_crossings(Index triangle, const std::array<Vec2, 3>& corners,
                         const Constrained_triangulation& triangulation)
   {
@@ -392,8 +395,9 @@ private:
         vertices.push_back(v->info().vertex);
   }
 
-  // The middle of an edge, or else of a triangle, that joins sites of curves without being a part of one.
-  // It is exact, as two of them may be so close that rounding moves it to either.
+  // Returns the midpoint of an edge that must be split, or else the centroid of a triangle that
+  // must be split. It is exact: if two vertices are very close, a rounded midpoint could coincide
+  // with one.
   std::optional<std::pair<Kernel::Point_2, Barycentric>>
   find_shortcut(const Constrained_triangulation& triangulation) const
   {
@@ -507,9 +511,9 @@ private:
 
   Curve_embedding& m_result;
   const Surface_arrays& m_coarse;
-  std::vector<Vertex_kind> m_vertex_kind; // #sites, new ones included
-  std::map<Index, Edge_data> m_edges;     // of the first of two twins
-  std::map<Index, Interior> m_interiors;  // of a triangle
+  std::vector<Vertex_kind> m_vertex_kind; // #vertices, new ones included
+  std::map<Index, Edge_data> m_edges;     // key: the canonical halfedge of an edge
+  std::map<Index, Interior> m_interiors;  // key: triangle
   std::vector<Covered_edge> m_covered_edges;
   std::map<Index, std::vector<std::pair<double, Index>>> m_subedges;
   Surface_arrays m_fine;

@@ -14,7 +14,8 @@ namespace CGAL::Geodesic_processing::internal {
 template <typename Scalar>
 using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
 
-// Lengths of the vectors of a column, whose second components follow the first ones.
+// Returns the lengths of the vectors of a column, whose second components follow the first
+// components.
 template <typename Vectors>
 auto lengths(const Vectors& column)
 {
@@ -22,10 +23,10 @@ auto lengths(const Vectors& column)
   return (column.head(n).array().square() + column.tail(n).array().square()).sqrt();
 }
 
-// Many problems of one basis: for each column p, the least sum of weight |w| over all w in p + span Q,
-// where Q are orthonormal columns that are orthogonal to p.  By the alternating direction method of
-// multipliers (Boyd et al. 2011, section 6), in which the step for the coefficients is a product with
-// the transpose of Q.
+// Solves group lasso problems with a common basis: for each column p, minimizes the sum of weight
+// |w| over all fields w in p + span Q. The columns of Q must be orthonormal and orthogonal to p.
+// The method is ADMM (Boyd et al. 2011, section 6); its linear step is a product with the transpose
+// of Q.
 template <typename Matrix_type>
 class Group_lasso
 {
@@ -71,12 +72,12 @@ public:
     }
   }
 
-  // Of the last step, with which p + Q c is what it found.
+  // Returns c of the last iteration: the current field is p + Q c.
   const Matrix_type& coefficients() const { return m_coefficients; }
 
   auto sum(Eigen::Index j) const { return m_field.col(j); }
   Scalar upper(Eigen::Index j) const { return (m_sqrt_area * lengths(m_field.col(j))).sum(); }
-  // What the step took away is orthogonal to Q.
+  // Returns a lower bound by duality: the residual of the linear step is orthogonal to Q.
   Scalar lower(Eigen::Index j) const
   {
     const Column<Scalar> slope = (m_field.col(j) - m_argument.col(j)).array();
@@ -84,7 +85,7 @@ public:
     return max_slope > 0 ? m_particular.col(j).dot(slope.matrix()) / max_slope : 0;
   }
 
-  // Drops a column: the last one takes its place.
+  // Removes column j and moves the last column to its index.
   void remove_column(Eigen::Index j)
   {
     const Eigen::Index last = columns() - 1;
@@ -99,7 +100,8 @@ public:
 
 private:
   static constexpr Scalar relaxation_factor = Scalar(1.7);
-  // Times the mean square of the particular field's vectors; of a tenth to eight the quickest.
+  // Threshold relative to the root mean square of the particular field. Among values from 0.1 to 8,
+  // this one needs the fewest iterations.
   static constexpr Scalar threshold_factor = Scalar(0.4);
   static constexpr Scalar min_length = std::numeric_limits<Scalar>::min();
 

@@ -23,8 +23,9 @@ Biharmonic_distances::Biharmonic_distances(const Surface_arrays& triangles)
   m_solver = std::make_unique<Poisson_solver>(m_operators);
 }
 
-// Of the masses, less the ones of the same masses at the held site of the component: a difference of two
-// is that of what they stand for.  Their integrals are zero.
+// Returns the Green's function of each column minus that of the same masses at the pinned vertices.
+// The difference of two columns with equal masses on each component is the difference of their
+// Green's functions. All integrals are zero.
 Matrix Biharmonic_distances::green_functions(const Masses& masses) const
 {
   Matrix result(masses);
@@ -42,7 +43,7 @@ Matrix Biharmonic_distances::green_functions(const Masses& masses) const
   return result;
 }
 
-// #components by #columns.
+// Returns the mass on each component: #components by #columns.
 Matrix Biharmonic_distances::component_masses(const Masses& masses) const
 {
   Matrix result = Matrix::Zero(Eigen::Index(m_number_of_components), masses.cols());

@@ -16,11 +16,11 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The fans of triangles around sites, more than one where the surface is pinched: through such a site
-// masses may go, but no function must be continuous there.
+// The fans of triangles around each vertex. A nonmanifold vertex has several fans: mass can pass
+// through it, but functions need not be continuous there.
 struct Fans
 {
-  std::vector<Index> fan_of_corner; // 3 #triangles
+  std::vector<Index> fan_of_corner; // 3 #triangles: the fan of each corner
   Index number_of_fans = 0;
 };
 
@@ -49,7 +49,8 @@ Index root(std::vector<Index>& parent, Index i)
   return i;
 }
 
-// A value for each fan, but one for all fans of a border: through a border nothing flows.
+// Computes operators for functions with one value per fan. All fans of one boundary loop share a
+// value, because nothing flows through the boundary.
 Operators fan_operators(const Surface_arrays& t, Operators operators, const Fans& fans)
 {
   std::vector<Index> parent(fans.number_of_fans);
@@ -72,11 +73,13 @@ Metric_tensor squared(const Metric_tensor& a)
   return {a[0] * a[0] + a[1] * a[1], a[1] * (a[0] + a[2]), a[1] * a[1] + a[2] * a[2]};
 }
 
-// Each costs a solution; surfaces with so many handles have hardly any way around one that pays.
+// Each field takes one solution. On a surface with more handles, a circulation around one of them
+// hardly reduces the cost.
 constexpr std::size_t max_number_of_circulations = 32;
 
-// Flows around handles, of a surface without border: harmonic fields turned, orthogonal to all functions'
-// turned gradients.
+// Returns rotated harmonic fields, the circulations around handles. They are orthogonal to the
+// rotated gradients of all functions. The result is empty if the mesh has a boundary or too many
+// handles.
 std::vector<Field> circulations(const Surface_arrays& t, const Operators& operators)
 {
   const std::size_t dimension = number_of_harmonic_fields(t);
@@ -90,12 +93,12 @@ std::vector<Field> circulations(const Surface_arrays& t, const Operators& operat
   return result;
 }
 
-// The space of flows without divergence that is searched: rotated gradients of functions of the fans
-// and, if lengths are those of the surface, circulations.
+// The space of divergence-free flows over which the cost is minimized: rotated gradients of
+// functions of the fans, and circulations.
 class Solenoidal_space
 {
 public:
-  // An element of the space.
+  // The coefficients of one field of the space.
   struct Coefficients
   {
     Vector stream_function;          // #fans
@@ -107,11 +110,11 @@ public:
       : m_triangles(triangles), m_operators(operators), m_metric(metric),
         m_fan_operators(fan_operators(triangles, operators, fans)),
         m_solver(m_fan_operators, stream_function_tensors(), Elimination_order::low_fill),
-        // Of measured lengths they are not orthogonal.
+        // With a metric, circulations are not orthogonal to rotated gradients. They are left out.
         m_circulations(metric.empty() ? circulations(triangles, operators) : std::vector<Field>())
   {}
 
-  // The orthogonal projection of a field after the metric.
+  // Computes the orthogonal projection of a field A J onto the space, where A is the metric.
   Coefficients project(const Field& field) const
   {
     Coefficients result;
@@ -122,7 +125,7 @@ public:
     return result;
   }
 
-  // The field after the metric.
+  // Returns A J, where A is the metric and J the flow with these coefficients.
   Field field(const Coefficients& coefficients) const
   {
     Field result = measured(rotated_left(gradient(m_fan_operators, coefficients.stream_function)));
@@ -162,7 +165,7 @@ private:
     for(std::size_t f = 0; f < m_metric.size(); ++f)
     {
       const Metric_tensor s = squared(m_metric[f]);
-      result[f] = {s[2], -s[1], s[0]}; // turned
+      result[f] = {s[2], -s[1], s[0]}; // rotated by 90 degrees
     }
     return result;
   }
@@ -175,7 +178,7 @@ private:
   std::vector<Field> m_circulations;
 };
 
-// What flows out of triangles through their sides, and what that costs.
+// Computes the fluxes through all edges, and their cost.
 class Flux_field
 {
 public:
@@ -210,8 +213,8 @@ private:
     return result;
   }
 
-  // The masses at the fans' sites evenly over their triangles.  The mean distance of a triangle's points
-  // from a corner is at most a third of that of the two others, as distance is convex.
+  // Spreads the mass of each fan uniformly over its triangles. Since distance is convex, its mean
+  // over a triangle is at most its mean over the three corners. This bounds the cost of spreading.
   void spread_masses(const Field& flow)
   {
     std::vector<double> mass(m_fans.number_of_fans, 0.), area(m_fans.number_of_fans, 0.),
@@ -237,8 +240,9 @@ private:
     }
   }
 
-  // The mean of what both triangles of a side say, and the least change after which all that leaves the
-  // one enters the other, and what is missing stays.
+  // Computes the flux through each edge. It is the mean of the values in both triangles, plus a
+  // correction after which each triangle retains its absorbed mass. The sum of the squared
+  // corrections is minimal.
   void equilibrate(const Field& flow)
   {
     const Index n = Index(m_absorbed_mass.size());
@@ -258,7 +262,8 @@ private:
     for(Index h = 0; h < m_outward_flux.size(); ++h)
       if(const Index twin = m_triangles.twin[h]; twin != none)
       {
-        // Twice the area times a hat's gradient is the side opposite, turned inward.
+        // Twice the area times the gradient of a hat function is the inward normal of the opposite
+        // edge, multiplied by its length.
         const Index opposite = previous_halfedge(h);
         const double flux =
             -2. * m_operators.area[h / 3] * dot(flow[h / 3], m_operators.hat_gradient[opposite]);
@@ -273,7 +278,7 @@ private:
       }
     for(Index f = 0; f < n; ++f)
       if(parent[f] == f)
-        entries.emplace_back(f, f, 1.); // holds it
+        entries.emplace_back(f, f, 1.); // pins one triangle of each component
     Sparse_matrix matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Vector pressure = Sparse_solver(matrix).solve(rhs);
@@ -282,7 +287,8 @@ private:
         m_outward_flux[h] += pressure[h / 3] - pressure[twin / 3];
   }
 
-  // Adds a function's turned gradient, and what circles around handles: if that makes the flow shorter.
+  // Minimizes the cost by ADMM over the divergence-free fields. The result is used only if it has a
+  // smaller cost.
   void minimize_cost()
   {
     const Solenoidal_space space(m_triangles, m_operators, m_metric, m_fans);
@@ -301,7 +307,7 @@ private:
                   result[f] = centroid_flow[f] + result[f];
                 return result;
               });
-    // Until it is not worth going on.
+    // Stop if ten iterations reduce the cost by less than 0.05 %.
     for(unsigned i = 0; i < 30; ++i)
     {
       const double previous_cost = admm.upper();
@@ -316,7 +322,8 @@ private:
       m_outward_flux = std::move(outward_flux);
   }
 
-  // #triangles: the field at the centroids; zero in triangles without area.
+  // Returns the flow A J at the centroid of each triangle: #triangles vectors. It is 0 if the area
+  // is 0.
   Field centroid_flow() const
   {
     Field result(m_absorbed_mass.size(), Vec2{0., 0.});
@@ -333,7 +340,8 @@ private:
     return result;
   }
 
-  // Linear in the triangle: length is convex, so that its mean is at most that at the corners.
+  // Returns an upper bound of the cost of triangle f. The flow is linear there and length is
+  // convex, so that its mean is at most the mean at the corners.
   double cost(Index f) const
   {
     const auto p = unfolded_corners(f);
@@ -352,8 +360,8 @@ private:
   const Operators& m_operators;
   const std::vector<Metric_tensor>& m_metric;
   Fans m_fans;
-  std::vector<double> m_absorbed_mass; // #triangles: what has to stay there
-  std::vector<double> m_outward_flux;  // #sides
+  std::vector<double> m_absorbed_mass; // #triangles: mass that must remain in the triangle
+  std::vector<double> m_outward_flux;  // #halfedges
   double m_spreading_cost = 0.;
 };
 

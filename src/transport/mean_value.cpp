@@ -22,7 +22,7 @@ using Triple = std::array<double, 3>;
 constexpr int next_corner(int k) { return k == 2 ? 0 : k + 1; }
 constexpr int previous_corner(int k) { return k == 0 ? 2 : k - 1; }
 
-// angle / sin(angle) - 1, from the square of the tangent of half the angle.
+// Returns angle / sin(angle) - 1. The argument is q = tan(angle / 2)^2.
 double angle_over_sine_minus_one(double q)
 {
   if(q > 1. / 64.)
@@ -30,29 +30,29 @@ double angle_over_sine_minus_one(double q)
     const double t = std::sqrt(q);
     return (1. + q) * std::atan(t) / t - 1.;
   }
-  // (1 + q) (1 - q/3 + q^2/5 - ...) - 1; the next term is below rounding.
+  // The series (1 + q) (1 - q/3 + q^2/5 - ...) - 1, whose next term is below the round-off error.
   double sum = 0.;
   for(int n = 9; n > 0; --n)
     sum = 2. / (4. * n * n - 1.) - q * sum;
   return q * sum;
 }
 
-// A corner of a triangle as it is seen from the point.
+// A vertex as seen from the point.
 struct Ray
 {
-  Vec3 offset; // the corner less the point
+  Vec3 offset; // vertex minus point
   double length;
   Vec3 unit;
 };
 
-// A triangle as it is seen from the point: from here on on the unit sphere, side k is opposite to
-// corner k.
+// A triangle as seen from the point, projected to the unit sphere. In this struct, edge k is
+// opposite of corner k.
 struct Spherical_triangle
 {
   std::array<const Ray*, 3> ray;
-  Triple squared_tangent;     // of the tangents of half the sides
-  std::array<Vec3, 3> normal; // of the planes through sides: as long as the side's sine
-  Vec3 normal_sum;            // the sum of the normals
+  Triple squared_tangent;     // squared tangents of half the edges
+  std::array<Vec3, 3> normal; // normals of the planes through edges; lengths are sines of edges
+  Vec3 normal_sum;
   double determinant;
 
   explicit Spherical_triangle(const std::array<const Ray*, 3>& rays) : ray(rays)
@@ -61,7 +61,7 @@ struct Spherical_triangle
     for(int k = 0; k < 3; ++k)
     {
       const Ray &a = *ray[next_corner(k)], &b = *ray[previous_corner(k)];
-      // Of unit vectors, without cancellation where they are close.
+      // The difference of unit vectors, without cancellation if they are close.
       const Vec3 side = b.offset - a.offset, sum = a.unit + b.unit;
       const double length_difference = dot(side, a.offset + b.offset) / (a.length + b.length);
       difference[k] = (1. / b.length) * (side - length_difference * a.unit);
@@ -72,7 +72,8 @@ struct Spherical_triangle
     determinant = dot(ray[0]->unit, normal_sum);
   }
 
-  // Whether the point lies in the triangle's plane, or near to an edge, as far as can be seen.
+  // Returns true if the point is, within precision, in the plane of the triangle or close to an
+  // edge.
   bool is_thin() const
   {
     const Triple size = {dot(normal[0], normal[0]), dot(normal[1], normal[1]),
@@ -87,7 +88,7 @@ struct Spherical_triangle
     return cross(ray[1]->offset - a, ray[2]->offset - a);
   }
 
-  // Its barycentric coordinates if the point is on the triangle.
+  // Returns the barycentric coordinates of the point if it is on the triangle, otherwise no value.
   std::optional<Triple> coordinates_of_point(const Vec3& plane_normal, double tolerance) const
   {
     const Vec3 &a = ray[0]->offset, &b = ray[1]->offset, &c = ray[2]->offset;
@@ -99,8 +100,8 @@ struct Spherical_triangle
     return result;
   }
 
-  // The coefficients of the integral of all unit vectors in the triangle, as a sum of those of its
-  // corners: the integral is half the sum of sides times the unit normals of their planes.
+  // Returns the integral of all unit vectors of the spherical triangle, as coefficients of its
+  // corners. The integral is half the sum of edge lengths times unit normals of their planes.
   Triple vertex_coefficients() const
   {
     Vec3 doubled_integral = normal_sum;
@@ -113,8 +114,8 @@ struct Spherical_triangle
     return result;
   }
 
-  // The same where the determinant is small, and the sum above nearly vanishes: by half-angle formulas,
-  // in which what is small is a product.
+  // Returns the same for a small determinant, for which the sum above cancels. Half-angle formulas
+  // compute small terms as products.
   Triple thin_vertex_coefficients() const
   {
     Triple side, sine;
@@ -126,11 +127,12 @@ struct Spherical_triangle
         return {0., 0., 0.};
     }
     const double half_sum = 0.5 * (side[0] + side[1] + side[2]);
-    Triple half_sum_minus_side; // half the sum less a side
+    Triple half_sum_minus_side;
     for(int k = 0; k < 3; ++k)
       half_sum_minus_side[k] =
           std::max(0., 0.5 * (side[next_corner(k)] + side[previous_corner(k)] - side[k]));
-    // Where one side is nearly the sum of the others the determinant knows better by how much not.
+    // If one edge is almost the sum of the others, the determinant gives the difference more
+    // precisely.
     const int smallest =
         int(std::min_element(half_sum_minus_side.begin(), half_sum_minus_side.end()) -
             half_sum_minus_side.begin());
@@ -140,7 +142,7 @@ struct Spherical_triangle
     if(const double squared_determinant = determinant * determinant;
        squared_determinant < 1e-3 * product_of_sines)
       half_sum_minus_side[smallest] = std::asin(squared_determinant / product_of_sines);
-    Triple deviation; // of the angle's cosine at a corner from one or minus one
+    Triple deviation; // of the cosine of the angle from 1 or -1
     Triple sign;
     for(int k = 0; k < 3; ++k)
     {
@@ -155,7 +157,7 @@ struct Spherical_triangle
     for(int k = 0; k < 3; ++k)
     {
       const int i = next_corner(k), j = previous_corner(k);
-      // side[k] - side[i] cos(angle[j]) - side[j] cos(angle[i])
+      // Computes side[k] - side[i] cos(angle[j]) - side[j] cos(angle[i]).
       const double sum = (sign[i] > 0. && sign[j] > 0.)   ? -2. * half_sum_minus_side[k]
                          : (sign[i] > 0. && sign[j] < 0.) ? 2. * half_sum_minus_side[j]
                          : (sign[i] < 0. && sign[j] > 0.) ? 2. * half_sum_minus_side[i]
@@ -168,7 +170,8 @@ struct Spherical_triangle
   }
 };
 
-// Computes the rays to all vertices.  Returns the vertex where the point is, or none.
+// Computes the rays to all vertices. Returns the vertex at the point if there is one, otherwise
+// none.
 Index cast_rays(const Surface_arrays& t, const Vec3& point, double tolerance,
                 std::vector<Ray>& rays)
 {

@@ -18,11 +18,12 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Triangles times harmonic fields, of two numbers each.
+// Maximum of #triangles times #harmonic fields; an entry has two numbers of eight bytes.
 constexpr double max_number_of_entries = 1.25e8;
 
 using Hat_gradients =
-    std::array<Vec2, 2>; // of the hats of corners 1 and 2, times the root of the area
+    // gradients of the hat functions of corners 1 and 2, times the square root of the area
+    std::array<Vec2, 2>;
 
 std::vector<Hat_gradients> weighted_hat_gradients(const Operators& operators)
 {
@@ -50,7 +51,8 @@ void write_gradient(const Operators& operators, const std::vector<Hat_gradients>
   }
 }
 
-// Of functions that are zero on the border; one site of each component without border is held.
+// Returns the Laplacian for functions that vanish on the boundary. In a component without boundary,
+// one vertex is pinned.
 Sparse_matrix inner_laplacian(const Operators& operators, const std::vector<bool>& is_border,
                               const std::vector<Index>& component, std::size_t components)
 {
@@ -126,11 +128,12 @@ Matrix gradients(const Operators& operators, const Matrix& functions)
   return result;
 }
 
-// Of triangles that have an area, joined through sides: one for each component.
+// A spanning forest of the triangles with positive area, across edges: one tree for each component.
 struct Particular_fields::Tree
 {
-  std::vector<Index> parent_halfedge; // #triangles: the side that leads to the root, none at a root
-  std::vector<Index> depth;           // #triangles: sides to cross on the way there
+  // #triangles: the halfedge that leads to the parent; none at a root
+  std::vector<Index> parent_halfedge;
+  std::vector<Index> depth; // #triangles: number of edges to the root
   std::size_t roots = 0;
 
   Tree(const Surface_arrays& triangles, const Operators& operators)
@@ -157,13 +160,14 @@ struct Particular_fields::Tree
     }
   }
 
-  // Of a column of masses to the roots, in triangles one after another, some of them twice.
+  // Returns the flow of a column of masses along the tree to the roots, as pairs of triangle and
+  // vector. A triangle can occur twice.
   std::vector<std::pair<Index, Vec2>> flow(const Surface_arrays& triangles,
                                            const Operators& operators, const Vector& ring_area,
                                            const Masses& masses, Eigen::Index column) const
   {
     std::vector<std::pair<Index, Vec2>> result;
-    // The field of Raviart and Thomas 1977 of what flows in through a side, in the middle.
+    // Adds the Raviart-Thomas field (1977) of an inward flux through halfedge h, at the centroid.
     const auto add_inflow = [&](Index h, double amount)
     {
       const Index f = h / 3;
@@ -172,8 +176,8 @@ struct Particular_fields::Tree
       result.emplace_back(f, (-0.5 * amount / std::sqrt(operators.area[f])) *
                                  (middle - corners[previous_halfedge(h) % 3]));
     };
-    // Far ones first: all that flows through a triangle is known then.  The order of equal ones must not
-    // depend on amounts, of which the way back has the opposite ones.
+    // The deepest triangle is processed first, when all its inflow is known. The order of triangles
+    // with equal depth must not depend on the amounts: reversed masses must give the reversed flow.
     struct Amount
     {
       Index depth, triangle;
@@ -298,7 +302,8 @@ void Particular_fields::for_each_field(
     return;
   }
 
-  // What flows along the tree, and the function whose turned gradient is its part of such fields.
+  // Compute the flow along the tree and subtract its projections onto rotated gradients and onto
+  // harmonic fields.
   std::vector<std::vector<std::pair<Index, Vec2>>> flow(std::size_t(masses.cols()));
   Matrix stream_function =
       Matrix::Zero(Eigen::Index(m_operators.number_of_vertices), masses.cols());

@@ -22,8 +22,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Makes columns orthonormal; those that the others span are dropped.  Returns what they were multiplied
-// with.
+// Makes the columns orthonormal and removes linearly dependent ones. Returns the factor F with
+// result = columns F.
 Matrix orthonormalize(Matrix& columns)
 {
   Matrix gram, result;
@@ -40,7 +40,7 @@ Matrix orthonormalize(Matrix& columns)
   return factor;
 }
 
-// Asks a callback, from several threads, one at a time.
+// Calls a callback from several threads, one at a time.
 class Progress
 {
 public:
@@ -48,7 +48,7 @@ public:
       : m_callback(callback), m_steps(steps)
   {}
 
-  // False when the rest need not be done.
+  // Returns false if the callback has cancelled.
   bool should_continue()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
@@ -66,9 +66,9 @@ private:
   std::atomic<bool> m_is_cancelled{false};
 };
 
-// Closes the bounds of columns, whose upper ones are those of the particular fields, as far as is asked
-// for.  improved(j, w) gets whatever is shorter than what was known of column j; should_continue(i) is asked before
-// each iteration.
+// Computes bounds for each column of particular fields. The iteration ends for a column when its
+// bounds are within the tolerance. Calls on_improvement(j, field) when a shorter field of column j
+// is found, and should_continue(i) before iteration i.
 template <typename On_improvement, typename Should_continue>
 std::vector<Transport_bounds>
 solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix particular,
@@ -85,7 +85,8 @@ solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix part
   }
   if(basis.cols() == 0)
     return result;
-  std::vector<std::size_t> column_index(result.size()); // of the columns that are left
+  // the columns that are not yet within the tolerance
+  std::vector<std::size_t> column_index(result.size());
   std::iota(column_index.begin(), column_index.end(), std::size_t(0));
   Group_lasso<Matrix> sums(basis, weight, std::move(particular));
   for(unsigned i = 1;
@@ -116,10 +117,10 @@ solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix part
 
 constexpr std::size_t columns_per_block = 32;
 
-// Sums over triangles are split so, whatever the number of threads.
+// The number of partial sums is fixed, so that results do not depend on the number of threads.
 constexpr std::size_t number_of_slices = 16;
 
-// Column i less column j, for each j < i, ordered by i.
+// Returns column i minus column j for each pair j < i, in the order of i, then j.
 Masses pairwise_differences(const Masses& masses)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -137,7 +138,8 @@ Masses pairwise_differences(const Masses& masses)
   return result;
 }
 
-// Fields times areas, so that a difference's length is all that is summed.
+// Returns the particular fields times the square root of the area, in single precision. With this
+// weight, the integral of a length is a sum of lengths.
 Float_matrix area_weighted_fields(const Particular_fields& particular, const Vector& sqrt_area,
                                   const Masses& masses, unsigned threads, Progress& progress)
 {
@@ -157,7 +159,8 @@ Float_matrix area_weighted_fields(const Particular_fields& particular, const Vec
   return result;
 }
 
-// Entry (i, j), i < j: the sum of the lengths of the vectors of column i less column j.  Few triangles at once stay in the cache for all pairs.  Sums of parts are added in their order.
+// Returns for columns i < j the sum over all triangles of the length of the difference vector.
+// Blocks of triangles stay in the cache for all pairs. The partial sums are added in a fixed order.
 Matrix pairwise_sums_of_lengths(const Float_matrix& fields, unsigned threads, Progress& progress)
 {
   constexpr std::size_t triangles_per_block = 1024;
@@ -195,23 +198,26 @@ Matrix pairwise_sums_of_lengths(const Float_matrix& fields, unsigned threads, Pr
 
 } // namespace
 
-// Groups of triangles around sites that are no neighbours of each other, eight or nine in each, with a
-// plane for each group.
+// Clusters of triangles around center vertices. Two centers are never adjacent. The mean size is
+// eight to nine triangles. Each cluster has a plane, in which the vectors of its triangles are
+// averaged.
 struct Spectral_transport::Clusters
 {
   std::vector<Index> cluster; // #triangles
-  std::vector<Vec2>
-      frame_rotation;      // #triangles: what a vector is multiplied with as a complex number
-  Float_matrix full_basis; // the family's basis
-  Float_matrix basis;      // of mean vectors in clusters, orthonormal
-  Float_matrix to_full_coefficients; // coefficients of that basis to those of the whole one
-  Column<float> weight;              // #clusters: roots of areas
+  // #triangles: complex factor of a vector: the rotation to the frame of the cluster, times the
+  // square root of the relative area
+  std::vector<Vec2> frame_rotation;
+  Float_matrix full_basis;           // the basis B, in single precision
+  Float_matrix basis;                // mean vectors of the basis in the clusters, orthonormalized
+  Float_matrix to_full_coefficients; // maps coefficients of the cluster basis to those of B
+  Column<float> weight;              // #clusters: square roots of areas
 
   Clusters(const Surface_arrays& triangles, const Operators& operators, const Matrix& family_basis)
       : full_basis(family_basis.cast<float>())
   {
     std::size_t number = assign_clusters(triangles, operators);
-    // Few of them could not tell the basis's functions apart.
+    // With fewer clusters, the means of the basis could be linearly dependent. Then each triangle
+    // is a cluster.
     if(number < 3 * std::size_t(family_basis.cols()))
     {
       number = cluster.size();
@@ -229,7 +235,7 @@ struct Spectral_transport::Clusters
     basis = means.cast<float>();
   }
 
-  // The mean vector in each cluster, times the root of its area.
+  // Returns the mean vector in each cluster times the square root of its area, for each column.
   template <typename Matrix_type>
   Matrix_type means(const Matrix_type& columns) const
   {
@@ -253,14 +259,15 @@ private:
     const std::size_t n = operators.number_of_triangles();
     cluster.assign(n, none);
     std::size_t number = 0;
-    if(triangles.point.empty()) // no planes: each triangle has its own
+    if(triangles.point.empty()) // without coordinates, each triangle is a cluster
     {
       for(Index f = 0; f < n; ++f)
         cluster[f] = Index(number++);
       return number;
     }
     std::vector<Index> cluster_of(operators.number_of_vertices,
-                                  none); // that of the site or a neighbour
+                                  // #vertices: the cluster around the vertex or an adjacent one
+                                  none);
     for(Index vertex = 0; vertex < cluster_of.size(); ++vertex)
     {
       if(cluster_of[vertex] != none ||
@@ -302,7 +309,9 @@ private:
       normal[cluster[f]] = normal[cluster[f]] + doubled_normal;
     }
     std::vector<Index> reference_triangle(area.size(),
-                                          none); // a triangle whose first axis is the plane's
+                                          // #clusters: the triangle whose first axis is projected
+                                          // to that of the plane
+                                          none);
     for(Index f = 0; f < n; ++f)
     {
       if(!(operators.area[f] > 0.))
@@ -315,7 +324,7 @@ private:
           reference_triangle[c] = f;
         const Vec3 unit_normal = unit(normal[c]);
         const Vec3 y = cross(unit_normal, first[reference_triangle[c]]), x = cross(y, unit_normal);
-        // The nearest rotation to the projection.
+        // The rotation closest to the projection onto the plane.
         rotation = {dot(first[f], x) + dot(second[f], y), dot(first[f], y) - dot(second[f], x)};
         const double size = norm(rotation);
         rotation = size > 0. ? (1. / size) * rotation : Vec2{1., 0.};
@@ -361,7 +370,7 @@ Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> tri
 
 Spectral_transport::~Spectral_transport() = default;
 
-// What is missing on each component, and there in all.
+// Returns the sum of a column on each component.
 std::vector<double> Spectral_transport::column_masses(const Masses& masses,
                                                       Eigen::Index column) const
 {
@@ -540,7 +549,8 @@ Vector Spectral_transport::one_to_all(const Masses& source,
   return result;
 }
 
-// For columns p, what of the basis makes their sums nearly the least.
+// Returns, for each column p, a combination of B for which the integral of the sum is almost
+// minimal.
 Float_matrix Spectral_transport::coarse_correction(const Float_matrix& fields) const
 {
   Float_matrix particular = m_clusters->means(fields), coarse_coefficients, projected, result;
@@ -548,7 +558,7 @@ Float_matrix Spectral_transport::coarse_correction(const Float_matrix& fields) c
   product(m_clusters->basis, coarse_coefficients, projected);
   particular -= projected;
   Group_lasso<Float_matrix> sums(m_clusters->basis, m_clusters->weight, std::move(particular));
-  for(int i = 0; i < 32; ++i) // more gain less than clusters lose
+  for(int i = 0; i < 32; ++i) // more iterations gain less than the clustering loses
     sums.advance();
   const Float_matrix coefficients =
       m_clusters->to_full_coefficients * (sums.coefficients() - coarse_coefficients);

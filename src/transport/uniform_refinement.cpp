@@ -11,8 +11,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// #sides: the site in the middle of each, from number_of_vertices() on; one for all sides that join two
-// surfels.
+// Returns the midpoint vertex of each halfedge, numbered from number_of_vertices() on. On a cloud,
+// all halfedges with the same ends have one midpoint.
 std::vector<Index> edge_midpoints(const Surface_arrays& t)
 {
   std::vector<Index> result(t.corner.size());
@@ -35,7 +35,7 @@ std::vector<Index> edge_midpoints(const Surface_arrays& t)
   return result;
 }
 
-// The corners around each site, by the order in which they come.
+// Sets the rings. The order around a vertex is that of `corners`.
 void set_rings(Surface_arrays& t, std::size_t number_of_vertices, const std::vector<Index>& corners)
 {
   t.ring_begin.assign(number_of_vertices + 1, 0);
@@ -48,7 +48,8 @@ void set_rings(Surface_arrays& t, std::size_t number_of_vertices, const std::vec
     t.ring[next[t.corner[corner]]++] = corner;
 }
 
-// Corner j of the triangle in the place of `part`, 0 to 3, of the triangle of a corner or side.
+// Returns corner j of child triangle `child` of the triangle that contains halfedge h; both are
+// taken modulo 3. The next function returns corner j of the center triangle.
 constexpr Index child_corner(Index h, Index child, Index j)
 {
   return 3 * (4 * (h / 3) + child % 3) + j % 3;
@@ -70,7 +71,8 @@ std::vector<Index> child_twins(const Surface_arrays& t)
   return result;
 }
 
-// Counterclockwise around each site: of a middle those in the one triangle, then those in the other.
+// Returns all corners in the order of the rings: counterclockwise around each vertex. At a
+// midpoint, the corners in one triangle precede those in the other.
 std::vector<Index> child_corners_by_vertex(const Surface_arrays& t)
 {
   std::vector<Index> result;
@@ -105,7 +107,8 @@ Surface_arrays refined(const Surface_arrays& t)
     result.corner[child_corner(h, k, k + 1)] = midpoints[h];
     result.corner[child_corner(h, k, k + 2)] = midpoints[previous_halfedge(h)];
     result.corner[center_child_corner(h, k)] = midpoints[next_halfedge(h)];
-    // Twice as long, beside a scale of half.
+    // Half the scale doubles the lengths: the edges of the children have the lengths of the
+    // parent's edges.
     for(Index child = 0; child < 3; ++child)
       result.length[child_corner(h, child, k)] = t.length[h];
     result.length[center_child_corner(h, k)] = t.length[h];
@@ -146,7 +149,7 @@ Vector refined(const Surface_arrays& coarse, const Surface_arrays& fine, const V
   return result;
 }
 
-// The triangle in the middle is turned by half.
+// The center triangle is rotated by 180 degrees, hence the minus sign.
 Field coarsened(const Field& fine)
 {
   Field result(fine.size() / 4);
@@ -164,7 +167,7 @@ Vector coarsened(const Surface_arrays& coarse, const Surface_arrays& fine, const
     double& mass = remaining[fine.corner[child_corner(h, h % 3, h % 3 + 1)]];
     for(const Index endpoint : {h, next_halfedge(h)})
       result[coarse.corner[endpoint]] += 0.5 * mass;
-    mass = 0.; // other sides with this middle have the same ends
+    mass = 0.; // on a cloud, another edge with this midpoint has the same ends
   }
   return result;
 }
