@@ -172,7 +172,8 @@ std::vector<Field> harmonic_fields(const Surface_arrays& triangles, const Operat
                                    const Poisson_solver& poisson_solver)
 {
   if(triangles.is_cloud())
-    throw Unsupported_surface_error("A cloud has no harmonic fields: its triangles are not glued.");
+    throw Unsupported_surface_error(
+        "Harmonic fields need a mesh: a cloud has no halfedges with twins.");
   const Tree_cotree trees(triangles);
   std::vector<Field> result;
   for(const Index h : trees.generators(triangles))

@@ -11,7 +11,8 @@ namespace CGAL::Geodesic_processing::internal {
 Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators)
 {
   if(triangles.is_cloud())
-    throw Unsupported_surface_error("A cloud has no sides: its triangles are not glued.");
+    throw Unsupported_surface_error(
+        "The operators of edges need a mesh: a cloud has no halfedges with twins.");
   Operators result;
   result.area = operators.area;
   result.corner.resize(operators.corner.size());

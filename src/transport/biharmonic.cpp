@@ -15,7 +15,7 @@ Biharmonic_distances::Biharmonic_distances(const Surface_arrays& triangles)
     : m_operators(internal::operators(triangles)), m_mass(lumped_mass(m_operators))
 {
   if(!(m_mass.sum() > 0.))
-    throw Unsupported_surface_error("The surface has no triangle with an area.");
+    throw Unsupported_surface_error("The surface has no triangle with positive area.");
   std::tie(m_component, m_number_of_components) = components(m_operators);
   m_component_mass = Vector::Zero(Eigen::Index(m_number_of_components));
   for(std::size_t vertex = 0; vertex < m_component.size(); ++vertex)

@@ -372,7 +372,7 @@ Continuous_flow continuous_flow(const Surface_arrays& triangles, const Operators
 {
   if(triangles.is_cloud())
     throw Unsupported_surface_error(
-        "On a cloud flows are not bounded from above: its triangles are not glued.");
+        "Continuous flows need a mesh: a cloud has no halfedges with twins.");
   return Flux_field(triangles, operators, flow, metric).flow();
 }
 

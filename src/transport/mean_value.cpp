@@ -194,8 +194,8 @@ Mean_value_coordinates::Mean_value_coordinates(std::shared_ptr<const Surface_arr
   const Surface_arrays& t = *m_triangles;
   if(t.number_of_triangles() == 0 || std::find(t.twin.begin(), t.twin.end(), none) != t.twin.end())
     throw Unsupported_surface_error(t.number_of_triangles() == 0
-                                        ? "The mesh has no triangles that could enclose anything."
-                                        : "The mesh is not closed: it has a border.");
+                                        ? "The mesh has no triangles."
+                                        : "The mesh is not closed: it has a boundary.");
   Vec3 lower_corner = t.point[t.corner[0]], upper_corner = lower_corner;
   for(const Index vertex : t.corner)
     for(int c = 0; c < 3; ++c)
@@ -211,7 +211,7 @@ std::pair<Vector, double> Mean_value_coordinates::weights(const Vec3& point) con
   const Surface_arrays& t = *m_triangles;
   for(const double x : point)
     if(!std::isfinite(x))
-      throw Invalid_argument_error("A coordinate of a point is not finite.");
+      throw Invalid_argument_error("The coordinates of a point must be finite.");
   const Vec3 point_in_domain = (1. / t.scale) * (point - t.origin);
   Vector result = Vector::Zero(Eigen::Index(t.number_of_vertices()));
 
@@ -254,8 +254,8 @@ std::pair<Vector, double> Mean_value_coordinates::weights(const Vec3& point) con
   }
   const double sum = result.sum();
   if(!(std::abs(sum) > 1e-10 * sum_of_absolute_weights))
-    throw Unsupported_surface_error("A point has no mean value coordinates: the mesh encloses "
-                                    "nothing that is seen from there.");
+    throw Unsupported_surface_error("A point has no mean value coordinates: the mesh encloses no "
+                                    "volume, or the point is too far away.");
   return {result, sum};
 }
 

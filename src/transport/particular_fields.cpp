@@ -232,7 +232,7 @@ Particular_fields::Particular_fields(const Surface_arrays& triangles, const Oper
        double(number) * double(n) > max_number_of_entries)
       throw Unsupported_surface_error(
           "The surface has " + std::to_string(number) +
-          " ways around handles and holes, too many for so many faces.");
+          " independent loops around handles and holes, too many for its number of faces.");
     const std::vector<Field> harmonic =
         internal::harmonic_fields(triangles, operators, *m_poisson_solver);
     m_harmonic.resize(2 * n, Eigen::Index(harmonic.size()));

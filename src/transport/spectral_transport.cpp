@@ -340,7 +340,7 @@ Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> tri
 {
   if(std::none_of(m_operators.area.begin(), m_operators.area.end(),
                   [](double area) { return area > 0.; }))
-    throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
+    throw Unsupported_surface_error("The surface has no triangle with positive area.");
   m_number_of_components = components(m_operators).second;
   m_particular = std::make_unique<Particular_fields>(*m_triangles, m_operators, kind, k > 0);
   const auto n = Eigen::Index(m_operators.number_of_triangles());
@@ -395,7 +395,7 @@ Spectral_transport::distances(const Masses& differences,
                               const Spectral_transport_options& options) const
 {
   if(!(options.tolerance > 0.))
-    throw Invalid_argument_error("The tolerance is not positive.");
+    throw Invalid_argument_error("The tolerance must be positive.");
   const auto columns = std::size_t(differences.cols());
   std::vector<Transport_bounds> result(columns);
   Progress progress(options.callback, (columns + columns_per_block - 1) / columns_per_block);
@@ -436,7 +436,7 @@ Transport_result Spectral_transport::transport(const Vector& masses,
                                                const Spectral_transport_options& options) const
 {
   if(!(options.tolerance > 0.))
-    throw Invalid_argument_error("The tolerance is not positive.");
+    throw Invalid_argument_error("The tolerance must be positive.");
   Transport_result result;
   const Masses column = masses.sparseView();
   Transport_bounds bounds = {infinity, infinity};

@@ -261,7 +261,7 @@ Volumetric_distances::Volumetric_distances(std::shared_ptr<const Surface_arrays>
 {
   if(!is_connected(*triangles))
     throw Unsupported_surface_error(
-        "The mesh has several pieces, and no mass can move from one to another.");
+        "The mesh has several components, but no mass can move between components.");
 }
 
 Multilevel_transport_result
@@ -282,7 +282,7 @@ Volumetric_distances::one_to_many(const Vec3& from, const std::vector<Vec3>& to,
                                   const Volumetric_options& options) const
 {
   if(!(options.tolerance > 0.))
-    throw Invalid_argument_error("The tolerance is not positive.");
+    throw Invalid_argument_error("The tolerance must be positive.");
   One_to_many_query query(m_coordinates, m_transport_solver.finest_level_solver(),
                           m_transport_solver.finest_level_scale(), from, options.tolerance);
   std::vector<Volumetric_bounds> result(to.size());
