@@ -25,13 +25,13 @@ public:
   Inverse_operator(const Surface_arrays& triangles, const Operators& operators)
   {
     const Vector mass = lumped_mass(operators);
-    const std::vector<bool> is_border = border_vertices(triangles);
+    const std::vector<bool> is_boundary = boundary_vertices(triangles);
     const auto [component, number] = components(operators);
-    std::vector<bool> has_border(number, false);
+    std::vector<bool> has_boundary(number, false);
     std::vector<Index> reduced_index(operators.number_of_vertices, none);
     for(Index vertex = 0; vertex < reduced_index.size(); ++vertex)
-      if(is_border[vertex])
-        has_border[component[vertex]] = true;
+      if(is_boundary[vertex])
+        has_boundary[component[vertex]] = true;
       else if(mass[vertex] > 0.)
       {
         reduced_index[vertex] = Index(m_free_vertices.size());
@@ -42,7 +42,7 @@ public:
       m_sqrt_mass[i] = std::sqrt(mass[m_free_vertices[i]]);
     assemble_laplacian(operators, reduced_index);
     if(size() > 0)
-      factorize(component, has_border);
+      factorize(component, has_boundary);
   }
 
   Eigen::Index size() const { return Eigen::Index(m_free_vertices.size()); }
@@ -95,15 +95,15 @@ private:
 
   // Pins one vertex of each component without boundary. The null space is projected out by the
   // Lanczos iteration.
-  void factorize(const std::vector<Index>& component, const std::vector<bool>& has_border)
+  void factorize(const std::vector<Index>& component, const std::vector<bool>& has_boundary)
   {
-    std::vector<Index> constant_index(has_border.size(), none);
+    std::vector<Index> constant_index(has_boundary.size(), none);
     Index constants = 0;
     Sparse_matrix pinned = m_laplacian;
     for(Eigen::Index i = 0; i < size(); ++i)
     {
       const Index c = component[m_free_vertices[i]];
-      if(has_border[c] || constant_index[c] != none)
+      if(has_boundary[c] || constant_index[c] != none)
         continue;
       constant_index[c] = constants++;
       pinned.coeffRef(i, i) *= 2.;
@@ -255,7 +255,7 @@ Eigen::Index size_up_to_gap(const Block_lanczos& lanczos, Eigen::Index number)
 
 } // namespace
 
-std::vector<bool> border_vertices(const Surface_arrays& triangles)
+std::vector<bool> boundary_vertices(const Surface_arrays& triangles)
 {
   std::vector<bool> result(triangles.number_of_vertices(), false);
   for(Index h = 0; h < triangles.twin.size(); ++h)

@@ -41,7 +41,7 @@ Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& 
 
 // Returns true for each vertex of a boundary edge. On a cloud all are false.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<bool> border_vertices(const Surface_arrays& triangles);
+std::vector<bool> boundary_vertices(const Surface_arrays& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal
 

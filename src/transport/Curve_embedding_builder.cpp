@@ -236,7 +236,7 @@ private:
 
   // Returns true if an edge between a and b must be split, because both are on curves or one is on
   // a curve and the other in a region.
-  bool is_shortcut(Index a, Index b) const
+  bool must_split_edge(Index a, Index b) const
   {
     return m_vertex_kind[a] != Vertex_kind::free && m_vertex_kind[b] != Vertex_kind::free &&
            !(m_vertex_kind[a] == Vertex_kind::region && m_vertex_kind[b] == Vertex_kind::region);
@@ -252,7 +252,7 @@ private:
       const auto found = m_edges.find(h);
       if(found == m_edges.end())
       {
-        if(is_shortcut(from, to))
+        if(must_split_edge(from, to))
           add_edge_point(h, 0.5, Vertex_kind::free);
         continue;
       }
@@ -269,7 +269,7 @@ private:
             std::any_of(edge_data.covered.begin(), edge_data.covered.end(),
                         [&](const auto& interval)
                         { return interval.first < midpoint && midpoint < interval.second; });
-        if(!is_covered && is_shortcut(points[i - 1].vertex, points[i].vertex))
+        if(!is_covered && must_split_edge(points[i - 1].vertex, points[i].vertex))
           add_edge_point(h, midpoint, Vertex_kind::free);
       }
     }
@@ -292,12 +292,12 @@ private:
       if(const auto found = m_edges.find(canonical(h));
          found != m_edges.end() && !found->second.points.empty())
         return true;
-    return is_enclosed({corner[0], corner[1], corner[2]});
+    return must_split_triangle({corner[0], corner[1], corner[2]});
   }
 
   // Returns true if a triangle must be split: its corners are on curves or in regions, and at least
   // one is on a curve.
-  bool is_enclosed(const std::array<Index, 3>& corner) const
+  bool must_split_triangle(const std::array<Index, 3>& corner) const
   {
     return m_vertex_kind[corner[0]] != Vertex_kind::free &&
            m_vertex_kind[corner[1]] != Vertex_kind::free &&
@@ -338,7 +338,7 @@ private:
       list_vertices_on(
           {handles.at(segment.vertex[0])->point(), handles.at(segment.vertex[1])->point()},
           triangulation, m_result.m_vertices[segment.curve]);
-    while(const auto point = find_shortcut(triangulation))
+    while(const auto point = find_split_point(triangulation))
       number_vertex(triangle, triangulation.insert(point->first), point->second, Vertex_kind::free);
     add_subtriangles(triangle, triangulation);
   }
@@ -399,7 +399,7 @@ private:
   // must be split. It is exact: if two vertices are very close, a rounded midpoint could coincide
   // with one.
   std::optional<std::pair<Kernel::Point_2, Barycentric>>
-  find_shortcut(const Constrained_triangulation& triangulation) const
+  find_split_point(const Constrained_triangulation& triangulation) const
   {
     for(const Constrained_triangulation::Edge& edge : triangulation.finite_edges())
     {
@@ -408,14 +408,14 @@ private:
                  b = face->vertex(Constrained_triangulation::cw(i));
       if(!triangulation.is_constrained(edge) && !triangulation.is_infinite(face) &&
          !triangulation.is_infinite(face->neighbor(i)) &&
-         is_shortcut(a->info().vertex, b->info().vertex))
+         must_split_edge(a->info().vertex, b->info().vertex))
         return std::pair(CGAL::midpoint(a->point(), b->point()),
                          mean_coordinates({a->info().barycentric, b->info().barycentric}));
     }
     for(const Constrained_triangulation::Face_handle face : triangulation.finite_face_handles())
     {
       const auto a = face->vertex(0), b = face->vertex(1), c = face->vertex(2);
-      if(is_enclosed({a->info().vertex, b->info().vertex, c->info().vertex}))
+      if(must_split_triangle({a->info().vertex, b->info().vertex, c->info().vertex}))
         return std::pair(CGAL::centroid(a->point(), b->point(), c->point()),
                          mean_coordinates({a->info().barycentric, b->info().barycentric,
                                            c->info().barycentric}));
@@ -506,7 +506,7 @@ private:
   {
     std::size_t curve;
     Index h;
-    std::pair<double, double> part;
+    std::pair<double, double> interval;
   };
 
   Curve_embedding& m_result;

@@ -34,13 +34,13 @@ public:
   using Scalar = typename Matrix_type::Scalar;
 
   Group_lasso(const Matrix_type& basis, const Column<Scalar>& weight, Matrix_type particular)
-      : m_basis(basis), m_sqrt_area(weight), m_particular(std::move(particular)),
+      : m_basis(basis), m_weight(weight), m_particular(std::move(particular)),
         m_primal(m_particular), m_dual(Matrix_type::Zero(m_primal.rows(), m_primal.cols())),
         m_threshold(m_primal.cols())
   {
-    const Scalar area = m_sqrt_area.square().sum();
+    const Scalar squared_weight = m_weight.square().sum();
     for(Eigen::Index j = 0; j < m_primal.cols(); ++j)
-      m_threshold[j] = threshold_factor * m_particular.col(j).norm() / std::sqrt(area);
+      m_threshold[j] = threshold_factor * m_particular.col(j).norm() / std::sqrt(squared_weight);
   }
 
   Eigen::Index columns() const { return m_particular.cols(); }
@@ -51,7 +51,7 @@ public:
     transposed_product(m_basis, m_argument, m_coefficients);
     product(m_basis, m_coefficients, m_field);
     m_field += m_particular;
-    const Eigen::Index n = m_sqrt_area.size();
+    const Eigen::Index n = m_weight.size();
     Column<Scalar> x(n), y(n), factor(n);
     for(Eigen::Index j = 0; j < columns(); ++j)
     {
@@ -64,7 +64,7 @@ public:
       x = relaxed(0);
       y = relaxed(n);
       factor = (x.square() + y.square()).sqrt().max(min_length);
-      factor = (1 - m_threshold[j] * m_sqrt_area / factor).max(Scalar(0));
+      factor = (1 - m_threshold[j] * m_weight / factor).max(Scalar(0));
       m_primal.col(j).head(n) = (factor * x).matrix();
       m_primal.col(j).tail(n) = (factor * y).matrix();
       m_dual.col(j).head(n) = ((1 - factor) * x).matrix();
@@ -75,13 +75,13 @@ public:
   // Returns c of the last iteration: the current field is p + Q c.
   const Matrix_type& coefficients() const { return m_coefficients; }
 
-  auto sum(Eigen::Index j) const { return m_field.col(j); }
-  Scalar upper(Eigen::Index j) const { return (m_sqrt_area * lengths(m_field.col(j))).sum(); }
+  auto field(Eigen::Index j) const { return m_field.col(j); }
+  Scalar upper(Eigen::Index j) const { return (m_weight * lengths(m_field.col(j))).sum(); }
   // Returns a lower bound by duality: the residual of the linear step is orthogonal to Q.
   Scalar lower(Eigen::Index j) const
   {
     const Column<Scalar> slope = (m_field.col(j) - m_argument.col(j)).array();
-    const Scalar max_slope = (lengths(slope) / m_sqrt_area.max(min_length)).maxCoeff();
+    const Scalar max_slope = (lengths(slope) / m_weight.max(min_length)).maxCoeff();
     return max_slope > 0 ? m_particular.col(j).dot(slope.matrix()) / max_slope : 0;
   }
 
@@ -106,7 +106,7 @@ private:
   static constexpr Scalar min_length = std::numeric_limits<Scalar>::min();
 
   const Matrix_type& m_basis;
-  const Column<Scalar>& m_sqrt_area;
+  const Column<Scalar>& m_weight;
   Matrix_type m_particular, m_primal, m_dual, m_argument, m_field, m_coefficients;
   Column<Scalar> m_threshold;
 };

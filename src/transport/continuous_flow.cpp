@@ -119,7 +119,7 @@ public:
   {
     Coefficients result;
     result.stream_function =
-        m_solver.solve(minus_divergence(m_fan_operators, rotated_right(measured(field))));
+        m_solver.solve(minus_divergence(m_fan_operators, rotated_right(apply_metric(field))));
     for(const Field& circulation : m_circulations)
       result.circulation.push_back(inner_product(m_operators, field, circulation));
     return result;
@@ -128,7 +128,8 @@ public:
   // Returns A J, where A is the metric and J the flow with these coefficients.
   Field field(const Coefficients& coefficients) const
   {
-    Field result = measured(rotated_left(gradient(m_fan_operators, coefficients.stream_function)));
+    Field result =
+        apply_metric(rotated_left(gradient(m_fan_operators, coefficients.stream_function)));
     for(std::size_t i = 0; i < m_circulations.size(); ++i)
       for(std::size_t f = 0; f < result.size(); ++f)
         result[f] = result[f] + coefficients.circulation[i] * m_circulations[i][f];
@@ -151,7 +152,7 @@ public:
   }
 
 private:
-  Field measured(Field field) const
+  Field apply_metric(Field field) const
   {
     if(!m_metric.empty())
       for(std::size_t f = 0; f < field.size(); ++f)

@@ -62,9 +62,9 @@ struct Spherical_triangle
     {
       const Ray &a = *ray[next_corner(k)], &b = *ray[previous_corner(k)];
       // The difference of unit vectors, without cancellation if they are close.
-      const Vec3 side = b.offset - a.offset, sum = a.unit + b.unit;
-      const double length_difference = dot(side, a.offset + b.offset) / (a.length + b.length);
-      difference[k] = (1. / b.length) * (side - length_difference * a.unit);
+      const Vec3 edge = b.offset - a.offset, sum = a.unit + b.unit;
+      const double length_difference = dot(edge, a.offset + b.offset) / (a.length + b.length);
+      difference[k] = (1. / b.length) * (edge - length_difference * a.unit);
       squared_tangent[k] = dot(difference[k], difference[k]) / dot(sum, sum);
       normal[k] = cross(a.unit, difference[k]);
     }
@@ -118,38 +118,38 @@ struct Spherical_triangle
   // compute small terms as products.
   Triple thin_vertex_coefficients() const
   {
-    Triple side, sine;
+    Triple edge, sine;
     for(int k = 0; k < 3; ++k)
     {
-      side[k] = 2. * std::atan(std::sqrt(squared_tangent[k]));
+      edge[k] = 2. * std::atan(std::sqrt(squared_tangent[k]));
       sine[k] = norm(normal[k]);
       if(!(sine[k] > 0.))
         return {0., 0., 0.};
     }
-    const double half_sum = 0.5 * (side[0] + side[1] + side[2]);
-    Triple half_sum_minus_side;
+    const double half_sum = 0.5 * (edge[0] + edge[1] + edge[2]);
+    Triple half_sum_minus_edge;
     for(int k = 0; k < 3; ++k)
-      half_sum_minus_side[k] =
-          std::max(0., 0.5 * (side[next_corner(k)] + side[previous_corner(k)] - side[k]));
+      half_sum_minus_edge[k] =
+          std::max(0., 0.5 * (edge[next_corner(k)] + edge[previous_corner(k)] - edge[k]));
     // If one edge is almost the sum of the others, the determinant gives the difference more
     // precisely.
     const int smallest =
-        int(std::min_element(half_sum_minus_side.begin(), half_sum_minus_side.end()) -
-            half_sum_minus_side.begin());
+        int(std::min_element(half_sum_minus_edge.begin(), half_sum_minus_edge.end()) -
+            half_sum_minus_edge.begin());
     const double product_of_sines = 4. * std::sin(half_sum) *
-                                    std::sin(half_sum_minus_side[next_corner(smallest)]) *
-                                    std::sin(half_sum_minus_side[previous_corner(smallest)]);
+                                    std::sin(half_sum_minus_edge[next_corner(smallest)]) *
+                                    std::sin(half_sum_minus_edge[previous_corner(smallest)]);
     if(const double squared_determinant = determinant * determinant;
        squared_determinant < 1e-3 * product_of_sines)
-      half_sum_minus_side[smallest] = std::asin(squared_determinant / product_of_sines);
+      half_sum_minus_edge[smallest] = std::asin(squared_determinant / product_of_sines);
     Triple deviation; // of the cosine of the angle from 1 or -1
     Triple sign;
     for(int k = 0; k < 3; ++k)
     {
       const double product = sine[next_corner(k)] * sine[previous_corner(k)];
-      const double sine_of_half = std::sin(half_sum_minus_side[next_corner(k)]) *
-                                  std::sin(half_sum_minus_side[previous_corner(k)]) / product;
-      const double cosine_of_half = std::sin(half_sum) * std::sin(half_sum_minus_side[k]) / product;
+      const double sine_of_half = std::sin(half_sum_minus_edge[next_corner(k)]) *
+                                  std::sin(half_sum_minus_edge[previous_corner(k)]) / product;
+      const double cosine_of_half = std::sin(half_sum) * std::sin(half_sum_minus_edge[k]) / product;
       sign[k] = sine_of_half < cosine_of_half ? 1. : -1.;
       deviation[k] = 2. * std::min(sine_of_half, cosine_of_half);
     }
@@ -157,13 +157,13 @@ struct Spherical_triangle
     for(int k = 0; k < 3; ++k)
     {
       const int i = next_corner(k), j = previous_corner(k);
-      // Computes side[k] - side[i] cos(angle[j]) - side[j] cos(angle[i]).
-      const double sum = (sign[i] > 0. && sign[j] > 0.)   ? -2. * half_sum_minus_side[k]
-                         : (sign[i] > 0. && sign[j] < 0.) ? 2. * half_sum_minus_side[j]
-                         : (sign[i] < 0. && sign[j] > 0.) ? 2. * half_sum_minus_side[i]
+      // Computes edge[k] - edge[i] cos(angle[j]) - edge[j] cos(angle[i]).
+      const double sum = (sign[i] > 0. && sign[j] > 0.)   ? -2. * half_sum_minus_edge[k]
+                         : (sign[i] > 0. && sign[j] < 0.) ? 2. * half_sum_minus_edge[j]
+                         : (sign[i] < 0. && sign[j] > 0.) ? 2. * half_sum_minus_edge[i]
                                                           : 2. * half_sum;
       result[k] = sine[k] *
-                  (sum + side[i] * sign[j] * deviation[j] + side[j] * sign[i] * deviation[i]) /
+                  (sum + edge[i] * sign[j] * deviation[j] + edge[j] * sign[i] * deviation[i]) /
                   (2. * determinant);
     }
     return result;

@@ -53,17 +53,17 @@ void write_gradient(const Operators& operators, const std::vector<Hat_gradients>
 
 // Returns the Laplacian for functions that vanish on the boundary. In a component without boundary,
 // one vertex is pinned.
-Sparse_matrix inner_laplacian(const Operators& operators, const std::vector<bool>& is_border,
+Sparse_matrix inner_laplacian(const Operators& operators, const std::vector<bool>& is_boundary,
                               const std::vector<Index>& component, std::size_t components)
 {
   Sparse_matrix result = Laplacian(operators).matrix(operators);
   for(int column = 0; column < result.outerSize(); ++column)
     for(Sparse_matrix::InnerIterator it(result, column); it; ++it)
-      if(is_border[it.row()] || is_border[it.col()])
+      if(is_boundary[it.row()] || is_boundary[it.col()])
         it.valueRef() = it.row() == it.col() ? 1. : 0.;
   std::vector<bool> is_pinned(components, false);
   for(std::size_t vertex = 0; vertex < operators.number_of_vertices; ++vertex)
-    if(is_border[vertex])
+    if(is_boundary[vertex])
       is_pinned[component[vertex]] = true;
   for(Eigen::Index vertex = 0; vertex < Eigen::Index(operators.number_of_vertices); ++vertex)
     if(!is_pinned[component[vertex]])
@@ -216,7 +216,7 @@ struct Particular_fields::Tree
 Particular_fields::Particular_fields(const Surface_arrays& triangles, const Operators& operators,
                                      Particular_field kind, bool with_harmonic_fields)
     : m_triangles(triangles), m_operators(operators), m_kind(kind),
-      m_is_border(border_vertices(triangles))
+      m_is_boundary(boundary_vertices(triangles))
 {
   std::size_t components = 0;
   std::tie(m_component, components) = internal::components(operators);
@@ -256,7 +256,7 @@ Particular_fields::Particular_fields(const Surface_arrays& triangles, const Oper
     return;
   }
   m_inner_solver = std::make_unique<Sparse_solver>(
-      inner_laplacian(operators, m_is_border, m_component, components), Elimination_order::fast);
+      inner_laplacian(operators, m_is_boundary, m_component, components), Elimination_order::fast);
 }
 
 Particular_fields::~Particular_fields() = default;
@@ -312,7 +312,7 @@ void Particular_fields::for_each_field(
     flow[j] = m_tree->flow(m_triangles, m_operators, m_ring_area, masses, j);
     for(const auto& [f, vector] : flow[j])
       for(std::size_t k = 0; k < 3; ++k)
-        if(const Index vertex = m_operators.corner[3 * f + k]; !m_is_border[vertex])
+        if(const Index vertex = m_operators.corner[3 * f + k]; !m_is_boundary[vertex])
           stream_function(vertex, j) +=
               std::sqrt(m_operators.area[f]) *
               dot(vector, rotated_left(m_operators.hat_gradient[3 * f + k]));

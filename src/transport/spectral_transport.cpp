@@ -88,26 +88,26 @@ solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix part
   // the columns that are not yet within the tolerance
   std::vector<std::size_t> column_index(result.size());
   std::iota(column_index.begin(), column_index.end(), std::size_t(0));
-  Group_lasso<Matrix> sums(basis, weight, std::move(particular));
+  Group_lasso<Matrix> solver(basis, weight, std::move(particular));
   for(unsigned i = 1;
       i <= options.maximum_iterations && !column_index.empty() && should_continue(i); ++i)
   {
-    sums.advance();
+    solver.advance();
     if(i % 4 != 0)
       continue;
-    for(Eigen::Index j = sums.columns() - 1; j >= 0; --j)
+    for(Eigen::Index j = solver.columns() - 1; j >= 0; --j)
     {
       Transport_bounds& bounds = result[column_index[std::size_t(j)]];
       bounds.iterations = i;
-      if(const double upper = sums.upper(j); upper < bounds.upper)
+      if(const double upper = solver.upper(j); upper < bounds.upper)
       {
         bounds.upper = upper;
-        on_improvement(column_index[std::size_t(j)], sums.sum(j));
+        on_improvement(column_index[std::size_t(j)], solver.field(j));
       }
-      bounds.lower = std::min(std::max(bounds.lower, sums.lower(j)), bounds.upper);
+      bounds.lower = std::min(std::max(bounds.lower, solver.lower(j)), bounds.upper);
       if(!bounds.are_within(options.tolerance))
         continue;
-      sums.remove_column(j);
+      solver.remove_column(j);
       column_index[std::size_t(j)] = column_index.back();
       column_index.pop_back();
     }
@@ -557,11 +557,11 @@ Float_matrix Spectral_transport::coarse_correction(const Float_matrix& fields) c
   transposed_product(m_clusters->basis, particular, coarse_coefficients);
   product(m_clusters->basis, coarse_coefficients, projected);
   particular -= projected;
-  Group_lasso<Float_matrix> sums(m_clusters->basis, m_clusters->weight, std::move(particular));
+  Group_lasso<Float_matrix> solver(m_clusters->basis, m_clusters->weight, std::move(particular));
   for(int i = 0; i < 32; ++i) // more iterations gain less than the clustering loses
-    sums.advance();
+    solver.advance();
   const Float_matrix coefficients =
-      m_clusters->to_full_coefficients * (sums.coefficients() - coarse_coefficients);
+      m_clusters->to_full_coefficients * (solver.coefficients() - coarse_coefficients);
   product(m_clusters->full_basis, coefficients, result);
   return result;
 }

@@ -62,9 +62,9 @@ std::vector<Index> child_twins(const Surface_arrays& t)
   for(Index h = 0; h < t.corner.size(); ++h)
   {
     const Index k = h % 3, twin = t.twin[h], l = twin % 3;
-    const bool is_border = twin == none;
-    result[child_corner(h, k, k)] = is_border ? none : child_corner(twin, l + 1, l);
-    result[child_corner(h, k + 1, k)] = is_border ? none : child_corner(twin, l, l);
+    const bool is_boundary = twin == none;
+    result[child_corner(h, k, k)] = is_boundary ? none : child_corner(twin, l + 1, l);
+    result[child_corner(h, k + 1, k)] = is_boundary ? none : child_corner(twin, l, l);
     result[child_corner(h, k + 2, k)] = center_child_corner(h, k);
     result[center_child_corner(h, k)] = child_corner(h, k + 2, k);
   }

@@ -32,11 +32,11 @@ Matrix dense(const Sparse_matrix& lower)
 
 // Computes all eigenvalues with a dense solver on the vertices where `is_free` is true. The zero
 // eigenvalue of the constants is included.
-Vector all_values(const Operators& o, const std::vector<bool>& is_border)
+Vector all_values(const Operators& o, const std::vector<bool>& is_boundary)
 {
   std::vector<Eigen::Index> free_vertices;
-  for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
-    if(!is_border[vertex])
+  for(std::size_t vertex = 0; vertex < is_boundary.size(); ++vertex)
+    if(!is_boundary[vertex])
       free_vertices.push_back(Eigen::Index(vertex));
   const Matrix laplacian = dense(Laplacian(o).matrix(o))(free_vertices, free_vertices);
   const Matrix mass = Vector(lumped_mass(o)(free_vertices)).asDiagonal();
@@ -48,8 +48,8 @@ void expect_eigenfunctions(const Surface_arrays& t, std::size_t number, std::siz
   const Operators o = operators(t);
   const Eigenfunctions found = eigenfunctions(t, o, number);
   const Eigen::Index k = found.value.size();
-  const std::vector<bool> is_border = border_vertices(t);
-  const Vector expected = all_values(o, is_border);
+  const std::vector<bool> is_boundary = boundary_vertices(t);
+  const Vector expected = all_values(o, is_boundary);
   ASSERT_GE(k, Eigen::Index(std::min(number, std::size_t(expected.size()) - constants)));
   ASSERT_EQ(found.function.rows(), Eigen::Index(o.number_of_vertices));
   ASSERT_EQ(found.function.cols(), k);
@@ -68,8 +68,8 @@ void expect_eigenfunctions(const Surface_arrays& t, std::size_t number, std::siz
                 .cwiseAbs()
                 .maxCoeff(),
             relative_tolerance);
-  for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
-    EXPECT_TRUE(!is_border[vertex] || found.function.row(Eigen::Index(vertex)).isZero(0.));
+  for(std::size_t vertex = 0; vertex < is_boundary.size(); ++vertex)
+    EXPECT_TRUE(!is_boundary[vertex] || found.function.row(Eigen::Index(vertex)).isZero(0.));
 }
 
 TEST(Eigenfunctions, match_dense_solver)

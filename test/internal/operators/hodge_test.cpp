@@ -122,16 +122,16 @@ TEST(Hodge, component_dimensions_match_topology)
     const Operators o = operators(t);
     const Hodge_solver solver(t, o);
     const auto [component, number_of_components] = components(o);
-    std::vector<bool> has_border(number_of_components, false);
+    std::vector<bool> has_boundary(number_of_components, false);
     Eigen::Index inner_edges = 0, closed_components = 0;
     for(std::size_t h = 0; h < t.twin.size(); ++h)
     {
       inner_edges += t.twin[h] != none && h < t.twin[h];
       if(t.twin[h] == none)
-        has_border[component[t.corner[h]]] = true;
+        has_boundary[component[t.corner[h]]] = true;
     }
-    for(const bool border : has_border)
-      closed_components += !border;
+    for(const bool is_open : has_boundary)
+      closed_components += !is_open;
     const auto gradients =
         dimension(o, [&](const Field& x) { return solver.decompose(x).gradient; });
     const auto rotations =

@@ -70,13 +70,13 @@ TEST(Operators, metric_scales_gradients)
   std::vector<Metric_tensor> metric(n, Metric_tensor{2., 0., 2.});
   metric[7] = {infinity, 0., infinity};
   const Operators plain = operators(surface.t(), Degenerate_triangles::thickened);
-  const Operators measured = metric_operators(surface.t(), metric);
+  const Operators scaled = metric_operators(surface.t(), metric);
   const Vector function = random_function(surface.size(), 1);
-  const Field slope = gradient(plain, function), scaled_slope = gradient(measured, function);
+  const Field slope = gradient(plain, function), scaled_slope = gradient(scaled, function);
   for(std::size_t f = 0; f < n; ++f)
   {
     const bool is_open = f != 7;
-    EXPECT_EQ(measured.area[f], is_open ? plain.area[f] : 0.);
+    EXPECT_EQ(scaled.area[f], is_open ? plain.area[f] : 0.);
     EXPECT_LT(norm(scaled_slope[f] + (is_open ? -0.5 : 0.) * slope[f]), round_off);
   }
   EXPECT_EQ(metric_operators(surface.t(), {}).area, plain.area);

@@ -98,9 +98,9 @@ TEST(Particular_fields, are_orthogonal_to_basis)
     const Array_surface surface(shape);
     const Operators o = operators(surface.t());
     Vector function = random_function(surface.size(), 1);
-    const std::vector<bool> is_border = border_vertices(surface.t());
-    for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
-      if(is_border[vertex])
+    const std::vector<bool> is_boundary = boundary_vertices(surface.t());
+    for(std::size_t vertex = 0; vertex < is_boundary.size(); ++vertex)
+      if(is_boundary[vertex])
         function[Eigen::Index(vertex)] = 0.;
     const Vector rotated = as_column(o, rotated_left(gradient(o, function)));
     for(const Particular_field kind : all_kinds)

@@ -398,7 +398,7 @@ TEST(Spectral_transport, level_sets_are_convex_on_square)
     const Vector d =
         metric.one_to_all(unit(surface.size(), surface.vertex(Index(u + (n + 1) * v))), {});
     const auto at = [&](int i, int j) { return d[surface.vertex(Index(i + (n + 1) * j))]; };
-    const auto expect_a_valley = [&](int i, int j, int di, int dj)
+    const auto expect_valley = [&](int i, int j, int di, int dj)
     {
       double highest = 0.;
       bool is_rising = false;
@@ -415,12 +415,12 @@ TEST(Spectral_transport, level_sets_are_convex_on_square)
     };
     for(int i = 0; i <= n; ++i)
     {
-      expect_a_valley(i, 0, 0, 1);
-      expect_a_valley(0, i, 1, 0);
-      expect_a_valley(i, 0, 1, 1);
-      expect_a_valley(0, i, 1, 1);
-      expect_a_valley(i, 0, -1, 1);
-      expect_a_valley(n, i, -1, 1);
+      expect_valley(i, 0, 0, 1);
+      expect_valley(0, i, 1, 0);
+      expect_valley(i, 0, 1, 1);
+      expect_valley(0, i, 1, 1);
+      expect_valley(i, 0, -1, 1);
+      expect_valley(n, i, -1, 1);
     }
   }
 }

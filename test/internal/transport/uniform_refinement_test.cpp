@@ -59,12 +59,12 @@ TEST(uniform_refinement, preserves_connectivity)
     expect_valid_twins(fine);
     // Each vertex and each edge yields one vertex. An edge has two halfedges, a boundary edge has
     // one.
-    const auto number_of_border_halfedges = [](const Surface_arrays& t)
+    const auto number_of_boundary_halfedges = [](const Surface_arrays& t)
     { return std::size_t(std::count(t.twin.begin(), t.twin.end(), none)); };
     EXPECT_EQ(fine.number_of_vertices(),
               surface.t().number_of_vertices() +
-                  (surface.t().corner.size() + number_of_border_halfedges(surface.t())) / 2);
-    EXPECT_EQ(number_of_border_halfedges(fine), 2 * number_of_border_halfedges(surface.t()));
+                  (surface.t().corner.size() + number_of_boundary_halfedges(surface.t())) / 2);
+    EXPECT_EQ(number_of_boundary_halfedges(fine), 2 * number_of_boundary_halfedges(surface.t()));
   }
 }
 

@@ -92,7 +92,7 @@ private:
   std::vector<Index> m_component;
   std::unique_ptr<Poisson_solver> m_poisson_solver;
   std::unique_ptr<Sparse_solver> m_inner_solver; // for functions that vanish on the boundary
-  std::vector<bool> m_is_border;                 // #vertices
+  std::vector<bool> m_is_boundary;               // #vertices
   std::unique_ptr<Tree> m_tree;
   std::vector<std::array<Vec2, 2>>
       m_hat_gradients; // #triangles: weighted gradients of the hat functions of corners 1 and 2
