@@ -78,6 +78,7 @@ public:
   }
 
 private:
+  // Extracts the rows and columns of free vertices from the Laplacian.
   void assemble_laplacian(const Operators& operators, const std::vector<Index>& reduced_index)
   {
     const Sparse_matrix full_laplacian = Laplacian(operators).matrix(operators);

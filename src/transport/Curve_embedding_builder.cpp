@@ -45,6 +45,7 @@ using Constrained_triangulation = CGAL::Constrained_Delaunay_triangulation_2<
 
 using Vertex_handle = Constrained_triangulation::Vertex_handle;
 
+// Returns the point with barycentric coordinates b, normalized without round-off errors.
 Kernel::Point_2 exact_point(const std::array<Vec2, 3>& corners, const Barycentric& b)
 {
   Kernel::FT x = 0, y = 0, sum = 0;
@@ -211,6 +212,8 @@ private:
     }
   }
 
+  // Stores a segment between two consecutive vertices of a curve: as an interval of an edge if it
+  // lies on one, otherwise as a constraint of the triangle.
   void add_segment(std::size_t curve, const Surface_location& p, Index p_vertex,
                    const Surface_location& q, Index q_vertex)
   {
@@ -242,6 +245,7 @@ private:
            !(m_vertex_kind[a] == Vertex_kind::region && m_vertex_kind[b] == Vertex_kind::region);
   }
 
+  // Splits edges whose ends must not be connected, and sorts the points on all edges.
   void split_edges()
   {
     for(Index h = 0; h < m_coarse.corner.size(); ++h)
@@ -343,6 +347,8 @@ private:
     add_subtriangles(triangle, triangulation);
   }
 
+  // Inserts the corners, the points on edges and the interior points. Returns the vertex handle of
+  // each index.
   std::map<Index, Vertex_handle> insert_points(Index triangle, const std::array<Vec2, 3>& corners,
                                                Constrained_triangulation& triangulation) const
   {
@@ -386,6 +392,7 @@ private:
     }
   }
 
+  // Appends the vertices on a segment.
   static void list_vertices_on(const Kernel::Segment_2& segment,
                                const Constrained_triangulation& triangulation,
                                std::vector<Index>& vertices)
@@ -423,6 +430,8 @@ private:
     return std::nullopt;
   }
 
+  // Copies the faces of the triangulation to the arrays. The twins of halfedges on the edges of the
+  // parent are set later, by connect_subtriangles().
   void add_subtriangles(Index parent, const Constrained_triangulation& triangulation)
   {
     const auto parent_corners = unfolded(m_coarse, parent);
@@ -475,6 +484,8 @@ private:
       }
   }
 
+  // Connects the halfedges on both sides of each edge, which are sorted by parameter. Twins get the
+  // larger one of their rounded lengths.
   void connect_subtriangles()
   {
     for(auto& [h, subedges] : m_subedges)

@@ -45,6 +45,7 @@ public:
 
   Eigen::Index columns() const { return m_particular.cols(); }
 
+  // Performs one ADMM iteration with over-relaxation.
   void advance()
   {
     m_argument = m_primal - m_dual;
@@ -76,6 +77,7 @@ public:
   const Matrix_type& coefficients() const { return m_coefficients; }
 
   auto field(Eigen::Index j) const { return m_field.col(j); }
+  // Returns the cost of the current field, an upper bound of the minimum.
   Scalar upper(Eigen::Index j) const { return (m_weight * lengths(m_field.col(j))).sum(); }
   // Returns a lower bound by duality: the residual of the linear step is orthogonal to Q.
   Scalar lower(Eigen::Index j) const

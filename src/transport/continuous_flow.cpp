@@ -68,6 +68,7 @@ Operators fan_operators(const Surface_arrays& t, Operators operators, const Fans
   return operators;
 }
 
+// Returns the square of a symmetric tensor.
 Metric_tensor squared(const Metric_tensor& a)
 {
   return {a[0] * a[0] + a[1] * a[1], a[1] * (a[0] + a[2]), a[1] * a[1] + a[2] * a[2]};
@@ -136,6 +137,7 @@ public:
     return result;
   }
 
+  // Adds the flux of a flow with these coefficients out of each triangle: #halfedges values.
   void add_flux(const Coefficients& coefficients, std::vector<double>& outward_flux) const
   {
     const Vector& function = coefficients.stream_function;
@@ -152,6 +154,7 @@ public:
   }
 
 private:
+  // Returns A J for a field J, where A is the metric.
   Field apply_metric(Field field) const
   {
     if(!m_metric.empty())
@@ -160,6 +163,8 @@ private:
     return field;
   }
 
+  // Returns the tensors K for which the Laplacian of a stream function is the integrated curl of
+  // its flow in the metric.
   std::vector<Metric_tensor> stream_function_tensors() const
   {
     std::vector<Metric_tensor> result(m_operators.number_of_triangles(), Metric_tensor{1., 0., 1.});

@@ -37,6 +37,7 @@ std::vector<Hat_gradients> weighted_hat_gradients(const Operators& operators)
   return result;
 }
 
+// Computes the gradient of a function as a column of 2 #triangles values.
 void write_gradient(const Operators& operators, const std::vector<Hat_gradients>& hat_gradients,
                     const double* function, double* column)
 {

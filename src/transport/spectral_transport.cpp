@@ -254,6 +254,7 @@ struct Spectral_transport::Clusters
   }
 
 private:
+  // Assigns each triangle to a cluster. Returns the number of clusters.
   std::size_t assign_clusters(const Surface_arrays& triangles, const Operators& operators)
   {
     const std::size_t n = operators.number_of_triangles();
@@ -290,6 +291,8 @@ private:
     return number;
   }
 
+  // Computes `frame_rotation`. The plane of a cluster is orthogonal to the sum of its area-weighted
+  // normals.
   void align_frames(const Surface_arrays& triangles, const Operators& operators,
                     const std::vector<double>& area)
   {
@@ -380,6 +383,7 @@ std::vector<double> Spectral_transport::column_masses(const Masses& masses,
   return result;
 }
 
+// Returns true if a column sums to zero on each component, up to a relative 1e-9.
 bool Spectral_transport::is_balanced(const Masses& differences, Eigen::Index column) const
 {
   double size = 0.;

@@ -243,6 +243,7 @@ private:
     Index opposite = none; // corner opposite of the edge at the exit
   };
 
+  // Computes the line from b in triangle f, and its exit.
   Triangle_crossing cross_triangle(Index f, const std::array<double, 3>& b) const
   {
     const std::array<double, 3> out = {opposite_outflow(3 * f), opposite_outflow(3 * f + 1),
@@ -261,6 +262,7 @@ private:
     return result;
   }
 
+  // Appends the locations of a streamline from a point inside a triangle.
   void trace(Streamline& line, const Surface_location& from) const
   {
     std::unordered_map<Index, unsigned> visits;
@@ -416,6 +418,7 @@ private:
     double left;   // sine of the angle of the edge to the left of the flow direction
   };
 
+  // Sorts the edges of a vertex from right to left, as seen in the direction of its total flow.
   void sort_edges_at(Index vertex)
   {
     const auto begin = m_edges.begin() + m_edge_begin[vertex],

@@ -56,6 +56,7 @@ constexpr Index child_corner(Index h, Index child, Index j)
 }
 constexpr Index center_child_corner(Index h, Index j) { return 3 * (4 * (h / 3) + 3) + j % 3; }
 
+// Returns the twins of all halfedges of the refined mesh.
 std::vector<Index> child_twins(const Surface_arrays& t)
 {
   std::vector<Index> result(4 * t.corner.size());

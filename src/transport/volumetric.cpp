@@ -100,6 +100,8 @@ Eigen::VectorXd interpolation_weights(const std::vector<const Pivot*>& pivots, c
   return result / result.sum();
 }
 
+// Distances from one point to many. Solved points are pivots, from which those of other points are
+// interpolated.
 class One_to_many_query
 {
 public:
@@ -173,6 +175,8 @@ private:
     return result;
   }
 
+  // Computes bounds from the nearest pivots: the best of their potentials, and an interpolated and
+  // corrected flow.
   void interpolate(const Vec3& to, const Vector& masses, Volumetric_bounds& bounds) const
   {
     const std::vector<const Pivot*> pivots = nearest_pivots(to);
@@ -226,6 +230,7 @@ private:
     }
   }
 
+  // Solves the transport problem of a point, and stores its solution as a pivot.
   void solve(const Vec3& to, const Vector& masses, Volumetric_bounds& bounds,
              std::unique_ptr<Pivot>& pivot) const
   {

@@ -20,6 +20,7 @@ using Float_matrix = Eigen::MatrixXf;
 using Matrix_ref = Eigen::Ref<const Matrix>;
 using Float_matrix_ref = Eigen::Ref<const Float_matrix>;
 
+// Computes the product of `a` with `b`.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void product(const Matrix_ref& a, const Matrix_ref& b, Matrix& result);
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -39,6 +39,7 @@ public:
   // the triangles of a cloud have no twins.
   Hodge_solver(const Surface_arrays& triangles, Operators operators);
 
+  // Returns the three components of a field of #triangles vectors. Two solutions.
   Hodge_components decompose(const Field& field) const;
 
 private:

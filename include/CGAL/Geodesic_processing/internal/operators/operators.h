@@ -22,11 +22,13 @@ using Field = std::vector<Vec2>;
 // A symmetric tensor in the plane of a triangle: its entries xx, xy, yy.
 using Metric_tensor = std::array<double, 3>;
 
+// Returns the product of a symmetric tensor with a vector.
 inline Vec2 product(const Metric_tensor& tensor, const Vec2& p)
 {
   return {tensor[0] * p[0] + tensor[1] * p[1], tensor[1] * p[0] + tensor[2] * p[1]};
 }
 
+// Returns the inverse of a symmetric tensor, whose determinant must not be zero.
 inline Metric_tensor inverse(const Metric_tensor& a)
 {
   const double determinant = a[0] * a[2] - a[1] * a[1];
@@ -58,6 +60,7 @@ struct Operators
   std::size_t number_of_triangles() const { return area.size(); }
 };
 
+// Computes the operators of a surface. O(n)
 CGAL_GEODESIC_PROCESSING_EXPORT
 Operators operators(const Surface_arrays& triangles,
                     Degenerate_triangles degenerate = Degenerate_triangles::skipped);
@@ -82,6 +85,7 @@ Operators metric_operators(const Surface_arrays& triangles,
 // Computes the gradient of a function: from #vertices values to #triangles vectors.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void gradient(const Operators& operators, const Vector& function, Field& result);
+// The same, returned by value.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field gradient(const Operators& operators, const Vector& function);
 

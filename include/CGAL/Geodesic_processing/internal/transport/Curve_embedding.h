@@ -34,6 +34,7 @@ public:
                   const std::vector<std::vector<Surface_location>>& curves,
                   const std::vector<Index>& region_vertices);
 
+  // Returns the subdivided mesh.
   const std::shared_ptr<const Surface_arrays>& triangles() const { return m_fine; }
 
   // Returns #curves lists: the vertices along each curve, in ascending order.
@@ -43,7 +44,10 @@ public:
   Surface_location refined(const Surface_location& location) const;
   // Returns the same function on the subdivided mesh: it is linear in each triangle of the input.
   Vector refined(const Vector& function) const;
+  // Returns the same mass distribution on the subdivided mesh.
   Mass_distribution refined(const Mass_distribution& masses) const;
+  // Returns the same metric: one tensor for each triangle, rotated into the plane of the
+  // subtriangle.
   std::vector<Metric_tensor> refined(const std::vector<Metric_tensor>& metric) const;
 
   // Returns the area-weighted mean over the subtriangles of each triangle.

@@ -21,6 +21,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// The two kinds of particular fields.
 enum class Particular_field
 {
   gradient,      // the gradient of the solution of Poisson's equation
@@ -35,8 +36,10 @@ using Masses = Eigen::SparseMatrix<double>;
 CGAL_GEODESIC_PROCESSING_EXPORT
 Masses masses_at(const Surface_arrays& triangles, const std::vector<Surface_location>& locations);
 
+// Converts a field to a column.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector as_column(const Operators& operators, const Field& field);
+// Converts a column to a field. A triangle without area gets the vector 0.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field as_field(const Operators& operators, const Vector& column);
 
@@ -44,6 +47,9 @@ Field as_field(const Operators& operators, const Vector& column);
 CGAL_GEODESIC_PROCESSING_EXPORT
 Matrix gradients(const Operators& operators, const Matrix& functions);
 
+// Computes one field for each distribution of masses, by linear maps that are prepared once. The
+// cost of a column is one solution of a sparse system, and for `raviart_thomas` one traversal of a
+// tree.
 class CGAL_GEODESIC_PROCESSING_EXPORT Particular_fields
 {
 public:

@@ -16,6 +16,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Tolerance, limits and callback of Spectral_transport.
 struct Spectral_transport_options
 {
   double tolerance = 1e-3;            // of the gap between the bounds, relative to the upper bound
@@ -26,6 +27,7 @@ struct Spectral_transport_options
   std::function<bool(double)> callback;
 };
 
+// Lower and upper bound of one transport distance, in the unit of the edge lengths.
 struct Transport_bounds
 {
   double lower = 0.;

@@ -25,6 +25,7 @@ struct Streamline_seed
   Index source_vertex = none; // if the mass is a point mass: its vertex; otherwise none
 };
 
+// A path along the flow.
 struct Streamline
 {
   // At least one location, and no duplicates in a row. Consecutive locations are in a common

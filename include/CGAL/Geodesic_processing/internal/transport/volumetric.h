@@ -13,6 +13,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Tolerance, number of threads and callback of Volumetric_distances::one_to_many().
 struct Volumetric_options
 {
   double tolerance = 0.02; // of the gap between the bounds, relative to the upper bound
@@ -29,6 +30,7 @@ struct Volumetric_bounds
   bool is_solved = false; // true if solved by the interior point method, not by interpolation
 };
 
+// A polyline in space, in the input coordinates. If `has_arrived` is true, it ends at the target.
 struct Volumetric_path
 {
   std::vector<Vec3> points;
