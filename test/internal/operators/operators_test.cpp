@@ -115,6 +115,7 @@ TEST(Operators, divergence_is_transpose_of_gradient)
     EXPECT_NEAR(inner_product(o, rotated_left(field), field), 0., round_off);
     EXPECT_NEAR(inner_product(o, rotated_left(rotated_left(field)), field),
                 -inner_product(o, field, field), round_off);
+    EXPECT_EQ(rotated_right(rotated_left(field)), field);
   }
 }
 
