@@ -22,8 +22,8 @@ namespace CGAL::Geodesic_processing::internal {
 class CGAL_GEODESIC_PROCESSING_EXPORT Curve_embedding
 {
 public:
-  // curves          polylines; two consecutive locations must be in a common triangle; a single
-  // location is a point
+  // curves  polylines; two consecutive locations must be in a common triangle; a single location is
+  //   a point
   //
   // region_vertices  vertices of regions; an edge between two of them may stay
   //

@@ -31,7 +31,7 @@ struct Streamline
   // At least one location, and no duplicates in a row. Consecutive locations are in a common
   // triangle; on a cloud they may also be the ends of an edge.
   std::vector<Surface_location> locations;
-  bool has_arrived = false; // ends where target mass remains
+  bool has_arrived = false; // true if it ends at a location with target mass
 };
 
 // The masses before and after the flow, all nonnegative. Their difference is the divergence of the

@@ -62,8 +62,8 @@ public:
   // Computes bounds of the distances from one point to many. For most points, potentials and flows
   // are interpolated from solved points nearby. If the bounds are not within the tolerance, some
   // iterations of the splitting method follow. If these fail, the point is solved. Only a few
-  // hundred points are solved, independently of their number. The result does not depend on the
-  // number of threads. It is empty if the callback cancelled.
+  // hundred points are solved, however many there are. The result does not depend on the number of
+  // threads. It is empty if the callback cancelled.
   std::vector<Volumetric_bounds> one_to_many(const Vec3& from, const std::vector<Vec3>& to,
                                              const Volumetric_options& options) const;
 
