@@ -25,9 +25,8 @@ Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Oper
       result.corner[h] = 0;
     else
       result.corner[h] = twin < h ? result.corner[twin] : Index(result.number_of_vertices++);
-    result.hat_gradient[h] =
-        // the hat function of the opposite corner
-        -2. * operators.hat_gradient[previous_halfedge(h)];
+    // The hat function of an edge is 1 minus twice that of the opposite corner.
+    result.hat_gradient[h] = -2. * operators.hat_gradient[previous_halfedge(h)];
   }
   return result;
 }

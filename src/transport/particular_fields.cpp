@@ -21,9 +21,8 @@ namespace {
 // Maximum of #triangles times #harmonic fields; an entry has two numbers of eight bytes.
 constexpr double max_number_of_entries = 1.25e8;
 
-using Hat_gradients =
-    // gradients of the hat functions of corners 1 and 2, times the square root of the area
-    std::array<Vec2, 2>;
+// Gradients of the hat functions of corners 1 and 2, times the square root of the area.
+using Hat_gradients = std::array<Vec2, 2>;
 
 std::vector<Hat_gradients> weighted_hat_gradients(const Operators& operators)
 {

@@ -471,9 +471,8 @@ private:
                       [&](Index, double amount) { out += amount; });
     if(!(in > 0. || from == none) || !(out > 0.))
       return {none, 0.};
-    rank_in_flow = from == none ? rank * out
-                                // inflow and outflow are equal up to round-off errors
-                                : std::min(rank_in_flow * (out / in), out);
+    // Inflow and outflow are equal up to round-off errors.
+    rank_in_flow = from == none ? rank * out : std::min(rank_in_flow * (out / in), out);
     std::pair<Index, double> result = {none, 0.};
     double sum = 0.;
     for_each_neighbor(vertex, 1., masses().target_masses[vertex],
