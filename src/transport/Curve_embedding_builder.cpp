@@ -44,6 +44,7 @@ using Constrained_triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     CGAL::Exact_intersections_tag>;
 
 using Vertex_handle = Constrained_triangulation::Vertex_handle;
+using Face_handle = Constrained_triangulation::Face_handle;
 
 // Returns the point with barycentric coordinates b, normalized without round-off errors.
 Kernel::Point_2 exact_point(const std::array<Vec2, 3>& corners, const Barycentric& b)
@@ -419,7 +420,7 @@ private:
         return std::pair(CGAL::midpoint(a->point(), b->point()),
                          mean_coordinates({a->info().barycentric, b->info().barycentric}));
     }
-    for(const Constrained_triangulation::Face_handle face : triangulation.finite_face_handles())
+    for(const Face_handle face : triangulation.finite_face_handles())
     {
       const auto a = face->vertex(0), b = face->vertex(1), c = face->vertex(2);
       if(must_split_triangle({a->info().vertex, b->info().vertex, c->info().vertex}))
@@ -435,9 +436,9 @@ private:
   void add_subtriangles(Index parent, const Constrained_triangulation& triangulation)
   {
     const auto parent_corners = unfolded(m_coarse, parent);
-    std::map<Constrained_triangulation::Face_handle, Index> triangle_of_face;
+    std::map<Face_handle, Index> triangle_of_face;
     m_result.m_subtriangles_begin[parent] = m_result.m_subtriangles.size();
-    for(const Constrained_triangulation::Face_handle face : triangulation.finite_face_handles())
+    for(const Face_handle face : triangulation.finite_face_handles())
     {
       const bool is_new = !triangle_of_face.empty();
       const Index triangle = is_new ? Index(m_fine.number_of_triangles()) : parent;
@@ -467,13 +468,21 @@ private:
       subtriangle.axis = length > 0. ? (1. / length) * first_edge : Vec2{1., 0.};
       m_result.m_subtriangles.push_back(subtriangle);
     }
+    connect_faces(parent, triangulation, triangle_of_face);
+  }
+
+  // Sets the twins inside of a parent. Stores halfedges on its edges in m_subedges.
+  void connect_faces(Index parent, const Constrained_triangulation& triangulation,
+                     const std::map<Face_handle, Index>& triangle_of_face)
+  {
     for(const auto& [face, triangle] : triangle_of_face)
       for(int k = 0; k < 3; ++k)
       {
         const Index h = 3 * triangle + Index(k);
         const auto neighbor = face->neighbor((k + 2) % 3);
         if(!triangulation.is_infinite(neighbor))
-          m_fine.twin[h] = 3 * triangle_of_face[neighbor] + (Index(neighbor->index(face)) + 1) % 3;
+          m_fine.twin[h] =
+              3 * triangle_of_face.at(neighbor) + (Index(neighbor->index(face)) + 1) % 3;
         else
         {
           const Barycentric &from = face->vertex(k)->info().barycentric,

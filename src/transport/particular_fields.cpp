@@ -162,11 +162,10 @@ struct Particular_fields::Tree
 
   // Returns the flow of a column of masses along the tree to the roots, as pairs of triangle and
   // vector. A triangle can occur twice.
-  std::vector<std::pair<Index, Vec2>> flow(const Surface_arrays& triangles,
-                                           const Operators& operators, const Vector& ring_area,
-                                           const Masses& masses, Eigen::Index column) const
+  Sparse_field flow(const Surface_arrays& triangles, const Operators& operators,
+                    const Vector& ring_area, const Masses& masses, Eigen::Index column) const
   {
-    std::vector<std::pair<Index, Vec2>> result;
+    Sparse_field result;
     // Adds the Raviart-Thomas field (1977) of an inward flux through halfedge h, at the centroid.
     const auto add_inflow = [&](Index h, double amount)
     {
@@ -285,6 +284,21 @@ Vector Particular_fields::balanced(const Vector& masses) const
   return result;
 }
 
+Matrix Particular_fields::stream_functions(const std::vector<Sparse_field>& fields) const
+{
+  Matrix result =
+      Matrix::Zero(Eigen::Index(m_operators.number_of_vertices), Eigen::Index(fields.size()));
+  for(std::size_t j = 0; j < fields.size(); ++j)
+    for(const auto& [f, vector] : fields[j])
+      for(std::size_t k = 0; k < 3; ++k)
+        if(const Index vertex = m_operators.corner[3 * f + k]; !m_is_boundary[vertex])
+          result(vertex, Eigen::Index(j)) +=
+              std::sqrt(m_operators.area[f]) *
+              dot(vector, rotated_left(m_operators.hat_gradient[3 * f + k]));
+  m_inner_solver->solve_columns(result);
+  return result;
+}
+
 void Particular_fields::for_each_field(
     const Masses& masses, const std::function<void(Eigen::Index, const Vector&)>& use) const
 {
@@ -304,20 +318,10 @@ void Particular_fields::for_each_field(
 
   // Compute the flow along the tree and subtract its projections onto rotated gradients and onto
   // harmonic fields.
-  std::vector<std::vector<std::pair<Index, Vec2>>> flow(std::size_t(masses.cols()));
-  Matrix stream_function =
-      Matrix::Zero(Eigen::Index(m_operators.number_of_vertices), masses.cols());
+  std::vector<Sparse_field> flow;
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
-  {
-    flow[j] = m_tree->flow(m_triangles, m_operators, m_ring_area, masses, j);
-    for(const auto& [f, vector] : flow[j])
-      for(std::size_t k = 0; k < 3; ++k)
-        if(const Index vertex = m_operators.corner[3 * f + k]; !m_is_boundary[vertex])
-          stream_function(vertex, j) +=
-              std::sqrt(m_operators.area[f]) *
-              dot(vector, rotated_left(m_operators.hat_gradient[3 * f + k]));
-  }
-  m_inner_solver->solve_columns(stream_function);
+    flow.push_back(m_tree->flow(m_triangles, m_operators, m_ring_area, masses, j));
+  const Matrix stream_function = stream_functions(flow);
   Vector stream_gradient(2 * n), circulation(m_harmonic.cols());
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
   {

@@ -212,13 +212,14 @@ struct Spectral_transport::Clusters
   Float_matrix to_full_coefficients; // maps coefficients of the cluster basis to those of B
   Column<float> weight;              // #clusters: square roots of areas
 
-  Clusters(const Surface_arrays& triangles, const Operators& operators, const Matrix& family_basis)
-      : full_basis(family_basis.cast<float>())
+  Clusters(const Surface_arrays& triangles, const Operators& operators,
+           const Matrix& original_basis)
+      : full_basis(original_basis.cast<float>())
   {
     std::size_t number = assign_clusters(triangles, operators);
     // With fewer clusters, the means of the basis could be linearly dependent. Then each triangle
     // is a cluster.
-    if(number < 3 * std::size_t(family_basis.cols()))
+    if(number < 3 * std::size_t(original_basis.cols()))
     {
       number = cluster.size();
       std::iota(cluster.begin(), cluster.end(), Index(0));
@@ -230,7 +231,7 @@ struct Spectral_transport::Clusters
     for(std::size_t c = 0; c < number; ++c)
       weight[Eigen::Index(c)] = float(std::sqrt(area[c]));
     align_frames(triangles, operators, area);
-    Matrix means = this->means(family_basis);
+    Matrix means = this->means(original_basis);
     to_full_coefficients = orthonormalize(means).cast<float>();
     basis = means.cast<float>();
   }

@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 // Fields that transport given masses and depend linearly on them.
@@ -91,6 +92,10 @@ public:
 
 private:
   struct Tree;
+  using Sparse_field = std::vector<std::pair<Index, Vec2>>; // a triangle can occur twice
+
+  // Returns the stream function of the projection of each field onto rotated gradients.
+  Matrix stream_functions(const std::vector<Sparse_field>& fields) const;
 
   const Surface_arrays& m_triangles;
   const Operators& m_operators;
