@@ -30,8 +30,8 @@ Matrix dense(const Sparse_matrix& lower)
   return Matrix(Sparse_matrix(lower.selfadjointView<Eigen::Lower>()));
 }
 
-// Computes all eigenvalues with a dense solver on the vertices where `is_free` is true. The zero
-// eigenvalue of the constants is included.
+// Computes all eigenvalues with a dense solver on the vertices that are not on the boundary. The
+// zero eigenvalue of the constants is included.
 Vector all_values(const Operators& o, const std::vector<bool>& is_boundary)
 {
   std::vector<Eigen::Index> free_vertices;

@@ -67,11 +67,11 @@ public:
   std::vector<Volumetric_bounds> one_to_many(const Vec3& from, const std::vector<Vec3>& to,
                                              const Volumetric_options& options) const;
 
-  // Computes a path by gradient descent of the distance to `to`. Each step follows the gradient of
-  // the sum over all vertices of potential times mean value coordinate, where the potential is the
-  // optimal one at the start of the step. A step is shorter than the distance to the surface, so
-  // that the path cannot cross it. The path does not arrive if the distance stops decreasing or the
-  // maximum number of solutions is reached.
+  // Computes a path by gradient descent of the distance to `to`. A step follows the gradient of the
+  // sum over all vertices of potential times mean value coordinate. The potential is the optimal
+  // one for the start of the step. A step is shorter than the distance to the surface, so that the
+  // path cannot cross it. The path does not arrive if the distance stops decreasing or the maximum
+  // number of solutions is reached.
   //
   // Throws Invalid_argument_error if a point is on the surface, or if the surface separates the
   // points.
