@@ -3,9 +3,9 @@
 #include <CGAL/Geodesic_processing/internal/distances/heat.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
-#include <CGAL/Geodesic_processing/internal/numerics/Sparse_solver.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include "mesh/intrinsic_delaunay.h"
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include <CGAL/Geodesic_processing/internal/core/vec2.h>
@@ -138,7 +138,8 @@ struct Heat_solver::Systems
   std::vector<Index> component; // #vertices
   std::size_t number_of_components = 0;
   double diffusion_length = 0.; // square root of the time step
-  std::unique_ptr<Sparse_solver> heat, poisson;
+  std::unique_ptr<Sparse_solver> heat;
+  std::unique_ptr<Poisson_solver> poisson;
 };
 
 Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
@@ -164,15 +165,14 @@ Heat_solver::Heat_solver(std::shared_ptr<const Surface_arrays> triangles)
 
   systems->operators = operators(t);
   const Laplacian laplacian(systems->operators);
-  Sparse_matrix poisson = laplacian.matrix(systems->operators);
-  Sparse_matrix heat = systems->diffusion_length * systems->diffusion_length * poisson;
+  const Sparse_matrix matrix = laplacian.matrix(systems->operators);
+  Sparse_matrix heat = systems->diffusion_length * systems->diffusion_length * matrix;
   const Vector mass = lumped_mass(systems->operators);
   heat.diagonal() += (mass.array() > 0.).select(mass, 1.);
   systems->heat = std::make_unique<Sparse_solver>(heat);
-  // One vertex of each component is pinned.  A diagonal shift of the singular matrix that is small
-  // enough for a long strip would be lost in round-off errors.
-  laplacian.pin(poisson);
-  systems->poisson = std::make_unique<Sparse_solver>(poisson);
+  // The solver pins one vertex of each component.  A diagonal shift of the singular matrix that is
+  // small enough for a long strip would be lost in round-off errors.
+  systems->poisson = std::make_unique<Poisson_solver>(laplacian, matrix);
 
   m_systems = std::move(systems);
 }

@@ -8,17 +8,17 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The least-squares fit of
+// Fits a quadric
 //
 //   height(x, y) = c_0 + c_1 x + c_2 y + c_3 x^2 / 2 + c_4 x y + c_5 y^2 / 2
 //
-// to weighted heights and slopes over a plane.
+// to weighted heights and slopes over a plane, by least squares.
 class Quadric_fit
 {
 public:
   using Coefficients = std::array<double, 6>;
 
-  // A place, or the mean of several: then x^2, x y and y^2 are means as well.
+  // The monomials of a point, or their means over several points.
   struct Moments
   {
     double x, y, xx, xy, yy;
@@ -43,7 +43,7 @@ public:
 
   void add_slopes(double weight, const Moments& p, double slope_x, double slope_y)
   {
-    // Rows  0 1 0 x y 0  and  0 0 1 0 x y.
+    // The rows of the two slopes are 0 1 0 x y 0 and 0 0 1 0 x y.
     const double x = weight * p.x, y = weight * p.y;
     m_matrix[1][1] += weight;
     m_matrix[2][2] += weight;
@@ -63,7 +63,9 @@ public:
     m_rhs[5] += y * slope_y;
   }
 
-  // Cholesky's factors; how many of the coefficients, 6, 3 or none, what was added determines.
+  // Computes the Cholesky factor of the normal equations. Returns the number of coefficients that
+  // the data determine: 6, 3 (a plane) or 0. A pivot below 1e-12 of its diagonal entry counts as
+  // zero.
   int factorize()
   {
     m_factor = m_matrix;
@@ -80,13 +82,14 @@ public:
     return 6;
   }
 
-  // After factorize(): the first `number` coefficients, the others zero.
+  // Returns the fit with the first `number_of_coefficients` coefficients; the others are zero. The
+  // function factorize() must be called before.
   Coefficients coefficients(int number_of_coefficients) const
   {
     return solve(m_rhs, number_of_coefficients);
   }
 
-  // The variance of c_i, i < 3, where weights are inverse variances.
+  // Returns the variance of c_i, i < 3, if the weights are inverse variances.
   double variance(int i, int number_of_coefficients) const
   {
     Coefficients unit = {};
@@ -114,7 +117,7 @@ private:
     return c;
   }
 
-  std::array<Coefficients, 6> m_matrix = {}, m_factor = {}; // the lower halves
+  std::array<Coefficients, 6> m_matrix = {}, m_factor = {}; // lower triangles
   Coefficients m_rhs = {};
 };
 

@@ -24,16 +24,16 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The state of one call, which threads could not share.  Meanwhile the calling thread opens no teams of
-// OpenMP, of which CHOLMOD asks for four threads whatever they are allowed to be: waiting for each other
-// on two busy processors took up to four tenths of the time.
+// The CHOLMOD state of one call, which threads cannot share. Meanwhile the calling thread opens no
+// OpenMP teams. CHOLMOD always uses teams of four threads; on two busy processors their
+// synchronization took up to 40 % of the time.
 class Cholmod_common : public cholmod_common
 {
 public:
   Cholmod_common()
   {
     cholmod_start(this);
-    print = 0; // it warns on standard output
+    print = 0; // otherwise CHOLMOD prints warnings on standard output
     supernodal = CHOLMOD_SUPERNODAL;
     static auto* const levels = find_function<int()>("omp_get_max_active_levels");
     if(levels)
@@ -70,11 +70,11 @@ struct Sparse_solver::Solver
     Cholmod_common common;
     if(order == Elimination_order::low_fill)
     {
-      common.nmethods = 2; // the better of the two, or the one that is there
+      common.nmethods = 2; // uses the better ordering; METIS may be missing
       common.method[0].ordering = CHOLMOD_METIS;
       common.method[1].ordering = CHOLMOD_AMD;
-      // Fewer and larger dense blocks than by default (4, 16, 48), with more zeros in them: a third less
-      // time from six thousand to forty thousand unknowns.
+      // Merges supernodes into fewer and larger ones than the default (4, 16, 48), with more
+      // explicit zeros. This reduces the time by a third for 6,000 to 40,000 unknowns.
       common.nrelax[0] = 16;
       common.nrelax[1] = 48;
       common.nrelax[2] = 96;
@@ -144,7 +144,7 @@ struct Sparse_solver::Solver
   }
 
   mutable std::mutex mutex;
-  // Of calls that have ended: the system takes long to give that much memory each time.
+  // Workspaces of completed calls: allocating this much memory for each call is slow.
   mutable std::vector<std::vector<double>> free_workspaces;
   cholmod_factor* factor = nullptr;
 };

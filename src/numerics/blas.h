@@ -9,11 +9,12 @@
 
 #include <mutex>
 
-// What CHOLMOD brings along is there or not only where the program runs.  For sources alone.
+// Run-time lookup of functions of OpenBLAS and OpenMP, which are loaded only if CHOLMOD uses them.
+// Include this header in source files only.
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A function of a library, or nothing.
+// Returns a function of a loaded library, or null if it is not loaded.
 template <typename Function>
 Function* find_function([[maybe_unused]] const char* name)
 {
@@ -24,8 +25,9 @@ Function* find_function([[maybe_unused]] const char* name)
 #endif
 }
 
-// While there is one, OpenBLAS uses one thread: sums would depend on the number, and more of them gain
-// nothing at a hundred thousand unknowns.  The last one gives back what there was before.
+// While an instance exists, OpenBLAS uses one thread. Otherwise sums would depend on the number of
+// threads. For 100,000 unknowns, more threads bring no speedup. The destructor of the last instance
+// restores the number of threads.
 class Single_threaded_blas
 {
 public:

@@ -13,7 +13,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Columns of a matrix, each the stride behind the one before.
+// A column-major matrix, whose columns are `stride` apart.
 template <typename Scalar>
 struct View
 {
@@ -31,8 +31,8 @@ constexpr std::size_t lanes = sizeof(Pack) / sizeof(Scalar);
 
 constexpr std::size_t tile_columns = 4;
 
-// A few columns of the product, in two registers of rows: `a` has those rows of its columns one after
-// another.
+// Computes a tile of the product: `columns` columns and as many rows as two registers hold. The
+// tile's rows of the left factor are stored in `a`, one column after another.
 template <typename Pack, std::size_t columns, typename Scalar>
 GEODESIC_PROCESSING_INLINE void multiply_tile(const Scalar* a, const Const_view<Scalar>& b,
                                               std::size_t column, Scalar* result,
@@ -63,7 +63,8 @@ GEODESIC_PROCESSING_INLINE void multiply_tile(const Scalar* a, const Const_view<
   }
 }
 
-// Rows that stay in the cache for all columns of `b`, in tiles.
+// Computes the product. A block of rows of `a` that fits into the cache is packed into tiles and
+// multiplied with all columns of `b`.
 template <typename Pack, typename Scalar>
 GEODESIC_PROCESSING_INLINE void multiply(const Const_view<Scalar>& a, const Const_view<Scalar>& b,
                                          const View<Scalar>& result)
@@ -95,7 +96,8 @@ GEODESIC_PROCESSING_INLINE void multiply(const Const_view<Scalar>& a, const Cons
   }
 }
 
-// Adds the inner products of some columns with some others, in rows from one on.
+// Adds the inner products of `columns_a` columns of `a` with `columns_b` columns of `b` to
+// `result`, over the first `rows` rows.
 template <typename Pack, std::size_t columns_a, std::size_t columns_b, typename Scalar>
 GEODESIC_PROCESSING_INLINE void
 add_inner_products(const Scalar* a, std::size_t stride_a, const Scalar* b, std::size_t stride_b,

@@ -12,7 +12,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The direction in which points vary least.
+// Returns the direction of smallest variance.
 Vec3 best_fit_plane_normal(const std::vector<Vec3>& points)
 {
   Vec3 centroid = {0., 0., 0.};
@@ -44,7 +44,7 @@ Quadric fit_quadric(const Vec3& origin, const std::vector<Vec3>& points)
   result.plane_normal = best_fit_plane_normal(points);
   std::tie(result.x, result.y) = tangent_frame(result.plane_normal);
 
-  // In this unit the sums are of one size.
+  // In this unit, the sums of all monomials have the same order of magnitude.
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> rhs = Eigen::Matrix<double, 6, 1>::Zero(), monomials;
   for(const Vec3& p : points)
@@ -56,7 +56,7 @@ Quadric fit_quadric(const Vec3& origin, const std::vector<Vec3>& points)
     rhs += dot(offset, result.plane_normal) * monomials;
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 6, 6>> decomposition;
-  decomposition.setThreshold(1e-12); // points on a conic leave some coefficients open
+  decomposition.setThreshold(1e-12); // if the points are on a conic, the system is singular
   const Eigen::Matrix<double, 6, 1> c = decomposition.compute(normal_matrix).solve(rhs);
   std::copy(c.data(), c.data() + 6, result.coefficients.begin());
   return result;

@@ -11,24 +11,26 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The height c_0 + c_1 u + c_2 v + c_3 u^2 / 2 + c_4 u v + c_5 v^2 / 2 over a plane, all seen from an
-// origin and in units of a length.
+// The height c_0 + c_1 u + c_2 v + c_3 u^2 / 2 + c_4 u v + c_5 v^2 / 2 over a plane through the
+// origin. The coordinates u, v and the height are relative to the origin and divided by
+// `length_unit`.
 struct Quadric
 {
-  Vec3 x, y, plane_normal; // the axes of u and v, and the normal of the plane
-  double length_unit = 0.; // the length; zero where there is no quadric
+  Vec3 x, y, plane_normal; // axes of u and v, and the unit normal of the plane
+  double length_unit = 0.; // 0 if there is no quadric
   std::array<double, 6> coefficients = {};
 
-  // Of unit length, at the origin.
+  // Returns the unit normal of the quadric at the origin.
   Vec3 normal() const
   {
     return internal::unit(plane_normal - coefficients[1] * x - coefficients[2] * y);
   }
 };
 
-// The quadric over the plane of some points that is nearest to them in the sense of least squares (Cazals
-// and Pouget 2005, degree 2); the smallest coefficients where points leave some open.  None where all points
-// coincide with the origin.  O(#points).
+// Fits a quadric over the best-fit plane of the points, by least squares (Cazals and Pouget 2005,
+// degree 2). If the points do not determine all coefficients, the solution of minimum norm is
+// returned. If all points coincide with the origin, the result is empty. The length unit is the
+// maximum distance from the origin. O(#points)
 CGAL_GEODESIC_PROCESSING_EXPORT
 Quadric fit_quadric(const Vec3& origin, const std::vector<Vec3>& points);
 

@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <cstring>
 
-// What every processor of a kind can do is compiled once more with the wide instructions that some of them
-// have, and chosen where it runs: a kernel is a template of GEODESIC_PROCESSING_INLINE functions on Narrow
-// or Wide<Scalar>, which a function of GEODESIC_PROCESSING_TARGET_AVX2_FMA calls for the latter; where what comes
-// out must be the same to the last digit, one of GEODESIC_PROCESSING_TARGET_AVX2.  For sources alone.
+// Run-time SIMD dispatch. Each kernel is compiled for the baseline instruction set and for AVX2,
+// and selected at run time.
+// A kernel is a template of GEODESIC_PROCESSING_INLINE functions on Baseline_pack or Avx2_pack. For
+// the latter, a function with GEODESIC_PROCESSING_TARGET_AVX2_FMA calls it. If the result must be
+// bitwise the same as that of the baseline, use GEODESIC_PROCESSING_TARGET_AVX2. Include this
+// header in source files only.
 
 #if defined(__GNUC__)
 #  define GEODESIC_PROCESSING_INLINE inline __attribute__((always_inline))
@@ -27,7 +29,7 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// As many numbers as one register holds.
+// A register of `bytes` bytes as a vector of scalars.
 template <typename Scalar, std::size_t bytes>
 struct Simd_register
 {
@@ -38,7 +40,7 @@ struct Simd_register
 #endif
 };
 
-// From any place, and back.
+// Unaligned load and store.
 template <typename Pack, typename Scalar>
 GEODESIC_PROCESSING_INLINE void load(const Scalar* from, Pack& pack)
 {

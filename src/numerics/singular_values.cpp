@@ -16,10 +16,10 @@ Singular_values singular_values(const std::array<double, 3>& lengths,
   const double area = cross(p, q), source_area = 0.5 * s[0] * t[1];
   if(area == 0.)
     return {infinity, infinity, false, source_area};
-  // The columns of the map: what it makes of the unit vectors, in the plane of the triangle.
+  // The matrix of the map, in the plane of the triangle: columns (a, c) and (b, d).
   const double a = (s[0] * q[1] - t[0] * p[1]) / area, b = (t[0] * p[0] - s[0] * q[0]) / area;
   const double c = (s[1] * q[1] - t[1] * p[1]) / area, d = (t[1] * p[0] - s[1] * q[0]) / area;
-  // A map is the sum of a rotation with a scale and of a reflection with one.
+  // A linear map is the sum of a scaled rotation and a scaled reflection.
   const double rotation_part = 0.5 * std::hypot(a + d, c - b),
                reflection_part = 0.5 * std::hypot(a - d, c + b);
   return {rotation_part + reflection_part, std::abs(rotation_part - reflection_part), area < 0.,

@@ -10,15 +10,15 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Right sides lie side by side, a row for each unknown.
+// The workspace stores a block of right-hand sides with one row for each unknown.
 constexpr std::size_t rhs_block_size = 32;
 
-// Two registers of each of some rows.
+// Number of right-hand sides that are processed at once: two registers.
 template <typename Pack>
 constexpr std::size_t lanes = 2 * sizeof(Pack) / sizeof(double);
 constexpr std::size_t tile_rows = 4;
 
-// target[r] -= sum of factor(r, k) source[k].
+// Computes target[r] -= sum over k of factor(r, k) source[k].
 template <typename Pack, std::size_t rows>
 GEODESIC_PROCESSING_INLINE void subtract(const double* factor, std::size_t row_stride,
                                          std::size_t column_stride, std::size_t number,
@@ -72,7 +72,7 @@ GEODESIC_PROCESSING_INLINE void divide(double* target, double divisor)
 
 struct Block
 {
-  std::size_t column_begin, columns, rows; // its own columns come first among the rows
+  std::size_t column_begin, columns, rows; // the block's diagonal rows come first
   const int* row;
   const double* entry;
 
@@ -86,7 +86,7 @@ struct Block
   const double* at(std::size_t r, std::size_t c) const { return entry + c * rows + r; }
 };
 
-// By L, in some lanes.
+// Solves with L, for the right-hand sides of two registers.
 template <typename Pack>
 GEODESIC_PROCESSING_INLINE void solve_forward(const Block& block, double* x)
 {
@@ -110,7 +110,8 @@ GEODESIC_PROCESSING_INLINE void solve_forward(const Block& block, double* x)
   }
 }
 
-// By the transpose of L, in some lanes of the block's rows.
+// Solves with the transpose of L, for the right-hand sides of two registers. `rows` holds the rows
+// of this block.
 template <typename Pack>
 GEODESIC_PROCESSING_INLINE void solve_backward(const Block& block, double* rows)
 {
@@ -133,7 +134,7 @@ GEODESIC_PROCESSING_INLINE void solve_backward(const Block& block, double* rows)
   }
 }
 
-// The rows of x hold right sides; `rows` has room for those of a block.
+// Solves for a block of right-hand sides x. `rows` is the workspace for the rows of one supernode.
 template <typename Pack>
 GEODESIC_PROCESSING_INLINE void solve(const Supernodes& factor, double* x, std::size_t columns,
                                       double* rows)
@@ -148,7 +149,8 @@ GEODESIC_PROCESSING_INLINE void solve(const Supernodes& factor, double* x, std::
       continue;
     for(std::size_t lane = 0; lane < columns; lane += lanes<Pack>)
       solve_forward<Pack>(block, x + lane);
-    // All other rows are of blocks that this one leads to.
+    // The block of the first row below the diagonal contains all other rows, too: marking it
+    // suffices.
     if(block.rows > block.columns)
       is_zero[std::size_t(std::upper_bound(factor.column_begin,
                                            factor.column_begin + factor.number_of_supernodes,

@@ -10,32 +10,31 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The Cholesky factor L of a sparse matrix whose rows and columns were put in another order.  Columns
-// that follow each other and have entries in the same rows are a supernode, a dense block.  Views of
-// arrays of another's, as CHOLMOD lays them out.
+// The Cholesky factor L of a permuted sparse matrix. Adjacent columns with entries in the same rows
+// form a supernode, which is a dense block. The pointers refer to the arrays of a CHOLMOD factor.
 struct Supernodes
 {
-  std::size_t size = 0;                 // of the matrix
-  std::size_t number_of_supernodes = 0; // of supernodes
+  std::size_t size = 0; // number of rows of the matrix
+  std::size_t number_of_supernodes = 0;
 
-  const int* permutation = nullptr;  // #size: the place in the matrix of each row of L
-  const int* column_begin = nullptr; // #number + 1: the first column of each
-  const int* row_begin = nullptr;    // #number + 1: where the rows of each begin in `row`
-  const int* entry_begin = nullptr;  // #number: where its entries begin
-  const int* row = nullptr;          // ascending; those of the block's own columns come first
-  const double* entry = nullptr;     // column by column; above the diagonal they are not read
+  const int* permutation = nullptr;  // #size: the row of the matrix for each row of L
+  const int* column_begin = nullptr; // #supernodes + 1: the first column of each
+  const int* row_begin = nullptr;    // #supernodes + 1: the first index in `row` of each
+  const int* entry_begin = nullptr;  // #supernodes: the first index in `entry` of each
+  const int* row = nullptr;          // ascending for each supernode; its diagonal rows come first
+  const double* entry = nullptr;     // column-major; entries above the diagonal are not read
 };
 
-// Each of `count` columns, one after another, is a right side, and becomes the solution.  Columns are
-// treated thirty-two at once.  What is zero in all of them up to a place in the order costs nothing there:
-// right sides with few entries take little more than half of the time, where places near each other in
-// the order come together.
+// Replaces each of `count` columns, a right-hand side, by its solution. The columns are contiguous
+// in memory. Blocks of 32 columns are solved at once. In the forward substitution, a supernode is
+// skipped if the right-hand sides of the block are zero there. If right-hand sides have few
+// entries, and those of a block are close in the order, this saves almost half of the time.
 //
-// With the wide instructions of a processor that has them, more quickly than by general matrix products,
-// which know neither how few the columns are nor how small most of the blocks.  What a column becomes
-// depends neither on the others nor on their number.  O(entries) for each.
+// The kernels use AVX2 if the processor has it. They are faster than general matrix products, which
+// are not optimized for few columns and small blocks. The solution of a column does not depend on
+// the other columns. O(#entries of L) for each column.
 //
-// \param space  of any size: what later calls need not ask the system for again
+// workspace  is resized; reuse it to avoid allocations
 CGAL_GEODESIC_PROCESSING_EXPORT
 void substitute(const Supernodes& factor, double* columns, std::size_t count,
                 std::vector<double>& workspace);

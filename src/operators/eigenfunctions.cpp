@@ -16,70 +16,39 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The problem L x = value M x on the sites where functions may be other than zero, as one of the operator
-// M^(1/2) L^-1 M^(1/2), whose largest eigenvalues are the inverses of the least ones.
+// The generalized eigenproblem L x = value M x on the free vertices, in symmetric form. The
+// operator M^(1/2) L^-1 M^(1/2) has the reciprocals as eigenvalues, so that its largest eigenvalues
+// belong to the smallest values. A vertex is free if it has mass and is not on the boundary.
 class Inverse_operator
 {
 public:
   Inverse_operator(const Surface_arrays& triangles, const Operators& operators)
   {
     const Vector mass = lumped_mass(operators);
-    const std::vector<bool> is_border = border_vertices(triangles);
+    const std::vector<bool> is_boundary = boundary_vertices(triangles);
     const auto [component, number] = components(operators);
-    std::vector<bool> has_border(number, false);
+    std::vector<bool> has_boundary(number, false);
     std::vector<Index> reduced_index(operators.number_of_vertices, none);
     for(Index vertex = 0; vertex < reduced_index.size(); ++vertex)
-      if(is_border[vertex])
-        has_border[component[vertex]] = true;
+      if(is_boundary[vertex])
+        has_boundary[component[vertex]] = true;
       else if(mass[vertex] > 0.)
       {
         reduced_index[vertex] = Index(m_free_vertices.size());
         m_free_vertices.push_back(vertex);
       }
-
-    const auto n = Eigen::Index(m_free_vertices.size());
-    m_sqrt_mass.resize(n);
-    for(Eigen::Index i = 0; i < n; ++i)
+    m_sqrt_mass.resize(size());
+    for(Eigen::Index i = 0; i < size(); ++i)
       m_sqrt_mass[i] = std::sqrt(mass[m_free_vertices[i]]);
-
-    const Sparse_matrix full_laplacian = Laplacian(operators).matrix(operators);
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(std::size_t(full_laplacian.nonZeros()));
-    for(int column = 0; column < full_laplacian.outerSize(); ++column)
-      for(Sparse_matrix::InnerIterator it(full_laplacian, column); it; ++it)
-        if(reduced_index[it.row()] != none && reduced_index[it.col()] != none)
-          entries.emplace_back(std::max(reduced_index[it.row()], reduced_index[it.col()]),
-                               std::min(reduced_index[it.row()], reduced_index[it.col()]),
-                               it.value());
-    m_laplacian.resize(n, n);
-    m_laplacian.setFromTriplets(entries.begin(), entries.end());
-    if(n == 0)
-      return;
-
-    // One site of each closed component is held; constants are taken out by hand.
-    std::vector<Index> constant_index(number, none);
-    Index constants = 0;
-    Sparse_matrix pinned = m_laplacian;
-    for(Eigen::Index i = 0; i < n; ++i)
-    {
-      const Index c = component[m_free_vertices[i]];
-      if(has_border[c] || constant_index[c] != none)
-        continue;
-      constant_index[c] = constants++;
-      pinned.coeffRef(i, i) *= 2.;
-    }
-    m_null_space = Matrix::Zero(n, constants);
-    for(Eigen::Index i = 0; i < n; ++i)
-      if(const Index c = constant_index[component[m_free_vertices[i]]]; c != none)
-        m_null_space(i, c) = m_sqrt_mass[i];
-    m_null_space.colwise().normalize();
-    m_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
+    assemble_laplacian(operators, reduced_index);
+    if(size() > 0)
+      factorize(component, has_boundary);
   }
 
   Eigen::Index size() const { return Eigen::Index(m_free_vertices.size()); }
   const Matrix& null_space() const { return m_null_space; }
 
-  // To columns that are orthogonal to the constants.
+  // Applies the operator to columns, which must be orthogonal to the null space.
   Matrix apply(const Matrix& columns) const
   {
     Matrix result = m_sqrt_mass.asDiagonal() * columns;
@@ -87,7 +56,8 @@ public:
     return m_sqrt_mass.asDiagonal() * result;
   }
 
-  // How many functions have a value below a number, which lies in a gap; -1 when it could not be counted.
+  // Returns the number of eigenvalues below `value`, which must lie in a gap of the spectrum.
+  // Returns -1 if the factorization failed.
   Eigen::Index number_of_eigenvalues_below(double value) const
   {
     Sparse_matrix shifted = m_laplacian;
@@ -98,7 +68,7 @@ public:
     return (ldlt.vectorD().array() < 0.).count() - m_null_space.cols();
   }
 
-  // A column of values of functions at all sites.
+  // Returns the function of each column, at all vertices.
   Matrix functions(const Matrix& columns, std::size_t number_of_vertices) const
   {
     Matrix result = Matrix::Zero(Eigen::Index(number_of_vertices), columns.cols());
@@ -108,15 +78,54 @@ public:
   }
 
 private:
-  std::vector<Index> m_free_vertices; // where functions may be other than zero
-  Vector m_sqrt_mass;                 // of them
+  // Extracts the rows and columns of free vertices from the Laplacian.
+  void assemble_laplacian(const Operators& operators, const std::vector<Index>& reduced_index)
+  {
+    const Sparse_matrix full_laplacian = Laplacian(operators).matrix(operators);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(std::size_t(full_laplacian.nonZeros()));
+    for(int column = 0; column < full_laplacian.outerSize(); ++column)
+      for(Sparse_matrix::InnerIterator it(full_laplacian, column); it; ++it)
+        if(reduced_index[it.row()] != none && reduced_index[it.col()] != none)
+          entries.emplace_back(std::max(reduced_index[it.row()], reduced_index[it.col()]),
+                               std::min(reduced_index[it.row()], reduced_index[it.col()]),
+                               it.value());
+    m_laplacian.resize(size(), size());
+    m_laplacian.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  // Pins one vertex of each component without boundary. The null space is projected out by the
+  // Lanczos iteration.
+  void factorize(const std::vector<Index>& component, const std::vector<bool>& has_boundary)
+  {
+    std::vector<Index> constant_index(has_boundary.size(), none);
+    Index constants = 0;
+    Sparse_matrix pinned = m_laplacian;
+    for(Eigen::Index i = 0; i < size(); ++i)
+    {
+      const Index c = component[m_free_vertices[i]];
+      if(has_boundary[c] || constant_index[c] != none)
+        continue;
+      constant_index[c] = constants++;
+      pinned.coeffRef(i, i) *= 2.;
+    }
+    m_null_space = Matrix::Zero(size(), constants);
+    for(Eigen::Index i = 0; i < size(); ++i)
+      if(const Index c = constant_index[component[m_free_vertices[i]]]; c != none)
+        m_null_space(i, c) = m_sqrt_mass[i];
+    m_null_space.colwise().normalize();
+    m_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
+  }
+
+  std::vector<Index> m_free_vertices; // indices of vertices
+  Vector m_sqrt_mass;                 // #free vertices
   Sparse_matrix m_laplacian;
-  Matrix m_null_space; // as columns, orthonormal: what the Laplacian does not see
+  Matrix m_null_space; // orthonormal columns: the constants of components without boundary
   std::unique_ptr<Sparse_solver> m_solver;
 };
 
-// Golub and Underwood 1977, with all columns kept orthogonal to all others and never restarted: three
-// to four columns for each function.
+// Block Lanczos iteration (Golub and Underwood 1977) with full reorthogonalization and without
+// restarts. It uses three to four columns for each eigenfunction.
 class Block_lanczos
 {
 public:
@@ -124,14 +133,14 @@ public:
       : m_inverse(inverse), m_residual(inverse.size(), 0)
   {}
 
-  // Columns that can still be added.
+  // Returns the maximum number of columns that can be added.
   Eigen::Index remaining_dimension() const
   {
     return m_inverse.size() - m_inverse.null_space().cols() - m_size;
   }
 
-  // Adds the next block, with some random columns in it: what no earlier one has seen of a group of
-  // repeated values.
+  // Adds the next block. Random columns are appended to it: if an eigenvalue has a higher
+  // multiplicity than a block has columns, previous blocks miss some of its eigenvectors.
   void expand(Eigen::Index number_of_random_columns)
   {
     Matrix block(m_inverse.size(), m_residual.cols() + number_of_random_columns);
@@ -158,8 +167,9 @@ public:
     m_projected_operator.bottomRows(number_added) = coefficients.transpose();
   }
 
-  // The best approximations in the span of all columns, largest values first, and which are good: a
-  // residual within 1e-8 of the value leaves one of 1e-16 in the value.
+  // Computes the Ritz pairs, largest values first, and the number of converged ones. The error of a
+  // value is of second order in the residual: a relative residual of 1e-8 leaves a relative error
+  // of 1e-16.
   void solve()
   {
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(m_projected_operator);
@@ -183,8 +193,8 @@ public:
   }
 
 private:
-  // To the constants and to all columns, which are not changed: twice is enough.  Returns the shares of
-  // the columns.
+  // Makes the columns of the block orthogonal to the null space and to the basis. One sweep leaves
+  // round-off errors; the second one removes them. Returns the coefficients of the basis.
   Matrix make_orthogonal(Matrix& block) const
   {
     Matrix total_coefficients = Matrix::Zero(m_size, block.cols());
@@ -202,7 +212,8 @@ private:
     return total_coefficients;
   }
 
-  // Modified Gram-Schmidt; columns in which rounding alone is left are dropped.
+  // Applies the modified Gram-Schmidt method. A column is dropped if only round-off errors remain
+  // of it. Returns the number of columns left.
   Eigen::Index make_orthonormal(Matrix& block) const
   {
     Eigen::Index kept = 0;
@@ -223,18 +234,18 @@ private:
   const Inverse_operator& m_inverse;
   std::mt19937 m_random{1};
   std::uniform_real_distribution<double> m_uniform{-1., 1.};
-  Matrix m_basis;                     // more than m_size
-  Eigen::Index m_size = 0;            // columns that there are
-  Eigen::Index m_last_block_size = 0; // columns of the last block
-  Matrix m_projected_operator;        // the operator among the columns
-  Matrix m_residual; // what the operator makes of the last block, without the columns' share
+  Matrix m_basis;          // capacity: more than m_size columns
+  Eigen::Index m_size = 0; // number of columns that are set
+  Eigen::Index m_last_block_size = 0;
+  Matrix m_projected_operator; // the operator in the basis
+  Matrix m_residual;           // the operator applied to the last block, orthogonal to the basis
   Vector m_values;
   Matrix m_vectors;
   Eigen::Index m_number_of_converged = 0;
 };
 
-// The least number of functions, `number` or more, after which there is a gap; none of those that are
-// known, though one more must be.
+// Returns the smallest number of functions, at least `number`, that is followed by a gap. Returns 0
+// if there is none among the converged values. The value after the gap must have converged as well.
 Eigen::Index size_up_to_gap(const Block_lanczos& lanczos, Eigen::Index number)
 {
   for(Eigen::Index k = number; k < lanczos.number_of_converged(); ++k)
@@ -245,7 +256,7 @@ Eigen::Index size_up_to_gap(const Block_lanczos& lanczos, Eigen::Index number)
 
 } // namespace
 
-std::vector<bool> border_vertices(const Surface_arrays& triangles)
+std::vector<bool> boundary_vertices(const Surface_arrays& triangles)
 {
   std::vector<bool> result(triangles.number_of_vertices(), false);
   for(Index h = 0; h < triangles.twin.size(); ++h)
@@ -267,7 +278,7 @@ Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& 
     return result;
   }
 
-  constexpr Eigen::Index block = 8; // as quick as 4, and half of the time of 32
+  constexpr Eigen::Index block = 8; // as fast as 4, twice as fast as 32
   Block_lanczos lanczos(inverse);
   lanczos.expand(block);
   Eigen::Index number_chosen = 0,
@@ -285,7 +296,7 @@ Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& 
       number_chosen = dimension;
     if(number_chosen == 0 || number_chosen == dimension || recounts == 5)
       continue;
-    // In the middle of the gap.
+    // The midpoint of the gap.
     const double cutoff = 0.5 * (lanczos.value(number_chosen - 1) + lanczos.value(number_chosen));
     const Eigen::Index missing = inverse.number_of_eigenvalues_below(cutoff) - number_chosen;
     if(missing <= 0)

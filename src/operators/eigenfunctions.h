@@ -9,34 +9,39 @@
 
 #include <cstddef>
 
-// Functions psi with -laplacian(psi) = value * psi that vanish on the border and, on each component that
-// has none, integrate to zero: the cotangent Laplacian and the lumped mass.
+// Eigenfunctions of the cotangent Laplacian with lumped mass: L f = value M f. They vanish on the
+// boundary. On a component without boundary, their integral is zero.
 
 namespace CGAL::Geodesic_processing::internal {
 
 struct Eigenfunctions
 {
-  Vector value; // #functions, ascending, positive
-  Matrix
-      function; // #sites by #functions, orthonormal for the lumped mass; one column for each value
+  Vector value; // #functions: positive, in ascending order
+  // #vertices by #functions: one column for each value, orthonormal with respect to the lumped
+  // mass
+  Matrix function;
 };
 
-// Two values next to each other, the k-th and the one after it, belong to one group when they differ by
-// less than this part of the larger one: the mean distance of values, which is 1/k by Weyl's law, and at
-// most a fiftieth, more than what triangles tell apart that is one on a smooth surface.
+// Returns the minimum relative gap between the eigenvalues k and k + 1 (counted from 1) if they
+// belong to different groups. The difference is compared with the larger value. By Weyl's law the
+// mean gap is 1/k. The limit of 1/50 exceeds the error by which a triangulation splits a multiple
+// eigenvalue of a smooth surface.
 constexpr double spectral_gap(std::size_t k) { return k > 50 ? 1. / double(k) : 0.02; }
 
-// Those of the least values: `number` of them and as many more as it takes for the next value to lie
-// beyond a gap, or all that there are.  So their span does not depend on a choice of functions.  A cloud
-// has no known border.  Deterministic; by a block Lanczos method of the inverse, and that none is missing
-// is counted by Sylvester's law of inertia.
+// Computes the eigenfunctions of the smallest eigenvalues. Their number is `number`, increased
+// until the next eigenvalue is separated by a gap, or the number of all that exist. Hence the space
+// that they span does not depend on the choice of a basis of an eigenspace. A cloud has no boundary
+// condition. The result is deterministic.
+//
+// Method: block Lanczos iteration with the inverse operator. By Sylvester's law of inertia, the
+// number of eigenvalues below the gap is counted, so that none is missed.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigenfunctions eigenfunctions(const Surface_arrays& triangles, const Operators& operators,
                               std::size_t number);
 
-// Which sites lie on the border: one of their sides is glued to none.  None of a cloud's.
+// Returns true for each vertex of a boundary edge. On a cloud all are false.
 CGAL_GEODESIC_PROCESSING_EXPORT
-std::vector<bool> border_vertices(const Surface_arrays& triangles);
+std::vector<bool> boundary_vertices(const Surface_arrays& triangles);
 
 } // namespace CGAL::Geodesic_processing::internal
 

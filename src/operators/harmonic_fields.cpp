@@ -11,12 +11,14 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// A tree of triangles for each component, joined through sides, and a tree of sites along others.  All
-// that lies behind borders is one triangle more, which is the root where there is a border.
+// Two spanning trees. The cotree connects the triangles of each component across edges. The tree
+// connects vertices along edges that the cotree does not cross. The exterior of the boundary is one
+// more triangle. If a component has a boundary, the exterior is the root of its cotree.
 struct Tree_cotree
 {
-  std::vector<Index> parent_halfedge; // #triangles: the side that leads to the root, none at a root
-  std::vector<bool> is_in_tree; // #sides, both of a pair: in the tree or crossed by the cotree
+  // #triangles: the halfedge that leads to the parent, none at the root
+  std::vector<Index> parent_halfedge;
+  std::vector<bool> is_in_tree; // #halfedges: the edge is in the tree or crossed by the cotree
 
   explicit Tree_cotree(const Surface_arrays& triangles)
       : parent_halfedge(triangles.number_of_triangles(), none),
@@ -26,7 +28,7 @@ struct Tree_cotree
     grow_tree(triangles);
   }
 
-  // The sides in neither tree, one of each pair.
+  // Returns one halfedge of each edge that is in neither tree.
   std::vector<Index> generators(const Surface_arrays& triangles) const
   {
     std::vector<Index> result;
@@ -113,7 +115,7 @@ private:
   }
 };
 
-// Adds what a curve across a side, out of its triangle, adds to a form.
+// Adds a crossing of halfedge h, out of its triangle, to a 1-form.
 void add_crossing(const Surface_arrays& triangles, Index h, double amount,
                   std::vector<double>& form)
 {
@@ -122,8 +124,9 @@ void add_crossing(const Surface_arrays& triangles, Index h, double amount,
     form[triangles.twin[h]] -= amount;
 }
 
-// The form, a number for each side, whose integral along a curve is how often that crosses the loop from
-// the root to a side, through it and back to the root; where both ways are one, nothing is left.
+// Returns a closed 1-form, one number for each halfedge. Its integral along a curve is the number
+// of signed crossings with a loop. The loop leads from the root to h, across h, and back to the
+// root. If both paths of triangles are equal, their contributions cancel.
 std::vector<double> closed_form_across(const Surface_arrays& triangles, const Tree_cotree& trees,
                                        Index h)
 {
@@ -166,18 +169,20 @@ std::size_t number_of_harmonic_fields(const Surface_arrays& triangles)
 }
 
 std::vector<Field> harmonic_fields(const Surface_arrays& triangles, const Operators& operators,
-                                   const Sparse_solver& laplacian)
+                                   const Poisson_solver& poisson_solver)
 {
   if(triangles.is_cloud())
-    throw Unsupported_surface_error("A cloud has no harmonic fields: its triangles are not glued.");
+    throw Unsupported_surface_error(
+        "Harmonic fields need a mesh: a cloud has no halfedges with twins.");
   const Tree_cotree trees(triangles);
   std::vector<Field> result;
   for(const Index h : trees.generators(triangles))
   {
     Field field = field_of_form(operators, closed_form_across(triangles, trees, h));
-    add_scaled(-1., gradient(operators, laplacian.solve(minus_divergence(operators, field))),
+    add_scaled(-1., gradient(operators, poisson_solver.solve(minus_divergence(operators, field))),
                field);
-    for(int sweep = 0; sweep < 2; ++sweep) // the second one for what rounding left
+    // the second sweep removes round-off errors of the first one
+    for(int sweep = 0; sweep < 2; ++sweep)
       for(const Field& previous : result)
         add_scaled(-inner_product(operators, field, previous), previous, field);
     const double size = std::sqrt(inner_product(operators, field, field));

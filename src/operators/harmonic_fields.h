@@ -4,27 +4,32 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HARMONIC_FIELDS_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
 
-// An orthonormal basis of the fields of a mesh that have neither divergence nor rotation: what they
-// measure along a side is the same in both of its triangles, and divergence() of them is zero, so that
-// none flows through a border.
+// Computes an orthonormal basis of the harmonic fields of a mesh. They are curl-free: along an
+// edge, both adjacent triangles have the same tangential component. Their minus_divergence() is
+// zero, which includes that nothing flows through the boundary.
 //
-// For each component 2 genus + max(border loops - 1, 0) of them: closed forms across the sides that
-// neither a tree of sites nor a cotree of triangles holds (Tong, Alliez, Cohen-Steiner and Desbrun 2006),
-// less their gradient part.  Loops of loose fans through pinched sites count as well.
+// Each component has 2 genus + max(#boundary loops - 1, 0) harmonic fields. A tree of vertices and
+// a cotree of triangles leave one edge for each of them (Tong, Alliez, Cohen-Steiner and Desbrun
+// 2006). A closed form is constructed from this edge, and its gradient part is subtracted. Loops
+// that pass through a nonmanifold vertex count, too.
 //
-// laplacian  of the same operators, held.  Throws Unsupported_surface_error on a cloud, where nothing
-// is glued.  One solution and a sweep over all the fields before for each.
+// Each field takes one solution, and two orthogonalizations against all previous fields.
+//
+// poisson_solver  must be constructed from the same operators
+//
+// Throws Unsupported_surface_error if the surface is a cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::vector<Field> harmonic_fields(const Surface_arrays& triangles, const Operators& operators,
-                                   const Sparse_solver& laplacian);
+                                   const Poisson_solver& poisson_solver);
 
-// How many of them there are.  O(n)
+// Returns the number of these fields; 0 on a cloud. O(n)
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::size_t number_of_harmonic_fields(const Surface_arrays& triangles);
 

@@ -8,27 +8,16 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-namespace {
-
-std::unique_ptr<Sparse_solver> pinned_laplacian_solver(const Operators& operators)
-{
-  const Laplacian laplacian(operators);
-  Sparse_matrix matrix = laplacian.matrix(operators);
-  laplacian.pin(matrix);
-  return std::make_unique<Sparse_solver>(matrix);
-}
-
-} // namespace
-
 Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators)
 {
   if(triangles.is_cloud())
-    throw Unsupported_surface_error("A cloud has no sides: its triangles are not glued.");
+    throw Unsupported_surface_error(
+        "The operators of edges need a mesh: a cloud has no halfedges with twins.");
   Operators result;
   result.area = operators.area;
   result.corner.resize(operators.corner.size());
   result.hat_gradient.resize(operators.hat_gradient.size());
-  result.number_of_vertices = 1; // the border
+  result.number_of_vertices = 1; // the boundary
   for(Index h = 0; h < triangles.corner.size(); ++h)
   {
     const Index twin = triangles.twin[h];
@@ -36,8 +25,8 @@ Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Oper
       result.corner[h] = 0;
     else
       result.corner[h] = twin < h ? result.corner[twin] : Index(result.number_of_vertices++);
-    result.hat_gradient[h] =
-        -2. * operators.hat_gradient[previous_halfedge(h)]; // of the corner opposite
+    // The hat function of an edge is 1 minus twice that of the opposite corner.
+    result.hat_gradient[h] = -2. * operators.hat_gradient[previous_halfedge(h)];
   }
   return result;
 }
@@ -45,18 +34,17 @@ Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Oper
 Hodge_solver::Hodge_solver(const Surface_arrays& triangles, Operators operators)
     : m_operators(std::move(operators)),
       m_edge_operators(crouzeix_raviart_operators(triangles, m_operators)),
-      m_vertex_solver(pinned_laplacian_solver(m_operators)),
-      m_edge_solver(pinned_laplacian_solver(m_edge_operators))
+      m_vertex_solver(m_operators), m_edge_solver(m_edge_operators)
 {}
 
 Hodge_components Hodge_solver::decompose(const Field& field) const
 {
   Hodge_components result;
   result.gradient =
-      gradient(m_operators, m_vertex_solver->solve(minus_divergence(m_operators, field)));
+      gradient(m_operators, m_vertex_solver.solve(minus_divergence(m_operators, field)));
   result.rotation = rotated_left(
       gradient(m_edge_operators,
-               m_edge_solver->solve(minus_divergence(m_edge_operators, rotated_right(field)))));
+               m_edge_solver.solve(minus_divergence(m_edge_operators, rotated_right(field)))));
   result.harmonic = field;
   for(std::size_t f = 0; f < field.size(); ++f)
     result.harmonic[f] = field[f] - result.gradient[f] - result.rotation[f];

@@ -101,6 +101,13 @@ Field rotated_left(Field field)
   return field;
 }
 
+Field rotated_right(Field field)
+{
+  for(Vec2& vector : field)
+    vector = {vector[1], -vector[0]};
+  return field;
+}
+
 double inner_product(const Operators& operators, const Field& a, const Field& b)
 {
   double result = 0.;
@@ -150,7 +157,8 @@ std::pair<std::vector<Index>, std::size_t> components(const Operators& operators
     }
   std::vector<Index> label(parent.size());
   std::size_t count = 0;
-  for(Index vertex = 0; vertex < parent.size(); ++vertex) // roots come first
+  // the root is the smallest index of its set
+  for(Index vertex = 0; vertex < parent.size(); ++vertex)
     label[vertex] = parent[vertex] == vertex ? Index(count++) : label[root(vertex)];
   return {std::move(label), count};
 }
@@ -218,7 +226,7 @@ void Laplacian::assemble(const Operators& operators, const std::vector<Metric_te
     {
       const std::size_t next_k = (k + 1) % 3;
       values[entries[k]] += dot(flow[k], hat_gradient[k]);
-      // Both orders of a pair meet on the diagonal where a side ends at the site that it leaves.
+      // If an edge is a loop, both off-diagonal entries of the pair add to the diagonal.
       values[entries[3 + k]] +=
           (entries[k] == entries[next_k] ? 2. : 1.) * dot(flow[k], hat_gradient[next_k]);
     }

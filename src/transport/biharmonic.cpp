@@ -15,19 +15,17 @@ Biharmonic_distances::Biharmonic_distances(const Surface_arrays& triangles)
     : m_operators(internal::operators(triangles)), m_mass(lumped_mass(m_operators))
 {
   if(!(m_mass.sum() > 0.))
-    throw Unsupported_surface_error("The surface has no triangle with an area.");
+    throw Unsupported_surface_error("The surface has no triangle with positive area.");
   std::tie(m_component, m_number_of_components) = components(m_operators);
   m_component_mass = Vector::Zero(Eigen::Index(m_number_of_components));
   for(std::size_t vertex = 0; vertex < m_component.size(); ++vertex)
     m_component_mass[m_component[vertex]] += m_mass[Eigen::Index(vertex)];
-  const Laplacian laplacian(m_operators);
-  Sparse_matrix matrix = laplacian.matrix(m_operators);
-  laplacian.pin(matrix);
-  m_solver = std::make_unique<Sparse_solver>(matrix, Elimination_order::fast);
+  m_solver = std::make_unique<Poisson_solver>(m_operators);
 }
 
-// Of the masses, less the ones of the same masses at the held site of the component: a difference of two
-// is that of what they stand for.  Their integrals are zero.
+// Returns the Green's function of each column minus that of the same masses at the pinned vertices.
+// The difference of two columns with equal masses on each component is the difference of their
+// Green's functions. All integrals are zero.
 Matrix Biharmonic_distances::green_functions(const Masses& masses) const
 {
   Matrix result(masses);
@@ -45,7 +43,7 @@ Matrix Biharmonic_distances::green_functions(const Masses& masses) const
   return result;
 }
 
-// #components by #columns.
+// Returns the mass on each component: #components by #columns.
 Matrix Biharmonic_distances::component_masses(const Masses& masses) const
 {
   Matrix result = Matrix::Zero(Eigen::Index(m_number_of_components), masses.cols());

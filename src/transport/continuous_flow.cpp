@@ -16,11 +16,11 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// The fans of triangles around sites, more than one where the surface is pinched: through such a site
-// masses may go, but no function must be continuous there.
+// The fans of triangles around each vertex. A nonmanifold vertex has several fans: mass can pass
+// through it, but functions need not be continuous there.
 struct Fans
 {
-  std::vector<Index> fan_of_corner; // 3 #triangles
+  std::vector<Index> fan_of_corner; // 3 #triangles: the fan of each corner
   Index number_of_fans = 0;
 };
 
@@ -49,7 +49,8 @@ Index root(std::vector<Index>& parent, Index i)
   return i;
 }
 
-// A value for each fan, but one for all fans of a border: through a border nothing flows.
+// Computes operators for functions with one value per fan. All fans of one boundary loop share a
+// value, because nothing flows through the boundary.
 Operators fan_operators(const Surface_arrays& t, Operators operators, const Fans& fans)
 {
   std::vector<Index> parent(fans.number_of_fans);
@@ -67,33 +68,123 @@ Operators fan_operators(const Surface_arrays& t, Operators operators, const Fans
   return operators;
 }
 
+// Returns the square of a symmetric tensor.
 Metric_tensor squared(const Metric_tensor& a)
 {
   return {a[0] * a[0] + a[1] * a[1], a[1] * (a[0] + a[2]), a[1] * a[1] + a[2] * a[2]};
 }
 
-// Each costs a solution; surfaces with so many handles have hardly any way around one that pays.
+// Each field takes one solution. On a surface with more handles, a circulation around one of them
+// hardly reduces the cost.
 constexpr std::size_t max_number_of_circulations = 32;
 
-// Flows around handles, of a surface without border: harmonic fields turned, orthogonal to all functions'
-// turned gradients.
+// Returns rotated harmonic fields, the circulations around handles. They are orthogonal to the
+// rotated gradients of all functions. The result is empty if the mesh has a boundary or too many
+// handles.
 std::vector<Field> circulations(const Surface_arrays& t, const Operators& operators)
 {
   const std::size_t dimension = number_of_harmonic_fields(t);
   if(dimension == 0 || dimension > max_number_of_circulations ||
      std::find(t.twin.begin(), t.twin.end(), none) != t.twin.end())
     return {};
-  const Laplacian laplacian(operators);
-  Sparse_matrix matrix = laplacian.matrix(operators);
-  laplacian.pin(matrix);
   std::vector<Field> result =
-      harmonic_fields(t, operators, Sparse_solver(matrix, Elimination_order::low_fill));
+      harmonic_fields(t, operators, Poisson_solver(operators, Elimination_order::low_fill));
   for(Field& field : result)
     field = rotated_left(std::move(field));
   return result;
 }
 
-// What flows out of triangles through their sides, and what that costs.
+// The space of divergence-free flows over which the cost is minimized: rotated gradients of
+// functions of the fans, and circulations.
+class Solenoidal_space
+{
+public:
+  // The coefficients of one field of the space.
+  struct Coefficients
+  {
+    Vector stream_function;          // #fans
+    std::vector<double> circulation; // #circulations
+  };
+
+  Solenoidal_space(const Surface_arrays& triangles, const Operators& operators,
+                   const std::vector<Metric_tensor>& metric, const Fans& fans)
+      : m_triangles(triangles), m_operators(operators), m_metric(metric),
+        m_fan_operators(fan_operators(triangles, operators, fans)),
+        m_solver(m_fan_operators, stream_function_tensors(), Elimination_order::low_fill),
+        // With a metric, circulations are not orthogonal to rotated gradients. They are left out.
+        m_circulations(metric.empty() ? circulations(triangles, operators) : std::vector<Field>())
+  {}
+
+  // Computes the orthogonal projection of a field A J onto the space, where A is the metric.
+  Coefficients project(const Field& field) const
+  {
+    Coefficients result;
+    result.stream_function =
+        m_solver.solve(minus_divergence(m_fan_operators, rotated_right(apply_metric(field))));
+    for(const Field& circulation : m_circulations)
+      result.circulation.push_back(inner_product(m_operators, field, circulation));
+    return result;
+  }
+
+  // Returns A J, where A is the metric and J the flow with these coefficients.
+  Field field(const Coefficients& coefficients) const
+  {
+    Field result =
+        apply_metric(rotated_left(gradient(m_fan_operators, coefficients.stream_function)));
+    for(std::size_t i = 0; i < m_circulations.size(); ++i)
+      for(std::size_t f = 0; f < result.size(); ++f)
+        result[f] = result[f] + coefficients.circulation[i] * m_circulations[i][f];
+    return result;
+  }
+
+  // Adds the flux of a flow with these coefficients out of each triangle: #halfedges values.
+  void add_flux(const Coefficients& coefficients, std::vector<double>& outward_flux) const
+  {
+    const Vector& function = coefficients.stream_function;
+    for(Index h = 0; h < outward_flux.size(); ++h)
+      outward_flux[h] -=
+          function[m_fan_operators.corner[next_halfedge(h)]] - function[m_fan_operators.corner[h]];
+    for(std::size_t i = 0; i < m_circulations.size(); ++i)
+      for(Index h = 0; h < outward_flux.size(); ++h)
+      {
+        const auto p = unfolded(m_triangles, h / 3);
+        outward_flux[h] += coefficients.circulation[i] * cross(p[next_halfedge(h) % 3] - p[h % 3],
+                                                               -1. * m_circulations[i][h / 3]);
+      }
+  }
+
+private:
+  // Returns A J for a field J, where A is the metric.
+  Field apply_metric(Field field) const
+  {
+    if(!m_metric.empty())
+      for(std::size_t f = 0; f < field.size(); ++f)
+        field[f] = product(m_metric[f], field[f]);
+    return field;
+  }
+
+  // Returns the tensors K for which the Laplacian of a stream function is the integrated curl of
+  // its flow in the metric.
+  std::vector<Metric_tensor> stream_function_tensors() const
+  {
+    std::vector<Metric_tensor> result(m_operators.number_of_triangles(), Metric_tensor{1., 0., 1.});
+    for(std::size_t f = 0; f < m_metric.size(); ++f)
+    {
+      const Metric_tensor s = squared(m_metric[f]);
+      result[f] = {s[2], -s[1], s[0]}; // rotated by 90 degrees
+    }
+    return result;
+  }
+
+  const Surface_arrays& m_triangles;
+  const Operators& m_operators;
+  const std::vector<Metric_tensor>& m_metric;
+  Operators m_fan_operators;
+  Poisson_solver m_solver;
+  std::vector<Field> m_circulations;
+};
+
+// Computes the fluxes through all edges, and their cost.
 class Flux_field
 {
 public:
@@ -128,8 +219,8 @@ private:
     return result;
   }
 
-  // The masses at the fans' sites evenly over their triangles.  The mean distance of a triangle's points
-  // from a corner is at most a third of that of the two others, as distance is convex.
+  // Spreads the mass of each fan uniformly over its triangles. Since distance is convex, its mean
+  // over a triangle is at most its mean over the three corners. This bounds the cost of spreading.
   void spread_masses(const Field& flow)
   {
     std::vector<double> mass(m_fans.number_of_fans, 0.), area(m_fans.number_of_fans, 0.),
@@ -155,8 +246,9 @@ private:
     }
   }
 
-  // The mean of what both triangles of a side say, and the least change after which all that leaves the
-  // one enters the other, and what is missing stays.
+  // Computes the flux through each edge. It is the mean of the values in both triangles, plus a
+  // correction after which each triangle retains its absorbed mass. The sum of the squared
+  // corrections is minimal.
   void equilibrate(const Field& flow)
   {
     const Index n = Index(m_absorbed_mass.size());
@@ -176,7 +268,8 @@ private:
     for(Index h = 0; h < m_outward_flux.size(); ++h)
       if(const Index twin = m_triangles.twin[h]; twin != none)
       {
-        // Twice the area times a hat's gradient is the side opposite, turned inward.
+        // Twice the area times the gradient of a hat function is the inward normal of the opposite
+        // edge, multiplied by its length.
         const Index opposite = previous_halfedge(h);
         const double flux =
             -2. * m_operators.area[h / 3] * dot(flow[h / 3], m_operators.hat_gradient[opposite]);
@@ -191,7 +284,7 @@ private:
       }
     for(Index f = 0; f < n; ++f)
       if(parent[f] == f)
-        entries.emplace_back(f, f, 1.); // holds it
+        entries.emplace_back(f, f, 1.); // pins one triangle of each component
     Sparse_matrix matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Vector pressure = Sparse_solver(matrix).solve(rhs);
@@ -200,76 +293,27 @@ private:
         m_outward_flux[h] += pressure[h / 3] - pressure[twin / 3];
   }
 
-  // Adds a function's turned gradient, and what circles around handles: if that makes the flow shorter.
+  // Minimizes the cost by ADMM over the divergence-free fields. The result is used only if it has a
+  // smaller cost.
   void minimize_cost()
   {
-    const Operators operators = fan_operators(m_triangles, m_operators, m_fans);
-    std::vector<Metric_tensor> tensors(m_absorbed_mass.size(), Metric_tensor{1., 0., 1.});
-    const auto rotated_gradient = [&](const Vector& function)
-    {
-      Field result = rotated_left(gradient(operators, function));
-      if(!m_metric.empty())
-        for(std::size_t f = 0; f < result.size(); ++f)
-          result[f] = product(m_metric[f], result[f]);
-      return result;
-    };
-    const auto integrated_curl = [&](Field field)
-    {
-      if(!m_metric.empty())
-        for(std::size_t f = 0; f < field.size(); ++f)
-          field[f] = product(m_metric[f], field[f]);
-      return minus_divergence(operators, rotated_right(std::move(field)));
-    };
-    if(!m_metric.empty())
-      for(std::size_t f = 0; f < tensors.size(); ++f)
-      {
-        const Metric_tensor s = squared(m_metric[f]);
-        tensors[f] = {s[2], -s[1], s[0]}; // turned
-      }
-    const Laplacian laplacian(operators);
-    Sparse_matrix matrix = laplacian.matrix(operators);
-    laplacian.assemble(operators, tensors, matrix);
-    laplacian.pin(matrix);
-    const Sparse_solver solver(matrix, Elimination_order::low_fill);
-
-    Field centroid_flow(m_absorbed_mass.size());
-    for(Index f = 0; f < centroid_flow.size(); ++f)
-      if(m_operators.area[f] > 0.)
-      {
-        const auto p = unfolded_corners(f);
-        Vec2 sum = {0., 0.};
-        for(Index k = 0; k < 3; ++k)
-          sum = sum + m_outward_flux[3 * f + k] * ((p[k] + p[(k + 1) % 3]) - 2. * p[(k + 2) % 3]);
-        centroid_flow[f] = (1. / (6. * m_operators.area[f])) * sum;
-      }
-      else
-        centroid_flow[f] = {0., 0.};
-    const auto deviation_of = [&](Field field)
+    const Solenoidal_space space(m_triangles, m_operators, m_metric, m_fans);
+    const Field centroid_flow = this->centroid_flow();
+    const auto deviation = [&](Field field)
     {
       for(std::size_t f = 0; f < field.size(); ++f)
         field[f] = field[f] - centroid_flow[f];
       return field;
     };
-    // Of measured lengths they are not orthogonal.
-    const std::vector<Field> circulation_basis =
-        m_metric.empty() ? circulations(m_triangles, m_operators) : std::vector<Field>();
     Admm admm(m_operators,
               [&](const Field& field)
               {
-                const Field deviation = deviation_of(field);
-                Field result = rotated_gradient(solver.solve(integrated_curl(deviation)));
-                for(const Field& circulation_field : circulation_basis)
-                {
-                  const double coefficient =
-                      inner_product(m_operators, deviation, circulation_field);
-                  for(std::size_t f = 0; f < result.size(); ++f)
-                    result[f] = result[f] + coefficient * circulation_field[f];
-                }
+                Field result = space.field(space.project(deviation(field)));
                 for(std::size_t f = 0; f < result.size(); ++f)
                   result[f] = centroid_flow[f] + result[f];
                 return result;
               });
-    // Until it is not worth going on.
+    // Stop if ten iterations reduce the cost by less than 0.05 %.
     for(unsigned i = 0; i < 30; ++i)
     {
       const double previous_cost = admm.upper();
@@ -279,26 +323,31 @@ private:
     }
     const double previous_cost = cost();
     std::vector<double> outward_flux = m_outward_flux;
-    const Field deviation = deviation_of(admm.flow());
-    const Vector function = solver.solve(integrated_curl(deviation));
-    for(Index h = 0; h < m_outward_flux.size(); ++h)
-      m_outward_flux[h] -=
-          function[operators.corner[next_halfedge(h)]] - function[operators.corner[h]];
-    for(const Field& circulation_field : circulation_basis)
-    {
-      const double coefficient = inner_product(m_operators, deviation, circulation_field);
-      for(Index h = 0; h < m_outward_flux.size(); ++h)
-      {
-        const auto p = unfolded(m_triangles, h / 3);
-        m_outward_flux[h] +=
-            coefficient * cross(p[next_halfedge(h) % 3] - p[h % 3], -1. * circulation_field[h / 3]);
-      }
-    }
+    space.add_flux(space.project(deviation(admm.flow())), m_outward_flux);
     if(cost() > previous_cost)
       m_outward_flux = std::move(outward_flux);
   }
 
-  // Linear in the triangle: length is convex, so that its mean is at most that at the corners.
+  // Returns the flow A J at the centroid of each triangle: #triangles vectors. It is 0 if the area
+  // is 0.
+  Field centroid_flow() const
+  {
+    Field result(m_absorbed_mass.size(), Vec2{0., 0.});
+    for(Index f = 0; f < result.size(); ++f)
+    {
+      if(!(m_operators.area[f] > 0.))
+        continue;
+      const auto p = unfolded_corners(f);
+      Vec2 sum = {0., 0.};
+      for(Index k = 0; k < 3; ++k)
+        sum = sum + m_outward_flux[3 * f + k] * ((p[k] + p[(k + 1) % 3]) - 2. * p[(k + 2) % 3]);
+      result[f] = (1. / (6. * m_operators.area[f])) * sum;
+    }
+    return result;
+  }
+
+  // Returns an upper bound of the cost of triangle f. The flow is linear there and length is
+  // convex, so that its mean is at most the mean at the corners.
   double cost(Index f) const
   {
     const auto p = unfolded_corners(f);
@@ -317,8 +366,8 @@ private:
   const Operators& m_operators;
   const std::vector<Metric_tensor>& m_metric;
   Fans m_fans;
-  std::vector<double> m_absorbed_mass; // #triangles: what has to stay there
-  std::vector<double> m_outward_flux;  // #sides
+  std::vector<double> m_absorbed_mass; // #triangles: mass that must remain in the triangle
+  std::vector<double> m_outward_flux;  // #halfedges
   double m_spreading_cost = 0.;
 };
 
@@ -329,7 +378,7 @@ Continuous_flow continuous_flow(const Surface_arrays& triangles, const Operators
 {
   if(triangles.is_cloud())
     throw Unsupported_surface_error(
-        "On a cloud flows are not bounded from above: its triangles are not glued.");
+        "Continuous flows need a mesh: a cloud has no halfedges with twins.");
   return Flux_field(triangles, operators, flow, metric).flow();
 }
 

@@ -18,11 +18,11 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Triangles times harmonic fields, of two numbers each.
+// Maximum of #triangles times #harmonic fields; an entry has two numbers of eight bytes.
 constexpr double max_number_of_entries = 1.25e8;
 
-using Hat_gradients =
-    std::array<Vec2, 2>; // of the hats of corners 1 and 2, times the root of the area
+// Gradients of the hat functions of corners 1 and 2, times the square root of the area.
+using Hat_gradients = std::array<Vec2, 2>;
 
 std::vector<Hat_gradients> weighted_hat_gradients(const Operators& operators)
 {
@@ -36,6 +36,7 @@ std::vector<Hat_gradients> weighted_hat_gradients(const Operators& operators)
   return result;
 }
 
+// Computes the gradient of a function as a column of 2 #triangles values.
 void write_gradient(const Operators& operators, const std::vector<Hat_gradients>& hat_gradients,
                     const double* function, double* column)
 {
@@ -50,19 +51,19 @@ void write_gradient(const Operators& operators, const std::vector<Hat_gradients>
   }
 }
 
-// Of functions that are zero on the border; one site of each component without border is held.
-Sparse_matrix inner_laplacian(const Operators& operators, const Sparse_matrix& laplacian,
-                              const std::vector<bool>& is_border,
+// Returns the Laplacian for functions that vanish on the boundary. In a component without boundary,
+// one vertex is pinned.
+Sparse_matrix inner_laplacian(const Operators& operators, const std::vector<bool>& is_boundary,
                               const std::vector<Index>& component, std::size_t components)
 {
-  Sparse_matrix result = laplacian;
+  Sparse_matrix result = Laplacian(operators).matrix(operators);
   for(int column = 0; column < result.outerSize(); ++column)
     for(Sparse_matrix::InnerIterator it(result, column); it; ++it)
-      if(is_border[it.row()] || is_border[it.col()])
+      if(is_boundary[it.row()] || is_boundary[it.col()])
         it.valueRef() = it.row() == it.col() ? 1. : 0.;
   std::vector<bool> is_pinned(components, false);
   for(std::size_t vertex = 0; vertex < operators.number_of_vertices; ++vertex)
-    if(is_border[vertex])
+    if(is_boundary[vertex])
       is_pinned[component[vertex]] = true;
   for(Eigen::Index vertex = 0; vertex < Eigen::Index(operators.number_of_vertices); ++vertex)
     if(!is_pinned[component[vertex]])
@@ -127,11 +128,12 @@ Matrix gradients(const Operators& operators, const Matrix& functions)
   return result;
 }
 
-// Of triangles that have an area, joined through sides: one for each component.
+// A spanning forest of the triangles with positive area, across edges: one tree for each component.
 struct Particular_fields::Tree
 {
-  std::vector<Index> parent_halfedge; // #triangles: the side that leads to the root, none at a root
-  std::vector<Index> depth;           // #triangles: sides to cross on the way there
+  // #triangles: the halfedge that leads to the parent; none at a root
+  std::vector<Index> parent_halfedge;
+  std::vector<Index> depth; // #triangles: number of edges to the root
   std::size_t roots = 0;
 
   Tree(const Surface_arrays& triangles, const Operators& operators)
@@ -158,13 +160,13 @@ struct Particular_fields::Tree
     }
   }
 
-  // Of a column of masses to the roots, in triangles one after another, some of them twice.
-  std::vector<std::pair<Index, Vec2>> flow(const Surface_arrays& triangles,
-                                           const Operators& operators, const Vector& ring_area,
-                                           const Masses& masses, Eigen::Index column) const
+  // Returns the flow of a column of masses along the tree to the roots, as pairs of triangle and
+  // vector. A triangle can occur twice.
+  Sparse_field flow(const Surface_arrays& triangles, const Operators& operators,
+                    const Vector& ring_area, const Masses& masses, Eigen::Index column) const
   {
-    std::vector<std::pair<Index, Vec2>> result;
-    // The field of Raviart and Thomas 1977 of what flows in through a side, in the middle.
+    Sparse_field result;
+    // Adds the Raviart-Thomas field (1977) of an inward flux through halfedge h, at the centroid.
     const auto add_inflow = [&](Index h, double amount)
     {
       const Index f = h / 3;
@@ -173,8 +175,8 @@ struct Particular_fields::Tree
       result.emplace_back(f, (-0.5 * amount / std::sqrt(operators.area[f])) *
                                  (middle - corners[previous_halfedge(h) % 3]));
     };
-    // Far ones first: all that flows through a triangle is known then.  The order of equal ones must not
-    // depend on amounts, of which the way back has the opposite ones.
+    // The deepest triangle is processed first, when all its inflow is known. The order of triangles
+    // with equal depth must not depend on the amounts: reversed masses must give the reversed flow.
     struct Amount
     {
       Index depth, triangle;
@@ -213,15 +215,11 @@ struct Particular_fields::Tree
 Particular_fields::Particular_fields(const Surface_arrays& triangles, const Operators& operators,
                                      Particular_field kind, bool with_harmonic_fields)
     : m_triangles(triangles), m_operators(operators), m_kind(kind),
-      m_is_border(border_vertices(triangles))
+      m_is_boundary(boundary_vertices(triangles))
 {
   std::size_t components = 0;
   std::tie(m_component, components) = internal::components(operators);
-  const Laplacian laplacian(operators);
-  const Sparse_matrix matrix = laplacian.matrix(operators);
-  Sparse_matrix pinned = matrix;
-  laplacian.pin(pinned);
-  m_poisson_solver = std::make_unique<Sparse_solver>(pinned, Elimination_order::fast);
+  m_poisson_solver = std::make_unique<Poisson_solver>(operators);
 
   const auto n = Eigen::Index(operators.number_of_triangles());
   m_harmonic.resize(2 * n, 0);
@@ -233,7 +231,7 @@ Particular_fields::Particular_fields(const Surface_arrays& triangles, const Oper
        double(number) * double(n) > max_number_of_entries)
       throw Unsupported_surface_error(
           "The surface has " + std::to_string(number) +
-          " ways around handles and holes, too many for so many faces.");
+          " independent loops around handles and holes, too many for its number of faces.");
     const std::vector<Field> harmonic =
         internal::harmonic_fields(triangles, operators, *m_poisson_solver);
     m_harmonic.resize(2 * n, Eigen::Index(harmonic.size()));
@@ -257,8 +255,7 @@ Particular_fields::Particular_fields(const Surface_arrays& triangles, const Oper
     return;
   }
   m_inner_solver = std::make_unique<Sparse_solver>(
-      inner_laplacian(operators, matrix, m_is_border, m_component, components),
-      Elimination_order::fast);
+      inner_laplacian(operators, m_is_boundary, m_component, components), Elimination_order::fast);
 }
 
 Particular_fields::~Particular_fields() = default;
@@ -287,6 +284,21 @@ Vector Particular_fields::balanced(const Vector& masses) const
   return result;
 }
 
+Matrix Particular_fields::stream_functions(const std::vector<Sparse_field>& fields) const
+{
+  Matrix result =
+      Matrix::Zero(Eigen::Index(m_operators.number_of_vertices), Eigen::Index(fields.size()));
+  for(std::size_t j = 0; j < fields.size(); ++j)
+    for(const auto& [f, vector] : fields[j])
+      for(std::size_t k = 0; k < 3; ++k)
+        if(const Index vertex = m_operators.corner[3 * f + k]; !m_is_boundary[vertex])
+          result(vertex, Eigen::Index(j)) +=
+              std::sqrt(m_operators.area[f]) *
+              dot(vector, rotated_left(m_operators.hat_gradient[3 * f + k]));
+  m_inner_solver->solve_columns(result);
+  return result;
+}
+
 void Particular_fields::for_each_field(
     const Masses& masses, const std::function<void(Eigen::Index, const Vector&)>& use) const
 {
@@ -304,21 +316,12 @@ void Particular_fields::for_each_field(
     return;
   }
 
-  // What flows along the tree, and the function whose turned gradient is its part of such fields.
-  std::vector<std::vector<std::pair<Index, Vec2>>> flow(std::size_t(masses.cols()));
-  Matrix stream_function =
-      Matrix::Zero(Eigen::Index(m_operators.number_of_vertices), masses.cols());
+  // Compute the flow along the tree and subtract its projections onto rotated gradients and onto
+  // harmonic fields.
+  std::vector<Sparse_field> flow;
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
-  {
-    flow[j] = m_tree->flow(m_triangles, m_operators, m_ring_area, masses, j);
-    for(const auto& [f, vector] : flow[j])
-      for(std::size_t k = 0; k < 3; ++k)
-        if(const Index vertex = m_operators.corner[3 * f + k]; !m_is_border[vertex])
-          stream_function(vertex, j) +=
-              std::sqrt(m_operators.area[f]) *
-              dot(vector, rotated_left(m_operators.hat_gradient[3 * f + k]));
-  }
-  m_inner_solver->solve_columns(stream_function);
+    flow.push_back(m_tree->flow(m_triangles, m_operators, m_ring_area, masses, j));
+  const Matrix stream_function = stream_functions(flow);
   Vector stream_gradient(2 * n), circulation(m_harmonic.cols());
   for(Eigen::Index j = 0; j < masses.cols(); ++j)
   {

@@ -4,6 +4,7 @@
 
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include "operators/eigenfunctions.h"
+#include "transport/Group_lasso.h"
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
 #include <CGAL/Geodesic_processing/internal/core/vec3.h>
 
@@ -21,106 +22,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-template <typename Scalar>
-using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
-
-// Lengths of the vectors of a column, whose second components follow the first ones.
-template <typename Vectors>
-auto lengths(const Vectors& column)
-{
-  const Eigen::Index n = column.size() / 2;
-  return (column.head(n).array().square() + column.tail(n).array().square()).sqrt();
-}
-
-// Many problems of one basis: for each column p, the least sum of weight |w| over all w in p + span Q,
-// where Q are orthonormal columns that are orthogonal to p.  By the alternating direction method of
-// multipliers (Boyd et al. 2011, section 6), in which the step for the coefficients is a product with
-// the transpose of Q.
-template <typename Matrix_type>
-class Group_lasso
-{
-public:
-  using Scalar = typename Matrix_type::Scalar;
-
-  Group_lasso(const Matrix_type& basis, const Column<Scalar>& weight, Matrix_type particular)
-      : m_basis(basis), m_sqrt_area(weight), m_particular(std::move(particular)),
-        m_primal(m_particular), m_dual(Matrix_type::Zero(m_primal.rows(), m_primal.cols())),
-        m_threshold(m_primal.cols())
-  {
-    const Scalar area = m_sqrt_area.square().sum();
-    for(Eigen::Index j = 0; j < m_primal.cols(); ++j)
-      m_threshold[j] = threshold_factor * m_particular.col(j).norm() / std::sqrt(area);
-  }
-
-  Eigen::Index columns() const { return m_particular.cols(); }
-
-  void advance()
-  {
-    m_argument = m_primal - m_dual;
-    transposed_product(m_basis, m_argument, m_coefficients);
-    product(m_basis, m_coefficients, m_field);
-    m_field += m_particular;
-    const Eigen::Index n = m_sqrt_area.size();
-    Column<Scalar> x(n), y(n), factor(n);
-    for(Eigen::Index j = 0; j < columns(); ++j)
-    {
-      const auto relaxed = [&](Eigen::Index from)
-      {
-        return relaxation_factor * m_field.col(j).segment(from, n).array() +
-               (1 - relaxation_factor) * m_primal.col(j).segment(from, n).array() +
-               m_dual.col(j).segment(from, n).array();
-      };
-      x = relaxed(0);
-      y = relaxed(n);
-      factor = (x.square() + y.square()).sqrt().max(min_length);
-      factor = (1 - m_threshold[j] * m_sqrt_area / factor).max(Scalar(0));
-      m_primal.col(j).head(n) = (factor * x).matrix();
-      m_primal.col(j).tail(n) = (factor * y).matrix();
-      m_dual.col(j).head(n) = ((1 - factor) * x).matrix();
-      m_dual.col(j).tail(n) = ((1 - factor) * y).matrix();
-    }
-  }
-
-  // Of the last step, with which p + Q c is what it found.
-  const Matrix_type& coefficients() const { return m_coefficients; }
-
-  auto sum(Eigen::Index j) const { return m_field.col(j); }
-  Scalar upper(Eigen::Index j) const { return (m_sqrt_area * lengths(m_field.col(j))).sum(); }
-  // What the step took away is orthogonal to Q.
-  Scalar lower(Eigen::Index j) const
-  {
-    const Column<Scalar> slope = (m_field.col(j) - m_argument.col(j)).array();
-    const Scalar max_slope = (lengths(slope) / m_sqrt_area.max(min_length)).maxCoeff();
-    return max_slope > 0 ? m_particular.col(j).dot(slope.matrix()) / max_slope : 0;
-  }
-
-  // Drops a column: the last one takes its place.
-  void remove_column(Eigen::Index j)
-  {
-    const Eigen::Index last = columns() - 1;
-    for(Matrix_type* m :
-        {&m_particular, &m_primal, &m_dual, &m_argument, &m_field, &m_coefficients})
-    {
-      m->col(j).swap(m->col(last));
-      m->conservativeResize(Eigen::NoChange, last);
-    }
-    m_threshold[j] = m_threshold[last];
-  }
-
-private:
-  static constexpr Scalar relaxation_factor = Scalar(1.7);
-  // Times the mean square of the particular field's vectors; of a tenth to eight the quickest.
-  static constexpr Scalar threshold_factor = Scalar(0.4);
-  static constexpr Scalar min_length = std::numeric_limits<Scalar>::min();
-
-  const Matrix_type& m_basis;
-  const Column<Scalar>& m_sqrt_area;
-  Matrix_type m_particular, m_primal, m_dual, m_argument, m_field, m_coefficients;
-  Column<Scalar> m_threshold;
-};
-
-// Makes columns orthonormal; those that the others span are dropped.  Returns what they were multiplied
-// with.
+// Makes the columns orthonormal and removes linearly dependent ones. Returns the factor F with
+// result = columns F.
 Matrix orthonormalize(Matrix& columns)
 {
   Matrix gram, result;
@@ -137,7 +40,7 @@ Matrix orthonormalize(Matrix& columns)
   return factor;
 }
 
-// Asks a callback, from several threads, one at a time.
+// Calls a callback from several threads, one at a time.
 class Progress
 {
 public:
@@ -145,7 +48,7 @@ public:
       : m_callback(callback), m_steps(steps)
   {}
 
-  // False when the rest need not be done.
+  // Returns false if the callback has cancelled.
   bool should_continue()
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
@@ -163,9 +66,9 @@ private:
   std::atomic<bool> m_is_cancelled{false};
 };
 
-// Closes the bounds of columns, whose upper ones are those of the particular fields, as far as is asked
-// for.  improved(j, w) gets whatever is shorter than what was known of column j; should_continue(i) is asked before
-// each iteration.
+// Computes bounds for each column of particular fields. The iteration ends for a column when its
+// bounds are within the tolerance. Calls on_improvement(j, field) when a shorter field of column j
+// is found, and should_continue(i) before iteration i.
 template <typename On_improvement, typename Should_continue>
 std::vector<Transport_bounds>
 solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix particular,
@@ -182,28 +85,29 @@ solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix part
   }
   if(basis.cols() == 0)
     return result;
-  std::vector<std::size_t> column_index(result.size()); // of the columns that are left
+  // the columns that are not yet within the tolerance
+  std::vector<std::size_t> column_index(result.size());
   std::iota(column_index.begin(), column_index.end(), std::size_t(0));
-  Group_lasso<Matrix> sums(basis, weight, std::move(particular));
+  Group_lasso<Matrix> solver(basis, weight, std::move(particular));
   for(unsigned i = 1;
       i <= options.maximum_iterations && !column_index.empty() && should_continue(i); ++i)
   {
-    sums.advance();
+    solver.advance();
     if(i % 4 != 0)
       continue;
-    for(Eigen::Index j = sums.columns() - 1; j >= 0; --j)
+    for(Eigen::Index j = solver.columns() - 1; j >= 0; --j)
     {
       Transport_bounds& bounds = result[column_index[std::size_t(j)]];
       bounds.iterations = i;
-      if(const double upper = sums.upper(j); upper < bounds.upper)
+      if(const double upper = solver.upper(j); upper < bounds.upper)
       {
         bounds.upper = upper;
-        on_improvement(column_index[std::size_t(j)], sums.sum(j));
+        on_improvement(column_index[std::size_t(j)], solver.field(j));
       }
-      bounds.lower = std::min(std::max(bounds.lower, sums.lower(j)), bounds.upper);
+      bounds.lower = std::min(std::max(bounds.lower, solver.lower(j)), bounds.upper);
       if(!bounds.are_within(options.tolerance))
         continue;
-      sums.remove_column(j);
+      solver.remove_column(j);
       column_index[std::size_t(j)] = column_index.back();
       column_index.pop_back();
     }
@@ -213,26 +117,109 @@ solve_group_lasso(const Matrix& basis, const Column<double>& weight, Matrix part
 
 constexpr std::size_t columns_per_block = 32;
 
+// The number of partial sums is fixed, so that results do not depend on the number of threads.
+constexpr std::size_t number_of_slices = 16;
+
+// Returns column i minus column j for each pair j < i, in the order of i, then j.
+Masses pairwise_differences(const Masses& masses)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::Index pair = 0;
+  for(Eigen::Index i = 0; i < masses.cols(); ++i)
+    for(Eigen::Index j = 0; j < i; ++j, ++pair)
+    {
+      for(Masses::InnerIterator it(masses, i); it; ++it)
+        entries.emplace_back(it.row(), pair, it.value());
+      for(Masses::InnerIterator it(masses, j); it; ++it)
+        entries.emplace_back(it.row(), pair, -it.value());
+    }
+  Masses result(masses.rows(), pair);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+// Returns the particular fields times the square root of the area, in single precision. With this
+// weight, the integral of a length is a sum of lengths.
+Float_matrix area_weighted_fields(const Particular_fields& particular, const Vector& sqrt_area,
+                                  const Masses& masses, unsigned threads, Progress& progress)
+{
+  const Eigen::Index triangles = sqrt_area.size();
+  Float_matrix result(2 * triangles, masses.cols());
+  for_each_block(std::size_t(masses.cols()), columns_per_block, threads,
+                 [&](std::size_t, std::size_t begin, std::size_t end)
+                 {
+                   if(!progress.should_continue())
+                     return;
+                   const Eigen::Index size = Eigen::Index(end - begin);
+                   Matrix block = particular.fields(masses.middleCols(Eigen::Index(begin), size));
+                   block.topRows(triangles).array().colwise() *= sqrt_area.array();
+                   block.bottomRows(triangles).array().colwise() *= sqrt_area.array();
+                   result.middleCols(Eigen::Index(begin), size) = block.cast<float>();
+                 });
+  return result;
+}
+
+// Returns for columns i < j the sum over all triangles of the length of the difference vector.
+// Blocks of triangles stay in the cache for all pairs. The partial sums are added in a fixed order.
+Matrix pairwise_sums_of_lengths(const Float_matrix& fields, unsigned threads, Progress& progress)
+{
+  constexpr std::size_t triangles_per_block = 1024;
+  const Eigen::Index n = fields.cols(), triangles = fields.rows() / 2;
+  const std::size_t number_of_blocks =
+      (std::size_t(triangles) + triangles_per_block - 1) / triangles_per_block;
+  std::vector<Matrix> sums(number_of_slices);
+  for_each_block(
+      number_of_slices, 1, threads,
+      [&](std::size_t slice, std::size_t, std::size_t)
+      {
+        if(!progress.should_continue())
+          return;
+        Matrix& sum = sums[slice];
+        sum = Matrix::Zero(n, n);
+        for(std::size_t block = slice * number_of_blocks / number_of_slices;
+            block < (slice + 1) * number_of_blocks / number_of_slices; ++block)
+        {
+          const Eigen::Index begin = Eigen::Index(block * triangles_per_block);
+          const Eigen::Index size = std::min(Eigen::Index(triangles_per_block), triangles - begin);
+          const auto x = fields.middleRows(begin, size).array();
+          const auto y = fields.middleRows(triangles + begin, size).array();
+          for(Eigen::Index j = 0; j < n; ++j)
+            for(Eigen::Index i = 0; i < j; ++i)
+              sum(i, j) += double(
+                  ((x.col(i) - x.col(j)).square() + (y.col(i) - y.col(j)).square()).sqrt().sum());
+        }
+      });
+  Matrix result = Matrix::Zero(n, n);
+  if(!progress.is_cancelled())
+    for(const Matrix& sum : sums)
+      result += sum;
+  return result;
+}
+
 } // namespace
 
-// Groups of triangles around sites that are no neighbours of each other, eight or nine in each, with a
-// plane for each group.
+// Clusters of triangles around center vertices. Two centers are never adjacent. The mean size is
+// eight to nine triangles. Each cluster has a plane, in which the vectors of its triangles are
+// averaged.
 struct Spectral_transport::Clusters
 {
   std::vector<Index> cluster; // #triangles
-  std::vector<Vec2>
-      frame_rotation;      // #triangles: what a vector is multiplied with as a complex number
-  Float_matrix full_basis; // the family's basis
-  Float_matrix basis;      // of mean vectors in clusters, orthonormal
-  Float_matrix to_full_coefficients; // coefficients of that basis to those of the whole one
-  Column<float> weight;              // #clusters: roots of areas
+  // #triangles: complex factor of a vector: the rotation to the frame of the cluster, times the
+  // square root of the relative area
+  std::vector<Vec2> frame_rotation;
+  Float_matrix full_basis;           // the basis B, in single precision
+  Float_matrix basis;                // mean vectors of the basis in the clusters, orthonormalized
+  Float_matrix to_full_coefficients; // maps coefficients of the cluster basis to those of B
+  Column<float> weight;              // #clusters: square roots of areas
 
-  Clusters(const Surface_arrays& triangles, const Operators& operators, const Matrix& family_basis)
-      : full_basis(family_basis.cast<float>())
+  Clusters(const Surface_arrays& triangles, const Operators& operators,
+           const Matrix& original_basis)
+      : full_basis(original_basis.cast<float>())
   {
     std::size_t number = assign_clusters(triangles, operators);
-    // Few of them could not tell the basis's functions apart.
-    if(number < 3 * std::size_t(family_basis.cols()))
+    // With fewer clusters, the means of the basis could be linearly dependent. Then each triangle
+    // is a cluster.
+    if(number < 3 * std::size_t(original_basis.cols()))
     {
       number = cluster.size();
       std::iota(cluster.begin(), cluster.end(), Index(0));
@@ -244,12 +231,12 @@ struct Spectral_transport::Clusters
     for(std::size_t c = 0; c < number; ++c)
       weight[Eigen::Index(c)] = float(std::sqrt(area[c]));
     align_frames(triangles, operators, area);
-    Matrix means = this->means(family_basis);
+    Matrix means = this->means(original_basis);
     to_full_coefficients = orthonormalize(means).cast<float>();
     basis = means.cast<float>();
   }
 
-  // The mean vector in each cluster, times the root of its area.
+  // Returns the mean vector in each cluster times the square root of its area, for each column.
   template <typename Matrix_type>
   Matrix_type means(const Matrix_type& columns) const
   {
@@ -268,19 +255,21 @@ struct Spectral_transport::Clusters
   }
 
 private:
+  // Assigns each triangle to a cluster. Returns the number of clusters.
   std::size_t assign_clusters(const Surface_arrays& triangles, const Operators& operators)
   {
     const std::size_t n = operators.number_of_triangles();
     cluster.assign(n, none);
     std::size_t number = 0;
-    if(triangles.point.empty()) // no planes: each triangle has its own
+    if(triangles.point.empty()) // without coordinates, each triangle is a cluster
     {
       for(Index f = 0; f < n; ++f)
         cluster[f] = Index(number++);
       return number;
     }
     std::vector<Index> cluster_of(operators.number_of_vertices,
-                                  none); // that of the site or a neighbour
+                                  // #vertices: the cluster around the vertex or an adjacent one
+                                  none);
     for(Index vertex = 0; vertex < cluster_of.size(); ++vertex)
     {
       if(cluster_of[vertex] != none ||
@@ -303,6 +292,8 @@ private:
     return number;
   }
 
+  // Computes `frame_rotation`. The plane of a cluster is orthogonal to the sum of its area-weighted
+  // normals.
   void align_frames(const Surface_arrays& triangles, const Operators& operators,
                     const std::vector<double>& area)
   {
@@ -322,7 +313,9 @@ private:
       normal[cluster[f]] = normal[cluster[f]] + doubled_normal;
     }
     std::vector<Index> reference_triangle(area.size(),
-                                          none); // a triangle whose first axis is the plane's
+                                          // #clusters: the triangle whose first axis is projected
+                                          // to that of the plane
+                                          none);
     for(Index f = 0; f < n; ++f)
     {
       if(!(operators.area[f] > 0.))
@@ -335,7 +328,7 @@ private:
           reference_triangle[c] = f;
         const Vec3 unit_normal = unit(normal[c]);
         const Vec3 y = cross(unit_normal, first[reference_triangle[c]]), x = cross(y, unit_normal);
-        // The nearest rotation to the projection.
+        // The rotation closest to the projection onto the plane.
         rotation = {dot(first[f], x) + dot(second[f], y), dot(first[f], y) - dot(second[f], x)};
         const double size = norm(rotation);
         rotation = size > 0. ? (1. / size) * rotation : Vec2{1., 0.};
@@ -351,7 +344,7 @@ Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> tri
 {
   if(std::none_of(m_operators.area.begin(), m_operators.area.end(),
                   [](double area) { return area > 0.; }))
-    throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
+    throw Unsupported_surface_error("The surface has no triangle with positive area.");
   m_number_of_components = components(m_operators).second;
   m_particular = std::make_unique<Particular_fields>(*m_triangles, m_operators, kind, k > 0);
   const auto n = Eigen::Index(m_operators.number_of_triangles());
@@ -381,7 +374,7 @@ Spectral_transport::Spectral_transport(std::shared_ptr<const Surface_arrays> tri
 
 Spectral_transport::~Spectral_transport() = default;
 
-// What is missing on each component, and there in all.
+// Returns the sum of a column on each component.
 std::vector<double> Spectral_transport::column_masses(const Masses& masses,
                                                       Eigen::Index column) const
 {
@@ -391,6 +384,7 @@ std::vector<double> Spectral_transport::column_masses(const Masses& masses,
   return result;
 }
 
+// Returns true if a column sums to zero on each component, up to a relative 1e-9.
 bool Spectral_transport::is_balanced(const Masses& differences, Eigen::Index column) const
 {
   double size = 0.;
@@ -406,7 +400,7 @@ Spectral_transport::distances(const Masses& differences,
                               const Spectral_transport_options& options) const
 {
   if(!(options.tolerance > 0.))
-    throw Invalid_argument_error("The tolerance is not positive.");
+    throw Invalid_argument_error("The tolerance must be positive.");
   const auto columns = std::size_t(differences.cols());
   std::vector<Transport_bounds> result(columns);
   Progress progress(options.callback, (columns + columns_per_block - 1) / columns_per_block);
@@ -447,7 +441,7 @@ Transport_result Spectral_transport::transport(const Vector& masses,
                                                const Spectral_transport_options& options) const
 {
   if(!(options.tolerance > 0.))
-    throw Invalid_argument_error("The tolerance is not positive.");
+    throw Invalid_argument_error("The tolerance must be positive.");
   Transport_result result;
   const Masses column = masses.sparseView();
   Transport_bounds bounds = {infinity, infinity};
@@ -481,78 +475,26 @@ Matrix Spectral_transport::all_pairs(const Masses& masses,
                                      const Spectral_transport_options& options) const
 {
   const Eigen::Index n = masses.cols();
-  Matrix result = Matrix::Zero(n, n);
   if(m_basis.cols() > 0)
   {
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::Index pair = 0;
-    for(Eigen::Index i = 0; i < n; ++i)
-      for(Eigen::Index j = 0; j < i; ++j, ++pair)
-      {
-        for(Masses::InnerIterator it(masses, i); it; ++it)
-          entries.emplace_back(it.row(), pair, it.value());
-        for(Masses::InnerIterator it(masses, j); it; ++it)
-          entries.emplace_back(it.row(), pair, -it.value());
-      }
-    Masses differences(masses.rows(), pair);
-    differences.setFromTriplets(entries.begin(), entries.end());
+    const Masses differences = pairwise_differences(masses);
     const std::vector<Transport_bounds> bounds = distances(differences, options);
-    if(bounds.empty())
-      return pair > 0 ? Matrix() : result;
-    pair = 0;
+    if(bounds.empty() && differences.cols() > 0)
+      return {};
+    Matrix result = Matrix::Zero(n, n);
+    std::size_t pair = 0;
     for(Eigen::Index i = 0; i < n; ++i)
       for(Eigen::Index j = 0; j < i; ++j, ++pair)
         result(i, j) = result(j, i) = bounds[pair].value();
     return result;
   }
 
-  // Fields times areas, so that a difference's length is all that is summed.
-  const Eigen::Index triangles = m_sqrt_area.size();
-  Float_matrix fields(2 * triangles, n);
-  Progress progress(options.callback, std::size_t(n) / columns_per_block + 17);
-  for_each_block(std::size_t(n), columns_per_block, options.threads,
-                 [&](std::size_t, std::size_t begin, std::size_t end)
-                 {
-                   if(!progress.should_continue())
-                     return;
-                   const Eigen::Index size = Eigen::Index(end - begin);
-                   Matrix block =
-                       m_particular->fields(masses.middleCols(Eigen::Index(begin), size));
-                   block.topRows(triangles).array().colwise() *= m_sqrt_area.array();
-                   block.bottomRows(triangles).array().colwise() *= m_sqrt_area.array();
-                   fields.middleCols(Eigen::Index(begin), size) = block.cast<float>();
-                 });
-  // Few triangles at once stay in the cache for all pairs.  Sums of parts are added in their order.
-  constexpr std::size_t triangles_per_block = 1024;
-  const std::size_t number_of_blocks =
-      (std::size_t(triangles) + triangles_per_block - 1) / triangles_per_block;
-  constexpr std::size_t number_of_slices = 16;
-  std::vector<Matrix> sums(number_of_slices);
-  for_each_block(
-      number_of_slices, 1, options.threads,
-      [&](std::size_t slice, std::size_t, std::size_t)
-      {
-        if(!progress.should_continue())
-          return;
-        Matrix& sum = sums[slice];
-        sum = Matrix::Zero(n, n);
-        for(std::size_t block = slice * number_of_blocks / number_of_slices;
-            block < (slice + 1) * number_of_blocks / number_of_slices; ++block)
-        {
-          const Eigen::Index begin = Eigen::Index(block * triangles_per_block);
-          const Eigen::Index size = std::min(Eigen::Index(triangles_per_block), triangles - begin);
-          const auto x = fields.middleRows(begin, size).array();
-          const auto y = fields.middleRows(triangles + begin, size).array();
-          for(Eigen::Index j = 0; j < n; ++j)
-            for(Eigen::Index i = 0; i < j; ++i)
-              sum(i, j) += double(
-                  ((x.col(i) - x.col(j)).square() + (y.col(i) - y.col(j)).square()).sqrt().sum());
-        }
-      });
+  Progress progress(options.callback, std::size_t(n) / columns_per_block + 1 + number_of_slices);
+  const Float_matrix fields =
+      area_weighted_fields(*m_particular, m_sqrt_area, masses, options.threads, progress);
+  Matrix result = pairwise_sums_of_lengths(fields, options.threads, progress);
   if(progress.is_cancelled())
     return {};
-  for(const Matrix& sum : sums)
-    result += sum;
   std::vector<std::vector<double>> mass;
   for(Eigen::Index j = 0; j < n; ++j)
     mass.push_back(column_masses(masses, j));
@@ -612,18 +554,19 @@ Vector Spectral_transport::one_to_all(const Masses& source,
   return result;
 }
 
-// For columns p, what of the basis makes their sums nearly the least.
+// Returns, for each column p, a combination of B for which the integral of the sum is almost
+// minimal.
 Float_matrix Spectral_transport::coarse_correction(const Float_matrix& fields) const
 {
   Float_matrix particular = m_clusters->means(fields), coarse_coefficients, projected, result;
   transposed_product(m_clusters->basis, particular, coarse_coefficients);
   product(m_clusters->basis, coarse_coefficients, projected);
   particular -= projected;
-  Group_lasso<Float_matrix> sums(m_clusters->basis, m_clusters->weight, std::move(particular));
-  for(int i = 0; i < 32; ++i) // more gain less than clusters lose
-    sums.advance();
+  Group_lasso<Float_matrix> solver(m_clusters->basis, m_clusters->weight, std::move(particular));
+  for(int i = 0; i < 32; ++i) // more iterations gain less than the clustering loses
+    solver.advance();
   const Float_matrix coefficients =
-      m_clusters->to_full_coefficients * (sums.coefficients() - coarse_coefficients);
+      m_clusters->to_full_coefficients * (solver.coefficients() - coarse_coefficients);
   product(m_clusters->full_basis, coefficients, result);
   return result;
 }

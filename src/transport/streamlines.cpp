@@ -18,12 +18,13 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// A line that comes to the same side, or the same site, so often turns in circles.
+// A streamline that crosses an edge or vertex more often is in a closed loop.
 constexpr unsigned max_visits = 16;
 
 constexpr double golden_ratio = 0.6180339887498949;
 
-// Where sums of masses reach a number: the position, and the part of it that is reached.
+// Returns the interval of cumulative sums that contains `number`, and the fraction of the interval
+// below it.
 std::pair<std::size_t, double> find_in_cumulative_sums(const std::vector<double>& cumulative,
                                                        double number)
 {
@@ -49,8 +50,8 @@ class Streamlines::Tracer
 {
 public:
   virtual ~Tracer() = default;
-  virtual bool has_flow() const = 0; // anything
-  // Of so many that have the same mass.
+  virtual bool has_flow() const = 0; // true if mass moves
+  // Returns seed i of `number` seeds with equal mass.
   virtual Streamline_seed seed(std::size_t i, std::size_t number) const = 0;
   virtual Streamline trace_line(const Streamline_seed& seed) const = 0;
 
@@ -71,7 +72,8 @@ protected:
       line.locations.push_back(cleaned_location);
   }
 
-  // What stands at a site, or is shared with it.
+  // Adds the vertex, and before it the point mass inside a triangle that is represented by the
+  // vertex.
   void begin_at_vertex(Streamline& line, Index vertex) const
   {
     if(const Index i = m_source_location[vertex]; i != none)
@@ -86,7 +88,8 @@ protected:
   }
 
 private:
-  // #sites: the location in a triangle that has most to do with the site, or none.
+  // Returns for each vertex the point inside a triangle with the largest barycentric coordinate at
+  // this vertex, or none.
   std::vector<Index> dominant_locations(const std::vector<Surface_location>& locations) const
   {
     std::vector<Index> result(t().number_of_vertices(), none);
@@ -107,9 +110,10 @@ private:
   std::vector<Index> m_source_location, m_target_location;
 };
 
-// In barycentric coordinates b a field of Raviart and Thomas is S b - G over twice the area, G what flows
-// out through the side opposite of each corner and S its sum.  So a line from b is b + u (S b - G), all
-// around it is stretched by 1 + S u, and masses are divided by the square of that.
+// Streamlines on a mesh. Let b be barycentric coordinates, G_k the flux out through the edge
+// opposite of corner k, and S the sum of all G_k. The Raviart-Thomas field is (S b - G) / (2 area).
+// Hence a streamline from b is b + u (S b - G). Lengths around it are scaled by 1 + S u, and
+// densities are divided by the square.
 class Streamlines::Mesh_tracer : public Tracer
 {
 public:
@@ -131,7 +135,7 @@ public:
       for(std::size_t corner = 3 * f; corner < 3 * f + 3; ++corner)
         m_source_mass[f] +=
             corner_fraction(corner) * this->masses().source_masses[t().corner[corner]];
-      // Fans around a site may have other parts of it.
+      // If the vertex has several fans, they can carry different fractions of its mass.
       m_source_mass[f] = std::max({m_source_mass[f], -flow.absorbed_mass[f], 0.});
       m_target_mass[f] = m_source_mass[f] + flow.absorbed_mass[f];
     }
@@ -144,7 +148,8 @@ public:
   {
     const auto [f, fraction] = find_in_cumulative_sums(
         m_cumulative_masses, (double(i) + 0.5) / double(number) * m_cumulative_masses.back());
-    // The area cut off at a corner, and along the cut multiples of the golden ratio.
+    // The square root makes the area between corner 0 and the cut proportional to the mass.
+    // Multiples of the golden ratio are evenly distributed along the cut.
     const double cut_ratio = std::sqrt(fraction),
                  along = std::fmod(0.5 + golden_ratio * double(i), 1.);
     const Surface_location location = {
@@ -165,7 +170,7 @@ public:
       if(t().ring_begin[vertex] == t().ring_begin[vertex + 1])
         return result;
       location = outgoing_location(vertex);
-      // Rounding is no flow.
+      // A flux of this size is a round-off error.
       if(opposite_outflow(3 * location.triangle + corner_at(location.triangle, vertex)) <=
          1e-12 * m_cumulative_masses.back())
       {
@@ -179,7 +184,7 @@ public:
   }
 
 private:
-  // Of the mass at a corner's site, in the triangle.
+  // Returns the fraction of the vertex's mass that is in the triangle of the corner.
   double corner_fraction(std::size_t corner) const
   {
     const Index vertex = t().corner[corner];
@@ -188,7 +193,7 @@ private:
                : 1. / double(t().ring_begin[vertex + 1] - t().ring_begin[vertex]);
   }
 
-  // What flows out of the triangle through the side opposite of the corner.
+  // Returns the flux out of the triangle through the edge opposite of the corner.
   double opposite_outflow(Index corner) const { return m_outward_flux[next_halfedge(corner)]; }
 
   Index corner_at(Index triangle, Index vertex) const
@@ -199,7 +204,8 @@ private:
     return k;
   }
 
-  // Among the triangles around a site: the middle of the one through which most leaves.
+  // Returns the centroid of the incident triangle with the largest outward flux through the edge
+  // opposite of the vertex.
   Surface_location outgoing_location(Index vertex) const
   {
     Index best = t().ring[t().ring_begin[vertex]];
@@ -209,7 +215,7 @@ private:
     return {best / 3, none, {1. / 3., 1. / 3., 1. / 3.}};
   }
 
-  // The corner whose mass is the most of what is in a triangle there.
+  // Returns the vertex of the triangle that contributes most mass at the location.
   Index dominant_vertex(const Surface_location& location, const Vector& masses) const
   {
     Index best = none;
@@ -228,6 +234,35 @@ private:
     return best;
   }
 
+  // The straight line b + u direction of a streamline in a triangle.
+  struct Triangle_crossing
+  {
+    double sum; // total flux out of the triangle
+    std::array<double, 3> direction;
+    double u = infinity;   // parameter at the exit
+    Index opposite = none; // corner opposite of the edge at the exit
+  };
+
+  // Computes the line from b in triangle f, and its exit.
+  Triangle_crossing cross_triangle(Index f, const std::array<double, 3>& b) const
+  {
+    const std::array<double, 3> out = {opposite_outflow(3 * f), opposite_outflow(3 * f + 1),
+                                       opposite_outflow(3 * f + 2)};
+    Triangle_crossing result;
+    result.sum = out[0] + out[1] + out[2];
+    for(Index k = 0; k < 3; ++k)
+    {
+      const double direction = result.direction[k] = result.sum * b[k] - out[k];
+      if(out[k] > 0. && direction < 0. && -b[k] / direction < result.u)
+      {
+        result.u = -b[k] / direction;
+        result.opposite = 3 * f + k;
+      }
+    }
+    return result;
+  }
+
+  // Appends the locations of a streamline from a point inside a triangle.
   void trace(Streamline& line, const Surface_location& from) const
   {
     std::unordered_map<Index, unsigned> visits;
@@ -235,34 +270,22 @@ private:
     std::array<double, 3> b = from.barycentric;
     for(double time = 0.;;)
     {
-      const std::array<double, 3> out = {opposite_outflow(3 * f), opposite_outflow(3 * f + 1),
-                                         opposite_outflow(3 * f + 2)};
-      const double sum = out[0] + out[1] + out[2];
-      std::array<double, 3> direction;
-      double u = infinity;
-      Index opposite = none;
-      for(Index k = 0; k < 3; ++k)
-      {
-        direction[k] = sum * b[k] - out[k];
-        if(out[k] > 0. && direction[k] < 0. && -b[k] / direction[k] < u)
-        {
-          u = -b[k] / direction[k];
-          opposite = 3 * f + k;
-        }
-      }
-      // Where the mass is at the end of time, or where all flows to.
+      const Triangle_crossing crossing = cross_triangle(f, b);
+      const double sum = crossing.sum;
+      // The parameter at time 1. If the flow contracts, all lines meet at u = -1 / sum and end
+      // there.
       const double mass = std::max(0., m_source_mass[f] - time * sum), last = m_target_mass[f];
       double end = last > 0. ? (1. - time) / (last + std::sqrt(mass * last)) : infinity;
       if(sum < 0.)
         end = std::min(end, -1. / sum);
-      const bool ends_here = end <= u;
-      u = std::min(u, end);
+      const bool ends_here = end <= crossing.u;
+      const double u = std::min(crossing.u, end);
       if(u == infinity)
-        return; // nothing flows here
+        return; // no flow
       for(std::size_t k = 0; k < 3; ++k)
-        b[k] = std::max(0., b[k] + u * direction[k]);
+        b[k] = std::max(0., b[k] + u * crossing.direction[k]);
       if(!ends_here)
-        b[opposite % 3] = 0.;
+        b[crossing.opposite % 3] = 0.;
       const double total = b[0] + b[1] + b[2];
       for(double& coordinate : b)
         coordinate /= total;
@@ -276,7 +299,7 @@ private:
       }
       const double stretch = 1. + sum * u;
       time = std::min(1., time + mass * u * (1. + stretch) / (stretch * stretch));
-      const Index h = next_halfedge(opposite), twin = t().twin[h];
+      const Index h = next_halfedge(crossing.opposite), twin = t().twin[h];
       if(twin == none || ++visits[h] > max_visits)
         return;
       std::array<double, 3> coordinates = {0., 0., 0.};
@@ -287,14 +310,15 @@ private:
     }
   }
 
-  std::vector<double> m_outward_flux;               // #sides
-  std::vector<double> m_doubled_area;               // #triangles, twice
-  std::vector<double> m_ring_area;                  // #sites, the sum of that around it
+  std::vector<double> m_outward_flux;               // #halfedges
+  std::vector<double> m_doubled_area;               // #triangles: twice the area
+  std::vector<double> m_ring_area;                  // #vertices: sum over the incident triangles
   std::vector<double> m_source_mass, m_target_mass; // #triangles
   std::vector<double> m_cumulative_masses;
 };
 
-// Each triangle sends from corner to corner a third of the difference of what is missing at them.
+// Streamlines on a cloud. The flow along an edge is the sum over its triangles of a third of the
+// difference of the divergences at both ends.
 class Streamlines::Cloud_tracer : public Tracer
 {
 public:
@@ -304,7 +328,7 @@ public:
         m_cumulative_masses(cumulative_sums(this->masses().source_masses)),
         m_edge_begin(t().number_of_vertices() + 1, 0)
   {
-    std::vector<Edge> edges; // both ways
+    std::vector<Edge> edges; // in both directions
     for(Index h = 0; h < operators.corner.size(); ++h)
     {
       const Index next = next_halfedge(h), f = h / 3;
@@ -355,8 +379,10 @@ public:
     std::vector<Index> path_vertices = {vertex};
     std::unordered_map<Index, unsigned> visits;
     double before = masses().source_masses[vertex];
-    double rank = before > 0. ? seed.right_fraction * before : 0.5; // among what comes from there
-    Index from = before > 0. ? vertex : none; // itself, or none: all that comes
+    // position in the flow from `from`
+    double rank = before > 0. ? seed.right_fraction * before : 0.5;
+    // the vertex itself if it has source mass; none for all incoming flow
+    Index from = before > 0. ? vertex : none;
     while(++visits[vertex] <= max_visits)
     {
       const auto [next, amount] = next_vertex(vertex, from, rank);
@@ -367,7 +393,7 @@ public:
         result.has_arrived = true;
         break;
       }
-      // Without the loops.
+      // Removes loops.
       if(const auto coordinates = std::find(path_vertices.begin(), path_vertices.end(), next);
          coordinates != path_vertices.end())
         path_vertices.erase(coordinates + 1, path_vertices.end());
@@ -388,10 +414,11 @@ private:
   struct Edge
   {
     Index from, to;
-    double amount; // that goes along it, negative if it comes
-    double left;   // how far the other end lies on the left of where things go
+    double amount; // flow from `from` to `to`; negative if it is incoming
+    double left;   // sine of the angle of the edge to the left of the flow direction
   };
 
+  // Sorts the edges of a vertex from right to left, as seen in the direction of its total flow.
   void sort_edges_at(Index vertex)
   {
     const auto begin = m_edges.begin() + m_edge_begin[vertex],
@@ -408,8 +435,8 @@ private:
               { return std::tie(a.left, a.to) < std::tie(b.left, b.to); });
   }
 
-  // Calls f with each site that sends to this one, or is sent to, from right to left, and how much: this
-  // one itself in the middle.
+  // Calls f(neighbor, amount) for each incoming (sign = -1) or outgoing (sign = 1) edge, from right
+  // to left. At the flow direction, f(vertex, own_mass) is called.
   template <typename Function>
   void for_each_neighbor(Index vertex, double sign, double own_mass, Function f) const
   {
@@ -428,7 +455,8 @@ private:
       f(vertex, own_mass);
   }
 
-  // Where something goes to, and its location there among what comes from here; none if nothing moves here.
+  // Returns the next vertex and the position in the flow to it. Returns the vertex itself if the
+  // streamline ends there, and none if nothing flows here.
   std::pair<Index, double> next_vertex(Index vertex, Index from, double rank) const
   {
     double in = 0., out = 0., rank_in_flow = 0.;
@@ -443,8 +471,8 @@ private:
                       [&](Index, double amount) { out += amount; });
     if(!(in > 0. || from == none) || !(out > 0.))
       return {none, 0.};
-    rank_in_flow = from == none ? rank * out
-                                : std::min(rank_in_flow * (out / in), out); // sums but for rounding
+    // Inflow and outflow are equal up to round-off errors.
+    rank_in_flow = from == none ? rank * out : std::min(rank_in_flow * (out / in), out);
     std::pair<Index, double> result = {none, 0.};
     double sum = 0.;
     for_each_neighbor(vertex, 1., masses().target_masses[vertex],
@@ -458,8 +486,8 @@ private:
   }
 
   std::vector<double> m_cumulative_masses;
-  std::vector<Index> m_edge_begin; // #sites + 1: where its arcs begin
-  std::vector<Edge> m_edges;       // around each site from right to left
+  std::vector<Index> m_edge_begin; // #vertices + 1: first edge of each vertex
+  std::vector<Edge> m_edges;       // sorted from right to left at each vertex
 };
 
 Streamlines::Streamlines(std::shared_ptr<const Surface_arrays> triangles,

@@ -11,8 +11,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// #sides: the site in the middle of each, from number_of_vertices() on; one for all sides that join two
-// surfels.
+// Returns the midpoint vertex of each halfedge, numbered from number_of_vertices() on. On a cloud,
+// all halfedges with the same ends have one midpoint.
 std::vector<Index> edge_midpoints(const Surface_arrays& t)
 {
   std::vector<Index> result(t.corner.size());
@@ -35,7 +35,7 @@ std::vector<Index> edge_midpoints(const Surface_arrays& t)
   return result;
 }
 
-// The corners around each site, by the order in which they come.
+// Sets the rings. The order around a vertex is that of `corners`.
 void set_rings(Surface_arrays& t, std::size_t number_of_vertices, const std::vector<Index>& corners)
 {
   t.ring_begin.assign(number_of_vertices + 1, 0);
@@ -48,12 +48,46 @@ void set_rings(Surface_arrays& t, std::size_t number_of_vertices, const std::vec
     t.ring[next[t.corner[corner]]++] = corner;
 }
 
-// Corner j of the triangle in the place of `part`, 0 to 3, of the triangle of a corner or side.
+// Returns corner j of child triangle `child` of the triangle that contains halfedge h; both are
+// taken modulo 3. The next function returns corner j of the center triangle.
 constexpr Index child_corner(Index h, Index child, Index j)
 {
   return 3 * (4 * (h / 3) + child % 3) + j % 3;
 }
 constexpr Index center_child_corner(Index h, Index j) { return 3 * (4 * (h / 3) + 3) + j % 3; }
+
+// Returns the twins of all halfedges of the refined mesh.
+std::vector<Index> child_twins(const Surface_arrays& t)
+{
+  std::vector<Index> result(4 * t.corner.size());
+  for(Index h = 0; h < t.corner.size(); ++h)
+  {
+    const Index k = h % 3, twin = t.twin[h], l = twin % 3;
+    const bool is_boundary = twin == none;
+    result[child_corner(h, k, k)] = is_boundary ? none : child_corner(twin, l + 1, l);
+    result[child_corner(h, k + 1, k)] = is_boundary ? none : child_corner(twin, l, l);
+    result[child_corner(h, k + 2, k)] = center_child_corner(h, k);
+    result[center_child_corner(h, k)] = child_corner(h, k + 2, k);
+  }
+  return result;
+}
+
+// Returns all corners in the order of the rings: counterclockwise around each vertex. At a
+// midpoint, the corners in one triangle precede those in the other.
+std::vector<Index> child_corners_by_vertex(const Surface_arrays& t)
+{
+  std::vector<Index> result;
+  result.reserve(4 * t.corner.size());
+  for(const Index corner : t.ring)
+    result.push_back(child_corner(corner, corner % 3, corner % 3));
+  for(Index h = 0; h < t.corner.size(); ++h)
+  {
+    const Index k = h % 3;
+    result.insert(result.end(), {child_corner(h, k + 1, k), center_child_corner(h, k + 2),
+                                 child_corner(h, k, k + 1)});
+  }
+  return result;
+}
 
 } // namespace
 
@@ -74,7 +108,8 @@ Surface_arrays refined(const Surface_arrays& t)
     result.corner[child_corner(h, k, k + 1)] = midpoints[h];
     result.corner[child_corner(h, k, k + 2)] = midpoints[previous_halfedge(h)];
     result.corner[center_child_corner(h, k)] = midpoints[next_halfedge(h)];
-    // Twice as long, beside a scale of half.
+    // Half the scale doubles the lengths: the edges of the children have the lengths of the
+    // parent's edges.
     for(Index child = 0; child < 3; ++child)
       result.length[child_corner(h, child, k)] = t.length[h];
     result.length[center_child_corner(h, k)] = t.length[h];
@@ -86,31 +121,8 @@ Surface_arrays refined(const Surface_arrays& t)
   if(t.is_cloud())
     result.graph.begin.assign(number_of_vertices + 1, 0);
   else
-  {
-    result.twin.resize(result.corner.size());
-    for(Index h = 0; h < t.corner.size(); ++h)
-    {
-      const Index k = h % 3, twin = t.twin[h], l = twin % 3;
-      const bool is_border = twin == none;
-      result.twin[child_corner(h, k, k)] = is_border ? none : child_corner(twin, l + 1, l);
-      result.twin[child_corner(h, k + 1, k)] = is_border ? none : child_corner(twin, l, l);
-      result.twin[child_corner(h, k + 2, k)] = center_child_corner(h, k);
-      result.twin[center_child_corner(h, k)] = child_corner(h, k + 2, k);
-    }
-  }
-
-  // Counterclockwise around each site: of a middle those in the one triangle, then those in the other.
-  std::vector<Index> corners;
-  corners.reserve(result.corner.size());
-  for(const Index corner : t.ring)
-    corners.push_back(child_corner(corner, corner % 3, corner % 3));
-  for(Index h = 0; h < t.corner.size(); ++h)
-  {
-    const Index k = h % 3;
-    corners.insert(corners.end(), {child_corner(h, k + 1, k), center_child_corner(h, k + 2),
-                                   child_corner(h, k, k + 1)});
-  }
-  set_rings(result, number_of_vertices, corners);
+    result.twin = child_twins(t);
+  set_rings(result, number_of_vertices, child_corners_by_vertex(t));
   return result;
 }
 
@@ -138,7 +150,7 @@ Vector refined(const Surface_arrays& coarse, const Surface_arrays& fine, const V
   return result;
 }
 
-// The triangle in the middle is turned by half.
+// The center triangle is rotated by 180 degrees, hence the minus sign.
 Field coarsened(const Field& fine)
 {
   Field result(fine.size() / 4);
@@ -156,7 +168,7 @@ Vector coarsened(const Surface_arrays& coarse, const Surface_arrays& fine, const
     double& mass = remaining[fine.corner[child_corner(h, h % 3, h % 3 + 1)]];
     for(const Index endpoint : {h, next_halfedge(h)})
       result[coarse.corner[endpoint]] += 0.5 * mass;
-    mass = 0.; // other sides with this middle have the same ends
+    mass = 0.; // on a cloud, another edge with this midpoint has the same ends
   }
   return result;
 }

@@ -8,27 +8,29 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The same surface with each triangle divided in four by the middles of its sides: distances on it are
-// the same.  Triangle f becomes 4f + k at its corner k, with corners in the same order, and 4f + 3 in
-// the middle, the same turned by half; sites keep their numbers, the middles follow.  Without
-// coordinates and without arcs; the scale is half.  O(n), on a cloud O(n log n).
+// Returns the same surface after uniform refinement (1-to-4). Geodesic distances do not change.
+// Triangle f becomes 4f + k at its corner k, and 4f + 3 in the center. The corners keep their
+// order; the center triangle is rotated by 180 degrees. A vertex keeps its index, and the midpoints
+// follow. The result has no coordinates and no graph, and half the scale. O(n), on a cloud O(n log
+// n).
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_arrays refined(const Surface_arrays& triangles);
 
-// Where a location in a triangle lies then.
+// Returns the same location on the refined surface.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Surface_location refined(const Surface_location& location);
 
-// The same function, linear in each triangle: #sites of the coarse triangles to those of the fine ones.
+// Returns the same function on the refined surface: from #vertices of `coarse` to #vertices of
+// `fine`.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector refined(const Surface_arrays& coarse, const Surface_arrays& fine, const Vector& function);
 
-// The field's means over the triangles that one was divided into.
+// Returns the mean over the four children of each triangle.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field coarsened(const Field& fine);
 
-// Masses at sites of the coarse triangles, those of a middle in equal parts at the ends of its side: the
-// integral of each function that is linear in coarse triangles is the same.
+// Distributes the mass of each midpoint to the two ends of its edge in equal parts. The integral of
+// every function that is linear in the coarse triangles is preserved.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector coarsened(const Surface_arrays& coarse, const Surface_arrays& fine, const Vector& masses);
 

@@ -19,7 +19,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Sites of no triangle count for nothing: they have no mass.
+// Returns true if all triangles are in one component. An isolated vertex is ignored, because it has
+// no mass.
 bool is_connected(const Surface_arrays& t)
 {
   const auto component = components(operators(t, Degenerate_triangles::thickened)).first;
@@ -27,8 +28,8 @@ bool is_connected(const Surface_arrays& t)
                      [&](Index vertex) { return component[vertex] == component[t.corner[0]]; });
 }
 
-// Such that each part of them from the first one on is spread over all: along a curve that fills space,
-// of which first one in many is taken, then those in between.
+// Returns an order of the points in which every prefix is evenly distributed. The points are sorted
+// along a space-filling curve; strides are halved from level to level.
 std::vector<std::size_t> coarse_to_fine(const std::vector<Vec3>& points)
 {
   Vec3 low = points[0], high = low;
@@ -40,7 +41,7 @@ std::vector<std::size_t> coarse_to_fine(const std::vector<Vec3>& points)
     }
   const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   constexpr int bits = 21;
-  std::vector<std::pair<std::uint64_t, std::size_t>> codes; // along the curve of Morton
+  std::vector<std::pair<std::uint64_t, std::size_t>> codes; // Morton codes
   for(std::size_t i = 0; i < points.size(); ++i)
   {
     std::uint64_t code = 0;
@@ -64,15 +65,17 @@ std::vector<std::size_t> coarse_to_fine(const std::vector<Vec3>& points)
   return result;
 }
 
-// What was found for a point.
+// The solution for one point.
 struct Pivot
 {
   Vec3 point;
   Vector potential;
-  std::vector<std::array<float, 2>> flow; // what is rounded off is corrected where it is used
+  // in single precision: round-off errors are corrected at each use
+  std::vector<std::array<float, 2>> flow;
 };
 
-// Weights that sum to one, and with which the places of pivots sum to one about, small where they are far.
+// Returns weights that sum to 1. The weighted mean of the pivots is close to the point, and the
+// weight of a distant pivot is small.
 Eigen::VectorXd interpolation_weights(const std::vector<const Pivot*>& pivots, const Vec3& point)
 {
   const auto n = Eigen::Index(pivots.size());
@@ -81,14 +84,14 @@ Eigen::VectorXd interpolation_weights(const std::vector<const Pivot*>& pivots, c
     size[i] = norm(pivots[std::size_t(i)]->point - point);
   const double unit = std::max(size.maxCoeff(), std::numeric_limits<double>::min());
   size = size.cwiseMax(1e-6 * unit) / unit;
-  Eigen::MatrixXd moment_equations(4, n); // of weights times sizes
+  Eigen::MatrixXd moment_equations(4, n); // for weights times distances
   for(Eigen::Index i = 0; i < n; ++i)
   {
     const Vec3 direction = (1. / unit) * (pivots[std::size_t(i)]->point - point);
     moment_equations.col(i) =
         Eigen::Vector4d(1., direction[0], direction[1], direction[2]) / size[i];
   }
-  // Places may lie on one plane or line.
+  // The pivots can be coplanar or collinear: regularize.
   Eigen::Matrix4d normal_matrix = moment_equations * moment_equations.transpose();
   normal_matrix.diagonal().array() += 1e-6 * normal_matrix.trace();
   Eigen::VectorXd result =
@@ -97,6 +100,8 @@ Eigen::VectorXd interpolation_weights(const std::vector<const Pivot*>& pivots, c
   return result / result.sum();
 }
 
+// Distances from one point to many. Solved points are pivots, from which those of other points are
+// interpolated.
 class One_to_many_query
 {
 public:
@@ -109,7 +114,7 @@ public:
     m_area = std::accumulate(area.begin(), area.end(), 0.);
   }
 
-  // Bounds of a point, and a pivot if it had to be solved.
+  // Returns the bounds for a point. If it has to be solved, its solution is returned in `pivot`.
   Volumetric_bounds bounds(const Vec3& to, std::unique_ptr<Pivot>& pivot) const
   {
     Vector masses = Vector::Zero(Eigen::Index(operators().number_of_vertices));
@@ -147,7 +152,7 @@ private:
     return result;
   }
 
-  // To the nearest field that moves the masses.
+  // Projects the flow onto the flows that balance the masses.
   void correct(const Vector& masses, Field& flow) const
   {
     const Field correction =
@@ -170,6 +175,8 @@ private:
     return result;
   }
 
+  // Computes bounds from the nearest pivots: the best of their potentials, and an interpolated and
+  // corrected flow.
   void interpolate(const Vec3& to, const Vector& masses, Volumetric_bounds& bounds) const
   {
     const std::vector<const Pivot*> pivots = nearest_pivots(to);
@@ -191,13 +198,13 @@ private:
           flow[f][c] += weight[Eigen::Index(i)] * pivots[i]->flow[f][c];
     correct(masses, flow);
     bounds.upper = cost(flow);
-    // Some steps bring it to a quarter, no more.
+    // The iterations reduce the gap by a factor of at most 4: try only if that suffices.
     if(!is_within_tolerance(bounds) &&
        bounds.upper - bounds.lower < 4. * m_tolerance * bounds.upper)
       refine(masses, best->potential, std::move(flow), bounds);
   }
 
-  // As in Splitting, from a flow and a potential that are close to the best ones.
+  // Applies the splitting method, starting from an approximate flow and potential.
   void refine(const Vector& masses, const Vector& potential, Field flow,
               Volumetric_bounds& bounds) const
   {
@@ -223,11 +230,13 @@ private:
     }
   }
 
+  // Solves the transport problem of a point, and stores its solution as a pivot.
   void solve(const Vec3& to, const Vector& masses, Volumetric_bounds& bounds,
              std::unique_ptr<Pivot>& pivot) const
   {
     Transport_options options;
-    options.tolerance = 0.2 * m_tolerance; // the rest is for the points around
+    // the remaining tolerance is for interpolated points nearby
+    options.tolerance = 0.2 * m_tolerance;
     const Transport_result found = m_solver.solve(masses, options);
     bounds.lower = std::max(bounds.lower, found.lower);
     bounds.upper = std::min(bounds.upper, found.upper);
@@ -257,7 +266,7 @@ Volumetric_distances::Volumetric_distances(std::shared_ptr<const Surface_arrays>
 {
   if(!is_connected(*triangles))
     throw Unsupported_surface_error(
-        "The mesh has several pieces, and no mass can move from one to another.");
+        "The mesh has several components, but no mass can move between components.");
 }
 
 Multilevel_transport_result
@@ -278,14 +287,14 @@ Volumetric_distances::one_to_many(const Vec3& from, const std::vector<Vec3>& to,
                                   const Volumetric_options& options) const
 {
   if(!(options.tolerance > 0.))
-    throw Invalid_argument_error("The tolerance is not positive.");
+    throw Invalid_argument_error("The tolerance must be positive.");
   One_to_many_query query(m_coordinates, m_transport_solver.finest_level_solver(),
                           m_transport_solver.finest_level_scale(), from, options.tolerance);
   std::vector<Volumetric_bounds> result(to.size());
   if(to.empty())
     return result;
   const std::vector<std::size_t> order = coarse_to_fine(to);
-  // Points of one part do not help each other, so that they may be found at the same time.
+  // Points of one batch do not use each other's solutions, so that they can be solved in parallel.
   for(std::size_t begin = 0, end; begin < order.size(); begin = end)
   {
     if(options.callback && !options.callback(double(begin) / double(order.size())))
@@ -307,13 +316,13 @@ double Volumetric_distances::distance_to_surface(const Vec3& point) const
   return norm(offset_from_surface(point));
 }
 
-// From the nearest point of the surface.
+// Returns the vector from the closest point of the surface.
 Vec3 Volumetric_distances::offset_from_surface(const Vec3& point) const
 {
   return point - internal::coordinates(*m_triangles, m_tree.nearest(point));
 }
 
-// The gradient of the sum of potentials times coordinates, by differences.
+// Computes the gradient of the sum of potential times coordinates, by central differences.
 Vec3 Volumetric_distances::potential_gradient(const Vector& potential, const Vec3& point,
                                               double step) const
 {
@@ -329,7 +338,8 @@ Vec3 Volumetric_distances::potential_gradient(const Vector& potential, const Vec
   return result;
 }
 
-// At a distance from the surface of at least `room`, as far as may be.
+// Descends with a clearance of at least `clearance_target` if possible. Returns true if the path
+// arrives.
 bool Volumetric_distances::descend(const Vec3& to, double clearance_target,
                                    unsigned maximum_number_of_solutions,
                                    Volumetric_path& path) const
@@ -351,7 +361,7 @@ bool Volumetric_distances::descend(const Vec3& to, double clearance_target,
     number_of_stalls = found.upper < 0.999 * min_upper ? 0 : number_of_stalls + 1;
     min_upper = std::min(min_upper, found.upper);
     Vec3 offset = offset_from_surface(point);
-    // Nearly the same potential is the best one somewhat farther on.
+    // The optimal potential changes slowly: use it over this distance.
     const double max_travel =
         std::max(0.5 * norm(offset), 0.02 * m_transport_solver.finest_level_scale() * found.upper);
     for(double traveled = 0.; traveled < max_travel;)
@@ -389,7 +399,7 @@ Volumetric_path Volumetric_distances::path(const Vec3& from, const Vec3& to,
     throw Invalid_argument_error("The ends of a path are on different sides of the surface.");
   Volumetric_path result;
   result.points.push_back(from);
-  // Where the way is narrow it goes closer to the surface.
+  // If a passage is narrow, try a smaller clearance.
   for(double clearance_ratio = 0.25; clearance_ratio > 1e-3 && !result.has_arrived;
       clearance_ratio *= 0.2)
     result.has_arrived =

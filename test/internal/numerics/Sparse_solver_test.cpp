@@ -15,7 +15,7 @@ namespace {
 using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 
-// The lower triangle of 2 + shift on the diagonal and -1 beside it.
+// Returns the lower triangle of a matrix with 2 + shift on the diagonal and -1 on the subdiagonal.
 Sparse_matrix tridiagonal_matrix(int n, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -43,7 +43,7 @@ TEST(Sparse_solver, has_small_residual)
       x = double(random()) / double(random.max()) - 0.5;
     const Vector x = solver.solve(rhs);
     const Vector residual = matrix.selfadjointView<Eigen::Lower>() * x - rhs;
-    // Backward stable: roundings of |A| |x|.
+    // A backward stable solver leaves a residual of round-off errors of |A| |x|.
     EXPECT_LT(residual.norm(), 1e-14 * 4. * x.norm());
   }
 }
@@ -52,7 +52,7 @@ TEST(Sparse_solver, column_solves_match_single_solves)
 {
   const int n = 1000;
   const Sparse_solver solver(tridiagonal_matrix(n, 1e-3));
-  std::srand(1); // Eigen's random values
+  std::srand(1); // the generator that Eigen uses
   for(const int number_of_columns : {1, 7, 40, 7})
   {
     const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(n, number_of_columns);
@@ -61,7 +61,7 @@ TEST(Sparse_solver, column_solves_match_single_solves)
     for(int j = 0; j < number_of_columns; ++j)
     {
       const Vector x = solver.solve(rhs.col(j));
-      // Another order of some thousand sums.
+      // The sums of some thousand terms are computed in another order.
       EXPECT_LT((columns.col(j) - x).norm(), 1e-11 * x.norm());
     }
   }

@@ -14,11 +14,11 @@ template <typename Matrix_type>
 void expect_products(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns)
 {
   using Scalar = typename Matrix_type::Scalar;
-  std::srand(1); // Eigen's random values
+  std::srand(1); // the generator that Eigen uses
   const Matrix_type a = Matrix_type::Random(rows, inner), b = Matrix_type::Random(inner, columns);
   const Matrix_type a_transposed = a.transpose(), expected = a.lazyProduct(b);
   Matrix_type result;
-  // Sums of `inner` products of numbers below one, in another order.
+  // The sums of `inner` products of numbers below one are computed in another order.
   const Scalar round_off = Scalar(inner + 1) * std::numeric_limits<Scalar>::epsilon();
   product(a, b, result);
   ASSERT_EQ(result.rows(), rows);
@@ -37,7 +37,8 @@ TEST(Dense_product, accepts_column_blocks)
   Matrix result;
   transposed_product(a.leftCols(3), b.middleCols(1, 2), result);
   const Matrix expected = a.leftCols(3).transpose().lazyProduct(b.middleCols(1, 2));
-  EXPECT_LT((result - expected).cwiseAbs().maxCoeff(), 1e-14); // nine products of numbers below one
+  // sums of nine products of numbers below one
+  EXPECT_LT((result - expected).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 TEST(Dense_product, matches_eigen)

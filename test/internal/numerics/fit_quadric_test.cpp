@@ -10,7 +10,8 @@ namespace {
 
 using namespace CGAL::Geodesic_processing::internal;
 
-// z = 0.3 x - 0.2 y + (2 x^2 - x y + 3 y^2) / 2 over the square |x|, |y| <= size, moved.
+// Returns points of z = 0.3 x - 0.2 y + (2 x^2 - x y + 3 y^2) / 2 with |x|, |y| <= size, moved to
+// the origin.
 std::vector<Vec3> quadric_patch(double size, const Vec3& origin)
 {
   std::vector<Vec3> points;
@@ -27,13 +28,13 @@ std::vector<Vec3> quadric_patch(double size, const Vec3& origin)
 TEST(fit_quadric, normal_converges_quadratically)
 {
   const Vec3 origin = {5., -7., 2.}, normal = unit({-0.3, 0.2, 1.});
-  // Over its own plane, which is another one, the patch is a quadric up to terms of third order.
+  // The fit uses the best-fit plane, over which the patch is a quadric up to terms of third order.
   double previous_sine = 0.;
   for(const double size : {0.1, 0.05, 0.025})
   {
     const Quadric found = fit_quadric(origin, quadric_patch(size, origin));
     const double sine = norm(cross(found.normal(), normal));
-    // A quarter for half the size, and a little for the terms after.
+    // Half the size must reduce the error to a quarter, plus terms of higher order.
     EXPECT_LT(sine, size == 0.1 ? 0.02 : 0.3 * previous_sine);
     previous_sine = sine;
   }
@@ -52,13 +53,14 @@ TEST(fit_quadric, is_exact_for_planar_points)
 
 TEST(fit_quadric, has_minimal_norm_if_underdetermined)
 {
-  // Points of a line: no more is known than that it lies in the surface.
+  // Points on a line determine only that the line is tangent to the surface.
   std::vector<Vec3> points;
   for(int i = 0; i < 10; ++i)
     points.push_back({double(i), 2. * i, 0.});
   const Quadric found = fit_quadric(points.front(), points);
   EXPECT_NEAR(norm(found.normal()), 1., 1e-14);
-  EXPECT_NEAR(dot(found.normal(), unit({1., 2., 0.})), 0., 1e-7); // a root of rounding
+  // square root of the round-off error
+  EXPECT_NEAR(dot(found.normal(), unit({1., 2., 0.})), 0., 1e-7);
 }
 
 TEST(fit_quadric, is_empty_for_single_point)

@@ -21,7 +21,7 @@ TEST(singular_values, recover_known_stretch)
   for(const double angle : {0., 1., 4.})
     for(const double sign : {1., -1.})
     {
-      // By 3 along one direction and by 0.5 across, between two turns.
+      // The map stretches by 3 along one axis and by 0.5 along the other, after a rotation.
       std::array<Vec2, 3> triangle, reflected_image;
       for(int k = 0; k < 3; ++k)
       {
@@ -30,7 +30,7 @@ TEST(singular_values, recover_known_stretch)
         triangle[k] = {3. * triangle[k][0], 0.5 * triangle[k][1]};
       }
       const Singular_values found = singular_values(edge_lengths(triangle), reflected_image);
-      EXPECT_NEAR(found.sigma_1, 3., 1e-13); // a few roundings
+      EXPECT_NEAR(found.sigma_1, 3., 1e-13); // round-off errors of a few operations
       EXPECT_NEAR(found.sigma_2, 0.5, 1e-13);
       EXPECT_EQ(found.is_inverted, sign < 0.);
       EXPECT_NEAR(found.area, 1.5 * 0.5 * cross(image[1] - image[0], image[2] - image[0]), 1e-13);

@@ -17,7 +17,8 @@ namespace {
 using namespace CGAL::Geodesic_processing::internal;
 using Eigen::MatrixXd;
 
-// A random factor: what a block has below its first row there, the block of that row has too.
+// A random Cholesky factor. If a block has entries in rows below its first row, the block of that
+// first row must have them, too.
 struct Random_factor
 {
   std::vector<int> permutation, column_begin{0}, row_begin{0}, entry_begin, row;
@@ -33,7 +34,7 @@ struct Random_factor
     permutation.resize(std::size_t(n));
     std::iota(permutation.begin(), permutation.end(), 0);
     std::shuffle(permutation.begin(), permutation.end(), random);
-    std::vector<std::vector<int>> fill_rows(widths.size()); // rows that filling brings
+    std::vector<std::vector<int>> fill_rows(widths.size()); // the rows of fill-in
     for(const int width : widths)
       column_begin.push_back(column_begin.back() + width);
     for(std::size_t b = 0; b < widths.size(); ++b)
@@ -60,7 +61,7 @@ struct Random_factor
       for(const int c : own_columns)
         for(const int r : rows)
         {
-          if(r < c) // must not be read
+          if(r < c) // not to be read: above the diagonal
           {
             entry.push_back(std::numeric_limits<double>::quiet_NaN());
             continue;
@@ -92,7 +93,8 @@ struct Random_factor
   }
 };
 
-// Of well-conditioned systems, whose solutions are sums of a hundred numbers at most.
+// Round-off errors of well-conditioned systems, whose solutions are sums of at most a hundred
+// numbers.
 constexpr double round_off = 1e-13;
 
 TEST(Supernodes, matches_dense_solve)
@@ -104,7 +106,7 @@ TEST(Supernodes, matches_dense_solve)
     for(const int number_of_columns : {1, 3, 8, 31, 32, 33, 70})
     {
       const Random_factor factor(widths, ++seed);
-      std::srand(seed); // Eigen's random values
+      std::srand(seed); // the generator that Eigen uses
       const MatrixXd rhs = MatrixXd::Random(factor.dense.rows(), number_of_columns);
       MatrixXd columns = rhs;
       substitute(factor.supernodes(), columns.data(), std::size_t(number_of_columns), workspace);
@@ -129,7 +131,7 @@ TEST(Supernodes, columns_are_solved_independently)
 {
   const Random_factor factor({4, 8, 3, 5, 1, 1, 2, 7, 30}, 6);
   std::vector<double> workspace;
-  std::srand(1); // Eigen's random values
+  std::srand(1); // the generator that Eigen uses
   MatrixXd all_at_once = MatrixXd::Random(61, 45);
   MatrixXd one_by_one = all_at_once;
   substitute(factor.supernodes(), all_at_once.data(), 45, workspace);

@@ -12,7 +12,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of sums of some hundred numbers.
+// Round-off errors of sums of some hundred numbers.
 constexpr double round_off = 1e-12;
 
 TEST(diffusion, has_requested_standard_deviation)
@@ -33,7 +33,7 @@ TEST(diffusion, has_requested_standard_deviation)
     second_moment += vertex_mass * std::pow(surface.point(i)[0] - 0.5, 2.);
   }
   EXPECT_NEAR(sum, mass[surface.vertex(center)], round_off);
-  // The border, ten radii away, is hardly felt.
+  // The boundary is ten standard deviations away: its effect is far below the tolerance.
   EXPECT_NEAR(std::sqrt(second_moment / sum), radius, 0.001 * radius);
 }
 

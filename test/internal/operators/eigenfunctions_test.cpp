@@ -16,7 +16,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// The least residual that is asked for, 1e-8 of the inverse, and roundings of some hundred products.
+// The solver accepts relative residuals of 1e-8; the other term bounds round-off errors.
 constexpr double relative_tolerance = 1e-7;
 
 Eigenfunctions eigenfunctions_of(const Triangulation& surface, std::size_t number)
@@ -30,12 +30,13 @@ Matrix dense(const Sparse_matrix& lower)
   return Matrix(Sparse_matrix(lower.selfadjointView<Eigen::Lower>()));
 }
 
-// All values, by a dense solver on the sites of `is_free`, those of constants among them.
-Vector all_values(const Operators& o, const std::vector<bool>& is_border)
+// Computes all eigenvalues with a dense solver on the vertices that are not on the boundary. The
+// zero eigenvalue of the constants is included.
+Vector all_values(const Operators& o, const std::vector<bool>& is_boundary)
 {
   std::vector<Eigen::Index> free_vertices;
-  for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
-    if(!is_border[vertex])
+  for(std::size_t vertex = 0; vertex < is_boundary.size(); ++vertex)
+    if(!is_boundary[vertex])
       free_vertices.push_back(Eigen::Index(vertex));
   const Matrix laplacian = dense(Laplacian(o).matrix(o))(free_vertices, free_vertices);
   const Matrix mass = Vector(lumped_mass(o)(free_vertices)).asDiagonal();
@@ -47,8 +48,8 @@ void expect_eigenfunctions(const Surface_arrays& t, std::size_t number, std::siz
   const Operators o = operators(t);
   const Eigenfunctions found = eigenfunctions(t, o, number);
   const Eigen::Index k = found.value.size();
-  const std::vector<bool> is_border = border_vertices(t);
-  const Vector expected = all_values(o, is_border);
+  const std::vector<bool> is_boundary = boundary_vertices(t);
+  const Vector expected = all_values(o, is_boundary);
   ASSERT_GE(k, Eigen::Index(std::min(number, std::size_t(expected.size()) - constants)));
   ASSERT_EQ(found.function.rows(), Eigen::Index(o.number_of_vertices));
   ASSERT_EQ(found.function.cols(), k);
@@ -67,8 +68,8 @@ void expect_eigenfunctions(const Surface_arrays& t, std::size_t number, std::siz
                 .cwiseAbs()
                 .maxCoeff(),
             relative_tolerance);
-  for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
-    EXPECT_TRUE(!is_border[vertex] || found.function.row(Eigen::Index(vertex)).isZero(0.));
+  for(std::size_t vertex = 0; vertex < is_boundary.size(); ++vertex)
+    EXPECT_TRUE(!is_boundary[vertex] || found.function.row(Eigen::Index(vertex)).isZero(0.));
 }
 
 TEST(Eigenfunctions, match_dense_solver)
@@ -105,8 +106,8 @@ TEST(Eigenfunctions, returns_complete_spectrum)
   expect_eigenfunctions(Array_surface(tetrahedron()).t(), 1000, 1);
 }
 
-// On the unit sphere 2 l + 1 functions have the value l (l + 1), and triangles tell some of them apart, by
-// half a percent here.
+// On the unit sphere, the eigenvalue l (l + 1) has the multiplicity 2 l + 1. This triangulation
+// splits it by 0.5 %.
 TEST(Eigenfunctions, eigenspaces_are_complete_on_sphere)
 {
   const Array_surface sphere(icosphere(4));
@@ -118,14 +119,15 @@ TEST(Eigenfunctions, eigenspaces_are_complete_on_sphere)
     while(group * (group + 2) < number)
       ++group;
     ASSERT_EQ(found.value.size(), Eigen::Index(group * (group + 2)));
-    // A part of the square of a wave's phase along a side, which is 0.08 long at most.
+    // The relative error is of second order in the phase of the wave along an edge. The maximum
+    // edge length is 0.08.
     const double value = double(group * (group + 1));
     EXPECT_NEAR(found.value[found.value.size() - 1] / (sphere.scale() * sphere.scale()), value,
                 0.08 * 0.08 * value * value);
   }
 }
 
-// pi^2 (i^2 + j^2) on the unit square, i and j from 1.
+// The eigenvalues of the unit square are pi^2 (i^2 + j^2) with i, j >= 1.
 TEST(Eigenfunctions, eigenspaces_are_complete_on_square)
 {
   const Triangulation plane = square(40);
@@ -135,7 +137,7 @@ TEST(Eigenfunctions, eigenspaces_are_complete_on_square)
     EXPECT_EQ(eigenfunctions_of(plane, number).value.size(), group);
 }
 
-// More of one value than a block has columns.
+// The multiplicity exceeds the number of columns in a block.
 TEST(Eigenfunctions, finds_high_multiplicity)
 {
   Triangulation many = icosphere(1);

@@ -16,18 +16,15 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of solutions of systems with some hundred unknowns.
+// Round-off errors of the solutions of systems with some hundred unknowns.
 constexpr double round_off = 1e-10;
 
 std::vector<Field> harmonic_basis(const Array_surface& surface, const Operators& o)
 {
-  const Laplacian laplacian(o);
-  Sparse_matrix matrix = laplacian.matrix(o);
-  laplacian.pin(matrix);
-  return harmonic_fields(surface.t(), o, Sparse_solver(matrix));
+  return harmonic_fields(surface.t(), o, Poisson_solver(o));
 }
 
-// A square whose inner cells are left out where both numbers are odd.
+// Returns a square grid without the cells whose two indices are odd.
 Triangulation perforated_square(std::size_t n)
 {
   Triangulation result = square(n), kept = result;
@@ -41,7 +38,8 @@ Triangulation perforated_square(std::size_t n)
   return kept;
 }
 
-// A strip of which two opposite corners are one: a loop through a point.
+// Returns a strip of which two opposite corners are one vertex. The loop passes through this
+// nonmanifold vertex.
 Triangulation pinched_loop()
 {
   Triangulation result = grid(6, 1, [](double u, double v) { return Point{u, 0.1 * v, 0.}; });
@@ -99,10 +97,7 @@ TEST(Harmonic_fields, throws_on_cloud)
   const Cloud cloud = octahedron_sphere(2);
   const Surfel_arrays sphere = build_surfel_arrays(cloud.points, cloud.normals);
   const Operators o = operators(sphere.arrays);
-  const Laplacian laplacian(o);
-  Sparse_matrix matrix = laplacian.matrix(o);
-  laplacian.pin(matrix);
-  EXPECT_THROW(harmonic_fields(sphere.arrays, o, Sparse_solver(matrix)), Unsupported_surface_error);
+  EXPECT_THROW(harmonic_fields(sphere.arrays, o, Poisson_solver(o)), Unsupported_surface_error);
 }
 
 } // namespace

@@ -20,18 +20,16 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of solutions of systems with some hundred unknowns.
+// Round-off errors of the solutions of systems with some hundred unknowns.
 constexpr double round_off = 1e-9;
 
 std::vector<Field> harmonic_basis(const Array_surface& surface, const Operators& o)
 {
-  const Laplacian laplacian(o);
-  Sparse_matrix matrix = laplacian.matrix(o);
-  laplacian.pin(matrix);
-  return harmonic_fields(surface.t(), o, Sparse_solver(matrix));
+  return harmonic_fields(surface.t(), o, Poisson_solver(o));
 }
 
-// How many dimensions the images of many random fields span.
+// Returns the dimension of the span of the projections of random fields. Their number is the
+// dimension of all fields.
 template <typename Projection>
 Eigen::Index dimension(const Operators& o, const Projection& projection)
 {
@@ -45,7 +43,7 @@ Eigen::Index dimension(const Operators& o, const Projection& projection)
         columns(Eigen::Index(2 * f + k), i) = field[f][k];
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  // Far above what rounding leaves of zero, far below what random fields have.
+  // Round-off errors are far below this limit, and the entries of random fields far above.
   return (qr.matrixQR().diagonal().array().abs() > 1e-7).count();
 }
 
@@ -81,7 +79,7 @@ TEST(Hodge, components_are_orthogonal_and_sum_to_field)
                 round_off);
     EXPECT_NEAR(inner_product(o, components_of_field.rotation, components_of_field.harmonic), 0.,
                 round_off);
-    // What is left is a sum of harmonic fields.
+    // The remainder after projection onto the harmonic fields must vanish.
     Field remainder = components_of_field.harmonic;
     for(const Field& basis : harmonic_basis(array_surface, o))
     {
@@ -124,16 +122,16 @@ TEST(Hodge, component_dimensions_match_topology)
     const Operators o = operators(t);
     const Hodge_solver solver(t, o);
     const auto [component, number_of_components] = components(o);
-    std::vector<bool> has_border(number_of_components, false);
+    std::vector<bool> has_boundary(number_of_components, false);
     Eigen::Index inner_edges = 0, closed_components = 0;
     for(std::size_t h = 0; h < t.twin.size(); ++h)
     {
       inner_edges += t.twin[h] != none && h < t.twin[h];
       if(t.twin[h] == none)
-        has_border[component[t.corner[h]]] = true;
+        has_boundary[component[t.corner[h]]] = true;
     }
-    for(const bool border : has_border)
-      closed_components += !border;
+    for(const bool is_open : has_boundary)
+      closed_components += !is_open;
     const auto gradients =
         dimension(o, [&](const Field& x) { return solver.decompose(x).gradient; });
     const auto rotations =

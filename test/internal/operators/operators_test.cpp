@@ -20,12 +20,13 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Sums of some thousand terms of a size about one.
+// Round-off errors of sums of some thousand terms of order one.
 constexpr double round_off = 1e-11;
 
 double total_area(const Operators& o) { return std::accumulate(o.area.begin(), o.area.end(), 0.); }
 
-// Two squares that share a point, of which one has a triangle without area, and a sphere.
+// Returns two squares that share a vertex, and a sphere. One of the squares has a degenerate
+// triangle.
 Triangulation mixed_surface()
 {
   Triangulation pinched = square(3);
@@ -36,7 +37,7 @@ Triangulation mixed_surface()
   for(Index& corner : pinched.corners)
     if(corner == 16)
       corner = 0;
-  pinched.points[5] = {1. / 6., 0., 0.}; // between points 0 and 1
+  pinched.points[5] = {1. / 6., 0., 0.}; // collinear with points 0 and 1
   return disjoint_union(pinched, icosphere(1));
 }
 
@@ -60,8 +61,8 @@ TEST(Operators, gradient_of_linear_function_is_exact)
               round_off);
 }
 
-// A gradient is what changes by measured length: half where lengths are twice as long, and nothing where nothing
-// passes.
+// If the metric doubles all lengths, a gradient has half its length. In a blocked triangle it
+// vanishes.
 TEST(Operators, metric_scales_gradients)
 {
   const Array_surface surface(square(6, 0.24));
@@ -69,17 +70,17 @@ TEST(Operators, metric_scales_gradients)
   std::vector<Metric_tensor> metric(n, Metric_tensor{2., 0., 2.});
   metric[7] = {infinity, 0., infinity};
   const Operators plain = operators(surface.t(), Degenerate_triangles::thickened);
-  const Operators measured = metric_operators(surface.t(), metric);
+  const Operators scaled = metric_operators(surface.t(), metric);
   const Vector function = random_function(surface.size(), 1);
-  const Field slope = gradient(plain, function), scaled_slope = gradient(measured, function);
+  const Field slope = gradient(plain, function), scaled_slope = gradient(scaled, function);
   for(std::size_t f = 0; f < n; ++f)
   {
     const bool is_open = f != 7;
-    EXPECT_EQ(measured.area[f], is_open ? plain.area[f] : 0.);
+    EXPECT_EQ(scaled.area[f], is_open ? plain.area[f] : 0.);
     EXPECT_LT(norm(scaled_slope[f] + (is_open ? -0.5 : 0.) * slope[f]), round_off);
   }
   EXPECT_EQ(metric_operators(surface.t(), {}).area, plain.area);
-  // The inverse of a tensor undoes its product.
+  // inverse() must be the inverse of product().
   const Metric_tensor tensor = {3., 1., 2.};
   const Vec2 p = product(inverse(tensor), product(tensor, {0.3, -0.7}));
   EXPECT_NEAR(p[0], 0.3, round_off);
@@ -94,7 +95,7 @@ TEST(Operators, hat_gradients_match_hat_functions)
   {
     const auto corners = unfolded(surface.t(), f);
     for(Index k = 0; k < 3; ++k)
-      for(Index j = 0; j < 3; ++j) // falls by one from its corner to the others
+      for(Index j = 0; j < 3; ++j) // the hat function falls from 1 at its corner to 0 at the others
         EXPECT_NEAR(dot(o.hat_gradient[3 * f + k], corners[k] - corners[j]), k == j ? 0. : 1.,
                     round_off);
   }
@@ -110,11 +111,12 @@ TEST(Operators, divergence_is_transpose_of_gradient)
     const Vector flux = minus_divergence(o, field);
     EXPECT_NEAR(function.dot(flux), inner_product(o, gradient(o, function), field), round_off);
     EXPECT_NEAR(flux.sum(), 0., round_off);
-    // A turn preserves products, and two of them are a reflection.
+    // A rotation preserves inner products. Two rotations by 90 degrees change the sign.
     EXPECT_NEAR(inner_product(o, rotated_left(field), field), 0., round_off);
     EXPECT_EQ(rotated_right(field), rotated_left(rotated_left(rotated_left(field))));
     EXPECT_NEAR(inner_product(o, rotated_left(rotated_left(field)), field),
                 -inner_product(o, field, field), round_off);
+    EXPECT_EQ(rotated_right(rotated_left(field)), field);
   }
 }
 
@@ -142,7 +144,7 @@ TEST(Operators, laplacian_is_divergence_of_gradient)
   for(const Triangulation& surface : surfaces())
   {
     const Operators o = operators(Array_surface(surface).t());
-    // Two tensors in turns, one not isotropic.
+    // Use two tensors in alternate triangles; one is anisotropic.
     std::vector<Metric_tensor> tensors(o.number_of_triangles(), Metric_tensor{2., 0.5, 1.});
     for(std::size_t f = 0; f < tensors.size(); f += 2)
       tensors[f] = {1., 0., 1.};
@@ -159,7 +161,7 @@ TEST(Operators, laplacian_is_divergence_of_gradient)
     EXPECT_NEAR((product - minus_divergence(o, field)).norm() / product.norm(), 0., round_off);
     laplacian.pin(matrix);
     const Sparse_solver solver(matrix);
-    // The same up to a constant for each component, of which the first vertex is held at zero.
+    // The solution must be equal up to a constant for each component, whose first vertex is pinned.
     const Vector solution = solver.solve(product);
     const auto [component, number_of_components] = components(o);
     std::vector<double> shift_of_component(number_of_components, infinity);
@@ -168,7 +170,8 @@ TEST(Operators, laplacian_is_divergence_of_gradient)
       double& shift = shift_of_component[component[vertex]];
       if(shift == infinity)
         shift = function[vertex];
-      EXPECT_NEAR(solution[vertex] + shift, function[vertex], 1e-9); // rounding times the condition
+      // round-off error times the condition number
+      EXPECT_NEAR(solution[vertex] + shift, function[vertex], 1e-9);
     }
   }
 }
@@ -177,7 +180,7 @@ TEST(Operators, finds_components)
 {
   const Operators o = operators(Array_surface(mixed_surface()).t());
   const auto [component, number_of_components] = components(o);
-  // The two squares that meet in a point, the sphere, and the point that this left over.
+  // The two squares with a common vertex, the sphere, and one isolated vertex.
   EXPECT_EQ(number_of_components, 3u);
   for(std::size_t c = 0; c < o.corner.size(); ++c)
     EXPECT_EQ(component[o.corner[c]], component[o.corner[c - c % 3]]);
@@ -196,7 +199,8 @@ TEST(Operators, skips_degenerate_triangles)
     EXPECT_TRUE(std::isfinite(norm(vector)));
   EXPECT_EQ(gradient(o, function)[array_surface.triangle(32)], (Vec2{0., 0.}));
   EXPECT_TRUE(std::isfinite(Laplacian(o).matrix(o).norm()));
-  EXPECT_EQ(components(o).second, 4u); // the square, and the three points of the flat triangle
+  // the square, and three isolated vertices of the degenerate triangle
+  EXPECT_EQ(components(o).second, 4u);
 }
 
 TEST(Operators, cloud_area_approximates_surface_area)
@@ -205,7 +209,7 @@ TEST(Operators, cloud_area_approximates_surface_area)
   const Surfel_arrays sphere = build_surfel_arrays(cloud.points, cloud.normals);
   const Operators o = operators(sphere.arrays);
   const double scale = sphere.arrays.scale;
-  // The polyhedron's area is less than the sphere's by about h^2 / 4, h = 0.1.
+  // The area of the inscribed polyhedron is smaller by a relative error of about h^2 / 4, h = 0.1.
   EXPECT_NEAR(total_area(o) * scale * scale, 4. * pi, 0.01 * 4. * pi);
   EXPECT_NEAR(lumped_mass(o).sum(), total_area(o), round_off);
 }
@@ -219,11 +223,11 @@ TEST(Operators, mean_magnitudes_average_incident_triangles)
   const Vector lengths = mean_magnitudes(t, field);
   for(Index vertex = 0; vertex < 4; ++vertex)
   {
-    double sum = 0.; // of equal areas
+    double sum = 0.; // all triangles have the same area
     for(Index c = 0; c < 6; ++c)
       if(t.corner[c] == vertex)
         sum += c < 3 ? 5. : 1.;
-    EXPECT_NEAR(lengths[vertex], sum / 3., 1e-15 * 8); // a few roundings
+    EXPECT_NEAR(lengths[vertex], sum / 3., 1e-15 * 8); // round-off errors of a few operations
   }
 }
 

@@ -23,12 +23,12 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of some hundred sums.
+// Round-off errors of sums of some hundred numbers.
 constexpr double round_off = 1e-11;
 
 using Curves = std::vector<std::vector<Surface_location>>;
 
-// Where a linear function is zero: a piece in each triangle.
+// Returns the zero level set of a linear function: one segment for each triangle that it crosses.
 template <typename Function>
 Curves zero_level_curves(const Array_surface& surface, const Function& function)
 {
@@ -55,7 +55,7 @@ Curves height_level_curves(const Array_surface& surface, double height)
   return zero_level_curves(surface, [height](const Point& p) { return p[2] - height; });
 }
 
-// Pieces between two random places of each of some triangles, which cross one another.
+// Returns polylines of three random points in random triangles. They cross each other.
 Curves random_curves(const Array_surface& surface, unsigned number)
 {
   std::mt19937 random(1);
@@ -90,7 +90,7 @@ double curve_length(const Surface_arrays& t, const Curves& curves)
   return result;
 }
 
-// The length of all sides that join two of the curves' sites.
+// Returns the total length of all edges with both ends on curves.
 double length_along_curves(const Curve_embedding& embedding)
 {
   const Surface_arrays& t = *embedding.triangles();
@@ -155,7 +155,7 @@ TEST(Curve_embedding, preserves_area_and_distances)
       fine_windows.run({surface.source(Index(0))});
       for(Index vertex = 0; vertex < surface.size(); ++vertex)
       {
-        // What exact distances promise, on flat sides through which windows are cut anew.
+        // The tolerance of exact distances: windows are split at new edges in the same plane.
         EXPECT_NEAR(fine_windows.distance(vertex), coarse_windows.distance(vertex), 1e-9);
       }
     }
@@ -182,14 +182,14 @@ TEST(Curve_embedding, curves_become_edges_without_shortcuts)
   const Curves curves = random_curves(sphere, 60);
   const double exact = curve_length(sphere.t(), curves);
   EXPECT_NEAR(length_along_curves({sphere.triangles(), curves, {}}), exact, round_off * exact);
-  // Points alone: no length.
+  // Single points must not be connected by an edge.
   Curves points;
   for(const auto& curve : curves)
     points.push_back({curve[0]});
   for(Index i = 0; i < sphere.size(); ++i)
     points.push_back({sphere.at(i)});
   EXPECT_EQ(length_along_curves({sphere.triangles(), points, {}}), 0.);
-  // All around a triangle, and along half of a side.
+  // A loop around a triangle, and half of an edge.
   const Curves triangle_loop = {sphere.along({0, 0})};
   const Index* corner = &sphere.t().corner[0];
   const std::vector<Surface_location> loop = {
@@ -201,7 +201,7 @@ TEST(Curve_embedding, curves_become_edges_without_shortcuts)
   const std::vector<Surface_location> half = {{0, none, {1., 0., 0.}}, {0, none, {0.5, 0.5, 0.}}};
   EXPECT_NEAR(length_along_curves({sphere.triangles(), {half}, {}}), 0.5 * sphere.t().length[0],
               round_off);
-  // Between sites that are whole a side may stay, beside others not.
+  // An edge between two region vertices may stay. Other edges of a curve vertex must be split.
   const Curve_embedding with_region(sphere.triangles(), {half}, {corner[1], corner[2]});
   EXPECT_EQ(with_region.triangles()->twin[sphere.t().twin[1]] == none, false);
 }
@@ -210,7 +210,7 @@ TEST(Curve_embedding, lists_vertices_of_each_curve)
 {
   const Array_surface surface(one_triangle());
   const auto at = [](double a, double b, double c) { return Surface_location{0, none, {a, b, c}}; };
-  // A cross, a point on one of them, and its end on a side.
+  // Two crossing segments, their common point, and a segment that begins on an edge.
   const Curves curves = {{at(0.5, 0.25, 0.25), at(0.25, 0.5, 0.25)},
                          {at(0.5, 0.5, 0.), at(0.25, 0.25, 0.5)},
                          {at(0.375, 0.375, 0.25)},
@@ -256,7 +256,7 @@ TEST(Curve_embedding, preserves_functions_masses_and_fields)
                   1e-9);
     }
 
-  // The same slope, also where lengths have directions.
+  // The integral of the length of a gradient must be the same, also with an anisotropic metric.
   std::vector<Metric_tensor> metric;
   for(Index f = 0; f < coarse.number_of_triangles(); ++f)
     metric.push_back({2. + 0.01 * f, 0.5, 1.});
@@ -272,7 +272,7 @@ TEST(Curve_embedding, preserves_functions_masses_and_fields)
   }
   EXPECT_NEAR(fine_sum, coarse_sum, 1e-9 * coarse_sum);
 
-  // What a field's mean brings somewhere.
+  // Coarsening a field must preserve its divergence.
   const Operators a = operators(coarse, Degenerate_triangles::thickened),
                   b = operators(fine, Degenerate_triangles::thickened);
   Field field = gradient(b, Vector::Random(Eigen::Index(fine.number_of_vertices())));
@@ -299,7 +299,7 @@ TEST(Curve_embedding, handles_degenerate_triangles_and_close_points)
     const Curve_embedding embedding(surface.triangles(), curves, {});
     expect_valid_twins(*embedding.triangles());
     EXPECT_NEAR(total_area(*embedding.triangles()), total_area(surface.t()),
-                1e-9); // of a surface of size one
+                1e-9); // the scaled surface has a size of order one
   }
 }
 

@@ -15,7 +15,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// A unit of mass at each site.
+// Returns the unit masses at all vertices.
 Masses unit_masses(Index n)
 {
   Masses result(n, n);
@@ -23,8 +23,9 @@ Masses unit_masses(Index n)
   return result;
 }
 
-// By all functions and values of the Laplacian with nothing flowing through the border, as the paper
-// has it: the sum of (difference of a function / its value)^2.
+// Computes biharmonic distances from their definition with all eigenfunctions. The squared distance
+// is the sum of squares of (difference of the function / eigenvalue). The boundary conditions are
+// Neumann's.
 Matrix spectral_distances(const Operators& o)
 {
   const Matrix laplacian(Sparse_matrix(Laplacian(o).matrix(o).selfadjointView<Eigen::Lower>()));
@@ -51,7 +52,8 @@ TEST(Biharmonic_distances, matches_spectral_definition)
     const Biharmonic_distances distances(surface.t());
     const Matrix expected = spectral_distances(operators(surface.t()));
     const Matrix pairs = distances.all_pairs(unit_masses(surface.size()));
-    // Roots of differences of numbers of the order of one.
+    // A square root of differences of numbers of order one has an error of the square root of
+    // round-off errors.
     EXPECT_LT((pairs - expected).cwiseAbs().maxCoeff(), 1e-6);
     EXPECT_EQ(pairs, Matrix(pairs.transpose()));
     for(const Index from : {0u, 17u})

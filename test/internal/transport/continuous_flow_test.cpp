@@ -52,8 +52,8 @@ TEST(continuous_flow, cost_is_at_least_exact_distance)
       const double exact = exact_distance(surface, 0, to);
       const double cost = cost_of_continuous_flow(surface.t(), o, transport(surface, 0, to).flow);
       EXPECT_GE(cost, exact);
-      // Spreading around both ends takes at most a side each, and what enters through sides and not
-      // through corners needs up to half as much again on surfaces of some ten sides.
+      // Spreading adds at most the length of one edge at each end. On these coarse surfaces, a flow
+      // that is constant along edges can be longer by another half.
       EXPECT_LE(cost, 1.5 * exact + 2. * 2.);
     }
   }
@@ -76,7 +76,7 @@ TEST(continuous_flow, converges_under_refinement)
 
 TEST(continuous_flow, passes_nonmanifold_vertices)
 {
-  // Two squares that touch in a corner, and masses on either.
+  // Two squares with a common vertex, and one mass in each.
   Triangulation shape = disjoint_union(square(4), square(4));
   for(std::size_t i = 25; i < 50; ++i)
     for(std::size_t c = 0; c < 2; ++c)
@@ -89,7 +89,7 @@ TEST(continuous_flow, passes_nonmanifold_vertices)
   const double exact = exact_distance(surface, 0, 49);
   const double cost = cost_of_continuous_flow(surface.t(), o, transport(surface, 0, 49).flow);
   EXPECT_GE(cost, exact);
-  EXPECT_LE(cost, 2.5 * exact); // four ends in corners of squares that are four sides wide
+  EXPECT_LE(cost, 2.5 * exact); // spreads mass at four corners of squares with 4 x 4 cells
 }
 
 TEST(continuous_flow, cost_scales_with_metric)
@@ -101,7 +101,8 @@ TEST(continuous_flow, cost_scales_with_metric)
   const std::vector<Metric_tensor> doubled_metric(o.number_of_triangles(), {2., 0., 2.});
   EXPECT_NEAR(cost_of_continuous_flow(surface.t(), o, flow, doubled_metric), 2. * cost,
               1e-6 * cost);
-  // Longer in one direction: between once and twice as much.
+  // The metric doubles lengths in one direction only. Hence the cost increases by a factor between
+  // 1 and 2.
   const std::vector<Metric_tensor> anisotropic_metric(o.number_of_triangles(), {1.5, 0.5, 1.5});
   const double anisotropic_cost = cost_of_continuous_flow(surface.t(), o, flow, anisotropic_metric);
   EXPECT_GT(anisotropic_cost, cost);

@@ -19,7 +19,7 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
 Triangulation perturbed_sphere() { return jittered(icosphere(2), 0.1); }
-Triangulation l_shaped_blocks() // an L of cubes: neither convex nor shaken
+Triangulation l_shaped_blocks() // cubes in the shape of an L: not convex, with coplanar faces
 {
   return blocks(3, 1, 3, [](int x, int, int z) { return x == 0 || z == 0; });
 }
@@ -30,7 +30,7 @@ Vec3 random_point(std::mt19937& random, double size)
   return {coordinate(random), coordinate(random), coordinate(random)};
 }
 
-// How far the points times coordinates are from the point itself.
+// Returns the distance of the point from the sum of coordinates times vertices.
 double linear_error(const Array_surface& surface, const Vector& coordinates, const Vec3& point)
 {
   Vec3 sum = {0., 0., 0.};
@@ -39,8 +39,9 @@ double linear_error(const Array_surface& surface, const Vector& coordinates, con
   return norm(sum - point);
 }
 
-// The definition, as an integral over the triangles in place of directions, by the middles of 4^level parts
-// of each, extrapolated once.
+// Computes mean value coordinates from their definition. The integral over all directions is
+// transformed to the triangles. Each is divided into subdivisions^2 triangles, to which the
+// midpoint rule is applied.
 Vector by_quadrature(const Array_surface& surface, const Triangulation& shape, const Vec3& point,
                      int subdivisions)
 {
@@ -80,8 +81,8 @@ TEST(mean_value, matches_quadrature)
       const int subdivisions = 24;
       const Vector coarse = by_quadrature(surface, shape, point, subdivisions);
       const Vector fine = by_quadrature(surface, shape, point, 2 * subdivisions);
-      const Vector estimate = (4. * fine - coarse) / 3.; // the rule's order is two
-      // What the extrapolation leaves is far below what it took away.
+      const Vector estimate = (4. * fine - coarse) / 3.; // extrapolation of a rule of order two
+      // The error after extrapolation is far below the difference of both approximations.
       const double error = 0.02 * (fine - coarse).lpNorm<Eigen::Infinity>() + 1e-9;
       EXPECT_LT(error, 1e-4);
       EXPECT_LT((coordinates(point) - estimate).lpNorm<Eigen::Infinity>(), error);
@@ -89,7 +90,7 @@ TEST(mean_value, matches_quadrature)
   }
 }
 
-// Four points leave no choice, inside and outside.
+// On a tetrahedron, barycentric coordinates are unique, inside and outside.
 TEST(mean_value, is_barycentric_on_a_tetrahedron)
 {
   const Array_surface surface(tetrahedron());
@@ -101,7 +102,7 @@ TEST(mean_value, is_barycentric_on_a_tetrahedron)
     const Vector found = coordinates(point);
     for(Index k = 0; k < 4; ++k)
     {
-      // Corners are of ones and minus ones, and sum to zero.
+      // The corners have coordinates of 1 and -1, and their sum is zero.
       const double expected = 0.25 + 0.25 * dot(point, surface.point(k));
       EXPECT_NEAR(found[surface.vertex(k)], expected, 1e-12);
     }
@@ -116,7 +117,7 @@ TEST(mean_value, is_uniform_at_center)
     EXPECT_NEAR(coordinate, 1. / 12., 1e-15);
 }
 
-// Also in planes of its faces, on lines of its sides, and wherever rounding may hurt.
+// The points include those in planes of faces, on lines of edges, and very close to the surface.
 TEST(mean_value, reproduces_linear_functions)
 {
   for(const Triangulation& unit : {perturbed_sphere(), l_shaped_blocks()})
@@ -129,7 +130,7 @@ TEST(mean_value, reproduces_linear_functions)
       {
         const Vector found = coordinates(point);
         EXPECT_NEAR(found.sum(), 1., 1e-12);
-        // Bodies and points are some units large.
+        // Vertices and points have coordinates of a few units.
         EXPECT_LT(linear_error(surface, found, point), 1e-11 * scale);
       };
       for(int i = 0; i < 50; ++i)
@@ -165,7 +166,7 @@ TEST(mean_value, is_barycentric_on_the_surface)
     for(int i = 0; i < 100; ++i)
     {
       Surface_location location = random_location(surface.t(), random);
-      if(i % 2 == 0) // on a side
+      if(i % 2 == 0) // on an edge
       {
         location.barycentric[2] = 0.;
         location.barycentric[0] = 1. - location.barycentric[1];
@@ -173,14 +174,14 @@ TEST(mean_value, is_barycentric_on_the_surface)
       Vector found = coordinates(point_at(surface.t(), location));
       for(std::size_t k = 0; k < 3; ++k)
         found[surface.t().corner[3 * location.triangle + k]] -= location.barycentric[k];
-      // Of a coordinate near one, over sides of a tenth at least.
+      // The coordinates are near 1, and the minimum edge length is a tenth.
       EXPECT_LT(found.lpNorm<Eigen::Infinity>(), 1e-14);
     }
   }
 }
 
-// As a function of the point, also across faces, sides and corners: sides are a tenth at least, so that
-// coordinates change by some tens of the way.
+// The coordinates must be continuous across a face, an edge and a vertex. The minimum edge length
+// is a tenth, so that derivatives are at most some tens.
 TEST(mean_value, is_continuous)
 {
   for(const Triangulation& shape : {perturbed_sphere(), l_shaped_blocks()})
@@ -215,7 +216,7 @@ TEST(mean_value, is_positive_inside_convex_meshes)
   EXPECT_LT(coordinates({2., 0., 0.}).minCoeff(), 0.);
 }
 
-// Neither faces that look inside nor triangles without area make a difference.
+// If all faces are inverted, the coordinates must not change.
 TEST(mean_value, is_independent_of_orientation)
 {
   const Triangulation shape = perturbed_sphere();
@@ -238,7 +239,7 @@ TEST(mean_value, is_independent_of_orientation)
 TEST(mean_value, handles_degenerate_triangles)
 {
   Triangulation shape = l_shaped_blocks();
-  shape.points[1] = shape.points[0]; // a side of length zero
+  shape.points[1] = shape.points[0]; // an edge of length zero
   const Array_surface surface(shape);
   const Mean_value_coordinates coordinates(surface.triangles());
   std::mt19937 random(7);
@@ -265,7 +266,7 @@ TEST(mean_value, throws_on_open_or_flat_meshes)
                Invalid_argument_error);
   EXPECT_THROW(coordinates({1e12, 0., 0.}), Unsupported_surface_error);
   EXPECT_THROW(coordinates({1e300, 1e300, 0.}), Unsupported_surface_error);
-  // Two triangles, back to back.
+  // Two triangles with opposite orientation enclose no volume.
   const Array_surface flat({{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}}, {0, 1, 2, 0, 2, 1}});
   EXPECT_THROW(Mean_value_coordinates(flat.triangles())({0.3, 0.3, 1.}), Unsupported_surface_error);
 }

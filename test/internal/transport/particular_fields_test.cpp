@@ -17,7 +17,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of solutions of systems with some hundred unknowns.
+// Round-off errors of the solutions of systems with some hundred unknowns.
 constexpr double round_off = 1e-10;
 
 constexpr Particular_field all_kinds[] = {Particular_field::gradient,
@@ -31,7 +31,7 @@ std::vector<Triangulation> surfaces()
           annulus(16, 4, 0.5, 1.), cone(12, 6, 8.)};
 }
 
-// A unit from each of some sites to another one.
+// Returns four columns, each of which moves a unit mass between two vertices.
 Masses some_masses(Index n)
 {
   Masses result(n, 4);
@@ -43,7 +43,8 @@ Masses some_masses(Index n)
   return result;
 }
 
-// Each mass, spread over the triangles around its vertex, and then a third of that to each corner.
+// Spreads each mass over the incident triangles. Then a third of the mass of a triangle is moved to
+// each corner.
 Vector spread_masses(const Operators& o, const Vector& masses)
 {
   const Vector ring_area = 3. * lumped_mass(o);
@@ -97,9 +98,9 @@ TEST(Particular_fields, are_orthogonal_to_basis)
     const Array_surface surface(shape);
     const Operators o = operators(surface.t());
     Vector function = random_function(surface.size(), 1);
-    const std::vector<bool> is_border = border_vertices(surface.t());
-    for(std::size_t vertex = 0; vertex < is_border.size(); ++vertex)
-      if(is_border[vertex])
+    const std::vector<bool> is_boundary = boundary_vertices(surface.t());
+    for(std::size_t vertex = 0; vertex < is_boundary.size(); ++vertex)
+      if(is_boundary[vertex])
         function[Eigen::Index(vertex)] = 0.;
     const Vector rotated = as_column(o, rotated_left(gradient(o, function)));
     for(const Particular_field kind : all_kinds)
@@ -123,7 +124,7 @@ TEST(Particular_fields, fall_back_to_gradients)
   EXPECT_EQ(on_cloud.kind(), Particular_field::gradient);
   EXPECT_EQ(on_cloud.harmonic_fields().cols(), 0);
 
-  // Two triangles that meet in a point.
+  // Two triangles with a common vertex.
   const Array_surface pinched(
       Triangulation{{{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {-1., 0., 0.}, {0., -1., 0.}},
                     {0, 1, 2, 0, 3, 4}});

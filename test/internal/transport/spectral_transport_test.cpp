@@ -22,7 +22,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of sums of some thousand terms in double, and with fields in float.
+// Round-off errors of sums of some thousand terms, with fields in double and in single precision.
 constexpr double round_off = 1e-9, float_round_off = 1e-5;
 
 constexpr Particular_field all_kinds[] = {Particular_field::gradient,
@@ -43,7 +43,7 @@ Masses unit(std::size_t number_of_vertices, Index vertex)
   return result;
 }
 
-// A unit from the first to the second vertex of each pair.
+// Returns one column for each pair: a unit mass moves from the first to the second vertex.
 Masses differences(std::size_t number_of_vertices, const std::vector<std::array<Index, 2>>& pairs)
 {
   Masses result(Eigen::Index(number_of_vertices), Eigen::Index(pairs.size()));
@@ -65,7 +65,7 @@ std::vector<std::array<Index, 2>> random_pairs(std::size_t number_of_vertices, s
   return result;
 }
 
-// A square with a square hole.
+// Returns a square with a square hole.
 Triangulation square_annulus(std::size_t n)
 {
   Triangulation result = square(n, 0.2), kept = result;
@@ -85,7 +85,7 @@ std::vector<Triangulation> surfaces()
           cylinder(16, 10, 1., 2.),     torus(20, 10),      double_torus(2)};
 }
 
-// Sites inside of a frame's hole are in no triangle.
+// Returns false for an isolated vertex, as in the hole of square_annulus().
 bool has_triangle(const Surface_arrays& t, Index vertex)
 {
   return t.ring_begin[vertex] < t.ring_begin[vertex + 1];
@@ -138,7 +138,7 @@ TEST(Spectral_transport, empty_basis_has_closed_form)
     }
 }
 
-// 1,200 pairs, around holes and along borders.
+// 1,200 pairs, on surfaces with handles and with a boundary.
 TEST(Spectral_transport, decreases_with_basis_size)
 {
   for(const Triangulation& shape : surfaces())
@@ -165,7 +165,7 @@ TEST(Spectral_transport, decreases_with_basis_size)
     }
 }
 
-// All flows of the family with gradients are flows of the complete formulation.
+// With gradients, each flow v + B c is feasible for the full transport problem.
 TEST(Spectral_transport, is_at_least_full_transport)
 {
   for(const Triangulation& shape : surfaces())
@@ -180,7 +180,7 @@ TEST(Spectral_transport, is_at_least_full_transport)
     {
       const Transport_result transport = complete.solve(Matrix(masses).col(Eigen::Index(j)));
       EXPECT_GE(bounds[j].upper, transport.lower);
-      EXPECT_LT(bounds[j].upper, 2. * transport.upper); // far below that of no basis
+      EXPECT_LT(bounds[j].upper, 2. * transport.upper); // the values without a basis are far above
     }
   }
 }
@@ -200,7 +200,7 @@ TEST(Spectral_transport, satisfies_triangle_inequality)
       const Spectral_transport metric(surface.triangles(), k, kind);
       const Matrix d = metric.all_pairs(point_masses, with_tolerance(tolerance));
       EXPECT_EQ(d, Matrix(d.transpose()));
-      // Middles of bounds that are apart by that part of the upper one.
+      // The mean of both bounds has an error of at most half the tolerance.
       const double tolerance_factor = k == 0 ? float_round_off : 0.51 * tolerance;
       for(int i = 0; i < 1000; ++i)
       {
@@ -210,8 +210,8 @@ TEST(Spectral_transport, satisfies_triangle_inequality)
     }
 }
 
-// Each refinement halves the sides, and with them what distances of points change, up to higher orders: on
-// these coarse surfaces it is at most 0.72 times as much.
+// One refinement halves the edges, and asymptotically halves the change of a distance. On these
+// coarse surfaces the maximum ratio of two changes is 0.72.
 TEST(Spectral_transport, converges_under_refinement)
 {
   for(const Triangulation& shape : surfaces())
@@ -300,7 +300,7 @@ TEST(Spectral_transport, is_independent_of_threads)
     }
     EXPECT_EQ(metric.one_to_all(unit(surface.size(), 3), with_tolerance(0.01)),
               metric.one_to_all(unit(surface.size(), 3), with_tolerance(0.01, 3)));
-    if(k == 0) // others are distances(), as above
+    if(k == 0) // if k > 0, all_pairs() calls distances()
     {
       EXPECT_EQ(metric.all_pairs(point_masses, with_tolerance(0.01)),
                 metric.all_pairs(point_masses, with_tolerance(0.01, 3)));
@@ -308,13 +308,13 @@ TEST(Spectral_transport, is_independent_of_threads)
   }
 }
 
-// A basis of which a group of repeated values was cut would prefer some directions: symmetries of the
-// triangulation tell.
+// If the basis contained a part of an eigenspace, it would prefer some directions. The distances
+// would not have the symmetries of the triangulation.
 TEST(Spectral_transport, respects_symmetry)
 {
   for(const std::size_t k : {1, 5, 10})
   {
-    // Of a sphere's vertices, those that are as far from a pole.
+    // The vertices of a sphere with the same distance from a pole.
     const Array_surface sphere(icosphere(2));
     const Spectral_transport metric(sphere.triangles(), k, Particular_field::gradient);
     const Masses from = unit(sphere.size(), sphere.vertex(0));
@@ -325,13 +325,14 @@ TEST(Spectral_transport, respects_symmetry)
     for(const auto& [distance, ring] : rings)
     {
       const auto bounds = metric.distances(differences(sphere.size(), ring), with_tolerance(1e-4));
-      for(std::size_t j = 0; j < bounds.size() && ring.size() == 5; ++j) // turns around the pole
+      // rotations around the pole
+      for(std::size_t j = 0; j < bounds.size() && ring.size() == 5; ++j)
       {
         EXPECT_LE(bounds[j].lower, bounds[0].upper);
         EXPECT_GE(bounds[j].upper, bounds[0].lower);
       }
     }
-    // Both sides of a square's diagonal.
+    // Pairs of points that are symmetric to a diagonal of the square.
     const Array_surface square_surface(square(12));
     const Spectral_transport square_transport(square_surface.triangles(), k,
                                               Particular_field::gradient);
@@ -353,8 +354,9 @@ TEST(Spectral_transport, respects_symmetry)
   }
 }
 
-// Far from the source, along a pipe, where Green's functions fall evenly, d_0 is the height: the
-// coefficient of variation of |gradient d(p, .)| is less than half of that of biharmonic distances.
+// In a long cylinder, Green's functions are linear far from the source, so that d_0 is linear in
+// the height. The coefficient of variation of |gradient d(p, .)| must be less than half of that of
+// biharmonic distances.
 TEST(Spectral_transport, gradient_is_uniform_along_cylinder)
 {
   const Array_surface surface(cylinder(16, 80, 1., 30.));
@@ -370,7 +372,8 @@ TEST(Spectral_transport, gradient_is_uniform_along_cylinder)
       for(std::size_t f = 0; f < slope.size(); ++f)
       {
         const Index corner = surface.caller_vertex(o.corner[3 * f]);
-        if(std::abs(surface.point(corner)[2] - surface.point(from)[2]) < 2. * pi) // once around
+        // less than one circumference from the source
+        if(std::abs(surface.point(corner)[2] - surface.point(from)[2]) < 2. * pi)
           continue;
         area += o.area[f];
         sum += o.area[f] * norm(slope[f]);
@@ -384,7 +387,7 @@ TEST(Spectral_transport, gradient_is_uniform_along_cylinder)
   }
 }
 
-// Along each row, column and diagonal of the square the distance falls and then rises.
+// Along each row, column and diagonal of the square, the distance must decrease and then increase.
 TEST(Spectral_transport, level_sets_are_convex_on_square)
 {
   const int n = 32;
@@ -395,14 +398,15 @@ TEST(Spectral_transport, level_sets_are_convex_on_square)
     const Vector d =
         metric.one_to_all(unit(surface.size(), surface.vertex(Index(u + (n + 1) * v))), {});
     const auto at = [&](int i, int j) { return d[surface.vertex(Index(i + (n + 1) * j))]; };
-    const auto expect_a_valley = [&](int i, int j, int di, int dj)
+    const auto expect_valley = [&](int i, int j, int di, int dj)
     {
       double highest = 0.;
       bool is_rising = false;
       double before = at(i, j);
       for(; i >= 0 && j >= 0 && i <= n && j <= n; i += di, j += dj)
       {
-        // The diagonals of the cells all go one way, which turns level sets by a part of a cell.
+        // All cells have the same diagonal. This rotates level sets slightly: the tolerance is a
+        // fraction of a cell.
         is_rising = is_rising || at(i, j) > before + 0.02 / n;
         highest = is_rising ? std::max(highest, at(i, j)) : 0.;
         EXPECT_GE(at(i, j), highest - 0.02 / n) << i << ' ' << j;
@@ -411,12 +415,12 @@ TEST(Spectral_transport, level_sets_are_convex_on_square)
     };
     for(int i = 0; i <= n; ++i)
     {
-      expect_a_valley(i, 0, 0, 1);
-      expect_a_valley(0, i, 1, 0);
-      expect_a_valley(i, 0, 1, 1);
-      expect_a_valley(0, i, 1, 1);
-      expect_a_valley(i, 0, -1, 1);
-      expect_a_valley(n, i, -1, 1);
+      expect_valley(i, 0, 0, 1);
+      expect_valley(0, i, 1, 0);
+      expect_valley(i, 0, 1, 1);
+      expect_valley(0, i, 1, 1);
+      expect_valley(i, 0, -1, 1);
+      expect_valley(n, i, -1, 1);
     }
   }
 }
@@ -443,7 +447,7 @@ TEST(Spectral_transport, works_on_clouds)
     sum += bounds[j].upper;
     sum_of_complete += transport.upper;
   }
-  EXPECT_LT(sum, 2. * sum_of_complete); // as on meshes
+  EXPECT_LT(sum, 2. * sum_of_complete); // the same factor as on meshes
 }
 
 TEST(Spectral_transport, is_infinite_between_components)

@@ -24,10 +24,10 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of some hundred steps.
+// Round-off errors of some hundred steps.
 constexpr double round_off = 1e-12;
 
-// What flows out of the triangles of a flat surface by a field that is linear, of divergence `gain`.
+// Returns the fluxes of a linear field on a flat surface. Its divergence must be `source_density`.
 Continuous_flow linear_flow(const Array_surface& surface, const std::function<Vec2(Vec2)>& field,
                             double source_density)
 {
@@ -78,7 +78,7 @@ Streamline checked_line(const Streamlines& streamlines, const Array_surface& sur
   return result;
 }
 
-// An even mass moves by as much as flows, all along.
+// A uniform flow of density 2 moves all mass by the same vector.
 TEST(streamlines, uniform_flow_moves_mass_straight)
 {
   const Array_surface surface(square(12, 0.24));
@@ -103,12 +103,12 @@ TEST(streamlines, uniform_flow_moves_mass_straight)
   EXPECT_GT(inside, 25u);
 }
 
-// Towards a point an even mass gathers: areas shrink as the density grows.
+// A contracting flow reduces areas by the factor by which the density increases.
 TEST(streamlines, follows_contracting_flow)
 {
   const Array_surface surface(square(12, 0.24));
   const Vec2 center = {0.45, 0.55};
-  // The divergence is -2: a density of 1 becomes 3.
+  // The divergence is -2, hence a density of 1 increases to 3.
   const Streamlines streamlines(surface.triangles(),
                                 linear_flow(
                                     surface, [&](Vec2 p) { return center - p; }, -2.),
@@ -123,7 +123,7 @@ TEST(streamlines, follows_contracting_flow)
   }
 }
 
-// From where nothing is a line goes as far as the flow does.
+// A streamline without mass must follow the flow to its end.
 TEST(streamlines, zero_mass_follows_flow_to_sink)
 {
   const Array_surface surface(square(12, 0.24));
@@ -150,7 +150,7 @@ TEST(streamlines, ends_in_closed_or_zero_flow)
                              uniform_masses(surface, 0.));
   const Surface_location from = surface.in(100, {0.2, 0.3, 0.5});
   EXPECT_FALSE(rotating({from}).has_arrived);
-  // That flow is no field of Raviart and Thomas; still it leads around the middle.
+  // A rotation is not a Raviart-Thomas field, but the streamline still encloses the center.
   EXPECT_GT(rotating({from}).locations.size(), 10u);
   const Streamlines resting(surface.triangles(),
                             linear_flow(
@@ -164,7 +164,8 @@ TEST(streamlines, ends_in_closed_or_zero_flow)
   EXPECT_EQ(resting({from}).locations.size(), 1u);
 }
 
-// From one point to two others, on meshes and on a cloud: as many lines arrive as there is mass.
+// A flow from one point mass to two others. The number of streamlines that arrive at each must be
+// proportional to its mass.
 struct Two_target_flow
 {
   Multilevel_transport_solver solver;
@@ -179,7 +180,7 @@ struct Two_target_flow
     to.at_locations = {{{none, first, {}}, 0.3}, {{none, second, {}}, 0.7}};
   }
 
-  // Calls f with each line, of a hundred.
+  // Calls f with each of a hundred streamlines.
   template <typename Function>
   void check(const Surface_arrays& t, Function f)
   {
@@ -196,7 +197,7 @@ struct Two_target_flow
         number_arrived[i] += vertex_of(t, line.locations.back()) == targets[i];
       f(line);
     }
-    // Each triangle around the source, or each arc, may have one grain too many or too few.
+    // For each triangle or edge at the source, the number may be wrong by one.
     EXPECT_NEAR(number_arrived[0], 30, 4);
     EXPECT_EQ(number_arrived[0] + number_arrived[1], 100);
   }
@@ -230,7 +231,7 @@ TEST(streamlines, arrivals_match_masses_on_clouds)
       *t,
       [&](const Streamline& line)
       {
-        // Each step is a side of a triangle, and no site comes twice.
+        // Each step must be an edge of a triangle, and no vertex may occur twice.
         std::vector<Index> vertices;
         for(const Surface_location& location : line.locations)
           vertices.push_back(vertex_of(*t, location));
@@ -249,7 +250,7 @@ TEST(streamlines, arrivals_match_masses_on_clouds)
       });
 }
 
-// Masses in triangles are reached where they are.
+// Point masses inside triangles must be reached exactly.
 TEST(streamlines, begins_and_ends_inside_triangles)
 {
   const Array_surface surface(jittered(icosphere(2), 0.03));
@@ -264,7 +265,7 @@ TEST(streamlines, begins_and_ends_inside_triangles)
     expect_path_on_surface(surface.t(), streamlines(seed).locations, from, to);
 }
 
-// A wall has no line through it.
+// No streamline may pass a blocked region.
 TEST(streamlines, avoids_obstacles)
 {
   const Array_surface surface(grid(20, 10,
@@ -296,7 +297,8 @@ TEST(streamlines, avoids_obstacles)
   }
 }
 
-// Around a cylinder, the longer way: it is pulled taut, unless no path is known to be as long.
+// The path leads around a cylinder on the longer side. It is kept if the lower bound permits,
+// otherwise replaced by the path on the other side.
 TEST(streamlines, is_replaced_by_shorter_path)
 {
   const Array_surface surface(cylinder(24, 4, 1., 1.));

@@ -22,10 +22,11 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of a few sums.
+// Round-off errors of a few operations.
 constexpr double round_off = 1e-12;
 
-// The twin's twin, the same ends, the same length; corners turn counterclockwise around each vertex.
+// Checks that a halfedge and its twin have the same ends and length, and that rings are
+// counterclockwise.
 void expect_valid_twins(const Surface_arrays& t)
 {
   for(Index h = 0; h < t.corner.size(); ++h)
@@ -56,13 +57,14 @@ TEST(uniform_refinement, preserves_connectivity)
     const Surface_arrays fine = refined(surface.t());
     EXPECT_EQ(fine.number_of_triangles(), 4 * surface.t().number_of_triangles());
     expect_valid_twins(fine);
-    // Sites and sides: as many middles as there are sides, both of a pair counted once.
-    const auto number_of_border_halfedges = [](const Surface_arrays& t)
+    // Each vertex and each edge yields one vertex. An edge has two halfedges, a boundary edge has
+    // one.
+    const auto number_of_boundary_halfedges = [](const Surface_arrays& t)
     { return std::size_t(std::count(t.twin.begin(), t.twin.end(), none)); };
     EXPECT_EQ(fine.number_of_vertices(),
               surface.t().number_of_vertices() +
-                  (surface.t().corner.size() + number_of_border_halfedges(surface.t())) / 2);
-    EXPECT_EQ(number_of_border_halfedges(fine), 2 * number_of_border_halfedges(surface.t()));
+                  (surface.t().corner.size() + number_of_boundary_halfedges(surface.t())) / 2);
+    EXPECT_EQ(number_of_boundary_halfedges(fine), 2 * number_of_boundary_halfedges(surface.t()));
   }
 }
 
@@ -85,7 +87,8 @@ TEST(uniform_refinement, preserves_area_and_distances)
     for(Index vertex = 0; vertex < surface.size(); ++vertex)
     {
       const double expected = surface.scale() * coarse_windows.distance(vertex);
-      // What exact distances promise (see Exact) on flat sides through which windows are cut anew.
+      // The tolerance of exact distances (see Exact): windows are split at new edges in the same
+      // plane.
       EXPECT_NEAR(fine->scale * fine_windows.distance(vertex), expected, 1e-9 * (1. + expected));
     }
   }
@@ -97,7 +100,8 @@ TEST(uniform_refinement, maps_locations)
   const Surface_arrays fine = refined(surface.t());
   const auto coordinates = [](const Surface_arrays& coarse, const Surface_arrays& finer)
   {
-    // Coordinates are linear too, so that the middles have theirs.
+    // Since coordinates are linear functions, refining them yields the coordinates of the
+    // midpoints.
     std::array<Vector, 3> result;
     for(std::size_t c = 0; c < 3; ++c)
     {
@@ -132,7 +136,8 @@ TEST(uniform_refinement, maps_locations)
   EXPECT_EQ(vertex.vertex, 3u);
 }
 
-// Children at corners lie as their parent does, the one in the middle is turned by half.
+// Children at corners have the orientation of their parent; the center triangle is rotated by 180
+// degrees.
 TEST(uniform_refinement, preserves_gradients)
 {
   const Array_surface surface(square(4, 0.24));
@@ -148,8 +153,8 @@ TEST(uniform_refinement, preserves_gradients)
         EXPECT_NEAR((child == 3 ? -2. : 2.) * children[4 * f + child][c], coarse[f][c], 1e-9);
 }
 
-// What is refined and coarsened again is as it was; integrals of linear functions are kept, on clouds as on
-// meshes.
+// If a function is refined, and its gradient is coarsened, the result must be the original
+// gradient. Integrals of linear functions must be preserved. This holds on meshes and clouds.
 TEST(uniform_refinement, coarsening_inverts_refinement)
 {
   const Cloud cloud = octahedron_sphere(2);

@@ -24,7 +24,7 @@ Vec3 random_point(std::mt19937& random, double size)
   return {coordinate(random), coordinate(random), coordinate(random)};
 }
 
-// Two long rooms side by side, joined at one end: a U of cubes.
+// Returns two parallel rooms that are connected at one end: cubes in the shape of a U.
 Triangulation u_shaped_room()
 {
   return blocks(3, 2, 8, [](int x, int, int z) { return x != 1 || z == 0; });
@@ -59,7 +59,7 @@ TEST(volumetric, one_to_many_bounds_contain_single_distances)
       if(i % 10 > 0)
         continue;
       const Multilevel_transport_result single = distances.cost(from, to[i], tight_options);
-      EXPECT_LE(found[i].lower, single.upper * (1. + 1e-12)); // roundings
+      EXPECT_LE(found[i].lower, single.upper * (1. + 1e-12)); // round-off errors
       EXPECT_GE(found[i].upper, single.lower * (1. - 1e-12));
     }
     EXPECT_LT(solved, to.size() / 2);

@@ -15,38 +15,41 @@ namespace CGAL::Geodesic_processing::internal {
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-// In which order unknowns are eliminated: `quick` is found fast, `sparse` leaves fewer entries, which
-// pays where one pattern is factorized again and again.
+// The elimination order of the unknowns. An order for `fast` is computed quickly. The factor of
+// `low_fill` has fewer entries; use it if many matrices of one pattern are factorized.
 enum class Elimination_order
 {
   fast,
   low_fill
 };
 
-// The factorization of a symmetric positive definite matrix, of which the lower triangle is read: by
-// CHOLMOD where it was found, else by Eigen.
+// Factorizes a symmetric positive definite matrix, of which the lower triangle is read. This class
+// uses CHOLMOD if it is available, otherwise Eigen.
 //
-// Where some entries are a million times above others, rounding may hide that a matrix is definite: then
-// its diagonal grows until it shows, at most by a millionth of a millionth of itself.
+// If some entries are a million times larger than others, the factorization can fail by round-off
+// errors. It is then repeated with a diagonal that is increased by a relative 1e-14 to 1e-12.
 //
-// The pattern is analysed once.  A copy shares no state, and is factorized anew before it solves.
+// The pattern is analyzed once. A copy shares no state and must be factorized again before it can
+// solve.
 class CGAL_GEODESIC_PROCESSING_EXPORT Sparse_solver
 {
 public:
-  // Throws Unsupported_surface_error when the matrix is not definite.
+  // Throws Unsupported_surface_error if the matrix is not positive definite.
   explicit Sparse_solver(const Sparse_matrix& matrix,
                          Elimination_order order = Elimination_order::fast);
   Sparse_solver(const Sparse_solver& other);
   ~Sparse_solver();
 
-  // Another matrix with the same pattern.  False when it is not definite: then nothing can be solved.
+  // Factorizes another matrix of the same pattern. Returns false if it is not positive definite;
+  // then solve() must not be called.
   bool factorize(const Sparse_matrix& matrix);
 
-  // May be called by several threads at once.
+  // Returns the solution for one right-hand side. Thread-safe.
   Vector solve(const Vector& rhs) const;
 
-  // Each column is a right side, and becomes the solution: thirty-two at once, in a fraction of their
-  // time one by one, and sooner where they have few entries near each other.
+  // Replaces each column, a right-hand side, by its solution. Blocks of 32 columns are solved at
+  // once, which takes a fraction of the time of single solutions. It is faster if the right-hand
+  // sides have few nonzero entries close to each other in the elimination order. Thread-safe.
   void solve_columns(Eigen::MatrixXd& columns) const;
 
 private:

@@ -7,24 +7,26 @@
 
 #include <Eigen/Core>
 
-// Products of large matrices, one of which has few columns or rows, with the wide instructions of a
-// processor that has them: half of the time of an OpenBLAS that does not know the processor.  One thread.
+// Products of large matrices of which one has few columns or rows. They use AVX2 if the processor
+// has it. This takes half the time of an OpenBLAS that does not recognize the processor. One
+// thread.
 
 namespace CGAL::Geodesic_processing::internal {
 
 using Matrix = Eigen::MatrixXd;
 using Float_matrix = Eigen::MatrixXf;
 
-// Some columns of a matrix, or all.
+// A matrix or a range of its columns.
 using Matrix_ref = Eigen::Ref<const Matrix>;
 using Float_matrix_ref = Eigen::Ref<const Float_matrix>;
 
+// Computes the product of `a` with `b`.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void product(const Matrix_ref& a, const Matrix_ref& b, Matrix& result);
 CGAL_GEODESIC_PROCESSING_EXPORT
 void product(const Float_matrix_ref& a, const Float_matrix_ref& b, Float_matrix& result);
 
-// Of the transpose of `a` with `b`.
+// Computes the product of the transpose of `a` with `b`.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void transposed_product(const Matrix_ref& a, const Matrix_ref& b, Matrix& result);
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -10,15 +10,19 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// How a linear map from the plane to a triangle stretches at the most and at the least.
+// The singular values of the linear map from the image in the plane to the triangle, largest first.
 struct Singular_values
 {
-  double sigma_1 = 1., sigma_2 = 1.; // infinite both where the image in the plane has no area
-  bool is_inverted = false;          // it turns the triangle round
-  double area = 0.;                  // of the triangle
+  double sigma_1 = 1., sigma_2 = 1.; // both infinite if the image has no area
+  bool is_inverted = false;          // the image is clockwise
+  double area = 0.;                  // area of the triangle (not of its image)
 };
 
-// lengths  of the triangle's sides, side k from corner k on; image  of its corners in the plane
+// Computes the singular values of the map from a triangle's image to the triangle.
+//
+// lengths  of the edges: edge k begins at corner k
+//
+// image    the points of the corners in the plane
 CGAL_GEODESIC_PROCESSING_EXPORT
 Singular_values singular_values(const std::array<double, 3>& lengths,
                                 const std::array<Vec2, 3>& image);

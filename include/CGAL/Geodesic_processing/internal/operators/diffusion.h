@@ -7,9 +7,10 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A function of the sites after it has flowed as heat does, in one implicit step: what is at a place is
-// spread with the standard deviation `radius`, in the domain's scale, in each direction.  Its integral,
-// and a constant, stay as they are.  One factorization.
+// Computes one implicit Euler step of heat diffusion from a function of the vertices. In each
+// direction, a point mass is spread with the standard deviation `radius`, in the unit of the
+// lengths. The integral of the function is preserved, and constant functions do not change. This
+// takes one factorization. The function and the result have one value for each vertex.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector diffused(const Operators& operators, const Vector& function, double radius);
 

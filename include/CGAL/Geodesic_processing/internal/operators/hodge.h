@@ -4,20 +4,23 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_OPERATORS_HODGE_H
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
-
-#include <memory>
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Functions that are linear in each triangle and continuous at the middle of each side (Crouzeix and
-// Raviart 1973), with one value for all the border: the same operators, where a "corner" is a side and
-// its hat is 1 in its middle and 0 in those of the two others.
+// Computes the operators of nonconforming linear elements (Crouzeix and Raviart 1973). Such
+// functions are linear in each triangle and continuous at the midpoint of each edge. In the result,
+// `corner[h]` is the index of the edge of halfedge h, and all boundary edges share the index 0. The
+// hat function of an edge is 1 at its midpoint and 0 at the midpoints of the two other edges of a
+// triangle. Throws Unsupported_surface_error if the surface is a cloud.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Operators crouzeix_raviart_operators(const Surface_arrays& triangles, const Operators& operators);
 
-// What a field is the sum of, orthogonal to each other, #triangles each: a gradient, the quarter turn of
-// the gradient of a function of sides, and a rest, which is spanned by harmonic_fields().
+// The three orthogonal components of a field, each of #triangles vectors. Their sum is the field.
+// - `gradient` is the gradient of a function of the vertices.
+// - `rotation` is the rotated gradient of a function of the edges.
+// - `harmonic` is a linear combination of harmonic_fields().
 struct Hodge_components
 {
   Field gradient;
@@ -25,20 +28,23 @@ struct Hodge_components
   Field harmonic;
 };
 
-// The Hodge decomposition of the fields of a mesh (Polthier and Preuss 2003).  On a component the three
-// spaces have #sites - 1, #inner sides (one less where there is no border) and 2 genus +
-// max(border loops - 1, 0) dimensions: twice the number of triangles together.
+// Computes the Hodge decomposition of the fields of a mesh (Polthier and Preuss 2003). On one
+// component, the gradients have dimension #vertices - 1. The rotations have dimension #inner edges,
+// or one less if the component has no boundary. The harmonic fields have dimension 2 genus +
+// max(#boundary loops - 1, 0). The sum is 2 #triangles.
 class CGAL_GEODESIC_PROCESSING_EXPORT Hodge_solver
 {
 public:
-  // Two factorizations.  Throws Unsupported_surface_error on a cloud, where nothing is glued.
+  // Factorizes two Laplacians. Throws Unsupported_surface_error if the surface is a cloud, because
+  // the triangles of a cloud have no twins.
   Hodge_solver(const Surface_arrays& triangles, Operators operators);
 
+  // Returns the three components of a field of #triangles vectors. Two solutions.
   Hodge_components decompose(const Field& field) const;
 
 private:
   Operators m_operators, m_edge_operators;
-  std::unique_ptr<Sparse_solver> m_vertex_solver, m_edge_solver;
+  Poisson_solver m_vertex_solver, m_edge_solver;
 };
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -14,126 +14,143 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A vector for each triangle, in the plane where unfolded() lays it out: the first corner at the
-// origin, side 0 along the first axis.  Functions are given by a value for each site, and are linear
-// in each triangle.
+// One vector for each triangle, in the plane into which unfolded() maps the triangle. The first
+// corner is the origin, and halfedge 0 points along the first axis. A function has one value for
+// each vertex and is linear in each triangle.
 using Field = std::vector<Vec2>;
 
-// A symmetric tensor of a triangle's plane: xx, xy, yy.
+// A symmetric tensor in the plane of a triangle: its entries xx, xy, yy.
 using Metric_tensor = std::array<double, 3>;
 
+// Returns the product of a symmetric tensor with a vector.
 inline Vec2 product(const Metric_tensor& tensor, const Vec2& p)
 {
   return {tensor[0] * p[0] + tensor[1] * p[1], tensor[1] * p[0] + tensor[2] * p[1]};
 }
 
+// Returns the inverse of a symmetric tensor, whose determinant must not be zero.
 inline Metric_tensor inverse(const Metric_tensor& a)
 {
   const double determinant = a[0] * a[2] - a[1] * a[1];
   return {a[2] / determinant, -a[1] / determinant, a[0] / determinant};
 }
 
-// What becomes of triangles whose height is less than 1e-7 of their shortest side: left out, they have
-// area zero, and no function has a gradient there; or raised to that height, so that what lies on both
-// sides of them stays joined.  (Corners on one line have lengths that pretend a height of up to 1e-8, the
-// root of rounding; a needle whose short side is tiny is kept, as it joins sites.)
+// The treatment of triangles whose height is less than 1e-7 times their shortest edge.
+// - `skipped`: the area is set to zero, and all gradients vanish there.
+// - `thickened`: the height is set to that limit, so that the adjacent vertices stay connected.
+//
+// If the corners are collinear, round-off errors of the lengths can cause a height of up to 1e-8.
+// The limit refers to the shortest edge. Hence needles with a tiny short edge are regular
+// triangles, because they connect vertices.
 enum class Degenerate_triangles
 {
   skipped,
   thickened
 };
 
-// What gradient, divergence and Laplacian are made of, on a mesh as on the overlapping triangles of a
-// cloud.
+// The arrays from which gradient, divergence and Laplacian are computed, on a mesh and on the
+// overlapping triangles of a cloud.
 struct Operators
 {
-  std::vector<Index> corner; // 3 #triangles: the site at each corner
-  std::vector<double> area;  // #triangles: times the weight, or zero
-  Field hat_gradient;        // 3 #triangles: gradient of what is 1 at the corner and linear
-  std::size_t number_of_vertices = 0; // also those of no triangle
+  std::vector<Index> corner; // 3 #triangles: the vertex of each corner
+  std::vector<double> area;  // #triangles: area times weight; 0 if the triangle is skipped
+  Field hat_gradient;        // 3 #triangles: the gradient of the hat function of each corner
+  std::size_t number_of_vertices = 0; // isolated vertices included
 
   std::size_t number_of_triangles() const { return area.size(); }
 };
 
+// Computes the operators of a surface. O(n)
 CGAL_GEODESIC_PROCESSING_EXPORT
 Operators operators(const Surface_arrays& triangles,
                     Degenerate_triangles degenerate = Degenerate_triangles::skipped);
 
-// Whether nothing may pass where lengths are measured so.
+// Returns true if the metric has an infinite entry on the diagonal: no path and no flow can pass.
 inline bool is_blocked(const Metric_tensor& metric)
 {
   return !std::isfinite(metric[0] + metric[2]);
 }
 
-// Where the length of a vector is that of its product with a tensor A, those of the field that is measured,
-// A J: its divergence is that of J, and the length of a function's gradient what it changes by per
-// measured length.  Triangles through which nothing may pass have no area; flat ones are raised.
-// measure: #triangles, or empty: lengths as they are
+// Computes operators for a metric: the length of a vector v is |A v|, where A is one symmetric
+// tensor for each triangle. A field of these operators is A J, where J is the flow. Its length is
+// that of J in the metric, and its minus_divergence() is that of J. The length of gradient() is the
+// change of the function per length in the metric. A triangle whose metric is blocked has area
+// zero. Degenerate triangles are thickened.
+//
+// metric  #triangles tensors A; empty for the lengths as they are
 CGAL_GEODESIC_PROCESSING_EXPORT
 Operators metric_operators(const Surface_arrays& triangles,
                            const std::vector<Metric_tensor>& metric);
 
-// G: #sites to #triangles.
+// Computes the gradient of a function: from #vertices values to #triangles vectors.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void gradient(const Operators& operators, const Vector& function, Field& result);
+// The same, returned by value.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field gradient(const Operators& operators, const Vector& function);
 
-// The transpose of G times the areas: at each site the integral of the field times the gradient of the
-// site's hat function, which is minus the divergence, integrated.  #triangles to #sites; the sum over
-// each component is zero, and no field flows through a border.
+// Computes the integrated divergence with a negative sign, from #triangles vectors to #vertices
+// values. The value at a vertex is the integral of the inner product of the field with the gradient
+// of the vertex's hat function. This is the adjoint of gradient(). On each component the values sum
+// to zero. A field whose result is zero has no flow through the boundary.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector minus_divergence(const Operators& operators, const Field& field);
 
-// R: a quarter turn to the left in each triangle.
+// Rotates all vectors by 90 degrees counterclockwise.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field rotated_left(Field field);
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field rotated_right(Field field);
 
-// The integral of the product of two fields.
+// Rotates all vectors by 90 degrees clockwise.
+CGAL_GEODESIC_PROCESSING_EXPORT
+Field rotated_right(Field field);
+
+// Returns the integral of the inner product of two fields.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double inner_product(const Operators& operators, const Field& a, const Field& b);
 
-// The integral of each hat function: the sum is the area.
+// Returns the integral of each hat function: #vertices values, whose sum is the area.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector lumped_mass(const Operators& operators);
 
-// At each site the mean of the lengths of a field's vectors, weighted by areas; zero at sites of no triangle.
+// Computes the area-weighted mean length of the vectors around each vertex: #vertices values. The
+// value of a vertex without triangles is 0.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector mean_magnitudes(const Surface_arrays& triangles, const Field& field);
 
-// Sites joined by triangles that have area: a label for each site, and how many labels there are.
-// Between components nothing flows.  Sites of no such triangle are components of their own.
+// Computes the connected components of the triangles with positive area. Returns the label of each
+// vertex and the number of labels. A vertex without such a triangle is a component.
 CGAL_GEODESIC_PROCESSING_EXPORT
 std::pair<std::vector<Index>, std::size_t> components(const Operators& operators);
 
-// The Laplacian, positive semidefinite: the divergence of K times the gradient, K a tensor for each
-// triangle.  The lower triangle of a matrix whose pattern is found once.
+// The positive semidefinite Laplacian L f = minus_divergence(K gradient(f)), where K is one tensor
+// for each triangle. A matrix stores the lower triangle. Its sparsity pattern is computed once.
 class CGAL_GEODESIC_PROCESSING_EXPORT Laplacian
 {
 public:
-  // O(n log n).
+  // Computes the pattern. O(n log n)
   explicit Laplacian(const Operators& operators);
 
-  // K the identity.
+  // Returns the matrix for K = identity.
   Sparse_matrix matrix(const Operators& operators) const;
 
-  // Overwrites the entries of such a matrix.  O(n)
+  // Overwrites the entries of a matrix that matrix() has returned. O(n)
   void assemble(const Operators& operators, const std::vector<Metric_tensor>& tensors,
                 Sparse_matrix& matrix) const;
 
-  // Makes it definite: it does not see the constants of a component.  Solutions vanish at one site of
-  // each then, and solve the system as it was, when the right side sums to zero on each component.
+  // Makes the matrix positive definite: adds a positive number to one diagonal entry of each
+  // component, whose constant functions L maps to zero. If a right-hand side sums to zero on each
+  // component, the solution solves the original system and vanishes at these vertices.
   //
-  // is_definite: of the first components, which need not be held
+  // is_definite  true for a component that is not pinned; missing entries are false
   void pin(Sparse_matrix& matrix, const std::vector<bool>& is_definite = {}) const;
 
 private:
-  Sparse_matrix m_pattern; // all entries zero
+  Sparse_matrix m_pattern; // all entries are zero
   std::vector<std::array<Index, 6>>
-      m_entries;               // #triangles: entries of corners 0, 1, 2 and of sides
-  std::vector<Index> m_pinned; // #components: the entry of a site
+      m_entries;               // #triangles: the entries of the three corners and the three edges
+  std::vector<Index> m_pinned; // #components: the diagonal entry of one vertex
 };
 
 } // namespace CGAL::Geodesic_processing::internal

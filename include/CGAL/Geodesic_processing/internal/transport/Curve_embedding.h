@@ -15,54 +15,62 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A mesh on which curves are drawn: triangles that one passes are divided such that it runs along sides.
-// Distances on it are the same.  Sites keep their numbers, new ones follow; of a divided triangle one part
-// has its number, the others follow.  Without coordinates.
+// Embeds curves into a mesh: triangles that a curve crosses are subdivided, so that the curve runs
+// along edges. Geodesic distances do not change. A vertex keeps its index, and new vertices follow.
+// One subtriangle keeps the index of the triangle, and the others follow. The result has no
+// coordinates.
 class CGAL_GEODESIC_PROCESSING_EXPORT Curve_embedding
 {
 public:
-  // curves  polylines, consecutive locations in a common triangle; one location: a point
-  // whole   sites; sides between two of them need not be divided
+  // curves  polylines; two consecutive locations must be in a common triangle; a single location is
+  //   a point
   //
-  // No other side joins two sites of curves, or one to those of `whole`: it is divided in two.  What
-  // comes closer than 1e-10 of a side to a side or to a site is moved there.
+  // region_vertices  vertices of regions; an edge between two of them may stay
+  //
+  // If an edge is not part of a curve but has both ends on curves, it is split at its midpoint. An
+  // edge from a curve vertex to a region vertex is split as well. Points closer than 1e-10 (in
+  // barycentric coordinates) to an edge or vertex are moved onto it.
   Curve_embedding(std::shared_ptr<const Surface_arrays> triangles,
                   const std::vector<std::vector<Surface_location>>& curves,
                   const std::vector<Index>& region_vertices);
 
+  // Returns the subdivided mesh.
   const std::shared_ptr<const Surface_arrays>& triangles() const { return m_fine; }
 
-  // #curves: the sites along each, in no order.
+  // Returns #curves lists: the vertices along each curve, in ascending order.
   const std::vector<std::vector<Index>>& vertices() const { return m_vertices; }
 
-  // Where a location in a triangle lies then.
+  // Returns the same location in the subdivided mesh.
   Surface_location refined(const Surface_location& location) const;
-  // The same function, linear in each of the coarse triangles.
+  // Returns the same function on the subdivided mesh: it is linear in each triangle of the input.
   Vector refined(const Vector& function) const;
+  // Returns the same mass distribution on the subdivided mesh.
   Mass_distribution refined(const Mass_distribution& masses) const;
+  // Returns the same metric: one tensor for each triangle, rotated into the plane of the
+  // subtriangle.
   std::vector<Metric_tensor> refined(const std::vector<Metric_tensor>& metric) const;
 
-  // The field's means over the parts of each triangle.
+  // Returns the area-weighted mean over the subtriangles of each triangle.
   Field coarsened(const Field& fine) const;
-  // Those of new sites shared by the corners of the triangle where they are: the integral of each function
-  // that is linear in coarse triangles is the same.
+  // Distributes the mass of each new vertex to the corners of its triangle, by barycentric
+  // coordinates. The integral of every function that is linear in the triangles of the input is
+  // preserved.
   Vector coarsened(const Vector& masses) const;
 
 private:
-  // A triangle of those that another one was divided into.
+  // One triangle of a subdivided triangle, the parent.
   struct Subtriangle
   {
     Index triangle, parent;
-    std::array<std::array<double, 3>, 3> corner; // barycentric, in the whole
-    Vec2 axis;                                   // of its plane, in that of the whole
+    std::array<std::array<double, 3>, 3> corner; // barycentric coordinates in the parent
+    Vec2 axis; // direction of its halfedge 0 in the plane of the parent
   };
 
   std::shared_ptr<const Surface_arrays> m_coarse, m_fine;
   std::vector<std::vector<Index>> m_vertices;
-  std::vector<Surface_location>
-      m_new_locations;                     // #new sites: where they are in the coarse triangles
-  std::vector<Subtriangle> m_subtriangles; // one after another for each whole
-  std::unordered_map<Index, std::size_t> m_subtriangles_begin; // of a whole
+  std::vector<Surface_location> m_new_locations; // #new vertices: locations in the input mesh
+  std::vector<Subtriangle> m_subtriangles;       // those of one parent are contiguous
+  std::unordered_map<Index, std::size_t> m_subtriangles_begin; // key: index of the parent
 
   class Builder;
 };

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
 #include <CGAL/Geodesic_processing/internal/numerics/dense_product.h>
+#include <CGAL/Geodesic_processing/internal/operators/Poisson_solver.h>
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
 #include <CGAL/Geodesic_processing/internal/transport/particular_fields.h>
 
@@ -14,32 +15,33 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The distances of Lipman, Rustamov and Funkhouser 2010: the square of one is the integral of the square
-// of the difference of two Green's functions of the Laplacian, with nothing flowing through the border.
-// They are lengths, but not those of paths.
+// Computes biharmonic distances (Lipman, Rustamov and Funkhouser 2010). The squared distance is the
+// integral of the squared difference of two Green's functions of the Laplacian, with Neumann
+// boundary conditions. They are a metric, but not lengths of paths.
 class CGAL_GEODESIC_PROCESSING_EXPORT Biharmonic_distances
 {
 public:
-  // Throws Unsupported_surface_error when there is no triangle with an area.
+  // Throws Unsupported_surface_error if no triangle has positive area.
   explicit Biharmonic_distances(const Surface_arrays& triangles);
 
-  // Of all pairs of columns of masses, which are one in all; infinite between components.  Symmetric.
+  // Returns the distances of all pairs of columns, each of total mass 1. The result is symmetric.
+  // Distances between components are infinite.
   Matrix all_pairs(const Masses& masses) const;
 
-  // Of a column to all sites; infinite at those of other components and of no triangle.  The first call
-  // solves a system for each site, the next ones two.
+  // Returns the distances from a column to all vertices. A vertex of another component or without a
+  // triangle has infinite distance. The first call solves one system per vertex, later calls two.
   Vector one_to_all(const Masses& source, unsigned threads) const;
 
 private:
   Operators m_operators;
-  std::vector<Index> m_component; // #sites
+  std::vector<Index> m_component; // #vertices
   std::size_t m_number_of_components = 0;
-  Vector m_mass;           // #sites
+  Vector m_mass;           // #vertices
   Vector m_component_mass; // #components
-  std::unique_ptr<Sparse_solver> m_solver;
+  std::unique_ptr<Poisson_solver> m_solver;
   mutable std::once_flag m_squares_computed;
   mutable Vector
-      m_squared_distances; // #sites: of the distance to the site of the component that is held
+      m_squared_distances; // #vertices: squared distance to the pinned vertex of the component
 
   Matrix green_functions(const Masses& masses) const;
   Matrix component_masses(const Masses& masses) const;

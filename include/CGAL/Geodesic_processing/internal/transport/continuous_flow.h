@@ -10,24 +10,28 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A flow on the surface itself: masses are spread over the triangles around their sites, and what leaves a
-// triangle through a side enters the next one.  Within triangles it is a field of Raviart and Thomas
-// (1977): its divergence is constant there.
+// A flow on the continuous surface. The mass of a vertex is spread uniformly over the incident
+// triangles. The flux out of a triangle through an edge enters the adjacent triangle. In each
+// triangle, the flow is a Raviart-Thomas field (1977) and has constant divergence.
 struct Continuous_flow
 {
-  std::vector<double>
-      outward_flux; // #sides: what flows out of the triangle there, zero at a border
-  std::vector<double> absorbed_mass; // #triangles: what stays there
-  double cost = 0.;                  // never less than that of the best way, spreading included
+  std::vector<double> outward_flux;  // #halfedges: the flux out of the triangle; 0 on the boundary
+  std::vector<double> absorbed_mass; // #triangles: mass that remains in the triangle
+  double cost = 0.; // upper bound of the optimal cost, the cost of spreading included
 };
 
-// The one near a field that may start and end within triangles' sides, shortened along all fields that
-// have no divergence; around handles only where there is no border, and lengths are those of the surface.
+// Computes a continuous flow with small cost from a flow that is constant in each triangle. It is
+// first corrected to balance the flux through each edge. Its cost is then reduced in the space of
+// divergence-free fields. Circulations around handles are included only if the mesh has no boundary
+// and `metric` is empty.
 //
-// flow      #triangles; masses are its divergence()
-// measure   #triangles: length is that of the vector after this symmetric tensor; empty: as it is
+// flow    #triangles vectors; the masses are its minus_divergence()
 //
-// Of meshes only.  Two factorizations and some hundred solutions.
+// metric  #triangles tensors A: the length of a vector v is |A v|; empty for the lengths as they
+//   are
+//
+// Throws Unsupported_surface_error if the surface is a cloud. Two factorizations and some hundred
+// solutions.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Continuous_flow continuous_flow(const Surface_arrays& triangles, const Operators& operators,
                                 const Field& flow, const std::vector<Metric_tensor>& metric = {});

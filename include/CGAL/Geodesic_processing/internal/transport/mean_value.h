@@ -12,33 +12,40 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Mean value coordinates of points in space with respect to a closed mesh (Ju, Schaefer and Warren 2005):
-// a number for each site, whose sum is one, and with which the sites' points sum to the point.
+// Computes mean value coordinates of a point in space with respect to a closed mesh (Ju, Schaefer
+// and Warren 2005): one number for each vertex. They sum to 1, and the weighted sum of the vertices
+// is the point.
 //
-// They are the means, over all directions from the point, of the hat functions where the ray leaves the
-// mesh, less those where it enters, over the distance from there.  Inside of a convex mesh they are
-// positive.  They are continuous, and on the surface barycentric coordinates of its triangles.
+// For each ray from the point, the hat functions are divided by the distance at every intersection
+// with the mesh. They are added at an exit and subtracted at an entry. The coordinates are the mean
+// over all directions, normalized. They are continuous. Inside of a convex mesh they are positive.
+// On the surface they are the barycentric coordinates.
 class CGAL_GEODESIC_PROCESSING_EXPORT Mean_value_coordinates
 {
 public:
-  // Throws Unsupported_surface_error when there is no triangle, or one with a side on a border.
+  // Throws Unsupported_surface_error if the mesh has no triangle or has a boundary.
   explicit Mean_value_coordinates(std::shared_ptr<const Surface_arrays> triangles);
 
-  // point  in the caller's coordinates.
-  // Within 1e-12 of the surface, relative to its extent, they are those of the nearest point on it.
-  // Throws Invalid_argument_error when a coordinate is not finite, and Unsupported_surface_error when
-  // rounding hides where the inside is: there is none, or the point is too far away.  O(n)
+  // Returns the coordinates of a point, given in the input coordinates. If the point is closer to
+  // the surface than 1e-12 times the extent, the coordinates of the closest point are returned.
+  // O(n)
+  //
+  // Throws Invalid_argument_error if a coordinate is not finite. Throws Unsupported_surface_error
+  // if the sum of the weights is only a round-off error. This is the case if the mesh has no
+  // interior or the point is too far away.
   Vector operator()(const Vec3& point) const;
 
-  // Whether two points, off the surface, are on the same side of it.  Throws as operator().
+  // Returns true if both points, which must not be on the surface, are inside or both are outside.
+  // Throws as operator().
   bool are_on_same_side(const Vec3& p, const Vec3& q) const;
 
 private:
-  // Coordinates times their sum, which is positive on one side; on the surface the sum is infinite.
+  // Returns unnormalized coordinates and their sum. The sum is positive on one side of the surface.
+  // On the surface it is infinite, and the coordinates are normalized.
   std::pair<Vector, double> weights(const Vec3& point) const;
 
   std::shared_ptr<const Surface_arrays> m_triangles;
-  double m_distance_tolerance; // distances below are zero
+  double m_distance_tolerance; // smaller distances count as zero
 };
 
 } // namespace CGAL::Geodesic_processing::internal

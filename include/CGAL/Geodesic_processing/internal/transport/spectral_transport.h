@@ -16,40 +16,43 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Tolerance, limits and callback of Spectral_transport.
 struct Spectral_transport_options
 {
-  double tolerance = 1e-3;            // of the gap between the bounds, relative to the upper one
-  unsigned maximum_iterations = 5000; // of one distance
+  double tolerance = 1e-3;            // of the gap between the bounds, relative to the upper bound
+  unsigned maximum_iterations = 5000; // for each distance
   unsigned threads = 1;
-  std::function<bool(double)> callback; // gets the part that is done, by one thread at a time, and
-                                        //   cancels by false
+  // Called with the fraction done, by one thread at a time. If it returns false, the computation is
+  // cancelled.
+  std::function<bool(double)> callback;
 };
 
+// Lower and upper bound of one transport distance, in the unit of the edge lengths.
 struct Transport_bounds
 {
   double lower = 0.;
-  double upper = 0.; // infinite where masses would have to leave a component
+  double upper = 0.; // infinite if masses differ on a component
   unsigned iterations = 0;
 
   double value() const { return 0.5 * (lower + upper); }
-  bool are_within(double tolerance) const // relative to the upper one
+  bool are_within(double tolerance) const // relative to the upper bound
   {
     return lower == upper || upper - lower <= tolerance * upper;
   }
 };
 
-// The distances d_k of Solomon, Rustamov, Guibas and Butscher 2014 between distributions of mass: the
-// least integral of |v + B c|, where v is the particular field of the difference of the two and B are
-// the rotated gradients of k eigenfunctions and the harmonic fields.  For k = 0 nothing is sought: B is
-// empty, harmonic fields are left out as well, and d_0 is the integral of |v|, also around handles and
-// holes.  The least of a norm over a space is a norm of what is left: d_k is a metric, and it never grows
-// with k.
+// The spectral transport distances d_k of Solomon, Rustamov, Guibas and Butscher 2014. The distance
+// of two distributions is the minimum of the integral of |v + B c| over c. Here v is the particular
+// field of their difference. B consists of the rotated gradients of k eigenfunctions and of the
+// harmonic fields. If k = 0, B is empty (without harmonic fields) and d_0 is the integral of |v|.
+//
+// Since d_k is a quotient norm of the difference, it is a metric. It does not increase with k.
 class CGAL_GEODESIC_PROCESSING_EXPORT Spectral_transport
 {
 public:
-  // k is rounded up as eigenfunctions() does.  On a cloud the rotated gradients are made free of
-  // gradients, which they are on a mesh.  Throws Unsupported_surface_error when there is no triangle with
-  // an area.
+  // The number k is rounded up as in eigenfunctions(). On a cloud, the gradient part of the rotated
+  // gradients is subtracted; on a mesh it is zero. Throws Unsupported_surface_error if no triangle
+  // has positive area.
   Spectral_transport(std::shared_ptr<const Surface_arrays> triangles, std::size_t k,
                      Particular_field kind);
   ~Spectral_transport();
@@ -58,24 +61,30 @@ public:
   Particular_field kind() const { return m_particular->kind(); }
   const Operators& operators() const { return m_operators; }
 
-  // Of distributions, columns that sum to zero, from nothing: d_k between p and q is that of q - p.
-  // Any c gives an upper bound; a field that is orthogonal to B, divided by its largest vector, a lower
-  // one (by duality).  Empty when the callback cancelled it.
+  // Computes bounds of the norm of each column, where `differences` are differences of two
+  // distributions. The upper bound is the integral of |v + B c| for some c. The lower bound follows
+  // by duality from a field orthogonal to B, divided by its maximum length. The bounds are infinite
+  // if a column does not sum to zero on each component. The result is empty if the callback
+  // cancelled.
   std::vector<Transport_bounds> distances(const Masses& differences,
                                           const Spectral_transport_options& options) const;
 
-  // The same of one distribution at sites, with the flow, and without a potential; the callback gets a
-  // fraction of the iterations, and ends them by false.  What the flow has to move is known from the
-  // particular field.
+  // Computes the bounds for one difference of distributions, and the flow. There is no potential.
+  // The callback receives the fraction of the maximum number of iterations; if it returns false,
+  // the iteration stops. The residual compares the divergence of the flow with the masses that the
+  // particular field balances.
   Transport_result transport(const Vector& masses, const Spectral_transport_options& options) const;
 
-  // Of all pairs of columns.  For k = 0 with floats for the fields; upper bounds then, and the middles
-  // of the bounds for others.  Symmetric; empty when the callback cancelled it.
+  // Returns the distances of all pairs of columns: symmetric, #columns by #columns. If k = 0,
+  // fields are stored in single precision and the values are upper bounds. Otherwise each value is
+  // the mean of both bounds. The result is empty if the callback cancelled.
   Matrix all_pairs(const Masses& masses, const Spectral_transport_options& options) const;
 
-  // Of a column to all sites: upper bounds, by floats.  For k > 0 c is sought with a tenth of the
-  // triangles, clusters with the mean vectors in them; with it all triangles are summed up.  Infinite at
-  // sites of other components, and at those of no triangle.  Empty when the callback cancelled it.
+  // Returns upper bounds of the distances from a column to unit masses at all vertices, in single
+  // precision. If k > 0, c is optimized on clusters, whose number is a tenth of that of the
+  // triangles, with one mean vector in each. The integral for this c is then computed over all
+  // triangles. A vertex of another component or without a triangle has infinite distance. The
+  // result is empty if the callback cancelled.
   Vector one_to_all(const Masses& source, const Spectral_transport_options& options) const;
 
 private:
@@ -90,7 +99,7 @@ private:
   std::size_t m_number_of_components = 0;
   std::size_t m_basis_size = 0;
   std::unique_ptr<Particular_fields> m_particular;
-  Vector m_sqrt_area; // #triangles: roots of areas
+  Vector m_sqrt_area; // #triangles: square roots of areas
   Matrix m_basis;     // orthonormal columns
   std::unique_ptr<Clusters> m_clusters;
 };

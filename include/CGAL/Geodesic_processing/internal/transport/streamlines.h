@@ -16,60 +16,66 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A grain of mass where it starts.
+// The start of a streamline.
 struct Streamline_seed
 {
   Surface_location location;
   double right_fraction =
-      0.5; // at a site of a cloud: how much of its mass lies on the right of the grain
-  Index source_vertex =
-      none; // the site whose mass it is part of, where that is a point and was spread
+      0.5; // on a cloud: the fraction of the vertex's mass on the right of the streamline
+  Index source_vertex = none; // if the mass is a point mass: its vertex; otherwise none
 };
 
+// A path along the flow.
 struct Streamline
 {
-  std::vector<Surface_location>
-      locations;            // at least one; consecutive ones in a common triangle, of a cloud at
-                            //   least joined by an arc; no point twice in a row
-  bool has_arrived = false; // whether mass is missing where it ends
+  // At least one location, and no duplicates in a row. Consecutive locations are in a common
+  // triangle; on a cloud they may also be the ends of an edge.
+  std::vector<Surface_location> locations;
+  bool has_arrived = false; // true if it ends at a location with target mass
 };
 
-// The masses that a flow moves: the difference is its divergence.  None is negative.
+// The masses before and after the flow, all nonnegative. Their difference is the divergence of the
+// flow.
 struct Moved_masses
 {
-  Vector source_masses, target_masses; // #sites
-  // Whether they are points, where lines begin and end; else they are spread around the sites.
+  Vector source_masses, target_masses; // #vertices
+  // If true, the masses are points at which streamlines begin or end. Otherwise each mass is spread
+  // over the triangles around its vertex.
   bool has_point_sources = false, has_point_targets = false;
   std::vector<Surface_location> source_locations,
-      target_locations; // of points in triangles, shared by the corners
+      target_locations; // point masses inside triangles, distributed to the corners
 };
 
-// Lines along which a flow moves masses in a unit of time, as Dacorogna and Moser (1990) have it: at the
-// time s, where there is (1 - s) times what was and s times what will be, with the speed that flow over
-// mass is.  Where there is no mass that takes no time.
+// Computes the streamlines along which a flow moves mass in unit time (Dacorogna and Moser 1990).
+// At time s the density is (1 - s) source + s target, and the velocity is flow / density. If the
+// density is zero, the velocity is infinite.
 //
-// On a mesh masses and the flow are spread over triangles as those of a Continuous_flow are.  The lines
-// are straight in each triangle then, where they are and when has a closed form, and no mass is lost or
-// doubled on the way.  On a cloud the flow is one along arcs, with the same divergence at sites: what
-// comes to a site leaves it in the same order, the right of it on the right.
+// On a mesh, masses and flow are spread over the triangles as in Continuous_flow. The streamlines
+// are straight in each triangle, and their parameter is computed in closed form. The map from
+// sources to targets preserves mass.
+// On a cloud, the flow is converted to one along edges with the same divergence. The flow through a
+// vertex preserves the order of streamlines from right to left.
 class CGAL_GEODESIC_PROCESSING_EXPORT Streamlines
 {
 public:
-  // On a mesh.  O(n)
+  // Prepares a mesh. O(n)
   Streamlines(std::shared_ptr<const Surface_arrays> triangles, const Continuous_flow& flow,
               Moved_masses masses);
-  // On a cloud: flow  #triangles, whose divergence() is what is missing.  O(n log n)
+  // Prepares a cloud. O(n log n)
+  //
+  // flow  #triangles vectors; its minus_divergence() must be the difference of the masses
   Streamlines(std::shared_ptr<const Surface_arrays> triangles, const Operators& operators,
               const Field& flow, Moved_masses masses);
   ~Streamlines();
   Streamlines(Streamlines&&) noexcept;
 
-  // As many grains of equal mass, spread over all that moves; none of nothing.
+  // Returns `number` seeds, each with the same mass, distributed over all source mass. The result
+  // is empty if no mass moves.
   std::vector<Streamline_seed> seeds(std::size_t number) const;
 
-  // The line of a grain from the time 0 to 1; from where nothing is before, along the flow as far as it
-  // goes.  Where the flow turns in circles it ends without arriving.
-  // O(triangles crossed), on a cloud sites and their arcs.
+  // Traces the streamline of a seed from time 0 to time 1. A seed without mass follows the flow to
+  // its end. If the flow is a closed loop, the streamline ends without arriving.
+  // Complexity: O(#crossed triangles); on a cloud, the number of edges at the crossed vertices.
   Streamline operator()(const Streamline_seed& seed) const;
 
 private:
@@ -80,22 +86,24 @@ private:
   std::unique_ptr<const Tracer> m_tracer;
 };
 
-// Makes the lines of best flows what they are without the triangles: shortest paths.
+// Shortens the streamlines of optimal flows, which depend on the triangulation, to geodesics.
 class CGAL_GEODESIC_PROCESSING_EXPORT Line_shortener
 {
 public:
   explicit Line_shortener(std::shared_ptr<const Surface_arrays> triangles);
 
-  // The line pulled taut.  On a mesh, where that is more than a percent longer than `least`, in the
-  // domain's scale, it is compared with the path of a Path_finder, and gives way to that if it is shorter:
-  // it may have strayed to the other side of a hill.
-  // least  such as the growth of a potential: no path is shorter
+  // Returns a locally shortest path with the same ends. If a path on a mesh is more than 1 % longer
+  // than the lower bound, a path of Path_finder is computed as well. The shorter one is returned,
+  // since the streamline can pass an obstacle on the wrong side.
+  //
+  // lower_bound  of the length of all paths, in the unit of the edge lengths; the difference of a
+  //   potential is one
   std::vector<Surface_location> operator()(const std::vector<Surface_location>& line,
                                            double lower_bound);
 
 private:
   std::shared_ptr<const Surface_arrays> m_triangles;
-  std::optional<Path_finder> m_finder; // once it is needed
+  std::optional<Path_finder> m_finder; // constructed if it is needed
 };
 
 } // namespace CGAL::Geodesic_processing::internal

@@ -13,21 +13,24 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
+// Tolerance, number of threads and callback of Volumetric_distances::one_to_many().
 struct Volumetric_options
 {
-  double tolerance = 0.02; // of the gap between the bounds, relative to the upper one
+  double tolerance = 0.02; // of the gap between the bounds, relative to the upper bound
   unsigned threads = 1;
-  std::function<bool(double)> callback; // gets the part that is done, and cancels by false
+  // Called with the fraction done. If it returns false, the computation is cancelled.
+  std::function<bool(double)> callback;
 };
 
-// In the caller's unit.
+// Lower and upper bounds, in the unit of the input coordinates.
 struct Volumetric_bounds
 {
   double lower = 0., upper = 0.;
   unsigned iterations = 0;
-  bool is_solved = false; // on its own, by the interior point method
+  bool is_solved = false; // true if solved by the interior point method, not by interpolation
 };
 
+// A polyline in space, in the input coordinates. If `has_arrived` is true, it ends at the target.
 struct Volumetric_path
 {
   std::vector<Vec3> points;
@@ -35,37 +38,43 @@ struct Volumetric_path
   unsigned number_of_solutions = 0;
 };
 
-// Distances between points in space, inside and outside of a closed mesh (Solomon, Rustamov, Guibas and
-// Butscher 2014, section 6): what it costs to move the mean value coordinates of one point, as masses
-// at the sites, to those of the other.
+// Computes transport distances between points in space, inside or outside of a closed mesh
+// (Solomon, Rustamov, Guibas and Butscher 2014, section 6). The distance is the cost of
+// transporting the mean value coordinates of one point, as masses at the vertices, to those of the
+// other.
 //
-// The straight distance is a lower bound: as the coordinates are precise for linear functions, the
-// function along the straight line is a potential that proves it.
+// The Euclidean distance is a lower bound: mean value coordinates reproduce linear functions, and
+// the linear function along the segment is a feasible potential.
 class CGAL_GEODESIC_PROCESSING_EXPORT Volumetric_distances
 {
 public:
   // refinements  as for Multilevel_transport_solver
-  // Throws Unsupported_surface_error as Mean_value_coordinates, and when the mesh has several pieces,
-  // between which no mass can move.
+  //
+  // Throws Unsupported_surface_error as Mean_value_coordinates does, or if the mesh has several
+  // components. No mass can move between components.
   Volumetric_distances(std::shared_ptr<const Surface_arrays> triangles, unsigned refinements);
 
-  // points  in the caller's coordinates
-  // Throws as Mean_value_coordinates' operator().
+  // Computes the distance of two points, given in the input coordinates. Throws as
+  // Mean_value_coordinates' operator().
   Multilevel_transport_result cost(const Vec3& from, const Vec3& to,
                                    const Multilevel_transport_options& options) const;
 
-  // From one point to many, which help each other: potentials and flows that were found for points nearby
-  // are nearly those of a point.  Those that are still too far apart become so by some steps of the
-  // splitting, and a few hundred points, whatever their number, are solved.  The result does not depend
-  // on the number of threads; it is empty when the callback cancelled it.
+  // Computes bounds of the distances from one point to many. For most points, potentials and flows
+  // are interpolated from solved points nearby. If the bounds are not within the tolerance, some
+  // iterations of the splitting method follow. If these fail, the point is solved. Only a few
+  // hundred points are solved, however many there are. The result does not depend on the number of
+  // threads. It is empty if the callback cancelled.
   std::vector<Volumetric_bounds> one_to_many(const Vec3& from, const std::vector<Vec3>& to,
                                              const Volumetric_options& options) const;
 
-  // Down the distance to a point, by its gradient: where potential is the one that proves the distance
-  // from x, that of the sum of potentials times coordinates of x.  No step is as long as the way to the
-  // surface, so that none crosses it.  Does not arrive when the distance falls no more or after so many
-  // solutions.
-  // Throws Invalid_argument_error when a point is on the surface, or they are on different sides of it.
+  // Computes a path by gradient descent of the distance to `to`. A step follows the gradient of the
+  // sum over all vertices of potential times mean value coordinate. The potential is the optimal
+  // one for the start of the step. A step is shorter than the distance to the surface, so that the
+  // path cannot cross it. The path does not arrive if the distance stops decreasing or the maximum
+  // number of solutions is reached.
+  //
+  // Throws Invalid_argument_error if a point is on the surface, or if the surface separates the
+  // points.
   Volumetric_path path(const Vec3& from, const Vec3& to,
                        unsigned maximum_number_of_solutions) const;
 
