@@ -102,6 +102,14 @@ double inner_product(const Operators& operators, const Field& a, const Field& b)
   return result;
 }
 
+double integrated_length(const Operators& o, const Field& field, double initial)
+{
+  double result = initial;
+  for(std::size_t f = 0; f < field.size(); ++f)
+    result += o.area[f] * norm(field[f]);
+  return result;
+}
+
 Vector lumped_mass(const Operators& operators)
 {
   Vector result = Vector::Zero(Eigen::Index(operators.number_of_vertices));

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/Barycenter_solver.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include "transport/convergence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +30,6 @@ constexpr unsigned checks_between_updates = 16, last_update = 64;
 
 // Of the area.  From a half to twice of it makes no difference, ten times some.
 constexpr double stiffness_factor = 2e-4;
-
-double integrated_length(const Operators& o, const Field& field)
-{
-  double result = 0.;
-  for(std::size_t f = 0; f < field.size(); ++f)
-    result += o.area[f] * norm(field[f]);
-  return result;
-}
 
 double max_squared_length(const Operators& o, const Field& field)
 {
@@ -104,6 +97,35 @@ public:
                               : 0.};
   }
 
+  // Iterates until the gap is within the tolerance.  Returns bounds, masses, flows and potentials for
+  // masses and weights that sum to one each.
+  Barycenter_result run(const Barycenter_options& options)
+  {
+    // Costs below this one are zero up to round-off errors.
+    const double negligible_cost = 1e-20 * m_solver.m_area;
+    const auto gap = [&] { return m_upper > negligible_cost ? 1. - m_lower / m_upper : 0.; };
+    const unsigned max_iterations =
+        options.maximum_iterations > 0 ? options.maximum_iterations : 5000;
+    Barycenter_result result;
+    for(; gap() > options.tolerance && result.iterations < max_iterations &&
+          !is_cancelled(options.callback, gap(), options.tolerance);
+        result.iterations += steps_per_check)
+      advance();
+    result.converged = gap() <= options.tolerance;
+    result.lower = m_lower;
+    result.upper = m_upper;
+    result.masses = m_barycenter;
+    result.flows = std::move(m_flows);
+    for(Eigen::Index i = 0; i < m_potentials.cols(); ++i)
+      result.potentials.push_back(m_potentials.col(i));
+    result.state = std::move(m_state);
+    return result;
+  }
+
+private:
+  // One column for each of the masses.
+  using Columns = Eigen::MatrixXd;
+
   void advance()
   {
     for(unsigned step = 0; step < steps_per_check; ++step)
@@ -114,49 +136,25 @@ public:
       update_thresholds();
   }
 
-  double upper() const { return m_upper; }
-  double lower() const { return m_lower; }
-
-  void write(Barycenter_result& result)
-  {
-    result.masses = m_barycenter;
-    result.flows = std::move(m_flows);
-    for(Eigen::Index i = 0; i < m_potentials.cols(); ++i)
-      result.potentials.push_back(m_potentials.col(i));
-    result.state = std::move(m_state);
-  }
-
-private:
-  // One column for each mass.
-  using Columns = Eigen::MatrixXd;
-
   std::size_t size() const { return m_masses.size(); }
 
+  // An iteration.  With x = z - u and the target masses m - mass_dual, the projection is x plus the
+  // gradients of the columns of `potentials`, with the common masses `projected_masses`.
   void step()
   {
     auto& [z, u, m, mass_dual, factor] = m_state;
-    const Vector target_masses = m - mass_dual;
-    Columns rhs(target_masses.size(), Eigen::Index(size()));
-    Vector sum = -target_masses;
     for(std::size_t i = 0; i < size(); ++i)
-    {
       for(std::size_t f = 0; f < z[i].size(); ++f)
         z[i][f] = z[i][f] - u[i][f];
-      rhs.col(Eigen::Index(i)) = m_masses[i] - minus_divergence(m_operators, z[i]);
-      sum += m_weights[i] * rhs.col(Eigen::Index(i));
-    }
-    const Vector projected_masses =
-        target_masses + m_solver.m_lumped_mass.cwiseProduct(m_solver.m_damped_solver->solve(sum)) /
-                            m_solver.m_stiffness;
-    rhs.colwise() -= projected_masses;
-    m_solver.m_solver->solve_columns(rhs);
+    Columns potentials(m.size(), Eigen::Index(size()));
+    const Vector projected_masses = project(z, m - mass_dual, potentials);
 
     double square = 0.;
     for(std::size_t i = 0; i < size(); ++i)
     {
-      gradient(m_operators, rhs.col(Eigen::Index(i)), m_gradient);
+      gradient(m_operators, potentials.col(Eigen::Index(i)), m_gradient);
       square += m_weights[i] * max_squared_length(m_operators, m_gradient);
-      // Of the nearest flow x + slope, where x = z - u, and of z and u a flow beyond it.
+      // The relaxed iterate plus u, where z holds x.
       for(std::size_t f = 0; f < z[i].size(); ++f)
       {
         z[i][f] = z[i][f] + u[i][f] + relaxation_factor * m_gradient[f] +
@@ -167,12 +165,31 @@ private:
       for(std::size_t f = 0; f < z[i].size(); ++f)
         u[i][f] = u[i][f] - z[i][f];
     }
-    update_lower_bound(rhs, square);
+    update_lower_bound(potentials, square);
 
     const Vector relaxed_masses =
         relaxation_factor * projected_masses + (1. - relaxation_factor) * m + mass_dual;
     m = project_masses(relaxed_masses);
     mass_dual = relaxed_masses - m;
+  }
+
+  // Finds the flows and masses closest to the given ones that satisfy divergence(J_i) = m_i - m.  Returns m
+  // and the potentials whose gradients are to be added to the flows.
+  Vector project(const std::vector<Field>& flows, const Vector& target_masses,
+                 Columns& potentials) const
+  {
+    Vector sum = -target_masses;
+    for(std::size_t i = 0; i < size(); ++i)
+    {
+      potentials.col(Eigen::Index(i)) = m_masses[i] - minus_divergence(m_operators, flows[i]);
+      sum += m_weights[i] * potentials.col(Eigen::Index(i));
+    }
+    const Vector result =
+        target_masses + m_solver.m_lumped_mass.cwiseProduct(m_solver.m_damped_solver->solve(sum)) /
+                            m_solver.m_stiffness;
+    potentials.colwise() -= result;
+    m_solver.m_solver->solve_columns(potentials);
+    return result;
   }
 
   // The smaller triangles are, the stronger flows between points: thresholds should be a third of what their
@@ -196,18 +213,37 @@ private:
         vector = change * vector;
   }
 
-  // Masses that are not negative, with the right sum on each component, and the least difference of
-  // densities: less by one density, as far as there is any.
+  // Returns the masses max(0, target - c lumped_mass), with one constant c for each component, whose sums
+  // are m_total: the closest masses that are not negative, measured by their densities.
   Vector project_masses(const Vector& target_masses) const
   {
+    const std::vector<double> density = density_shift(target_masses);
     const std::vector<Index>& component = m_solver.m_component;
+    Vector result(target_masses.size());
+    std::vector<double> mass(m_total.size(), 0.);
+    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
+    {
+      const Index c = component[vertex];
+      result[vertex] =
+          std::max(0., target_masses[vertex] - density[c] * m_solver.m_lumped_mass[vertex]);
+      mass[c] += result[vertex];
+    }
+    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
+      if(const Index c = component[vertex]; mass[c] > 0.)
+        result[vertex] *= m_total[c] / mass[c];
+    return result;
+  }
+
+  // #components: the constants c of project_masses(), by Newton's method from below.
+  std::vector<double> density_shift(const Vector& target_masses) const
+  {
     std::vector<double> density(m_total.size(), -infinity), mass, area;
     for(bool has_converged = false; !has_converged;)
     {
       mass.assign(m_total.size(), 0.);
       area.assign(m_total.size(), 0.);
       for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
-        if(const Index c = component[vertex];
+        if(const Index c = m_solver.m_component[vertex];
            target_masses[vertex] > density[c] * m_solver.m_lumped_mass[vertex])
         {
           mass[c] += target_masses[vertex];
@@ -222,19 +258,7 @@ private:
           density[c] = std::max(density[c], next);
         }
     }
-    Vector result(target_masses.size());
-    mass.assign(m_total.size(), 0.);
-    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
-    {
-      const Index c = component[vertex];
-      result[vertex] =
-          std::max(0., target_masses[vertex] - density[c] * m_solver.m_lumped_mass[vertex]);
-      mass[c] += result[vertex];
-    }
-    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
-      if(const Index c = component[vertex]; mass[c] > 0.)
-        result[vertex] *= m_total[c] / mass[c];
-    return result;
+    return density;
   }
 
   // The flows from masses that are nearest to others.
@@ -336,6 +360,25 @@ void check_weights(const std::vector<double>& weights, std::size_t number)
     throw Invalid_argument_error("All weights are zero.");
 }
 
+std::vector<double> Barycenter_solver::component_totals(const Vector& masses) const
+{
+  std::vector<double> result(m_number_of_components, 0.);
+  for(Eigen::Index vertex = 0; vertex < masses.size(); ++vertex)
+    result[m_component[vertex]] += masses[vertex];
+  return result;
+}
+
+void Barycenter_solver::check_masses(const Vector& masses) const
+{
+  if(masses.size() != Eigen::Index(m_operators.number_of_vertices))
+    throw Invalid_argument_error("There are " + std::to_string(masses.size()) + " masses for " +
+                                 std::to_string(m_operators.number_of_vertices) + " sites.");
+  if(!masses.allFinite())
+    throw Invalid_argument_error("A mass is not a finite number.");
+  if(masses.minCoeff() < 0.)
+    throw Invalid_argument_error("A mass is negative.");
+}
+
 void Barycenter_solver::check_input(const std::vector<Vector>& masses,
                                     const std::vector<double>& weights) const
 {
@@ -345,17 +388,8 @@ void Barycenter_solver::check_input(const std::vector<Vector>& masses,
   std::vector<double> first_totals;
   for(const Vector& distribution : masses)
   {
-    if(distribution.size() != Eigen::Index(m_operators.number_of_vertices))
-      throw Invalid_argument_error("There are " + std::to_string(distribution.size()) +
-                                   " masses for " + std::to_string(m_operators.number_of_vertices) +
-                                   " sites.");
-    if(!distribution.allFinite())
-      throw Invalid_argument_error("A mass is not a finite number.");
-    if(distribution.minCoeff() < 0.)
-      throw Invalid_argument_error("A mass is negative.");
-    std::vector<double> total(m_number_of_components, 0.);
-    for(Eigen::Index vertex = 0; vertex < distribution.size(); ++vertex)
-      total[m_component[vertex]] += distribution[vertex];
+    check_masses(distribution);
+    const std::vector<double> total = component_totals(distribution);
     if(first_totals.empty())
       first_totals = total;
     for(std::size_t c = 0; c < m_number_of_components; ++c)
@@ -393,30 +427,7 @@ Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
     normalized_weights.push_back(weights[i] / weight);
   }
   Admm iteration(*this, normalized_masses, normalized_weights, options.warm_start);
-
-  Barycenter_result result;
-  // What moves no farther than this is where it was.
-  const double negligible_cost = 1e-20 * m_area;
-  const auto gap = [&]
-  { return iteration.upper() > negligible_cost ? 1. - iteration.lower() / iteration.upper() : 0.; };
-  const auto is_cancelled = [&]
-  {
-    const double fraction =
-        options.tolerance < 1. ? std::log(gap()) / std::log(options.tolerance) : 1.;
-    return options.callback && !options.callback(std::clamp(fraction, 0., 1.));
-  };
-  const unsigned max_iterations =
-      options.maximum_iterations > 0 ? options.maximum_iterations : 5000;
-  for(; gap() > options.tolerance && result.iterations < max_iterations && !is_cancelled();
-      result.iterations += steps_per_check)
-    iteration.advance();
-
-  result.converged = gap() <= options.tolerance;
-  const double scale = weight * total * total;
-  result.lower = scale * iteration.lower();
-  result.upper = scale * iteration.upper();
-  result.value = 0.5 * (result.lower + result.upper);
-  iteration.write(result);
+  Barycenter_result result = iteration.run(options);
   for(std::size_t i = 0; i < masses.size(); ++i)
   {
     const Vector error =
@@ -428,6 +439,10 @@ Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
     result.distances.push_back(integrated_length(m_operators, result.flows[i]));
   }
   result.masses *= total;
+  const double scale = weight * total * total;
+  result.lower *= scale;
+  result.upper *= scale;
+  result.value = 0.5 * (result.lower + result.upper);
   return result;
 }
 

@@ -54,9 +54,7 @@ void Admm::advance(unsigned steps)
 
 void Admm::update_upper_bound(const Field& flow)
 {
-  double upper = 0.;
-  for(std::size_t f = 0; f < flow.size(); ++f)
-    upper += m_operators.area[f] * norm(flow[f]);
+  const double upper = integrated_length(m_operators, flow);
   if(!(upper < m_upper))
     return;
   m_upper = upper;

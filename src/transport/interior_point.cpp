@@ -203,44 +203,9 @@ public:
     m_tensor.resize(n);
     for(const double area : m_operators.area)
       m_area += area;
-    // From the flow of least squares to exits that are all as full, and no potential.
     for(const Exit_group& group : problem.exits)
-    {
-      m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);
-      m_has_exits[group.component] = true;
-      double total_capacity = 0.;
-      for(const Exit& exit : group.exits)
-        total_capacity += std::min(exit.capacity, 2. * group.mass);
-      // Nearly to where it would cost the least without a way, though none is empty or has no more room.
-      const double price = dual_exit_cost(group, Vector::Zero(problem.masses.size())).second;
-      for(const Exit& exit : group.exits)
-      {
-        const double uniform =
-            std::min(exit.capacity, 2. * group.mass) * (group.mass / total_capacity);
-        const double unconstrained =
-            exit.price > 0. ? std::min(price / exit.price, exit.capacity) : uniform;
-        m_slacks.emplace_back(exit, 0.1 * uniform + 0.9 * unconstrained);
-      }
-    }
-    const Field flow = gradient(m_operators, problem.solver.solve(masses()));
-    const double mean_square = inner_product(m_operators, flow, flow) / m_area;
-    for(std::size_t f = 0; f < n; ++f)
-      m_dual[f] = {std::sqrt(dot(flow[f], flow[f]) + mean_square), -1. * flow[f]};
-    m_exit_weight = m_area / double(n);
-    m_total_weight = m_area;
-    const double product = m_exit_weight * std::sqrt(mean_square);
-    double max_outflow = 0., min_price = infinity; // of what leaves through one of them
-    for(const Exit_slack& slack : m_slacks)
-    {
-      max_outflow = std::max(max_outflow, slack.x);
-      min_price = std::min(min_price, slack.price * slack.x);
-      m_total_weight += slack.is_limited() ? 2. * m_exit_weight : m_exit_weight;
-    }
-    if(!m_slacks.empty())
-      m_potential.setConstant(product / max_outflow - min_price);
-    for(Exit_slack& slack : m_slacks)
-      slack.initialize(m_potential[slack.vertex], product);
-    update_upper_bound(flow, outflow(0.));
+      add_slacks(group);
+    start_from_least_squares();
   }
 
   bool advance() override
@@ -257,6 +222,52 @@ public:
   }
 
 private:
+  // Initial outflows: 90 percent of what would be optimal if moving were free, and 10 percent of outflows
+  // in proportion to the capacities.  So that no outflow starts at zero or at its capacity.
+  void add_slacks(const Exit_group& group)
+  {
+    m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);
+    m_has_exits[group.component] = true;
+    double total_capacity = 0.;
+    for(const Exit& exit : group.exits)
+      total_capacity += std::min(exit.capacity, 2. * group.mass);
+    const double price = dual_exit_cost(group, Vector::Zero(problem().masses.size())).marginal_cost;
+    for(const Exit& exit : group.exits)
+    {
+      const double uniform =
+          std::min(exit.capacity, 2. * group.mass) * (group.mass / total_capacity);
+      const double unconstrained =
+          exit.price > 0. ? std::min(price / exit.price, exit.capacity) : uniform;
+      m_slacks.emplace_back(exit, 0.1 * uniform + 0.9 * unconstrained);
+    }
+  }
+
+  // Starts from the least squares flow to the initial outflows, and from a potential that is zero if there
+  // are no exits.
+  void start_from_least_squares()
+  {
+    const std::size_t n = m_dual.size();
+    const Field flow = gradient(m_operators, problem().solver.solve(masses()));
+    const double mean_square = inner_product(m_operators, flow, flow) / m_area;
+    for(std::size_t f = 0; f < n; ++f)
+      m_dual[f] = {std::sqrt(dot(flow[f], flow[f]) + mean_square), -1. * flow[f]};
+    m_exit_weight = m_area / double(n);
+    m_total_weight = m_area;
+    const double product = m_exit_weight * std::sqrt(mean_square);
+    double max_outflow = 0., min_price = infinity;
+    for(const Exit_slack& slack : m_slacks)
+    {
+      max_outflow = std::max(max_outflow, slack.x);
+      min_price = std::min(min_price, slack.price * slack.x);
+      m_total_weight += slack.is_limited() ? 2. * m_exit_weight : m_exit_weight;
+    }
+    if(!m_slacks.empty())
+      m_potential.setConstant(product / max_outflow - min_price);
+    for(Exit_slack& slack : m_slacks)
+      slack.initialize(m_potential[slack.vertex], product);
+    update_upper_bound(flow, outflow(0.));
+  }
+
   // How far to go, one at most, for s and for z.
   struct Steps
   {
@@ -293,11 +304,11 @@ private:
     return result;
   }
 
-  std::vector<double> outflow(double step) const
+  Vector outflow(double step) const
   {
-    std::vector<double> result;
-    for(const Exit_slack& slack : m_slacks)
-      result.push_back(slack.x + step * slack.x_step);
+    Vector result(Eigen::Index(m_slacks.size()));
+    for(std::size_t i = 0; i < m_slacks.size(); ++i)
+      result[Eigen::Index(i)] = m_slacks[i].x + step * m_slacks[i].x_step;
     return result;
   }
 

@@ -7,13 +7,14 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/operators/diffusion.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/transport_options.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/transport_costs.h>
 
-#include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Geodesic_processing {
 
@@ -34,30 +35,6 @@ struct Alternating_directions
 /// about a percent that do not close.  For comparison.
 struct Weiszfeld
 {};
-
-/// is what a query found: the earth mover's distance, in the unit of the coordinates times that of the masses.
-struct Earth_movers_cost
-{
-  double value = 0.; ///< halfway between the bounds
-  double lower = 0.; ///< certified, also for distances on the surface itself
-  double upper = 0.; ///< certified for flows that are constant in each face
-  /// certified for flows on the surface itself, of a mesh; infinite if not asked for.
-  double upper_continuous = internal::infinity;
-  /// the value extrapolated over the last refinement, which is not certified; without one the value.
-  double estimate = 0.;
-  unsigned iterations = 0;
-  /// the largest error of the masses that the flow moves, relative to all that is moved.
-  double residual = 0.;
-  bool converged = false; ///< whether the bounds are as close as was asked for
-
-  Earth_movers_cost() = default;
-#ifndef DOXYGEN_RUNNING
-  explicit Earth_movers_cost(const internal::Transport_result& found)
-      : value(found.value), lower(found.lower), upper(found.upper), estimate(found.value),
-        iterations(found.iterations), residual(found.residual), converged(found.converged)
-  {}
-#endif
-};
 
 /// has the potential and the flow that the last query of a solver found.
 ///
@@ -124,60 +101,42 @@ public:
             internal::parameter(np, internal_np::do_straighten, true)};
   }
 
-  /// writes what `np` has of `potential_map` and `flow_map`.
+  /// writes the potential and the flow to the property maps `potential_map` and `flow_map` of `np`,
+  /// if it has them.
   template <typename NamedParameters>
   void write_maps(const NamedParameters& np) const
   {
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::potential_map_t>)
-      write_potential(internal::parameter(np, internal_np::potential_map, 0));
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
-      write_flow(internal::parameter(np, internal_np::flow_map, 0));
+    internal::write_transport_maps(m_domain, m_result, np);
   }
 
 protected:
   template <typename NamedParameters>
   Transport_solution(const Domain& domain, const NamedParameters& np,
                      internal::Transport_region region = {})
-      : m_domain(domain),
-        m_kernel(std::make_shared<const internal::Multilevel_transport_solver>(
-            domain.triangles(),
-            internal::parameter(np, internal_np::number_of_refinements,
-                                internal::default_number_of_refinements(*domain.triangles())),
-            internal::read_metric(domain, np), std::move(region)))
+      : m_domain(domain), m_kernel(std::make_shared<const internal::Multilevel_transport_solver>(
+                              domain.triangles(), internal::number_of_refinements(domain, np),
+                              internal::read_metric(domain, np), std::move(region)))
   {}
 
   template <typename Method, typename NamedParameters>
-  internal::Multilevel_transport_options options(const NamedParameters& np)
+  internal::Transport_options options(const NamedParameters& np)
   {
     using internal::Transport_method;
-    internal::Multilevel_transport_options result;
-    result.transport.method = std::is_same_v<Method, Interior_point>
-                                  ? Transport_method::interior_point
-                              : std::is_same_v<Method, Weiszfeld> ? Transport_method::weiszfeld
-                                                                  : Transport_method::admm;
-    result.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
-    result.transport.maximum_iterations =
-        internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
-    result.transport.callback =
-        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
-    if(internal::parameter(np, internal_np::do_start_from_last, false))
-      result.transport.warm_start = std::move(m_result.state);
+    internal::Transport_options result = internal::transport_options(np);
+    result.method = std::is_same_v<Method, Interior_point> ? Transport_method::interior_point
+                    : std::is_same_v<Method, Weiszfeld>    ? Transport_method::weiszfeld
+                                                           : Transport_method::admm;
     result.do_normalize = internal::parameter(np, internal_np::do_normalize, false);
-    result.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
+    if(internal::parameter(np, internal_np::do_start_from_last, false))
+      result.warm_start = std::move(m_result.state);
     return result;
   }
 
-  Earth_movers_cost cost() const
-  {
-    Earth_movers_cost result(m_result);
-    result.upper_continuous = m_result.upper_continuous;
-    result.estimate = m_result.estimate;
-    return result;
-  }
+  Earth_movers_cost cost() const { return m_result; }
 
   Domain m_domain;
   std::shared_ptr<const internal::Multilevel_transport_solver> m_kernel;
-  internal::Multilevel_transport_result m_result;
+  internal::Transport_result m_result;
 };
 
 /// finds out what it costs to move masses along a surface, for many masses on one surface.

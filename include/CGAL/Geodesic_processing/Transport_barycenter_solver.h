@@ -7,9 +7,11 @@
 #include <CGAL/Geodesic_processing/internal/transport/Multilevel_barycenter_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/transport_options.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/weights.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/transport_costs.h>
 
 #include <cstddef>
 #include <functional>
@@ -19,23 +21,6 @@
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
-
-/// \ingroup PkgGeodesicProcessingTransport
-/// is what a barycenter costs: the weighted sum of squared distances, in the units of the coordinates and of
-/// the masses, both squared, times that of the weights.
-struct Transport_barycenter_cost
-{
-  double value = 0.; ///< halfway between the bounds
-  double lower = 0.; ///< certified: no masses cost less, also on the surface itself
-  double upper =
-      0.; ///< certified: the masses that were found cost no more, by flows constant in faces
-  std::vector<double>
-      distances; ///< from the barycenter to each of the masses, as flows bound them from above
-  unsigned iterations = 0;
-  /// the largest error of the masses that a flow moves, relative to their sum.
-  double residual = 0.;
-  bool converged = false; ///< whether the bounds are as close as was asked for
-};
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
@@ -75,12 +60,9 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_barycenter_solver(const Domain& domain,
                                        const NamedParameters& np = NamedParameters())
-      : m_domain(domain),
-        m_kernel(std::make_shared<const internal::Multilevel_barycenter_solver>(
-            domain.triangles(),
-            internal::parameter(np, internal_np::number_of_refinements,
-                                internal::default_number_of_refinements(*domain.triangles())),
-            internal::read_metric(domain, np)))
+      : m_domain(domain), m_kernel(std::make_shared<const internal::Multilevel_barycenter_solver>(
+                              domain.triangles(), internal::number_of_refinements(domain, np),
+                              internal::read_metric(domain, np)))
   {}
 
   const Domain& domain() const { return m_domain; }
@@ -130,8 +112,7 @@ public:
       options.warm_start = std::move(m_result.state);
     m_result = m_kernel->solve(distributions, internal::weights(np, distributions.size()),
                                internal::parameter(np, internal_np::do_normalize, false), options);
-    return {m_result.value,      m_result.lower,    m_result.upper,    m_result.distances,
-            m_result.iterations, m_result.residual, m_result.converged};
+    return m_result;
   }
 
   /// returns the barycenter's mass at a site.

@@ -23,10 +23,10 @@ using namespace CGAL::Geodesic_processing::test;
 // Of the sums of some hundred numbers.
 constexpr double round_off = 1e-9;
 
-Multilevel_transport_options with_tolerance(double tolerance, bool do_bound_from_above = false)
+Transport_options with_tolerance(double tolerance, bool do_bound_from_above = false)
 {
-  Multilevel_transport_options result;
-  result.transport.tolerance = tolerance;
+  Transport_options result;
+  result.tolerance = tolerance;
   result.do_bound_from_above = do_bound_from_above;
   return result;
 }
@@ -57,8 +57,7 @@ TEST(Multilevel_transport_solver, bounds_enclose_exact_distance)
                                       surface.on(77, 1, 0.4), surface.at(20)})
     {
       const double exact = exact_distance(surface, from, to);
-      const Multilevel_transport_result found =
-          solver.solve(at(from), at(to), with_tolerance(1e-4, true));
+      const Transport_result found = solver.solve(at(from), at(to), with_tolerance(1e-4, true));
       EXPECT_LE(found.lower, exact * (1. + round_off));
       EXPECT_GE(found.upper_continuous, exact);
       EXPECT_GT(found.value, 0.85 * exact); // a surface of ten sides loses so much around points
@@ -79,8 +78,7 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
   for(const unsigned refinements : {0u, 1u, 2u, 3u})
   {
     const Multilevel_transport_solver solver(surface.triangles(), refinements);
-    const Multilevel_transport_result found =
-        solver.solve(at(from), at(to), with_tolerance(1e-5, true));
+    const Transport_result found = solver.solve(at(from), at(to), with_tolerance(1e-5, true));
     EXPECT_LE(found.lower, exact * (1. + round_off));
     EXPECT_LT(exact - found.lower, lower_error);
     EXPECT_LT(found.upper_continuous - exact, upper_error);
@@ -112,7 +110,7 @@ TEST(Multilevel_transport_solver, estimate_extrapolates)
   for(const Index to : {20u, 70u, 120u})
   {
     const double exact = exact_distance(surface, surface.at(0), surface.at(to));
-    const Multilevel_transport_result found =
+    const Transport_result found =
         solver.solve(at(surface.at(0)), at(surface.at(to)), with_tolerance(1e-5));
     EXPECT_LT(std::abs(found.estimate - exact), 0.5 * (exact - found.value) + 1e-5 * exact);
   }
@@ -134,9 +132,8 @@ TEST(Multilevel_transport_solver, transports_densities)
   }
   for(const unsigned refinements : {0u, 1u})
   {
-    const Multilevel_transport_result found =
-        Multilevel_transport_solver(surface.triangles(), refinements)
-            .solve(from, to, with_tolerance(1e-5, true));
+    const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
+                                       .solve(from, to, with_tolerance(1e-5, true));
     EXPECT_LE(found.lower, 1. / 3. * (1. + round_off));
     EXPECT_GE(found.upper_continuous, 1. / 3.);
     EXPECT_NEAR(found.value, 1. / 3.,
@@ -145,7 +142,7 @@ TEST(Multilevel_transport_solver, transports_densities)
   }
   // Any unit of mass, when it is normalized.
   to.density *= 7.;
-  Multilevel_transport_options options = with_tolerance(1e-5);
+  Transport_options options = with_tolerance(1e-5);
   options.do_normalize = true;
   EXPECT_NEAR(Multilevel_transport_solver(surface.triangles()).solve(from, to, options).value,
               1. / 3., 2e-4);
@@ -174,9 +171,8 @@ TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
   // two, four and so on sides.
   for(const unsigned refinements : {0u, 2u})
   {
-    const Multilevel_transport_result found =
-        Multilevel_transport_solver(surface.triangles(), refinements)
-            .solve(all, at(surface.at(80)), with_tolerance(1e-4));
+    const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
+                                       .solve(all, at(surface.at(80)), with_tolerance(1e-4));
     EXPECT_TRUE(found.converged);
     EXPECT_LE(found.lower, exact);
     const double edge_length = 0.125 / double(1 << refinements);
@@ -207,9 +203,8 @@ TEST(Multilevel_transport_solver, respects_metric)
     metric.push_back({1. + c * c, -c * s, 1. + s * s});
   }
   EXPECT_NEAR(value(metric), std::sqrt(5.), 1e-4);
-  const Multilevel_transport_result bounded =
-      Multilevel_transport_solver(surface.triangles(), 1, metric)
-          .solve(at(from), at(to), with_tolerance(1e-6, true));
+  const Transport_result bounded = Multilevel_transport_solver(surface.triangles(), 1, metric)
+                                       .solve(at(from), at(to), with_tolerance(1e-6, true));
   EXPECT_NEAR(bounded.value, std::sqrt(5.), 1e-4);
   EXPECT_GE(bounded.upper_continuous, std::sqrt(5.));
   EXPECT_LE(bounded.upper_continuous, 1.5 * std::sqrt(5.));
@@ -234,8 +229,8 @@ TEST(Multilevel_transport_solver, obeys_snells_law)
   for(double x = 0.; x < 1.; x += 1e-5)
     exact = std::min(exact, std::hypot(x, 0.5) + 3. * std::hypot(1. - x, 0.5));
   const Multilevel_transport_solver solver(surface.triangles(), 0, metric);
-  const Multilevel_transport_result found = solver.solve(
-      at(surface.at(0)), at(surface.at(surface.size() - 1)), with_tolerance(1e-5, true));
+  const Transport_result found = solver.solve(at(surface.at(0)), at(surface.at(surface.size() - 1)),
+                                              with_tolerance(1e-5, true));
   EXPECT_LE(found.lower, exact * (1. + 1e-9));   // the steps' square, and rounding
   EXPECT_NEAR(found.value, exact, 4e-3 * exact); // in one triangle the ray has one direction
   EXPECT_GE(found.upper_continuous, exact * (1. - 1e-9));
@@ -259,7 +254,7 @@ TEST(Multilevel_transport_solver, avoids_obstacles)
       metric[surface.triangle(f)] = {infinity, 0., infinity};
   }
   const Multilevel_transport_solver solver(surface.triangles(), 0, metric);
-  const Multilevel_transport_result found =
+  const Transport_result found =
       solver.solve(at(surface.at(0)), at(surface.at(Index(n))), with_tolerance(1e-6, true));
   // Over both corners of the wall's end.
   const double exact =
@@ -273,9 +268,8 @@ TEST(Multilevel_transport_solver, avoids_obstacles)
   Mass_distribution uniform;
   uniform.density = Vector::Ones(surface.size());
   const Mass_distribution point_mass = at(surface.at(0), 1. - 0.75 / double(n));
-  const Multilevel_transport_result spread =
-      Multilevel_transport_solver(surface.triangles(), 1, metric)
-          .solve(uniform, point_mass, with_tolerance(1e-4, true));
+  const Transport_result spread = Multilevel_transport_solver(surface.triangles(), 1, metric)
+                                      .solve(uniform, point_mass, with_tolerance(1e-4, true));
   EXPECT_TRUE(spread.converged);
   EXPECT_GT(spread.upper_continuous, spread.upper);
 }
@@ -290,7 +284,7 @@ TEST(Multilevel_transport_solver, lower_bound_holds_across_degenerate_triangles)
   for(const unsigned refinements : {0u, 2u})
   {
     const Multilevel_transport_solver solver(surface.triangles(), refinements);
-    const Multilevel_transport_result found =
+    const Transport_result found =
         solver.solve(at(surface.at(2)), at(surface.at(3)), with_tolerance(1e-4, true));
     EXPECT_TRUE(found.converged);
     EXPECT_LE(found.lower, 1. + 1e-6); // ten times the height of the flat one
@@ -305,7 +299,7 @@ TEST(Multilevel_transport_solver, satisfies_triangle_inequality)
   const Array_surface surface(jittered(icosphere(3), 0.02));
   const Multilevel_transport_solver solver(surface.triangles());
   constexpr std::size_t n = 9;
-  std::array<std::array<Multilevel_transport_result, n>, n> cost;
+  std::array<std::array<Transport_result, n>, n> cost;
   for(Index i = 0; i < n; ++i)
     for(Index j = 0; j < n; ++j)
     {
@@ -339,7 +333,7 @@ TEST(Multilevel_transport_solver, ball_converges_to_point)
         inside.push_back(i);
     for(const Index i : inside)
       ball.at_locations.emplace_back(surface.at(i), 1. / double(inside.size()));
-    const Multilevel_transport_result found =
+    const Transport_result found =
         Multilevel_transport_solver(surface.triangles()).solve(at(surface.at(from)), ball);
     EXPECT_LE(std::abs(found.value - exact), radius);
   }
@@ -351,22 +345,22 @@ TEST(Multilevel_transport_solver, methods_agree)
   const Multilevel_transport_solver solver(surface.triangles());
   const Mass_distribution from = at(surface.at(0)), to = at(surface.at(50));
   const double value = solver.solve(from, to, with_tolerance(1e-5)).value;
-  Multilevel_transport_options options = with_tolerance(0.01);
-  options.transport.method = Transport_method::admm;
-  const Multilevel_transport_result split = solver.solve(from, to, options);
+  Transport_options options = with_tolerance(0.01);
+  options.method = Transport_method::admm;
+  const Transport_result split = solver.solve(from, to, options);
   EXPECT_TRUE(split.converged);
   EXPECT_LE(split.lower, value * (1. + 1e-5));
   EXPECT_GE(split.upper, value * (1. - 1e-5));
   // From where it ended, to much the same masses.
-  options.transport.warm_start = split.state;
-  const Multilevel_transport_result warm_started = solver.solve(from, to, options);
+  options.warm_start = split.state;
+  const Transport_result warm_started = solver.solve(from, to, options);
   EXPECT_TRUE(warm_started.converged);
   EXPECT_LE(warm_started.iterations, 20u);
   EXPECT_LT(warm_started.iterations, split.iterations);
 
   options = with_tolerance(0.02);
-  options.transport.method = Transport_method::weiszfeld;
-  const Multilevel_transport_result reweighted = solver.solve(from, to, options);
+  options.method = Transport_method::weiszfeld;
+  const Transport_result reweighted = solver.solve(from, to, options);
   EXPECT_LE(reweighted.lower, value * (1. + 1e-5));
   EXPECT_GE(reweighted.upper, value * (1. - 1e-5));
   EXPECT_TRUE(reweighted.converged);
@@ -423,7 +417,7 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
     for(const Index from : {0u, 12u * 25u + 12u, 25u * 25u - 3u, 5u * 25u + 7u})
     {
       const double exact = distance[from];
-      const Multilevel_transport_result found =
+      const Transport_result found =
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
       EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane nothing is lost but the gap
@@ -456,8 +450,7 @@ TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
     {
       const Multilevel_transport_solver solver(surface.triangles(), refinements, {},
                                                internal_vertices(surface, region));
-      const Multilevel_transport_result found =
-          solver.solve_to_region(uniform, with_tolerance(1e-4));
+      const Transport_result found = solver.solve_to_region(uniform, with_tolerance(1e-4));
       double lower_error = 0.;
       for(Index i = 0; i < surface.size(); ++i)
       {
@@ -485,7 +478,7 @@ TEST(Multilevel_transport_solver, mass_arrives_along_region)
                                              internal_vertices(surface, right_side));
     Mass_distribution uniform;
     uniform.density = Vector::Ones(surface.size());
-    const Multilevel_transport_result found = solver.solve_to_region(uniform, with_tolerance(1e-6));
+    const Transport_result found = solver.solve_to_region(uniform, with_tolerance(1e-6));
     EXPECT_NEAR(found.value, 0.5, 1e-6);
     for(Index row = 0; row < 9; ++row)
       EXPECT_NEAR(found.arrivals[surface.vertex(9 * row + 8)], row % 8 == 0 ? 1. / 16. : 1. / 8.,
@@ -493,9 +486,9 @@ TEST(Multilevel_transport_solver, mass_arrives_along_region)
     // What is in the region is there already; half of a mass, scaled to one, counts for one.
     Mass_distribution some = at(surface.at(0), 0.25);
     some.at_locations.emplace_back(surface.at(8), 0.25);
-    Multilevel_transport_options options = with_tolerance(1e-6);
+    Transport_options options = with_tolerance(1e-6);
     options.do_normalize = true;
-    const Multilevel_transport_result at_exit = solver.solve_to_region(some, options);
+    const Transport_result at_exit = solver.solve_to_region(some, options);
     EXPECT_NEAR(at_exit.value, 0.5, 1e-6);
     EXPECT_NEAR(at_exit.arrivals[surface.vertex(8)], 1., 5e-3); // what strays by x costs x * x more
   }
@@ -527,7 +520,7 @@ TEST(Multilevel_transport_solver, respects_capacities)
       for(std::size_t i = 0; i < 2; ++i)
         exact += region.capacity[order[i]] * distance[order[i]][from];
       const Multilevel_transport_solver solver(surface.triangles(), refinements, {}, region);
-      const Multilevel_transport_result found =
+      const Transport_result found =
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
       EXPECT_LE(found.lower, exact * (1. + round_off));
@@ -561,7 +554,7 @@ TEST(Multilevel_transport_solver, spreading_weight_spreads_arrivals)
     const double area = scale * scale, weight = 1e3 * scale * area; // far dearer than any way
     region.spreading_weight = weight;
     const Multilevel_transport_solver solver(surface.triangles(), 0, {}, region);
-    const Multilevel_transport_result found =
+    const Transport_result found =
         solver.solve_to_region(at(surface.at(40), 3.), with_tolerance(1e-7));
     // Ways cost a mass of three a part of two times the side.
     EXPECT_NEAR(found.value, weight * 9. / area, 6. * scale);
@@ -594,8 +587,8 @@ TEST(Multilevel_transport_solver, throws_on_invalid_limits)
   EXPECT_THROW(limited.solve_to_region(at(surface.at(0), 1.6)), Invalid_argument_error);
   EXPECT_NEAR(limited.solve_to_region(at(surface.at(0), 1.5)).arrivals[surface.vertex(3)], 0.5,
               1e-9);
-  Multilevel_transport_options admm;
-  admm.transport.method = Transport_method::admm;
+  Transport_options admm;
+  admm.method = Transport_method::admm;
   EXPECT_THROW(limited.solve_to_region(at(surface.at(0)), admm), Invalid_argument_error);
 }
 
@@ -610,7 +603,7 @@ TEST(Multilevel_transport_solver, regions_serve_their_component)
   EXPECT_THROW(to_left.solve_to_region(right), Invalid_argument_error);
   Mass_distribution all = left;
   all.at_locations.emplace_back(surface.at(25), 3.);
-  const Multilevel_transport_result found = to_both.solve_to_region(all, with_tolerance(1e-6));
+  const Transport_result found = to_both.solve_to_region(all, with_tolerance(1e-6));
   EXPECT_NEAR(found.value, 4., 1e-5);
   EXPECT_NEAR(found.arrivals[surface.vertex(4)], 1., 1e-6);
   EXPECT_NEAR(found.arrivals[surface.vertex(29)], 3., 1e-6);
@@ -627,7 +620,7 @@ TEST(Multilevel_transport_solver, throws_on_invalid_masses)
   EXPECT_THROW(solver.solve(one, invalid), Invalid_argument_error);
   EXPECT_THROW(solver.solve(one, nothing), Invalid_argument_error);
   EXPECT_EQ(solver.solve(nothing, none_at_all).value, 0.);
-  Multilevel_transport_options options;
+  Transport_options options;
   options.do_normalize = true;
   EXPECT_NO_THROW(solver.solve(one, two, options));
   EXPECT_THROW(solver.solve(one, none_at_all, options), Invalid_argument_error);

@@ -93,6 +93,10 @@ Field rotated_left(Field field);
 CGAL_GEODESIC_PROCESSING_EXPORT
 double inner_product(const Operators& operators, const Field& a, const Field& b);
 
+// Returns the integral of the length of a field, added to `initial`.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double integrated_length(const Operators& operators, const Field& field, double initial = 0.);
+
 // The integral of each hat function: the sum is the area.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector lumped_mass(const Operators& operators);

@@ -51,8 +51,7 @@ public:
 
   // points  in the caller's coordinates
   // Throws as Mean_value_coordinates' operator().
-  Multilevel_transport_result cost(const Vec3& from, const Vec3& to,
-                                   const Multilevel_transport_options& options) const;
+  Transport_result cost(const Vec3& from, const Vec3& to, const Transport_options& options) const;
 
   // From one point to many, which help each other: potentials and flows that were found for points nearby
   // are nearly those of a point.  Those that are still too far apart become so by some steps of the
