@@ -16,19 +16,21 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Steps of nearly two are the fastest; 1.7 takes a tenth more of them.
+// Over-relaxation close to 2 converges fastest.  1.7 takes a tenth more steps.
 constexpr double relaxation_factor = 1.9;
 
-// Steps between two looks at the upper bound, which cost as much as one.
+// The number of steps between two updates of the upper bound, which cost as much as one step.
 constexpr unsigned steps_per_check = 10;
 
-// Between points a flow is some tens of times as strong where it is not zero as that of least squares.
+// The initial threshold relative to the root mean square of the least squares flows.  Between points, the
+// optimal flow is nonzero in few triangles, and some tens of times as large there.
 constexpr double threshold_factor = 20.;
 
-// After how many looks thresholds may change, and after which no more.
+// Thresholds change at every 16th update of the upper bound, up to the 64th.
 constexpr unsigned checks_between_updates = 16, last_update = 64;
 
-// Of the area.  From a half to twice of it makes no difference, ten times some.
+// The stiffness relative to the area.  The number of steps does not depend on it from half to twice this
+// value; at ten times the value it increases.
 constexpr double stiffness_factor = 2e-4;
 
 double max_squared_length(const Operators& o, const Field& field)
@@ -40,9 +42,11 @@ double max_squared_length(const Operators& o, const Field& field)
   return result;
 }
 
-// The field z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) / factor: vectors get shorter
-// by factor times the integral of |z|, which Newton's method finds in a few steps from below, wherever
-// it starts: the equation is concave, and made of straight parts.
+// Replaces a field by the z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) / factor.  All
+// vectors become shorter by the threshold factor * (integral of |z|).
+//
+// Newton's method finds the threshold in a few steps from any start, since the equation is concave and
+// piecewise linear.  `threshold` is the start, and receives the result.
 void shrink(const Operators& o, double factor, double& threshold, Field& field)
 {
   std::vector<double> size(field.size());
@@ -68,8 +72,8 @@ void shrink(const Operators& o, double factor, double& threshold, Field& field)
 
 } // namespace
 
-// Douglas and Rachford's splitting, of flows J_i in the metric w_i |J_i|^2 and of the masses m in that of
-// stiffness m^2 / lumped.  The sum of weights and that of the masses are one.
+// Douglas-Rachford splitting of the flows J_i and the masses m.  Distances of flows are measured by
+// w_i |J_i|^2, those of masses by stiffness * m^2 / lumped mass.  Weights and masses must sum to one.
 class Barycenter_solver::Admm
 {
 public:
@@ -192,8 +196,8 @@ private:
     return result;
   }
 
-  // The smaller triangles are, the stronger flows between points: thresholds should be a third of what their
-  // vectors are in the mean, each as often as it carries mass.  At 40,000 vertices that saves half of the steps.
+  // Raises the thresholds to a third of the mean length of the vectors, weighted by the mass that they carry.
+  // Flows between points are larger in smaller triangles.  At 40,000 vertices this saves half of the steps.
   void update_thresholds()
   {
     double mean_flow = 0., threshold = 0.;
@@ -261,7 +265,8 @@ private:
     return density;
   }
 
-  // The flows from masses that are nearest to others.
+  // Corrects flows, by least squares, such that they move the given masses to the input masses.  Keeps masses
+  // and flows if they cost less than the best ones.
   void update_upper_bound(const Vector& masses, std::vector<Field> flows)
   {
     Columns rhs(masses.size(), Eigen::Index(size()));
@@ -284,7 +289,8 @@ private:
     m_flows = std::move(flows);
   }
 
-  // The weighted sum of their squared slopes is known.
+  // Keeps potentials if they prove a higher lower bound than the best ones.  `square` is the sum of the
+  // weights times the squared slopes.
   void update_lower_bound(const Columns& potentials, double square)
   {
     Vector sum = Vector::Zero(potentials.rows());
@@ -314,7 +320,7 @@ private:
   const std::vector<Vector>& m_masses;
   const std::vector<double>& m_weights;
   std::vector<double> m_total;     // #components
-  std::vector<double> m_threshold; // #masses: that much in the last step
+  std::vector<double> m_threshold; // #masses: shrinkage of the last step
   Barycenter_state m_state;
   unsigned m_number_of_checks = 0;
   double m_upper = infinity, m_lower = 0.;
@@ -330,7 +336,7 @@ Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::mov
   if(!(m_area > 0.))
     throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
   std::tie(m_component, m_number_of_components) = components(m_operators);
-  // Masses at sites without triangles stay there, whatever their area is.
+  // Mass at a vertex without triangles cannot move, so that any positive area will do.
   m_lumped_mass = lumped_mass(m_operators);
   for(double& lumped : m_lumped_mass)
     if(!(lumped > 0.))

@@ -18,7 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Sites of a surface that was refined: those of the coarse one, and middles between two of them.
+// Returns the vertices of a region after refinement: those of the coarse surface, and the midpoints of edges
+// between two of them.
 std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                            const std::vector<Index>& region)
 {
@@ -33,7 +34,7 @@ std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& f
   return result;
 }
 
-// One unknown for all sites of an exit, the first one's.
+// Replaces all vertices of an exit by the first one, so that they share one unknown.
 void merge_exits(Operators& operators, const std::vector<std::vector<Index>>& exits)
 {
   std::vector<Index> representative(operators.number_of_vertices);
@@ -45,7 +46,7 @@ void merge_exits(Operators& operators, const std::vector<std::vector<Index>>& ex
     vertex = representative[vertex];
 }
 
-// What is missing there, in the first site.
+// Adds the masses of an exit at its first vertex.
 void merge_exits(Vector& masses, const std::vector<std::vector<Index>>& exits)
 {
   for(const std::vector<Index>& exit : exits)
@@ -54,7 +55,7 @@ void merge_exits(Vector& masses, const std::vector<std::vector<Index>>& exits)
         masses[exit.front()] += std::exchange(masses[vertex], 0.);
 }
 
-// Not glued where nothing may pass on one side.
+// Returns the arrays with twins removed along the boundary of obstacles.
 std::shared_ptr<const Surface_arrays> cut_open(const std::shared_ptr<const Surface_arrays>& arrays,
                                                const std::vector<Metric_tensor>& metric)
 {
@@ -68,6 +69,7 @@ std::shared_ptr<const Surface_arrays> cut_open(const std::shared_ptr<const Surfa
   return std::make_shared<const Surface_arrays>(std::move(result));
 }
 
+// Returns the metric with the identity inside obstacles.
 std::vector<Metric_tensor> cut_open(std::vector<Metric_tensor> metric)
 {
   std::replace_if(metric.begin(), metric.end(), is_blocked, Metric_tensor{1., 0., 1.});
@@ -96,7 +98,7 @@ void check_region(const Transport_region& region)
     throw Invalid_argument_error("The weight of spreading is negative or not finite.");
 }
 
-// Without limits all exits are one.
+// Sorts the vertices of each exit and, if there are no limits, merges all exits into one.
 std::vector<std::vector<Index>> merged_exits(std::vector<std::vector<Index>> exits, bool is_limited)
 {
   if(!is_limited && exits.size() > 1)
@@ -219,6 +221,8 @@ void Multilevel_transport_solver::add_level(std::shared_ptr<const Surface_arrays
   level.exits = std::move(exits);
 }
 
+// Returns the exits of a level in its unit of length, or nothing if there are no limits.  The density of
+// arrivals is the outflow divided by a third of the area of the incident triangles before refinement.
 std::vector<Exit> Multilevel_transport_solver::limited_exits(const Level& level) const
 {
   std::vector<Exit> result;
@@ -297,7 +301,8 @@ double Multilevel_transport_solver::density_cost_to_vertices(const Vector& densi
   return result;
 }
 
-// On the surface itself; what is blocked is no part of it.
+// Returns the cost of a flow of the finest level if it is made continuous across edges, on the surface
+// without obstacles.
 double Multilevel_transport_solver::cost_of_flow(const Field& flow) const
 {
   const Level& fine = m_levels.back();
@@ -333,7 +338,7 @@ Streamlines Multilevel_transport_solver::streamlines(const Transport_result& res
   const Vector from = masses_at_vertices(*open_mesh, coarse.area, result.from);
   const Vector to = from + minus_divergence(thickened_operators, flow);
 
-  // What is negative before is there after.
+  // A negative source mass is a target mass, and conversely.
   Moved_masses masses;
   masses.source_masses = from.cwiseMax(0.) - to.cwiseMin(0.);
   masses.target_masses = to.cwiseMax(0.) - from.cwiseMin(0.);
