@@ -20,7 +20,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of the sums of some hundred numbers.
+// Relative round-off error of sums of some hundred terms.
 constexpr double round_off = 1e-9;
 
 Transport_options with_tolerance(double tolerance, bool do_bound_from_above = false)
@@ -60,10 +60,10 @@ TEST(Multilevel_transport_solver, bounds_enclose_exact_distance)
       const Transport_result found = solver.solve(at(from), at(to), with_tolerance(1e-4, true));
       EXPECT_LE(found.lower, exact * (1. + round_off));
       EXPECT_GE(found.upper_continuous, exact);
-      EXPECT_GT(found.value, 0.85 * exact); // a surface of ten sides loses so much around points
+      EXPECT_GT(found.value, 0.85 * exact); // discretization error around points, ten edges apart
       EXPECT_EQ(found.estimate, found.value);
     }
-    // Nobody asked.
+    // The continuous bound is computed on request only.
     EXPECT_EQ(solver.solve(at(from), at(surface.at(20))).upper_continuous, infinity);
   }
 }
@@ -85,7 +85,7 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
     lower_error = exact - found.lower;
     upper_error = found.upper_continuous - exact;
 
-    // Means of flows move the same masses; the potential is that of some of the fine sites.
+    // Coarsened flows move the same masses.  The potential is restricted to the coarse vertices.
     const Operators o = operators(surface.t());
     Vector masses = Vector::Zero(surface.size());
     for(std::size_t k = 0; k < 3; ++k)
@@ -102,7 +102,8 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
   }
 }
 
-// What is lost at sites is halved by each refinement; within triangles it depends on where.
+// Refinement halves the error around masses at vertices.  Around masses inside triangles, the error depends on
+// their positions.
 TEST(Multilevel_transport_solver, estimate_extrapolates)
 {
   const Array_surface surface(jittered(icosphere(2), 0.03));
@@ -116,8 +117,8 @@ TEST(Multilevel_transport_solver, estimate_extrapolates)
   }
 }
 
-// Linear densities on a square, which move to the right: along each line the integral of the difference
-// of what lies on the left of x before and after, which is 2 x - 2 x^2.
+// Linear densities on a square, moved to the right.  On each line, the cost is the integral of the difference
+// of the cumulative masses before and after, 2 x - 2 x^2.
 TEST(Multilevel_transport_solver, transports_densities)
 {
   const Array_surface surface(square(16, 0.24));
@@ -137,10 +138,10 @@ TEST(Multilevel_transport_solver, transports_densities)
     EXPECT_LE(found.lower, 1. / 3. * (1. + round_off));
     EXPECT_GE(found.upper_continuous, 1. / 3.);
     EXPECT_NEAR(found.value, 1. / 3.,
-                2e-4); // the gap, and the square of a side, 1/16, by a twentieth
+                2e-4); // the gap, and a twentieth of the squared edge length (1/16)^2
     EXPECT_LT(found.upper_continuous, 0.5);
   }
-  // Any unit of mass, when it is normalized.
+  // With normalization, the total mass does not matter.
   to.density *= 7.;
   Transport_options options = with_tolerance(1e-5);
   options.do_normalize = true;
@@ -156,7 +157,7 @@ TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
   all.at_vertices[surface.vertex(4)] = 0.25;
   all.at_locations = {{surface.in(9, {0.5, 0.25, 0.25}), 0.25}};
   all.density = Vector::Constant(surface.size(), 0.5);
-  // To a corner of the unit square: the mean distance of a uniform density is (sqrt(2) + asinh(1)) / 3.
+  // The mean distance from the unit square to one of its corners is (sqrt(2) + asinh(1)) / 3.
   const auto distance_to_target = [&](const Point& p)
   { return test::distance(p, surface.point(80)); };
   Point inner = {0., 0., 0.};
@@ -167,8 +168,8 @@ TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
   const double exact = 0.25 * distance_to_target(surface.point(4)) +
                        0.25 * distance_to_target(inner) +
                        0.5 * (std::sqrt(2.) + std::asinh(1.)) / 3.;
-  // Towards a point to which masses come from everywhere a side's part is lost at each distance of one,
-  // two, four and so on sides.
+  // If masses arrive at a point from all directions, the discretization error is a fraction of an edge length
+  // in each annulus of radii 1, 2, 4, ... edge lengths.
   for(const unsigned refinements : {0u, 2u})
   {
     const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
@@ -193,7 +194,8 @@ TEST(Multilevel_transport_solver, respects_metric)
   };
   EXPECT_NEAR(value({}), std::sqrt(2.), 1e-5);
   EXPECT_NEAR(value(std::vector<Metric_tensor>(n, {3., 0., 3.})), 3. * std::sqrt(2.), 3e-5);
-  // Twice as long along x: the diagonal of a rectangle.  The planes of the triangles are turned.
+  // Doubling lengths along x gives the diagonal of a rectangle.  Tensors are given in the frame of each
+  // triangle.
   std::vector<Metric_tensor> metric;
   for(std::size_t f = 0; f < n; ++f)
   {
@@ -210,7 +212,7 @@ TEST(Multilevel_transport_solver, respects_metric)
   EXPECT_LE(bounded.upper_continuous, 1.5 * std::sqrt(5.));
 }
 
-// A ray is bent where it becomes three times as slow: the sines of its angles are as the speeds.
+// Lengths in the upper half of a square count three times.
 TEST(Multilevel_transport_solver, obeys_snells_law)
 {
   const std::size_t columns = 24;
@@ -224,15 +226,15 @@ TEST(Multilevel_transport_solver, obeys_snells_law)
     const double slowness = y * surface.scale() / 3. + surface.t().origin[1] > 0.5 ? 3. : 1.;
     metric.push_back({slowness, 0., slowness});
   }
-  // From a corner to the opposite one, through (x, 0.5).
+  // The shortest path from a corner to the opposite one crosses (x, 0.5).
   double exact = infinity;
   for(double x = 0.; x < 1.; x += 1e-5)
     exact = std::min(exact, std::hypot(x, 0.5) + 3. * std::hypot(1. - x, 0.5));
   const Multilevel_transport_solver solver(surface.triangles(), 0, metric);
   const Transport_result found = solver.solve(at(surface.at(0)), at(surface.at(surface.size() - 1)),
                                               with_tolerance(1e-5, true));
-  EXPECT_LE(found.lower, exact * (1. + 1e-9));   // the steps' square, and rounding
-  EXPECT_NEAR(found.value, exact, 4e-3 * exact); // in one triangle the ray has one direction
+  EXPECT_LE(found.lower, exact * (1. + 1e-9));   // the squared step of x, and round-off errors
+  EXPECT_NEAR(found.value, exact, 4e-3 * exact); // the flow is constant in each triangle
   EXPECT_GE(found.upper_continuous, exact * (1. - 1e-9));
 }
 
@@ -256,15 +258,14 @@ TEST(Multilevel_transport_solver, avoids_obstacles)
   const Multilevel_transport_solver solver(surface.triangles(), 0, metric);
   const Transport_result found =
       solver.solve(at(surface.at(0)), at(surface.at(Index(n))), with_tolerance(1e-6, true));
-  // Over both corners of the wall's end.
+  // The shortest path passes both corners of the end of the wall.
   const double exact =
       std::hypot(0.5, 0.75) + 1. / double(n) + std::hypot(0.5 - 1. / double(n), 0.75);
   EXPECT_NEAR(found.value, exact, 1e-5 * exact);
   EXPECT_GE(found.upper_continuous, exact);
   EXPECT_LE(found.upper_continuous, 1.3 * exact);
 
-  // A density has mass where something can move, which is all but one in sixteen cells in three of four
-  // rows; the sites in the wall have none.
+  // A density has no mass in obstacles: here, in 1/16 of the cells in 3/4 of the rows.
   Mass_distribution uniform;
   uniform.density = Vector::Ones(surface.size());
   const Mass_distribution point_mass = at(surface.at(0), 1. - 0.75 / double(n));
@@ -274,7 +275,7 @@ TEST(Multilevel_transport_solver, avoids_obstacles)
   EXPECT_GT(spread.upper_continuous, spread.upper);
 }
 
-// Two triangles below a third one that is flat: its corners lie on the side of the one above.
+// The third triangle is degenerate: its corners are collinear, on an edge of the first one.
 TEST(Multilevel_transport_solver, lower_bound_holds_across_degenerate_triangles)
 {
   Triangulation shape;
@@ -287,13 +288,13 @@ TEST(Multilevel_transport_solver, lower_bound_holds_across_degenerate_triangles)
     const Transport_result found =
         solver.solve(at(surface.at(2)), at(surface.at(3)), with_tolerance(1e-4, true));
     EXPECT_TRUE(found.converged);
-    EXPECT_LE(found.lower, 1. + 1e-6); // ten times the height of the flat one
+    EXPECT_LE(found.lower, 1. + 1e-6); // ten times the height of the thickened degenerate triangle
     EXPECT_NEAR(found.value, 1., 1e-4);
     EXPECT_GE(found.upper_continuous, 1.);
   }
 }
 
-// Proposition 3 of Solomon and others 2014: for the least costs, so that bounds may be compared.
+// Proposition 3 of Solomon and others 2014 holds for the exact minimum, so that only bounds are compared.
 TEST(Multilevel_transport_solver, satisfies_triangle_inequality)
 {
   const Array_surface surface(jittered(icosphere(3), 0.02));
@@ -318,7 +319,8 @@ TEST(Multilevel_transport_solver, satisfies_triangle_inequality)
   }
 }
 
-// Proposition 2 there: spread evenly over less and less around a place, a mass comes to be at the place.
+// Proposition 2 of Solomon and others 2014: if a uniform mass on a ball moves to another point, the distance
+// converges as the radius of the ball decreases.
 TEST(Multilevel_transport_solver, ball_converges_to_point)
 {
   const Array_surface surface(square(24, 0.24));
@@ -351,7 +353,7 @@ TEST(Multilevel_transport_solver, methods_agree)
   EXPECT_TRUE(split.converged);
   EXPECT_LE(split.lower, value * (1. + 1e-5));
   EXPECT_GE(split.upper, value * (1. - 1e-5));
-  // From where it ended, to much the same masses.
+  // From the final state, with the same masses.
   options.warm_start = split.state;
   const Transport_result warm_started = solver.solve(from, to, options);
   EXPECT_TRUE(warm_started.converged);
@@ -366,7 +368,7 @@ TEST(Multilevel_transport_solver, methods_agree)
   EXPECT_TRUE(reweighted.converged);
 }
 
-// Of each point, to the nearest of some.
+// Returns the exact distance of each point to the nearest point of a region.
 std::vector<double> distances_to(const Array_surface& surface, const std::vector<Index>& region)
 {
   std::vector<internal::Front_source> sources;
@@ -388,7 +390,7 @@ std::vector<Index> internal_vertices(const Array_surface& surface, const std::ve
   return result;
 }
 
-// A square of 24 by 24 cells without those of two walls, which leave open what is beside them.
+// Returns a square of 24 by 24 cells without the cells of two walls, each with an opening at one end.
 Triangulation square_with_walls()
 {
   Triangulation result = square(24);
@@ -420,13 +422,13 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
       const Transport_result found =
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
-      EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane nothing is lost but the gap
-      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // a hundred masses' rounding in each step
+      EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane the only error is the gap
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of a hundred masses in each step
       EXPECT_NEAR(-2. * found.potential[surface.vertex(from)], found.lower, round_off);
       for(const Index exit : exits)
       {
         EXPECT_EQ(found.potential[surface.vertex(exit)], 0.);
-        // All go the one shortest way; what strays costs at least a side of a 24th more in a hundred.
+        // All mass takes the shortest path.  Within the gap, a small fraction can take another exit.
         const bool is_nearest =
             exact_distance(surface, surface.at(from), surface.at(exit)) < exact + round_off;
         EXPECT_NEAR(found.arrivals[surface.vertex(exit)], is_nearest ? 2. : 0., 1e-3);
@@ -435,7 +437,7 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
   }
 }
 
-// From everywhere at once: what each place pays is nowhere above its distance, and not far below.
+// For a uniform source density, the potential is a lower bound of the distance everywhere, and close to it.
 TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
 {
   for(const Triangulation& shape : {jittered(icosphere(3), 0.02), square(16, 0.24)})
@@ -458,14 +460,14 @@ TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
         EXPECT_LE(distance, exact[i] * (1. + round_off));
         lower_error += (exact[i] - distance) / double(surface.size());
       }
-      EXPECT_LT(lower_error, 0.7 * previous_error); // of the order of a side
+      EXPECT_LT(lower_error, 0.7 * previous_error); // the error is O(edge length)
       previous_error = lower_error;
     }
-    EXPECT_LT(previous_error, 0.03); // a fifth of the sphere's sides, half of the square's
+    EXPECT_LT(previous_error, 0.03); // 1/5 of an edge length on the sphere, 1/2 on the square
   }
 }
 
-// To a side of a square, sites and sides between them: straight on.
+// The region is one boundary edge of a square, given by its vertices.  Mass moves perpendicular to it.
 TEST(Multilevel_transport_solver, mass_arrives_along_region)
 {
   const Array_surface surface(square(8));
@@ -482,19 +484,19 @@ TEST(Multilevel_transport_solver, mass_arrives_along_region)
     EXPECT_NEAR(found.value, 0.5, 1e-6);
     for(Index row = 0; row < 9; ++row)
       EXPECT_NEAR(found.arrivals[surface.vertex(9 * row + 8)], row % 8 == 0 ? 1. / 16. : 1. / 8.,
-                  1e-3); // the gap leaves so much room
-    // What is in the region is there already; half of a mass, scaled to one, counts for one.
+                  1e-3); // the error that the gap allows
+    // Mass inside the region does not move.  Normalization scales the total mass of 0.5 to one.
     Mass_distribution some = at(surface.at(0), 0.25);
     some.at_locations.emplace_back(surface.at(8), 0.25);
     Transport_options options = with_tolerance(1e-6);
     options.do_normalize = true;
     const Transport_result at_exit = solver.solve_to_region(some, options);
     EXPECT_NEAR(at_exit.value, 0.5, 1e-6);
-    EXPECT_NEAR(at_exit.arrivals[surface.vertex(8)], 1., 5e-3); // what strays by x costs x * x more
+    EXPECT_NEAR(at_exit.arrivals[surface.vertex(8)], 1., 5e-3); // an offset x costs only O(x^2)
   }
 }
 
-// Doors of two sites in a maze, one too small: what does not fit goes on to the next one.
+// If the mass exceeds the capacity of the nearest exit, the rest moves to the next one.
 TEST(Multilevel_transport_solver, respects_capacities)
 {
   const Array_surface surface(square_with_walls());
@@ -524,9 +526,9 @@ TEST(Multilevel_transport_solver, respects_capacities)
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
       EXPECT_LE(found.lower, exact * (1. + round_off));
-      // Where masses part in a fan of six triangles a part of a side is lost.
+      // Around a vertex from which flows leave in several directions, a fraction of an edge length is lost.
       EXPECT_NEAR(found.value, exact, 2. * 0.2 / 24.);
-      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // a hundred masses' rounding in each step
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of a hundred masses in each step
       for(std::size_t i = 0; i < 3; ++i)
       {
         double arrived_mass = 0.;
@@ -537,12 +539,12 @@ TEST(Multilevel_transport_solver, respects_capacities)
                     i == 0   ? 1.2
                     : i == 1 ? 0.5
                              : 0.3,
-                    1e-3); // as among exits without limits
+                    1e-3); // as for exits without limits
       }
     }
 }
 
-// Without a way to go, what spreads evenly over the region costs the least.
+// If distances are negligible, a uniform density of arrivals has the minimum cost.
 TEST(Multilevel_transport_solver, spreading_weight_spreads_arrivals)
 {
   for(const double scale : {1., 1e-3, 1e3})
@@ -551,12 +553,12 @@ TEST(Multilevel_transport_solver, spreading_weight_spreads_arrivals)
     Transport_region region;
     for(Index i = 0; i < surface.size(); ++i)
       region.exits.push_back({surface.vertex(i)});
-    const double area = scale * scale, weight = 1e3 * scale * area; // far dearer than any way
+    const double area = scale * scale, weight = 1e3 * scale * area; // much more expensive than moving
     region.spreading_weight = weight;
     const Multilevel_transport_solver solver(surface.triangles(), 0, {}, region);
     const Transport_result found =
         solver.solve_to_region(at(surface.at(40), 3.), with_tolerance(1e-7));
-    // Ways cost a mass of three a part of two times the side.
+    // Moving a mass of 3 by at most 2 * scale costs at most 6 * scale.
     EXPECT_NEAR(found.value, weight * 9. / area, 6. * scale);
     EXPECT_NEAR(found.arrivals[surface.vertex(30)], 3. / 64., 1e-5);
     EXPECT_NEAR(found.arrivals[surface.vertex(4)], 3. / 128., 1e-5);
@@ -576,7 +578,7 @@ TEST(Multilevel_transport_solver, throws_on_invalid_limits)
     return Multilevel_transport_solver(surface.triangles(), 0, {}, region);
   };
   EXPECT_THROW(make({{1, 2}, {2, 3}}, {1., 1.}), Invalid_argument_error);
-  EXPECT_NO_THROW(make({{1, 2}, {2, 3}}, {})); // one anyway
+  EXPECT_NO_THROW(make({{1, 2}, {2, 3}}, {})); // exits are merged if there are no limits
   EXPECT_THROW(make({{1}, {3}}, {1.}), Invalid_argument_error);
   EXPECT_THROW(make({{1}, {3}}, {1., 0.}), Invalid_argument_error);
   EXPECT_THROW(make({{1}, {3}}, {1., std::nan("")}), Invalid_argument_error);
