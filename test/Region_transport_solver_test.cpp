@@ -54,7 +54,7 @@ TEST(Region_transport_solver, finds_nearest_exit)
 }
 
 // The region is the boundary: masses also arrive on the edges between its vertices.
-TEST(Region_transport_solver, accepts_border_sources)
+TEST(Region_transport_solver, accepts_boundary_sources)
 {
   Mesh mesh = mesh_of(square(12));
   std::vector<GP::Source<Mesh>> border;
@@ -197,7 +197,8 @@ TEST(Region_transport_solver, accepts_locations_in_faces)
   // Streamlines end at the location.
   const GP::Streamline<Mesh> line = one.streamlines()(from);
   ASSERT_FALSE(line.empty());
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(line.points.back(), point(left))), 0.2); // an edge length
+  EXPECT_LT(std::sqrt(CGAL::squared_distance(line.points.back(), point(left))),
+            0.2); // an edge length
 }
 
 TEST(Region_transport_solver, throws_on_invalid_region)

@@ -236,7 +236,7 @@ TEST(Transport_barycenter_solver, writes_flows)
   }
 }
 
-TEST(Transport_barycenter_solver, warm_start_and_cancellation)
+TEST(Transport_barycenter_solver, warm_start_saves_iterations_and_callback_cancels)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   const std::vector<Vertex> points = {Vertex(0), Vertex(200), Vertex(300)};

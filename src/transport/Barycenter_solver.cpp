@@ -334,7 +334,7 @@ Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::mov
 {
   m_area = std::accumulate(m_operators.area.begin(), m_operators.area.end(), 0.);
   if(!(m_area > 0.))
-    throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
+    throw Unsupported_surface_error("No triangle of the surface has an area.");
   std::tie(m_component, m_number_of_components) = components(m_operators);
   // Mass at a vertex without triangles cannot move, so that any positive area will do.
   m_lumped_mass = lumped_mass(m_operators);
@@ -356,12 +356,12 @@ Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::mov
 void check_weights(const std::vector<double>& weights, std::size_t number)
 {
   if(weights.size() != number)
-    throw Invalid_argument_error("There are " + std::to_string(weights.size()) + " weights for " +
-                                 std::to_string(number) + " of what they weigh.");
+    throw Invalid_argument_error("There are " + std::to_string(weights.size()) + " weights, but " +
+                                 std::to_string(number) + " are required.");
   for(const double weight : weights)
     if(!(weight >= 0. && std::isfinite(weight)))
       throw Invalid_argument_error("A weight is " + std::to_string(weight) +
-                                   ", not a number from zero on.");
+                                   "; it must be finite and not negative.");
   if(std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.; }))
     throw Invalid_argument_error("All weights are zero.");
 }
@@ -378,7 +378,7 @@ void Barycenter_solver::check_masses(const Vector& masses) const
 {
   if(masses.size() != Eigen::Index(m_operators.number_of_vertices))
     throw Invalid_argument_error("There are " + std::to_string(masses.size()) + " masses for " +
-                                 std::to_string(m_operators.number_of_vertices) + " sites.");
+                                 std::to_string(m_operators.number_of_vertices) + " vertices.");
   if(!masses.allFinite())
     throw Invalid_argument_error("A mass is not a finite number.");
   if(masses.minCoeff() < 0.)
@@ -389,7 +389,7 @@ void Barycenter_solver::check_input(const std::vector<Vector>& masses,
                                     const std::vector<double>& weights) const
 {
   if(masses.empty())
-    throw Invalid_argument_error("There are no masses to find the barycenter of.");
+    throw Invalid_argument_error("There are no mass distributions.");
   check_weights(weights, masses.size());
   std::vector<double> first_totals;
   for(const Vector& distribution : masses)
@@ -401,14 +401,12 @@ void Barycenter_solver::check_input(const std::vector<Vector>& masses,
     for(std::size_t c = 0; c < m_number_of_components; ++c)
       if(std::abs(total[c] - first_totals[c]) > 1e-9 * std::max(total[c], first_totals[c]))
         throw Invalid_argument_error(
-            "Masses sum to " + std::to_string(first_totals[c]) + " and to " +
-            std::to_string(total[c]) +
-            (m_number_of_components == 1
-                 ? "."
-                 : " on a component of the surface, and none can leave it."));
+            "Two mass distributions have total masses " + std::to_string(first_totals[c]) +
+            " and " + std::to_string(total[c]) +
+            (m_number_of_components == 1 ? "." : " on a component of the surface."));
   }
   if(!(masses[0].sum() > 0.))
-    throw Invalid_argument_error("The masses sum to zero.");
+    throw Invalid_argument_error("The total mass is zero.");
 }
 
 Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
@@ -421,8 +419,8 @@ Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
   const std::vector<Field>& start = options.warm_start.shrunk_flows;
   if(!start.empty() && start.size() != masses.size())
     throw Invalid_argument_error("There are " + std::to_string(masses.size()) +
-                                 " masses, but it ended with " + std::to_string(start.size()) +
-                                 " where it is to start.");
+                                 " mass distributions, but the initial state has " +
+                                 std::to_string(start.size()) + ".");
   const double total = masses[0].sum();
   const double weight = std::accumulate(weights.begin(), weights.end(), 0.);
   std::vector<Vector> normalized_masses;

@@ -17,7 +17,7 @@ Multilevel_barycenter_solver::Multilevel_barycenter_solver(
     std::vector<Metric_tensor> metric)
 {
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
-    throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
+    throw Unsupported_surface_error("The refined surface would have more than 2^31 halfedges.");
   const Operators operators_of_surface = metric_operators(*triangles, metric);
   m_vertex_areas = triangles->scale * triangles->scale * lumped_mass(operators_of_surface);
   m_levels.push_back({triangles, operators_of_surface.area});
@@ -53,8 +53,8 @@ Barycenter_result Multilevel_barycenter_solver::solve(const std::vector<Mass_dis
     if(!std::isfinite(sum))
       throw Invalid_argument_error("A mass is not a finite number.");
     if(!(sum > 0.))
-      throw Invalid_argument_error("Masses that sum to " + std::to_string(sum) +
-                                   " cannot be scaled so that they sum to one.");
+      throw Invalid_argument_error("A total mass of " + std::to_string(sum) +
+                                   " cannot be scaled to one.");
     at_vertices.back() /= sum;
   }
   Barycenter_result result = m_solver->solve(at_vertices, weights, options);

@@ -95,7 +95,7 @@ void check_region(const Transport_region& region)
     if(!(capacity > 0.))
       throw Invalid_argument_error("A capacity is not positive.");
   if(!(region.spreading_weight >= 0.) || !std::isfinite(region.spreading_weight))
-    throw Invalid_argument_error("The weight of spreading is negative or not finite.");
+    throw Invalid_argument_error("The spreading weight is negative or not finite.");
 }
 
 // Sorts the vertices of each exit and, if there are no limits, merges all exits into one.
@@ -116,7 +116,7 @@ std::vector<std::vector<Index>> merged_exits(std::vector<std::vector<Index>> exi
   }
   std::sort(vertices.begin(), vertices.end());
   if(std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end())
-    throw Invalid_argument_error("Two exits share a site.");
+    throw Invalid_argument_error("Two exits share a vertex.");
   return exits;
 }
 
@@ -129,7 +129,7 @@ Multilevel_transport_solver::Multilevel_transport_solver(
 {
   check_region(m_region);
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
-    throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
+    throw Unsupported_surface_error("The refined surface would have more than 2^31 halfedges.");
   if(m_region.curves.empty())
     add_level(std::move(triangles), std::move(metric),
               merged_exits(m_region.exits, m_region.is_limited()));
@@ -150,7 +150,7 @@ void Multilevel_transport_solver::embed_curves()
 {
   const Level& input = m_levels.front();
   if(input.triangles->is_cloud())
-    throw Invalid_argument_error("A region of a cloud has a location that is not at a surfel.");
+    throw Invalid_argument_error("A region on a cloud has a location that is not at a surfel.");
   std::vector<std::vector<Index>> exits = m_region.exits;
   std::vector<Index> region_vertices;
   for(const std::vector<Index>& exit : exits)

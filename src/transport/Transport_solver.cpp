@@ -48,7 +48,7 @@ Transport_solver::Transport_solver(Operators operators)
 {
   if(std::none_of(m_operators.area.begin(), m_operators.area.end(),
                   [](double area) { return area > 0.; }))
-    throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
+    throw Unsupported_surface_error("No triangle of the surface has an area.");
   std::tie(m_component, m_number_of_components) = components(m_operators);
   m_laplacian.pin(m_matrix);
   m_solver = std::make_unique<Sparse_solver>(m_matrix, Elimination_order::low_fill);
@@ -58,7 +58,7 @@ void Transport_solver::check_input(const Vector& masses, const std::vector<Exit>
 {
   if(masses.size() != Eigen::Index(m_operators.number_of_vertices))
     throw Invalid_argument_error("There are " + std::to_string(masses.size()) + " masses for " +
-                                 std::to_string(m_operators.number_of_vertices) + " sites.");
+                                 std::to_string(m_operators.number_of_vertices) + " vertices.");
   if(!masses.allFinite())
     throw Invalid_argument_error("A mass is not a finite number.");
   check_totals(masses, exits);
@@ -77,21 +77,21 @@ void Transport_solver::check_totals(const Vector& masses, const std::vector<Exit
   {
     if(!(exit.capacity > 0.) || !(exit.price >= 0.) || !std::isfinite(exit.price))
       throw Invalid_argument_error(
-          "A capacity is not positive, or a price negative or not finite.");
+          "A capacity is not positive, or a price is negative or not finite.");
     double& value = total_capacity[m_component[exit.vertex]];
     value = std::max(value, 0.) + exit.capacity;
   }
   for(std::size_t i = 0; i < m_number_of_components; ++i)
     if(total_capacity[i] > 0. && -sum[i] > total_capacity[i] * (1. + 1e-9))
-      throw Invalid_argument_error("There is room for a mass of " +
-                                   std::to_string(total_capacity[i]) + " where one of " +
-                                   std::to_string(-sum[i]) + " has to go.");
+      throw Invalid_argument_error("A mass of " + std::to_string(-sum[i]) +
+                                   " exceeds the capacity of the exits, " +
+                                   std::to_string(total_capacity[i]) + ".");
     else if(!(total_capacity[i] > 0. && sum[i] <= 0.) && std::abs(sum[i]) > 1e-9 * size[i])
       throw Invalid_argument_error(
           m_number_of_components == 1
-              ? "The masses to be moved sum to " + std::to_string(sum[i]) + " instead of zero."
-              : "The masses to be moved sum to " + std::to_string(sum[i]) +
-                    " instead of zero on a component of the surface, and none can leave it.");
+              ? "The total masses before and after differ by " + std::to_string(sum[i]) + "."
+              : "The total masses before and after differ by " + std::to_string(sum[i]) +
+                    " on a component of the surface.");
 }
 
 Field Transport_solver::least_squares_flow(const Vector& masses) const
@@ -125,7 +125,7 @@ Transport_result Transport_solver::solve(const Vector& masses, const Transport_o
   Vector normalized_masses = masses / moved_mass;
   const Exit_groups groups = group_exits(exits, m_component, normalized_masses, moved_mass);
   if(!groups.open.empty() && options.method != Transport_method::interior_point)
-    throw Invalid_argument_error("Only the interior point method knows capacities and prices.");
+    throw Invalid_argument_error("Only the interior point method supports capacities and prices.");
   Vector outflow(Eigen::Index(exits.size()));
   for(std::size_t i = 0; i < exits.size(); ++i)
     normalized_masses[exits[i].vertex] += outflow[Eigen::Index(i)] = groups.outflow[i];

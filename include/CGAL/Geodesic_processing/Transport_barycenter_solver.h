@@ -151,7 +151,8 @@ public:
   void write_flow(std::size_t position, FlowMap map) const
   {
     if(position >= m_result.flows.size())
-      throw Invalid_argument_error("There is no flow to mass " + std::to_string(position) + " of " +
+      throw Invalid_argument_error("There is no flow with index " + std::to_string(position) +
+                                   "; the number of flows is " +
                                    std::to_string(m_result.flows.size()) + ".");
     internal::write_vectors(m_domain, m_result.flows[position], map);
   }

@@ -89,7 +89,7 @@ Mass_distribution masses(const Domain& domain, const From& from)
   {
     const std::vector<Surface_location> located = locations(domain, from);
     if(located.empty())
-      throw Invalid_argument_error("There is no place where a mass could be.");
+      throw Invalid_argument_error("A range of locations for a mass is empty.");
     for(const Surface_location& point : located)
       result.at_locations.emplace_back(point, 1. / double(located.size()));
   }
