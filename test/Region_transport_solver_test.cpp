@@ -72,7 +72,8 @@ TEST(Region_transport_solver, accepts_boundary_sources)
   EXPECT_NEAR(sum, 1., 1e-9);
 }
 
-// Returns the cost from vertex 0 to the vertices near a great circle, for any type and size of mesh.
+// Returns the cost from vertex 0 to the vertices near a great circle, for any type and size of
+// mesh.
 template <typename AnyMesh>
 double cost_to_great_circle(double scale = 1.)
 {
@@ -118,7 +119,8 @@ TEST(Region_transport_solver, works_on_clouds)
   EXPECT_NEAR(solver.compute(Index(500)).value, exact, 0.015 * exact); // as between two surfels
 }
 
-// Checks capacities and spreading with three exits in one row.  The nearest one has too little capacity.
+// Checks capacities and spreading with three exits in one row.  The nearest one has too little
+// capacity.
 template <typename AnyMesh>
 void expect_limits(double size)
 {
@@ -163,7 +165,8 @@ TEST(Region_transport_solver, respects_limits)
 #endif
 }
 
-// Arrivals inside a face are distributed to its vertices, with the location as their center of mass.
+// Arrivals inside a face are distributed to its vertices, with the location as their center of
+// mass.
 TEST(Region_transport_solver, accepts_locations_in_faces)
 {
   const Mesh mesh = mesh_of(square(8, 0.2));

@@ -192,8 +192,8 @@ TEST(Transport_barycenter_solver, respects_speeds)
               0.02 * exact_around_wall); // a fraction of an edge length is lost at the corners
 }
 
-// In the plane, the integral of a flow is the displacement of the center of mass, for any speed.  The integral
-// of its length, divided by the speed, is the distance.
+// In the plane, the integral of a flow is the displacement of the center of mass, for any speed.
+// The integral of its length, divided by the speed, is the distance.
 TEST(Transport_barycenter_solver, writes_flows)
 {
   Mesh mesh = mesh_of(square(12, 0.2));

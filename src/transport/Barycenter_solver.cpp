@@ -22,15 +22,15 @@ constexpr double relaxation_factor = 1.9;
 // The number of steps between two updates of the upper bound, which cost as much as one step.
 constexpr unsigned steps_per_check = 10;
 
-// The initial threshold relative to the root mean square of the least squares flows.  Between points, the
-// optimal flow is nonzero in few triangles, and some tens of times as large there.
+// The initial threshold relative to the root mean square of the least squares flows.  Between
+// points, the optimal flow is nonzero in few triangles, and some tens of times as large there.
 constexpr double threshold_factor = 20.;
 
 // Thresholds change at every 16th update of the upper bound, up to the 64th.
 constexpr unsigned checks_between_updates = 16, last_update = 64;
 
-// The stiffness relative to the area.  The number of steps does not depend on it from half to twice this
-// value; at ten times the value it increases.
+// The stiffness relative to the area.  The number of steps does not depend on it from half to
+// twice this value; at ten times the value it increases.
 constexpr double stiffness_factor = 2e-4;
 
 double max_squared_length(const Operators& o, const Field& field)
@@ -42,11 +42,11 @@ double max_squared_length(const Operators& o, const Field& field)
   return result;
 }
 
-// Replaces a field by the z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) / factor.  All
-// vectors become shorter by the threshold factor * (integral of |z|).
+// Replaces a field by the z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) /
+// factor.  All vectors become shorter by the threshold factor * (integral of |z|).
 //
-// Newton's method finds the threshold in a few steps from any start, since the equation is concave and
-// piecewise linear.  `threshold` is the start, and receives the result.
+// Newton's method finds the threshold in a few steps from any start, since the equation is
+// concave and piecewise linear.  `threshold` is the start, and receives the result.
 void shrink(const Operators& o, double factor, double& threshold, Field& field)
 {
   std::vector<double> size(field.size());
@@ -72,8 +72,9 @@ void shrink(const Operators& o, double factor, double& threshold, Field& field)
 
 } // namespace
 
-// Douglas-Rachford splitting of the flows J_i and the masses m.  Distances of flows are measured by
-// w_i |J_i|^2, those of masses by stiffness * m^2 / lumped mass.  Weights and masses must sum to one.
+// Douglas-Rachford splitting of the flows J_i and the masses m.  Distances of flows are measured
+// by w_i |J_i|^2, those of masses by stiffness * m^2 / lumped mass.  Weights and masses must sum
+// to one.
 class Barycenter_solver::Admm
 {
 public:
@@ -101,8 +102,8 @@ public:
                               : 0.};
   }
 
-  // Iterates until the gap is within the tolerance.  Returns bounds, masses, flows and potentials for
-  // masses and weights that sum to one each.
+  // Iterates until the gap is within the tolerance.  Returns bounds, masses, flows and potentials
+  // for masses and weights that sum to one each.
   Barycenter_result run(const Barycenter_options& options)
   {
     // Costs below this one are zero up to round-off errors.
@@ -177,8 +178,8 @@ private:
     mass_dual = relaxed_masses - m;
   }
 
-  // Finds the flows and masses closest to the given ones that satisfy divergence(J_i) = m_i - m.  Returns m
-  // and the potentials whose gradients are to be added to the flows.
+  // Finds the flows and masses closest to the given ones that satisfy divergence(J_i) = m_i - m.
+  // Returns m and the potentials whose gradients are to be added to the flows.
   Vector project(const std::vector<Field>& flows, const Vector& target_masses,
                  Columns& potentials) const
   {
@@ -196,8 +197,9 @@ private:
     return result;
   }
 
-  // Raises the thresholds to a third of the mean length of the vectors, weighted by the mass that they carry.
-  // Flows between points are larger in smaller triangles.  At 40,000 vertices this saves half of the steps.
+  // Raises the thresholds to a third of the mean length of the vectors, weighted by the mass that
+  // they carry. Flows between points are larger in smaller triangles.  At 40,000 vertices this
+  // saves half of the steps.
   void update_thresholds()
   {
     double mean_flow = 0., threshold = 0.;
@@ -217,8 +219,9 @@ private:
         vector = change * vector;
   }
 
-  // Returns the masses max(0, target - c lumped_mass), with one constant c for each component, whose sums
-  // are m_total: the closest masses that are not negative, measured by their densities.
+  // Returns the masses max(0, target - c lumped_mass), with one constant c for each component,
+  // whose sums are m_total: the closest masses that are not negative, measured by their
+  // densities.
   Vector project_masses(const Vector& target_masses) const
   {
     const std::vector<double> density = density_shift(target_masses);
@@ -265,8 +268,8 @@ private:
     return density;
   }
 
-  // Corrects flows, by least squares, such that they move the given masses to the input masses.  Keeps masses
-  // and flows if they cost less than the best ones.
+  // Corrects flows, by least squares, such that they move the given masses to the input masses.
+  // Keeps masses and flows if they cost less than the best ones.
   void update_upper_bound(const Vector& masses, std::vector<Field> flows)
   {
     Columns rhs(masses.size(), Eigen::Index(size()));
@@ -289,8 +292,8 @@ private:
     m_flows = std::move(flows);
   }
 
-  // Keeps potentials if they prove a higher lower bound than the best ones.  `square` is the sum of the
-  // weights times the squared slopes.
+  // Keeps potentials if they prove a higher lower bound than the best ones.  `square` is the sum
+  // of the weights times the squared slopes.
   void update_lower_bound(const Columns& potentials, double square)
   {
     Vector sum = Vector::Zero(potentials.rows());

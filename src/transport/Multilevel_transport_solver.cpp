@@ -18,8 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Returns the vertices of a region after refinement: those of the coarse surface, and the midpoints of edges
-// between two of them.
+// Returns the vertices of a region after refinement: those of the coarse surface, and the
+// midpoints of edges between two of them.
 std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                            const std::vector<Index>& region)
 {
@@ -145,7 +145,8 @@ Multilevel_transport_solver::Multilevel_transport_solver(
   prepare_solvers();
 }
 
-// Adds a level in which the curves of the region consist of edges, and makes exits of their vertices.
+// Adds a level in which the curves of the region consist of edges, and makes exits of their
+// vertices.
 void Multilevel_transport_solver::embed_curves()
 {
   const Level& input = m_levels.front();
@@ -221,8 +222,9 @@ void Multilevel_transport_solver::add_level(std::shared_ptr<const Surface_arrays
   level.exits = std::move(exits);
 }
 
-// Returns the exits of a level in its unit of length, or nothing if there are no limits.  The density of
-// arrivals is the outflow divided by a third of the area of the incident triangles before refinement.
+// Returns the exits of a level in its unit of length, or nothing if there are no limits.  The
+// density of arrivals is the outflow divided by a third of the area of the incident triangles
+// before refinement.
 std::vector<Exit> Multilevel_transport_solver::limited_exits(const Level& level) const
 {
   std::vector<Exit> result;
@@ -245,7 +247,8 @@ std::vector<Exit> Multilevel_transport_solver::limited_exits(const Level& level)
   return result;
 }
 
-// Returns the corners of a triangle of the finest level, mapped such that lengths are measured ones.
+// Returns the corners of a triangle of the finest level, mapped such that lengths are measured
+// ones.
 std::array<Vec2, 3> Multilevel_transport_solver::measured_corners(Index triangle) const
 {
   const Level& fine = m_levels.back();
@@ -275,11 +278,11 @@ double Multilevel_transport_solver::cost_to_vertices(const Mass_distribution& ma
   return masses.density.size() == 0 ? result : density_cost_to_vertices(masses.density, result);
 }
 
-// Returns an upper bound of the cost of moving a linear density to the vertices, added to `initial`.
-// masses_at_vertices() gives corner k the mass of density times h_k, where h_i are the hat functions.  At
-// the point with barycentric coordinates h_i, the distance to corner k is at most the sum of
-// h_i |p_k - p_i|, by convexity.  The integral of h_i h_j h_k over a triangle is area / 30 if two of
-// them are the same, and area / 60 if none are.
+// Returns an upper bound of the cost of moving a linear density to the vertices, added to
+// `initial`. masses_at_vertices() gives corner k the mass of density times h_k, where h_i are the
+// hat functions.  At the point with barycentric coordinates h_i, the distance to corner k is at
+// most the sum of h_i |p_k - p_i|, by convexity.  The integral of h_i h_j h_k over a triangle is
+// area / 30 if two of them are the same, and area / 60 if none are.
 double Multilevel_transport_solver::density_cost_to_vertices(const Vector& density,
                                                              double initial) const
 {
@@ -301,8 +304,8 @@ double Multilevel_transport_solver::density_cost_to_vertices(const Vector& densi
   return result;
 }
 
-// Returns the cost of a flow of the finest level if it is made continuous across edges, on the surface
-// without obstacles.
+// Returns the cost of a flow of the finest level if it is made continuous across edges, on the
+// surface without obstacles.
 double Multilevel_transport_solver::cost_of_flow(const Field& flow) const
 {
   const Level& fine = m_levels.back();
@@ -387,7 +390,8 @@ Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
   to.at_locations = {{{none, first, {}}, at_vertices.sum()}};
   Mass_distribution masses =
       difference(*coarse.triangles, coarse.area, embedded_from, to, options.do_normalize);
-  // With limits the target masses are unknown, so that difference() only serves to check and normalize.
+  // With limits the target masses are unknown, so that difference() only serves to check and
+  // normalize.
   if(m_region.is_limited())
     masses.at_locations.erase(masses.at_locations.begin());
   Transport_result result = transport_masses(masses, options);

@@ -12,9 +12,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Minimize the integral of |J| subject to divergence(J) = masses.  If there are exits, the mass that
-// leaves through each is a variable: divergence(J) = masses + outflow, and its price is added to the
-// objective.  Masses are scaled such that one unit of mass is moved.
+// Minimize the integral of |J| subject to divergence(J) = masses.  If there are exits, the mass
+// that leaves through each is a variable: divergence(J) = masses + outflow, and its price is
+// added to the objective.  Masses are scaled such that one unit of mass is moved.
 struct Transport_problem
 {
   const Operators& operators;
@@ -25,7 +25,8 @@ struct Transport_problem
   std::vector<Exit_group> exits = {};
 };
 
-// An iterative method for a Transport_problem.  The base class keeps the best bounds of all iterates.
+// An iterative method for a Transport_problem.  The base class keeps the best bounds of all
+// iterates.
 class Transport_iteration
 {
 public:
@@ -39,8 +40,8 @@ public:
   virtual unsigned iterations_per_advance() const { return 1; }
   virtual unsigned default_max_iterations() const { return 100; }
 
-  // Returns the best bounds with flow, outflow and potential.  The outflow has an entry for each exit of
-  // problem().exits, one group after another.  Other members are not set.
+  // Returns the best bounds with flow, outflow and potential.  The outflow has an entry for each
+  // exit of problem().exits, one group after another.  Other members are not set.
   const Transport_result& best() const { return m_best; }
 
   // Moves the best bounds out, with the final state of methods that have one.
@@ -50,8 +51,8 @@ protected:
   const Operators& operators() const { return m_problem.operators; }
   const Transport_problem& problem() const { return m_problem; }
 
-  // Keeps a flow with divergence(flow) = masses + outflow if it costs less than the best one.  Ignores it
-  // if an outflow is negative or exceeds the capacity.
+  // Keeps a flow with divergence(flow) = masses + outflow if it costs less than the best one.
+  // Ignores it if an outflow is negative or exceeds the capacity.
   void update_upper_bound(const Field& flow, const Vector& outflow = {});
   // Keeps a potential, divided by its maximum slope, if it proves a higher bound than the best one.
   void update_lower_bound(const Vector& potential);
@@ -64,9 +65,9 @@ private:
 // The interior point method that Transport_solver describes.  A step is a factorization.
 std::unique_ptr<Transport_iteration> interior_point(const Transport_problem& problem);
 
-// Iteratively reweighted least squares: each triangle is weighted by one over the length of its vector in
-// the previous iterate (Weiszfeld 1937; Solomon and others 2014, figure 4).  A step is a factorization.
-// The gap stalls at about one percent.
+// Iteratively reweighted least squares: each triangle is weighted by one over the length of its
+// vector in the previous iterate (Weiszfeld 1937; Solomon and others 2014, figure 4).  A step is
+// a factorization. The gap stalls at about one percent.
 std::unique_ptr<Transport_iteration> weiszfeld(const Transport_problem& problem);
 
 // Returns the method of the options, at its start.

@@ -17,8 +17,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Iterates until the gap is within the tolerance.  Returns bounds that include `fixed_cost`, and whether
-// they converged.
+// Iterates until the gap is within the tolerance.  Returns bounds that include `fixed_cost`, and
+// whether they converged.
 Transport_result iterate(Transport_iteration& iteration, double fixed_cost,
                          const Transport_options& options)
 {

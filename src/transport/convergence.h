@@ -9,9 +9,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Reports the progress of an iteration and returns whether the callback, which may be empty, cancels it.
-// On a logarithmic scale, progress grows from a relative gap of 1, if no lower bound is known, to the
-// tolerance.
+// Reports the progress of an iteration and returns whether the callback, which may be empty,
+// cancels it. On a logarithmic scale, progress grows from a relative gap of 1, if no lower bound
+// is known, to the tolerance.
 inline bool is_cancelled(const std::function<bool(double)>& callback, double gap, double tolerance)
 {
   const double fraction = tolerance < 1. ? std::log(gap) / std::log(tolerance) : 1.;

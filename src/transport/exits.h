@@ -10,8 +10,8 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The exits of one component and the mass that has to leave through them.  Masses are fractions of the
-// total mass that is moved, and prices are scaled accordingly.
+// The exits of one component and the mass that has to leave through them.  Masses are fractions
+// of the total mass that is moved, and prices are scaled accordingly.
 struct Exit_group
 {
   Index component;
@@ -19,8 +19,8 @@ struct Exit_group
   std::vector<Exit> exits;
 };
 
-// The exits of all components.  In `full` groups the capacity is just sufficient, which determines the
-// outflow of each exit; `open` groups have capacity to spare.
+// The exits of all components.  In `full` groups the capacity is just sufficient, which
+// determines the outflow of each exit; `open` groups have capacity to spare.
 struct Exit_groups
 {
   std::vector<Exit_group> open, full;
@@ -33,7 +33,8 @@ struct Exit_groups
 //
 // component   #vertices
 // masses      #vertices: target mass minus source mass, divided by moved_mass
-// moved_mass  the total mass that is moved; capacities and prices of `exits` are in this unit of mass
+// moved_mass  the total mass that is moved; capacities and prices of `exits` are in this unit of
+//             mass
 Exit_groups group_exits(const std::vector<Exit>& exits, const std::vector<Index>& component,
                         const Vector& masses, double moved_mass);
 
@@ -43,8 +44,8 @@ struct Exit_cost
   double marginal_cost; // of the last mass that leaves
 };
 
-// Returns a lower bound of the cost at which the mass of a group leaves, if mass that leaves at vertex v
-// costs potential[v] per unit in addition to the price: the maximum of the dual function
+// Returns a lower bound of the cost at which the mass of a group leaves, if mass that leaves at
+// vertex v costs potential[v] per unit in addition to the price: the maximum of the dual function
 //   mu mass + sum of min over 0 <= x <= capacity of (price / 2 x^2 + (potential[v] - mu) x)
 // over the marginal cost mu, and the mu at which it is attained.  Bisection to machine precision.
 Exit_cost dual_exit_cost(const Exit_group& group, const Vector& potential);

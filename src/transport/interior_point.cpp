@@ -50,8 +50,8 @@ Cone_vector quotient(const Cone_vector& b, const Cone_vector& a)
   return {scalar, (1. / a.scalar) * (b.vector - scalar * a.vector)};
 }
 
-// Returns the correction that clamps the two eigenvalues of x to [gap / 10, 10 gap], but decreases none by
-// more than 10 gap.
+// Returns the correction that clamps the two eigenvalues of x to [gap / 10, 10 gap], but
+// decreases none by more than 10 gap.
 Cone_vector centrality_correction(double gap, const Cone_vector& x)
 {
   const auto correction = [&](double eigenvalue)
@@ -61,8 +61,8 @@ Cone_vector centrality_correction(double gap, const Cone_vector& x)
   return {0.5 * (high + low), (size > 0. ? 0.5 * (high - low) / size : 0.) * x.vector};
 }
 
-// Returns the reciprocal of the longest step from x, which is inside the cone, that stays in the cone;
-// zero if no step in this direction leaves it.
+// Returns the reciprocal of the longest step from x, which is inside the cone, that stays in the
+// cone; zero if no step in this direction leaves it.
 double inverse_max_step(const Cone_vector& x, const Cone_vector& direction)
 {
   const double a = determinant(direction), c = determinant(x);
@@ -71,8 +71,8 @@ double inverse_max_step(const Cone_vector& x, const Cone_vector& direction)
   return discriminant >= 0. ? std::max(0., (std::sqrt(discriminant) - b) / c) : 0.;
 }
 
-// The Nesterov-Todd scaling W: the symmetric matrix with W z = W^-1 s.  It is stored as the factor eta and
-// the hyperbolic unit vector w (Vandenberghe 2010).
+// The Nesterov-Todd scaling W: the symmetric matrix with W z = W^-1 s.  It is stored as the
+// factor eta and the hyperbolic unit vector w (Vandenberghe 2010).
 struct Scaling
 {
   Cone_vector w;
@@ -115,9 +115,9 @@ struct Scaling
   static constexpr double min_determinant = std::numeric_limits<double>::min();
 };
 
-// The variables of an exit: the outflow x, the remaining capacity y = capacity - x, and the multipliers u
-// of x >= 0 and v of y >= 0.  At the optimum price x + potential = u - v, and the products u x and v y are
-// zero.
+// The variables of an exit: the outflow x, the remaining capacity y = capacity - x, and the
+// multipliers u of x >= 0 and v of y >= 0.  At the optimum price x + potential = u - v, and the
+// products u x and v y are zero.
 struct Exit_slack : Exit
 {
   double x, y, u = 0., v = 0.;
@@ -186,9 +186,9 @@ struct Exit_slack : Exit
   }
 };
 
-// In each triangle s = (1, gradient phi) and z = (tau, -J) are inside the cone, and at the optimum their
-// product is zero.  Names as in Vandenberghe 2010 ("The CVXOPT linear and quadratic cone program
-// solvers"), which describes the method for general cones.
+// In each triangle s = (1, gradient phi) and z = (tau, -J) are inside the cone, and at the
+// optimum their product is zero.  Names as in Vandenberghe 2010 ("The CVXOPT linear and quadratic
+// cone program solvers"), which describes the method for general cones.
 class Interior_point : public Transport_iteration
 {
 public:
@@ -219,16 +219,17 @@ public:
       return false;
     const double gap = mean_gap({0., 0.});
     const Steps predicted = predict();
-    // The flow of a full predictor step moves the masses, even if the step leaves the cone.  Its cost often
-    // exceeds the minimum by half as much as that of the iterate.
+    // The flow of a full predictor step moves the masses, even if the step leaves the cone.  Its
+    // cost often exceeds the minimum by half as much as that of the iterate.
     update_upper_bound(flow(1.), outflow(1.));
     const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
     return move(correct_centrality(next, correct(next)));
   }
 
 private:
-  // Initializes the outflows: 0.9 times the outflow that is optimal if moving costs nothing plus 0.1 times
-  // an outflow in proportion to the capacity, so that none starts at zero or at its capacity.
+  // Initializes the outflows: 0.9 times the outflow that is optimal if moving costs nothing plus
+  // 0.1 times an outflow in proportion to the capacity, so that none starts at zero or at its
+  // capacity.
   void add_slacks(const Exit_group& group)
   {
     m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);
@@ -247,8 +248,8 @@ private:
     }
   }
 
-  // Starts from the least squares flow to the initial outflows, and from a potential that is zero if there
-  // are no exits.
+  // Starts from the least squares flow to the initial outflows, and from a potential that is zero
+  // if there are no exits.
   void start_from_least_squares()
   {
     const std::size_t n = m_dual.size();
@@ -333,8 +334,8 @@ private:
     return sum / m_total_weight;
   }
 
-  // Computes the changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d.  Returns the longest
-  // steps that stay in the cone.
+  // Computes the changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d.  Returns the
+  // longest steps that stay in the cone.
   Steps find_step()
   {
     Field correction(m_dual.size());
@@ -359,7 +360,8 @@ private:
           std::max(primal_inverse, inverse_max_step(primal(f), {0., m_gradient_step[f]}));
       dual_inverse = std::max(dual_inverse, inverse_max_step(m_dual[f], m_dual_step[f]));
     }
-    // A price couples x and the potential in one equation, which needs equal steps to stay satisfied.
+    // A price couples x and the potential in one equation, which needs equal steps to stay
+    // satisfied.
     if(std::any_of(m_slacks.begin(), m_slacks.end(),
                    [](const Exit_slack& slack) { return slack.price > 0.; }))
       primal_inverse = dual_inverse = std::max(primal_inverse, dual_inverse);
@@ -376,9 +378,9 @@ private:
     return find_step();
   }
 
-  // Adds a correction to the right-hand side and solves again.  If x is the product of W^-1 s and W z that
-  // the current change reaches with the given steps, the new one reaches x + correction(x), to first
-  // order.
+  // Adds a correction to the right-hand side and solves again.  If x is the product of W^-1 s and
+  // W z that the current change reaches with the given steps, the new one reaches x +
+  // correction(x), to first order.
   template <typename Change>
   Steps adjust(const Steps& steps, const Change& correction)
   {
@@ -399,8 +401,8 @@ private:
     return find_step();
   }
 
-  // Computes the corrector, whose target is that all products equal `gap`.  The products that remain after a
-  // full predictor step are the second-order terms.
+  // Computes the corrector, whose target is that all products equal `gap`.  The products that
+  // remain after a full predictor step are the second-order terms.
   Steps correct(double gap)
   {
     return adjust({1., 1.},
@@ -409,8 +411,9 @@ private:
                   });
   }
 
-  // Computes the centrality corrector (Gondzio 1996): products that would be far from `gap` after steps 0.3
-  // longer than feasible are moved toward it.  Keeps the old change if the steps do not become longer.
+  // Computes the centrality corrector (Gondzio 1996): products that would be far from `gap` after
+  // steps 0.3 longer than feasible are moved toward it.  Keeps the old change if the steps do not
+  // become longer.
   Steps correct_centrality(double gap, const Steps& steps)
   {
     const std::vector<Cone_vector> target = m_target;
@@ -425,7 +428,8 @@ private:
     return find_step();
   }
 
-  // Moves the iterate and updates the bounds.  Returns false if the steps are too short for progress.
+  // Moves the iterate and updates the bounds.  Returns false if the steps are too short for
+  // progress.
   bool move(const Steps& steps)
   {
     const double primal_step = std::min(1., 0.95 * steps.primal);

@@ -21,19 +21,19 @@ namespace CGAL::Geodesic_processing {
 /// \addtogroup PkgGeodesicProcessingTransport
 /// @{
 
-/// selects an interior point method for the second-order cone program. It takes few iterations, each with a
-/// factorization, and reaches any gap.  \cgalCite{cgal:v-cvxopt-10}
+/// selects an interior point method for the second-order cone program. It takes few iterations,
+/// each with a factorization, and reaches any gap.  \cgalCite{cgal:v-cvxopt-10}
 struct Interior_point
 {};
 
-/// selects the alternating direction method of multipliers (ADMM). It takes many cheap iterations, uses
-/// one factorization for all queries, and is suited for gaps of a percent.
+/// selects the alternating direction method of multipliers (ADMM). It takes many cheap
+/// iterations, uses one factorization for all queries, and is suited for gaps of a percent.
 /// \cgalCite{cgal:srgb-emd-14}, section 5
 struct Alternating_directions
 {};
 
-/// selects iteratively reweighted least squares, for comparison. Each iteration takes a factorization, and
-/// the gap stalls at about a percent.  \cgalCite{cgal:srgb-emd-14}, figure 4
+/// selects iteratively reweighted least squares, for comparison. Each iteration takes a
+/// factorization, and the gap stalls at about a percent.  \cgalCite{cgal:srgb-emd-14}, figure 4
 struct Weiszfeld
 {};
 
@@ -49,8 +49,8 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// returns the potential at a vertex or surfel. The potential increases along the flow, with slope at most
-  /// one. Its integral against the masses is the lower bound.
+  /// returns the potential at a vertex or surfel. The potential increases along the flow, with
+  /// slope at most one. Its integral against the masses is the lower bound.
   /// \pre `compute()` was called
   double potential(Vertex vertex) const { return m_result.potential[m_domain.index(vertex)]; }
 
@@ -61,19 +61,20 @@ public:
     m_domain.write([&](internal::Index i) { return m_result.potential[i]; }, map);
   }
 
-  /// writes the flow to a property map: a `Vector_3` for each face of a mesh or each surfel of a cloud, in
-  /// mass per unit length of a line across it. If the surface was refined, this is the mean over the
-  /// triangles of a face.
+  /// writes the flow to a property map: a `Vector_3` for each face of a mesh or each surfel of a
+  /// cloud, in mass per unit length of a line across it. If the surface was refined, this is the
+  /// mean over the triangles of a face.
   template <typename FlowMap>
   void write_flow(FlowMap map) const
   {
     internal::write_vectors(m_domain, m_result.flow, map);
   }
 
-  /// writes a likelihood in [0, 1] that mass passes each vertex or surfel: the mean length of the flow in the
-  /// incident triangles, divided by its maximum.
+  /// writes a likelihood in [0, 1] that mass passes each vertex or surfel: the mean length of the
+  /// flow in the incident triangles, divided by its maximum.
   /// \param map receives a `double` for each vertex or surfel
-  /// \param radius standard deviation of the diffusion that smooths the result, in the unit of the coordinates
+  /// \param radius standard deviation of the diffusion that smooths the result, in the unit of
+  ///   the coordinates
   template <typename LikelihoodMap>
   void write_likelihood(LikelihoodMap map, double radius = 0.) const
   {
@@ -90,8 +91,9 @@ public:
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{do_straighten}
-  ///     \cgalParamDescription{whether lines are shortened to geodesics; ignored if there is a metric, or
-  ///       a speed that is neither zero nor one} \cgalParamType{`bool`} \cgalParamDefault{`true`}
+  ///     \cgalParamDescription{whether lines are shortened to geodesics; ignored if there is a
+  ///       metric, or a speed that is neither zero nor one}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws Invalid_argument_error if there was no query
@@ -146,14 +148,14 @@ protected:
 
 /// computes earth mover's distances between mass distributions on one surface.
 ///
-/// The earth mover's distance, or 1-Wasserstein distance with the length of paths as cost, is the minimum of
-/// the integral of the length of a flow. The divergence of the flow is the difference of the two mass
-/// distributions. This class computes a flow that is constant in each face, and a potential of slope one that
-/// certifies a lower bound.  \cgalCite{cgal:srgb-emd-14}
+/// The earth mover's distance, or 1-Wasserstein distance with the length of paths as cost, is the
+/// minimum of the integral of the length of a flow. The divergence of the flow is the difference
+/// of the two mass distributions. This class computes a flow that is constant in each face, and a
+/// potential of slope one that certifies a lower bound.  \cgalCite{cgal:srgb-emd-14}
 ///
-/// Between two points the result is the geodesic distance minus an error of the order of an edge length: some
-/// tenths of a percent on common meshes, and zero in the plane. The distance is symmetric. It satisfies
-/// the triangle inequality up to the gap between the bounds.
+/// Between two points the result is the geodesic distance minus an error of the order of an edge
+/// length: some tenths of a percent on common meshes, and zero in the plane. The distance is
+/// symmetric. It satisfies the triangle inequality up to the gap between the bounds.
 ///
 /// A mass distribution is one of the following:
 /// - a vertex, surfel or location: a unit mass there,
@@ -163,8 +165,8 @@ protected:
 ///
 /// Both distributions must have the same total mass on each connected component.
 ///
-/// No mass crosses the boundary. On a cloud, the triangles of the local triangulation of each surfel are used.
-/// Copies share the factorizations, and can compute concurrently.
+/// No mass crosses the boundary. On a cloud, the triangles of the local triangulation of each
+/// surfel are used. Copies share the factorizations, and can compute concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -181,22 +183,25 @@ public:
   /// \param np named parameters of `make_domain()`, and the following
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{number_of_refinements}
-  ///     \cgalParamDescription{the number of uniform 1-to-4 subdivisions of each triangle; each halves the
-  ///       error and takes four to eight times as long}
+  ///     \cgalParamDescription{the number of uniform 1-to-4 subdivisions of each triangle; each
+  ///       halves the error and takes four to eight times as long}
   ///     \cgalParamType{`unsigned`}
   ///     \cgalParamDefault{1 up to 5,000 vertices or surfels, otherwise 0} \cgalParamNEnd
   ///   \cgalParamNBegin{speed_map}
-  ///     \cgalParamDescription{the speed at vertices or in faces, finite and not negative, zero in
-  ///       obstacles; the cost of a path is then its travel time}
-  ///     \cgalParamType{a property map with `double` values} \cgalParamDefault{1 everywhere} \cgalParamNEnd
+  ///     \cgalParamDescription{the speed at vertices or in faces, finite and not negative, zero
+  ///       in obstacles; the cost of a path is then its travel time}
+  ///     \cgalParamType{a property map with `double` values} \cgalParamDefault{1 everywhere}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{metric_map}
-  ///     \cgalParamDescription{a symmetric positive definite matrix M for each face or vertex: the length of
-  ///       a vector v is the square root of v<SUP>T</SUP> M v, divided by the speed}
+  ///     \cgalParamDescription{a symmetric positive definite matrix M for each face or vertex:
+  ///       the length of a vector v is the square root of v<SUP>T</SUP> M v, divided by the
+  ///       speed}
   ///     \cgalParamType{a property map with `Eigen::Matrix3d` values}
   ///     \cgalParamDefault{the identity} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `make_domain()`
-  /// \throws Unsupported_surface_error if no triangle has an area or the refined surface is too large
+  /// \throws Unsupported_surface_error if no triangle has an area or the refined surface is too
+  ///         large
   /// \throws Invalid_argument_error if a speed or a metric is invalid
   template <typename NamedParameters = internal::Default_parameters>
   explicit Earth_movers_solver(const Surface& surface,
@@ -208,36 +213,42 @@ public:
       : Base(domain, np)
   {}
 
-  /// computes the distance between two mass distributions, and replaces potential and flow of the last query.
+  /// computes the distance between two mass distributions, and replaces potential and flow of the
+  /// last query.
   ///
   /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
   /// \param from, to mass distributions as listed above
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{tolerance}
-  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which the
-  ///       iteration ends} \cgalParamType{`double`} \cgalParamDefault{0.001} \cgalParamNEnd
+  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
+  ///       the iteration ends}
+  ///     \cgalParamType{`double`} \cgalParamDefault{0.001} \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number_of_iterations}
-  ///     \cgalParamDescription{the maximum number of iterations on each level} \cgalParamType{`unsigned`}
-  ///     \cgalParamDefault{100, for `Alternating_directions` 5,000} \cgalParamNEnd
+  ///     \cgalParamDescription{the maximum number of iterations on each level}
+  ///     \cgalParamType{`unsigned`} \cgalParamDefault{100, for `Alternating_directions` 5,000}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_normalize}
   ///     \cgalParamDescription{whether both distributions are scaled to a total mass of one}
   ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{do_bound_from_above}
-  ///     \cgalParamDescription{whether `Earth_movers_cost::upper_continuous` is computed, which takes a few
-  ///       times as long; meshes only} \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamDescription{whether `Earth_movers_cost::upper_continuous` is computed, which
+  ///       takes a few times as long; meshes only}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{do_start_from_last}
-  ///     \cgalParamDescription{whether `Alternating_directions` starts from the final state of the last
-  ///       call, which saves iterations if the masses are similar} \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamDescription{whether `Alternating_directions` starts from the final state of
+  ///       the last call, which saves iterations if the masses are similar}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the iteration ends
-  ///       with the best bounds so far} \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
+  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the
+  ///       iteration ends with the best bounds so far}
+  ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the distance with certified bounds
-  /// \throws Invalid_argument_error if a mass is not finite, a location is not on the surface, a range is
-  ///         empty, total masses differ (on the surface or on a component), a distribution that is to be
-  ///         normalized has no positive total mass, or the tolerance is not positive
+  /// \throws Invalid_argument_error if a mass is not finite, a location is not on the surface, a
+  ///         range is empty, total masses differ (on the surface or on a component), a
+  ///         distribution that is to be normalized has no positive total mass, or the tolerance
+  ///         is not positive
   /// \throws Unsupported_surface_error if `do_bound_from_above` is set on a cloud
   ///
   /// The default method takes 5 to 20 iterations of O(n<SUP>1.5</SUP>) to a gap of 0.1 percent.

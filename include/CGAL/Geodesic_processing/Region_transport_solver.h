@@ -15,8 +15,9 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// Creates an exit for each source of the region, from its vertices or, if it has other locations, from its
-// polyline.  Reads `capacities` and `spreading_weight`.  Throws Invalid_argument_error as sources().
+// Creates an exit for each source of the region, from its vertices or, if it has other locations,
+// from its polyline.  Reads `capacities` and `spreading_weight`.  Throws Invalid_argument_error
+// as sources().
 template <typename Domain, typename Region, typename NamedParameters>
 Transport_region transport_region(const Domain& domain, const Region& region,
                                   const NamedParameters& np)
@@ -49,24 +50,27 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the minimum cost of moving mass distributions to one region, for example the exits of a building,
-/// or a curve.
+/// computes the minimum cost of moving mass distributions to one region, for example the exits of
+/// a building, or a curve.
 ///
-/// The distribution of arriving masses is a variable: each mass takes a shortest path to the region. The
-/// region consists of vertices or surfels, and of the edges and faces between them. On a mesh it can also
-/// contain curves and locations inside faces. Moving within the region costs nothing.
+/// The distribution of arriving masses is a variable: each mass takes a shortest path to the
+/// region. The region consists of vertices or surfels, and of the edges and faces between them.
+/// On a mesh it can also contain curves and locations inside faces. Moving within the region
+/// costs nothing.
 ///
-/// Faces that a curve crosses are split along the curve, so that mass arrives inside a face as easily as
-/// at a vertex. Arrivals inside a face are distributed to its vertices by barycentric coordinates.
+/// Faces that a curve crosses are split along the curve, so that mass arrives inside a face as
+/// easily as at a vertex. Arrivals inside a face are distributed to its vertices by barycentric
+/// coordinates.
 ///
-/// The potential is zero in the region. Elsewhere its absolute value is a lower bound of the distance to the
-/// region, which is close to the distance on all paths of the masses. Bounds are certified as those of
-/// `Earth_movers_solver`.  \cgalCite{cgal:srgb-emd-14}, section 6.3
+/// The potential is zero in the region. Elsewhere its absolute value is a lower bound of the
+/// distance to the region, which is close to the distance on all paths of the masses. Bounds are
+/// certified as those of `Earth_movers_solver`.  \cgalCite{cgal:srgb-emd-14}, section 6.3
 ///
-/// Each source of the region is an exit. Exits can have capacities, and a price for the density of arriving
-/// mass spreads the arrivals. With such limits moving between exits has a cost. The potential is then minus
-/// the marginal cost, the cost of one more unit of mass. At exits without price it is zero if capacity is
-/// left. At full exits it is negative, by the amount that one more unit of capacity saves.
+/// Each source of the region is an exit. Exits can have capacities, and a price for the density
+/// of arriving mass spreads the arrivals. With such limits moving between exits has a cost. The
+/// potential is then minus the marginal cost, the cost of one more unit of mass. At exits without
+/// price it is zero if capacity is left. At full exits it is negative, by the amount that one
+/// more unit of capacity saves.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -85,18 +89,19 @@ public:
   /// \param np named parameters of `Earth_movers_solver`, and the following
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{capacities}
-  ///     \cgalParamDescription{the maximum mass that can arrive at each source of the region: positive,
-  ///       infinite for no limit}
+  ///     \cgalParamDescription{the maximum mass that can arrive at each source of the region:
+  ///       positive, infinite for no limit}
   ///     \cgalParamType{a range of `double`} \cgalParamDefault{no limits} \cgalParamNEnd
   ///   \cgalParamNBegin{spreading_weight}
-  ///     \cgalParamDescription{the cost includes the integral of the squared density of arriving mass times
-  ///       this weight; the area of a source is a third of that of the faces incident to its vertices}
+  ///     \cgalParamDescription{the cost includes the integral of the squared density of arriving
+  ///       mass times this weight; the area of a source is a third of that of the faces incident
+  ///       to its vertices}
   ///     \cgalParamType{`double`} \cgalParamDefault{0} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
-  /// \throws Invalid_argument_error if the region is empty or has a location that is not on the surface (on a
-  ///         cloud: not at a surfel), if the number of capacities is not the number of sources, a capacity is
-  ///         not positive, or two sources with limits share a vertex
+  /// \throws Invalid_argument_error if the region is empty or has a location that is not on the
+  ///         surface (on a cloud: not at a surfel), if the number of capacities is not the number
+  ///         of sources, a capacity is not positive, or two sources with limits share a vertex
   template <typename Region, typename NamedParameters = internal::Default_parameters>
   Region_transport_solver(const Surface& surface, const Region& region,
                           const NamedParameters& np = NamedParameters())
@@ -108,14 +113,16 @@ public:
       : Base(domain, np, internal::transport_region(domain, region, np))
   {}
 
-  /// computes the minimum cost of moving masses to the region, and replaces the result of the last call.
+  /// computes the minimum cost of moving masses to the region, and replaces the result of the
+  /// last call.
   ///
-  /// \tparam Method as for `Earth_movers_solver::compute()`; only `Interior_point` if there are limits
+  /// \tparam Method as for `Earth_movers_solver::compute()`; only `Interior_point` if there are
+  ///   limits
   /// \param from a mass distribution as accepted by `Earth_movers_solver`
   /// \param np named parameters of `Earth_movers_solver::compute()`
   /// \returns the cost with certified bounds
-  /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`, and if a component with mass has no
-  ///         source of the region, or too little capacity
+  /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`, and if a component with
+  ///         mass has no source of the region, or too little capacity
   template <typename Method = Interior_point, typename From,
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const NamedParameters& np = NamedParameters())

@@ -24,18 +24,20 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes barycenters of mass distributions on one surface: the nonnegative mass distribution with the
-/// minimum weighted sum of squared earth mover's distances to the given ones.
+/// computes barycenters of mass distributions on one surface: the nonnegative mass distribution
+/// with the minimum weighted sum of squared earth mover's distances to the given ones.
 ///
-/// Each of the given distributions must be nonnegative, and is one of those accepted by `Earth_movers_solver`:
-/// a vertex, surfel or location (unit mass), a range of these, a property map of masses, or the result of
-/// `mass_density()`. All must have the same total mass on each connected component.
+/// Each of the given distributions must be nonnegative, and is one of those accepted by
+/// `Earth_movers_solver`: a vertex, surfel or location (unit mass), a range of these, a property
+/// map of masses, or the result of `mass_density()`. All must have the same total mass on each
+/// connected component.
 ///
-/// The minimum is not unique, since the objective is convex but not strictly convex. If several distributions
-/// have the same cost, any of them is returned. For two points, these are all distributions on
-/// shortest paths whose mean distances to both points are equal: for example, all mass at the midpoint, or
-/// half of it at each end. The cost is unique, and its bounds are certified as those of
-/// `Earth_movers_solver`. If the barycenter has to be a point, use `geodesic_barycenter()`.
+/// The minimum is not unique, since the objective is convex but not strictly convex. If several
+/// distributions have the same cost, any of them is returned. For two points, these are all
+/// distributions on shortest paths whose mean distances to both points are equal: for example,
+/// all mass at the midpoint, or half of it at each end. The cost is unique, and its bounds are
+/// certified as those of `Earth_movers_solver`. If the barycenter has to be a point, use
+/// `geodesic_barycenter()`.
 /// \cgalCite{cgal:srgb-emd-14}
 ///
 /// Speeds, metrics, boundaries and clouds are treated as in `Earth_movers_solver`. Copies share the
@@ -78,8 +80,9 @@ public:
   ///     \cgalParamDescription{a weight for each distribution: not negative, not all zero}
   ///     \cgalParamType{a range of numbers} \cgalParamDefault{1 for each} \cgalParamNEnd
   ///   \cgalParamNBegin{tolerance}
-  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which the
-  ///       iteration ends} \cgalParamType{`double`} \cgalParamDefault{0.01} \cgalParamNEnd
+  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
+  ///       the iteration ends}
+  ///     \cgalParamType{`double`} \cgalParamDefault{0.01} \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number_of_iterations}
   ///     \cgalParamDescription{the maximum number of iterations} \cgalParamType{`unsigned`}
   ///     \cgalParamDefault{5,000} \cgalParamNEnd
@@ -87,20 +90,22 @@ public:
   ///     \cgalParamDescription{whether each distribution is scaled to a total mass of one}
   ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{do_start_from_last}
-  ///     \cgalParamDescription{whether to start from the final state of the last call, which must have had as
-  ///       many distributions; for example, if only weights change} \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`} \cgalParamNEnd
+  ///     \cgalParamDescription{whether to start from the final state of the last call, which must
+  ///       have had as many distributions; for example, if only weights change}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the iteration ends
-  ///       with the best bounds so far} \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
+  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the
+  ///       iteration ends with the best bounds so far}
+  ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the cost of the barycenter with certified bounds
-  /// \throws Invalid_argument_error if there is no distribution, a mass is negative or not finite, a location
-  ///         is not on the surface, total masses differ (on the surface or on a component) or are zero, the
-  ///         weights are not as many as the distributions, a weight is negative or not finite, all
-  ///         weights are zero, or the tolerance is not positive
+  /// \throws Invalid_argument_error if there is no distribution, a mass is negative or not
+  ///         finite, a location is not on the surface, total masses differ (on the surface or on
+  ///         a component) or are zero, the weights are not as many as the distributions, a weight
+  ///         is negative or not finite, all weights are zero, or the tolerance is not positive
   ///
-  /// An iteration is O(k n log n) for k distributions. A gap of 1 percent takes some hundred iterations.
+  /// An iteration is O(k n log n) for k distributions. A gap of 1 percent takes some hundred
+  /// iterations.
   template <typename Masses, typename NamedParameters = internal::Default_parameters>
   Transport_barycenter_cost compute(const Masses& masses,
                                     const NamedParameters& np = NamedParameters())
@@ -125,17 +130,17 @@ public:
   /// \pre `compute()` was called
   double mass(Vertex vertex) const { return m_result.masses[m_domain.index(vertex)]; }
 
-  /// writes the mass of the barycenter at each vertex or surfel, a `double`. Masses at vertices that were
-  /// inserted by refinement are distributed to the original ones.
+  /// writes the mass of the barycenter at each vertex or surfel, a `double`. Masses at vertices
+  /// that were inserted by refinement are distributed to the original ones.
   template <typename MassMap>
   void write_masses(MassMap map) const
   {
     m_domain.write([&](internal::Index i) { return m_result.masses[i]; }, map);
   }
 
-  /// writes the density of the barycenter at each vertex or surfel: its mass divided by a third of the area
-  /// of the incident triangles, without obstacles. The density is zero if there is no mass, and infinite if
-  /// there is mass but no area.
+  /// writes the density of the barycenter at each vertex or surfel: its mass divided by a third
+  /// of the area of the incident triangles, without obstacles. The density is zero if there is no
+  /// mass, and infinite if there is mass but no area.
   template <typename DensityMap>
   void write_density(DensityMap map) const
   {

@@ -9,10 +9,11 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the earth mover's distance (1-Wasserstein distance) between two mass distributions on a surface,
-/// whose cost is the length of paths.
+/// computes the earth mover's distance (1-Wasserstein distance) between two mass distributions on
+/// a surface, whose cost is the length of paths.
 ///
-/// If many distributions on one surface are compared, use `Earth_movers_solver`, which factorizes only once.
+/// If many distributions on one surface are compared, use `Earth_movers_solver`, which factorizes
+/// only once.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
@@ -22,8 +23,8 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{potential_map}
-///     \cgalParamDescription{receives for each vertex or surfel the potential that certifies the lower
-///       bound, a function of slope at most one} \cgalParamNEnd
+///     \cgalParamDescription{receives for each vertex or surfel the potential that certifies the
+///       lower bound, a function of slope at most one} \cgalParamNEnd
 ///   \cgalParamNBegin{flow_map}
 ///     \cgalParamDescription{receives for each face or surfel the flow, a `Vector_3`: mass per unit
 ///       length of a line across it} \cgalParamNEnd

@@ -9,11 +9,11 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the barycenter of mass distributions: the distribution with the minimum weighted sum of squared
-/// earth mover's distances to the given ones.
+/// computes the barycenter of mass distributions: the distribution with the minimum weighted sum
+/// of squared earth mover's distances to the given ones.
 ///
-/// If several barycenters on one surface are computed, use `Transport_barycenter_solver`, which factorizes
-/// only once. See there for details.
+/// If several barycenters on one surface are computed, use `Transport_barycenter_solver`, which
+/// factorizes only once. See there for details.
 ///
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface the surface on which masses move

@@ -10,8 +10,8 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// stores the earth mover's distance of two mass distributions with certified bounds, in the unit of the
-/// coordinates times that of the masses.
+/// stores the earth mover's distance of two mass distributions with certified bounds, in the unit
+/// of the coordinates times that of the masses.
 struct Earth_movers_cost
 {
   double value = 0.; ///< the mean of the lower and the upper bound
@@ -24,8 +24,8 @@ struct Earth_movers_cost
   /// the same as `value`
   double estimate = 0.;
   unsigned iterations = 0; ///< the number of iterations on the finest level
-  /// the largest difference of the divergence of the flow and the masses, relative to the total mass
-  /// that is moved
+  /// the largest difference of the divergence of the flow and the masses, relative to the total
+  /// mass that is moved
   double residual = 0.;
   bool converged = false; ///< whether the gap between the bounds is within the tolerance
 };

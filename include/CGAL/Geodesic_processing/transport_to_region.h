@@ -9,11 +9,11 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the minimum cost of moving masses to a region, where each mass arrives at the vertex that is
-/// cheapest for it.
+/// computes the minimum cost of moving masses to a region, where each mass arrives at the vertex
+/// that is cheapest for it.
 ///
-/// If there are many mass distributions and one region, use `Region_transport_solver`, which factorizes only
-/// once.
+/// If there are many mass distributions and one region, use `Region_transport_solver`, which
+/// factorizes only once.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
@@ -27,8 +27,8 @@ namespace CGAL::Geodesic_processing {
 ///     \cgalParamDescription{receives for each vertex or surfel the mass that arrives there}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{potential_map}
-///     \cgalParamDescription{receives for each vertex or surfel the potential that certifies the lower
-///       bound, a function of slope at most one} \cgalParamNEnd
+///     \cgalParamDescription{receives for each vertex or surfel the potential that certifies the
+///       lower bound, a function of slope at most one} \cgalParamNEnd
 ///   \cgalParamNBegin{flow_map}
 ///     \cgalParamDescription{receives for each face or surfel the flow, a `Vector_3`: mass per unit
 ///       length of a line across it} \cgalParamNEnd

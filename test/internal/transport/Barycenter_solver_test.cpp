@@ -223,8 +223,8 @@ TEST(Barycenter_solver, full_weight_selects_mass)
   const Barycenter_result nearly_second =
       solver.solve({masses[0], masses[1]}, {1e-3, 1.}, with_tolerance(0.01));
   EXPECT_LE(nearly_second.lower, 1e-3 * distance * distance);
-  // The optimum is at 1e-3 of the distance.  A cost that is 1 % of 1e-3 too large moves it by at most 0.0032 of
-  // the distance.
+  // The optimum is at 1e-3 of the distance.  A cost that is 1 % of 1e-3 too large moves it by at
+  // most 0.0032 of the distance.
   EXPECT_LE(nearly_second.distances[1], 0.0043 * distance);
 }
 

@@ -102,8 +102,8 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
   }
 }
 
-// Refinement halves the error around masses at vertices.  Around masses inside triangles, the error depends on
-// their positions.
+// Refinement halves the error around masses at vertices.  Around masses inside triangles, the
+// error depends on their positions.
 TEST(Multilevel_transport_solver, estimate_extrapolates)
 {
   const Array_surface surface(jittered(icosphere(2), 0.03));
@@ -117,8 +117,8 @@ TEST(Multilevel_transport_solver, estimate_extrapolates)
   }
 }
 
-// Linear densities on a square, moved to the right.  On each line, the cost is the integral of the difference
-// of the cumulative masses before and after, 2 x - 2 x^2.
+// Linear densities on a square, moved to the right.  On each line, the cost is the integral of
+// the difference of the cumulative masses before and after, 2 x - 2 x^2.
 TEST(Multilevel_transport_solver, transports_densities)
 {
   const Array_surface surface(square(16, 0.24));
@@ -168,8 +168,8 @@ TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
   const double exact = 0.25 * distance_to_target(surface.point(4)) +
                        0.25 * distance_to_target(inner) +
                        0.5 * (std::sqrt(2.) + std::asinh(1.)) / 3.;
-  // If masses arrive at a point from all directions, the discretization error is a fraction of an edge length
-  // in each annulus of radii 1, 2, 4, ... edge lengths.
+  // If masses arrive at a point from all directions, the discretization error is a fraction of an
+  // edge length in each annulus of radii 1, 2, 4, ... edge lengths.
   for(const unsigned refinements : {0u, 2u})
   {
     const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
@@ -194,8 +194,8 @@ TEST(Multilevel_transport_solver, respects_metric)
   };
   EXPECT_NEAR(value({}), std::sqrt(2.), 1e-5);
   EXPECT_NEAR(value(std::vector<Metric_tensor>(n, {3., 0., 3.})), 3. * std::sqrt(2.), 3e-5);
-  // Doubling lengths along x gives the diagonal of a rectangle.  Tensors are given in the frame of each
-  // triangle.
+  // Doubling lengths along x gives the diagonal of a rectangle.  Tensors are given in the frame
+  // of each triangle.
   std::vector<Metric_tensor> metric;
   for(std::size_t f = 0; f < n; ++f)
   {
@@ -294,7 +294,8 @@ TEST(Multilevel_transport_solver, lower_bound_holds_across_degenerate_triangles)
   }
 }
 
-// Proposition 3 of Solomon and others 2014 holds for the exact minimum, so that only bounds are compared.
+// Proposition 3 of Solomon and others 2014 holds for the exact minimum, so that only bounds are
+// compared.
 TEST(Multilevel_transport_solver, satisfies_triangle_inequality)
 {
   const Array_surface surface(jittered(icosphere(3), 0.02));
@@ -319,8 +320,8 @@ TEST(Multilevel_transport_solver, satisfies_triangle_inequality)
   }
 }
 
-// Proposition 2 of Solomon and others 2014: if a uniform mass on a ball moves to another point, the distance
-// converges as the radius of the ball decreases.
+// Proposition 2 of Solomon and others 2014: if a uniform mass on a ball moves to another point,
+// the distance converges as the radius of the ball decreases.
 TEST(Multilevel_transport_solver, ball_converges_to_point)
 {
   const Array_surface surface(square(24, 0.24));
@@ -390,7 +391,8 @@ std::vector<Index> internal_vertices(const Array_surface& surface, const std::ve
   return result;
 }
 
-// Returns a square of 24 by 24 cells without the cells of two walls, each with an opening at one end.
+// Returns a square of 24 by 24 cells without the cells of two walls, each with an opening at one
+// end.
 Triangulation square_with_walls()
 {
   Triangulation result = square(24);
@@ -423,12 +425,13 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
       EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane the only error is the gap
-      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of a hundred masses in each step
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of many steps
       EXPECT_NEAR(-2. * found.potential[surface.vertex(from)], found.lower, round_off);
       for(const Index exit : exits)
       {
         EXPECT_EQ(found.potential[surface.vertex(exit)], 0.);
-        // All mass takes the shortest path.  Within the gap, a small fraction can take another exit.
+        // All mass takes the shortest path.  Within the gap, a small fraction can take another
+        // exit.
         const bool is_nearest =
             exact_distance(surface, surface.at(from), surface.at(exit)) < exact + round_off;
         EXPECT_NEAR(found.arrivals[surface.vertex(exit)], is_nearest ? 2. : 0., 1e-3);
@@ -437,7 +440,8 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
   }
 }
 
-// For a uniform source density, the potential is a lower bound of the distance everywhere, and close to it.
+// For a uniform source density, the potential is a lower bound of the distance everywhere, and
+// close to it.
 TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
 {
   for(const Triangulation& shape : {jittered(icosphere(3), 0.02), square(16, 0.24)})
@@ -467,7 +471,8 @@ TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
   }
 }
 
-// The region is one boundary edge of a square, given by its vertices.  Mass moves perpendicular to it.
+// The region is one boundary edge of a square, given by its vertices.  Mass moves perpendicular
+// to it.
 TEST(Multilevel_transport_solver, mass_arrives_along_region)
 {
   const Array_surface surface(square(8));
@@ -526,9 +531,10 @@ TEST(Multilevel_transport_solver, respects_capacities)
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
       EXPECT_LE(found.lower, exact * (1. + round_off));
-      // Around a vertex from which flows leave in several directions, a fraction of an edge length is lost.
+      // Around a vertex from which flows leave in several directions, a fraction of an edge
+      // length is lost.
       EXPECT_NEAR(found.value, exact, 2. * 0.2 / 24.);
-      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of a hundred masses in each step
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of many steps
       for(std::size_t i = 0; i < 3; ++i)
       {
         double arrived_mass = 0.;
@@ -553,7 +559,7 @@ TEST(Multilevel_transport_solver, spreading_weight_spreads_arrivals)
     Transport_region region;
     for(Index i = 0; i < surface.size(); ++i)
       region.exits.push_back({surface.vertex(i)});
-    const double area = scale * scale, weight = 1e3 * scale * area; // much more expensive than moving
+    const double area = scale * scale, weight = 1e3 * scale * area; // moving is much cheaper
     region.spreading_weight = weight;
     const Multilevel_transport_solver solver(surface.triangles(), 0, {}, region);
     const Transport_result found =

@@ -24,7 +24,8 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Relative round-off error of divergences after some tens of back substitutions, and of recomputed bounds.
+// Relative round-off error of divergences after some tens of back substitutions, and of
+// recomputed bounds.
 constexpr double round_off = 1e-9;
 
 Transport_options with_tolerance(double tolerance)
@@ -158,8 +159,8 @@ TEST(Transport_solver, error_is_below_one_percent_on_sphere)
       EXPECT_GT(value(from, to), 0.99 * exact);
       EXPECT_LT(value(from, to), exact * (1. + 0.5e-3)); // half the gap
     }
-  // Between the poles the flow leaves in all directions.  In a fan of five triangles, a function of slope
-  // one with equal values at the neighbors changes by at most 0.81 of an edge length.
+  // Between the poles the flow leaves in all directions.  In a fan of five triangles, a function
+  // of slope one with equal values at the neighbors changes by at most 0.81 of an edge length.
   EXPECT_GT(value(0, 3), 0.98 * exact_distance(surface, 0, 3));
 }
 
@@ -289,8 +290,9 @@ TEST(Transport_solver, handles_degenerate_triangles)
   EXPECT_NEAR(transport.value * surface.scale(), std::sqrt(2.), 0.01);
 }
 
-// A unit mass and three exits in one row of a square.  The potential is a function of the distances to the
-// exits, whose kinks are along columns of vertices; so that the discretization is exact.
+// A unit mass and three exits in one row of a square.  The potential is a function of the
+// distances to the exits, whose kinks are along columns of vertices; so that the discretization
+// is exact.
 struct Exit_problem
 {
   Array_surface surface{square(20)};
@@ -343,7 +345,8 @@ void expect_certified(const Exit_problem& problem, const std::vector<Exit>& exit
     EXPECT_LE(x, capacity);
     upper += 0.5 * price * x * x;
     missing[exits[i].vertex] += x;
-    // The potential is shifted such that the marginal cost is zero; the gain of an exit is minus the potential.
+    // The potential is shifted such that the marginal cost is zero; the gain of an exit is minus
+    // the potential.
     if(const double optimal_outflow = price > 0. ? std::min(gain / price, capacity) : capacity;
        gain > 0.)
       lower += optimal_outflow * (0.5 * price * optimal_outflow - gain);
@@ -410,7 +413,8 @@ TEST(Transport_solver, quadratic_prices_spread_outflow)
           problem.solver.solve(problem.masses, with_tolerance(1e-6), exits);
       expect_certified(problem, exits, transport);
       EXPECT_NEAR(transport.value, exact, 1e-5 * exact);
-      // The cost is quadratic around the minimum: a gap of 1e-6 bounds the error by its square root.
+      // The cost is quadratic around the minimum: a gap of 1e-6 bounds the error by its square
+      // root.
       EXPECT_LT((transport.outflow - outflow).norm(), std::sqrt(4e-6 * exact / price) + 1e-6);
     }
 }

@@ -24,9 +24,11 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
-/// stores a mass distribution with a density, which is linear in each triangle. See `mass_density()`.
+/// stores a mass distribution with a density, which is linear in each triangle. See
+/// `mass_density()`.
 ///
-/// \tparam PropertyMap a model of `ReadablePropertyMap` with vertices or surfels as keys and numbers as values
+/// \tparam PropertyMap a model of `ReadablePropertyMap` with vertices or surfels as keys and
+///   numbers as values
 template <typename PropertyMap>
 struct Mass_density
 {
@@ -73,8 +75,9 @@ Vector vertex_values(const Domain& domain, const PropertyMap& map)
   return result;
 }
 
-// Converts a vertex or location (unit mass), a range of these (unit mass in equal fractions), a property map
-// of masses, or a Mass_density.  Throws Invalid_argument_error if a range is empty or a location is invalid.
+// Converts a vertex or location (unit mass), a range of these (unit mass in equal fractions), a
+// property map of masses, or a Mass_density.  Throws Invalid_argument_error if a range is empty
+// or a location is invalid.
 template <typename Domain, typename From>
 Mass_distribution masses(const Domain& domain, const From& from)
 {
@@ -104,7 +107,8 @@ inline Metric_tensor square_root(const Metric_tensor& a)
   return {factor * (a[0] + determinant), factor * a[1], factor * (a[2] + determinant)};
 }
 
-// Returns the tensor of a face: from a map of faces, or the mean of its vertices from a map of vertices.
+// Returns the tensor of a face: from a map of faces, or the mean of its vertices from a map of
+// vertices.
 template <typename Domain, typename MetricMap>
 Eigen::Matrix3d face_metric(const Domain& domain, const MetricMap& map, Index triangle)
 {
@@ -120,10 +124,10 @@ Eigen::Matrix3d face_metric(const Domain& domain, const MetricMap& map, Index tr
     return get(map, domain.face(triangle));
 }
 
-// #triangles: returns the tensors of the kernels' metric, by which lengths of vectors v are |A v|, from
-// `speed_map` and `metric_map`; empty if both are missing.  A metric M in space is restricted to the plane of
-// the triangle, and A is the square root divided by the speed.  Throws Invalid_argument_error if a
-// tensor is not positive definite.  O(n).
+// #triangles: returns the tensors of the kernels' metric, by which lengths of vectors v are
+// |A v|, from `speed_map` and `metric_map`; empty if both are missing.  A metric M in space is
+// restricted to the plane of the triangle, and A is the square root divided by the speed.  Throws
+// Invalid_argument_error if a tensor is not positive definite.  O(n).
 template <typename Domain, typename NamedParameters>
 std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParameters& np)
 {

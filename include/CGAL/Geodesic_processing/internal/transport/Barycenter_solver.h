@@ -30,8 +30,8 @@ struct Barycenter_options
   Barycenter_state warm_start;
 };
 
-// The bounds of a query (squared lengths times squared masses times weights) with the barycenter, and with
-// the potentials and flows that certify the bounds.
+// The bounds of a query (squared lengths times squared masses times weights) with the barycenter,
+// and with the potentials and flows that certify the bounds.
 struct Barycenter_result : Transport_barycenter_cost
 {
   Vector masses;                  // #vertices: the barycenter
@@ -40,20 +40,22 @@ struct Barycenter_result : Transport_barycenter_cost
   Barycenter_state state;         // the final iterate
 };
 
-// Throws Invalid_argument_error if the number of weights is not `number`, a weight is negative or not
-// finite, or all weights are zero.
+// Throws Invalid_argument_error if the number of weights is not `number`, a weight is negative or
+// not finite, or all weights are zero.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_weights(const std::vector<double>& weights, std::size_t number);
 
-// Computes barycenters of masses m_i with weights w_i for the squared earth mover's distance W: the masses
-// m >= 0 that minimize the sum of w_i W(m, m_i)^2 (Solomon, Rustamov, Guibas and Butscher 2014),
+// Computes barycenters of masses m_i with weights w_i for the squared earth mover's distance W:
+// the masses m >= 0 that minimize the sum of w_i W(m, m_i)^2 (Solomon, Rustamov, Guibas and
+// Butscher 2014),
 //   minimize the sum of w_i (integral of |J_i|)^2 subject to divergence(J_i) = m_i - m for all i.
 //
-// Both bounds are certified.  Every feasible m with flows J_i is an upper bound.  For the lower bound,
-// W^2 is the maximum of 2 (integral of phi (m_i - m)) - t^2 over functions with |gradient(phi)| <= t.
-// Thus potentials phi_i of slopes t_i, with the best common factor, prove L^2 / (sum of w_i t_i^2).  L is
-// the sum of w_i (integral of phi_i m_i) minus the maximum over m of the integral of the sum of
-// w_i phi_i m.  That maximum puts all mass at the highest vertex of each component.
+// Both bounds are certified.  Every feasible m with flows J_i is an upper bound.  For the lower
+// bound, W^2 is the maximum of 2 (integral of phi (m_i - m)) - t^2 over functions with
+// |gradient(phi)| <= t. Thus potentials phi_i of slopes t_i, with the best common factor, prove
+// L^2 / (sum of w_i t_i^2).  L is the sum of w_i (integral of phi_i m_i) minus the maximum over m
+// of the integral of the sum of w_i phi_i m.  That maximum puts all mass at the highest vertex of
+// each component.
 //
 // The method is ADMM.  It alternates between the projection to flows that have a common m, two back
 // substitutions with precomputed factorizations, and shrinking flows and clamping masses at zero.
@@ -69,8 +71,8 @@ public:
   //
   // masses   each #vertices, not negative; on each component all have the same sum, up to 1e-9
   // weights  #masses: not negative, not all zero
-  // Throws Invalid_argument_error if masses or weights are invalid, or if the tolerance is not positive.
-  // An iteration is O(k n log n) for k masses.
+  // Throws Invalid_argument_error if masses or weights are invalid, or if the tolerance is not
+  // positive. An iteration is O(k n log n) for k masses.
   Barycenter_result solve(const std::vector<Vector>& masses, const std::vector<double>& weights,
                           const Barycenter_options& options = {}) const;
 

@@ -36,8 +36,9 @@ Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fi
                           const Mass_distribution& masses);
 
 // Returns `to` minus `from`, each divided by its total mass if `do_normalize` is set.  Throws
-// Invalid_argument_error if a mass is not finite, if the total masses differ by more than 1e-9 of the sum of
-// absolute masses, or if a distribution that is to be normalized has no positive total mass.
+// Invalid_argument_error if a mass is not finite, if the total masses differ by more than 1e-9 of
+// the sum of absolute masses, or if a distribution that is to be normalized has no positive total
+// mass.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,
                              const Mass_distribution& from, const Mass_distribution& to,

@@ -12,30 +12,32 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Computes barycenters on a surface that is refined uniformly, optionally with a metric: places the masses
-// on the finest level, calls Barycenter_solver, and maps the result back to the input.
+// Computes barycenters on a surface that is refined uniformly, optionally with a metric: places
+// the masses on the finest level, calls Barycenter_solver, and maps the result back to the input.
 //
 // Const member functions can be called concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Multilevel_barycenter_solver
 {
 public:
   // refinements, metric  as for Multilevel_transport_solver
-  // Throws Unsupported_surface_error if no triangle has an area or the refined surface is too large.
+  // Throws Unsupported_surface_error if no triangle has an area or the refined surface is too
+  // large.
   explicit Multilevel_barycenter_solver(std::shared_ptr<const Surface_arrays> triangles,
                                         unsigned refinements = 0,
                                         std::vector<Metric_tensor> metric = {});
 
-  // Computes a barycenter in the unit of the coordinates.  Masses and flows of the result are those of the
-  // vertices and triangles before refinement; potentials are omitted.
+  // Computes a barycenter in the unit of the coordinates.  Masses and flows of the result are
+  // those of the vertices and triangles before refinement; potentials are omitted.
   //
   // do_normalize  scales each mass distribution to a total mass of one
-  // Throws Invalid_argument_error as Barycenter_solver, and if a distribution that is to be normalized has no
-  // finite positive total mass.
+  // Throws Invalid_argument_error as Barycenter_solver, and if a distribution that is to be
+  // normalized has no finite positive total mass.
   Barycenter_result solve(const std::vector<Mass_distribution>& masses,
                           const std::vector<double>& weights, bool do_normalize = false,
                           const Barycenter_options& options = {}) const;
 
-  // #vertices: a third of the area of the incident triangles, in the squared unit of the coordinates.
+  // #vertices: a third of the area of the incident triangles, in the squared unit of the
+  // coordinates.
   const Vector& vertex_areas() const { return m_vertex_areas; }
 
 private:

@@ -18,16 +18,17 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the default number of uniform refinements.  On coarse surfaces the cost between points is
-// more than a percent too small; a query on the refined surface takes some tenths of a second there.
+// Returns the default number of uniform refinements.  On coarse surfaces the cost between points
+// is more than a percent too small; a query on the refined surface takes some tenths of a second
+// there.
 inline unsigned default_number_of_refinements(const Surface_arrays& triangles)
 {
   return triangles.number_of_vertices() <= 5000 ? 1 : 0;
 }
 
-// The region at which mass can leave the surface: a list of exits.  An exit is a set of vertices, with
-// the edges and triangles between them, or a polyline on a mesh.  Moving within an exit costs nothing.
-// Without limits, moving between exits costs nothing either.
+// The region at which mass can leave the surface: a list of exits.  An exit is a set of vertices,
+// with the edges and triangles between them, or a polyline on a mesh.  Moving within an exit
+// costs nothing. Without limits, moving between exits costs nothing either.
 struct Transport_region
 {
   std::vector<std::vector<Index>> exits; // #exits: vertices; empty for a polyline
@@ -43,9 +44,10 @@ struct Transport_region
   bool is_limited() const { return !capacity.empty() || spreading_weight > 0.; }
 };
 
-// Computes optimal transport on a surface that is refined uniformly, optionally with a metric and with a
-// region: prepares a Transport_solver for the last two levels, solves on both, extrapolates, and maps
-// the result back to the triangles of the input.  Results are in the unit of the coordinates.
+// Computes optimal transport on a surface that is refined uniformly, optionally with a metric and
+// with a region: prepares a Transport_solver for the last two levels, solves on both,
+// extrapolates, and maps the result back to the triangles of the input.  Results are in the unit
+// of the coordinates.
 //
 // Const member functions can be called concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Multilevel_transport_solver
@@ -56,32 +58,36 @@ public:
   //              definite tensor in the plane of the unfolded triangle; infinite in obstacles
   // region       required by solve_to_region(); not used by solve()
   //
-  // Throws Unsupported_surface_error if no triangle has an area or the refined surface is too large.
-  // Throws Invalid_argument_error if exits share a vertex, a limit is invalid, or a cloud has curves.
+  // Throws Unsupported_surface_error if no triangle has an area or the refined surface is too
+  // large.
+  // Throws Invalid_argument_error if exits share a vertex, a limit is invalid, or a cloud has
+  // curves.
   explicit Multilevel_transport_solver(std::shared_ptr<const Surface_arrays> triangles,
                                        unsigned refinements = 0,
                                        std::vector<Metric_tensor> metric = {},
                                        Transport_region region = {});
 
-  // Computes the transport from one mass distribution to another.  Throws Invalid_argument_error if a mass
-  // is not finite, if the total masses differ (on the surface or on a component), or if a distribution
-  // that is to be normalized has no positive total mass.
+  // Computes the transport from one mass distribution to another.  Throws Invalid_argument_error
+  // if a mass is not finite, if the total masses differ (on the surface or on a component), or if
+  // a distribution that is to be normalized has no positive total mass.
   Transport_result solve(const Mass_distribution& from, const Mass_distribution& to,
                          const Transport_options& options = {}) const;
 
-  // Computes the transport of a mass distribution to the region, with free marginal: each mass arrives
-  // in the region at minimum cost.  Without limits the potential is zero in the region, and elsewhere its
-  // absolute value is a lower bound of the distance to the region.  With limits it is the potential of
-  // Transport_solver.  Throws as solve(), and if a component with mass has no exit or too little capacity.
+  // Computes the transport of a mass distribution to the region, with free marginal: each mass
+  // arrives in the region at minimum cost.  Without limits the potential is zero in the region,
+  // and elsewhere its absolute value is a lower bound of the distance to the region.  With limits
+  // it is the potential of Transport_solver.  Throws as solve(), and if a component with mass has
+  // no exit or too little capacity.
   Transport_result solve_to_region(const Mass_distribution& from,
                                    const Transport_options& options = {}) const;
 
-  // Prepares streamlines of the flow of a result.  On a mesh this takes two factorizations and some hundred
-  // back substitutions.
+  // Prepares streamlines of the flow of a result.  On a mesh this takes two factorizations and
+  // some hundred back substitutions.
   Streamlines streamlines(const Transport_result& result) const;
 
-  // Returns whether lengths are those of the surface, that is, whether the metric is the identity, on
-  // meshes except in obstacles.  Only then can streamlines be shortened on open_triangles().
+  // Returns whether lengths are those of the surface, that is, whether the metric is the
+  // identity, on meshes except in obstacles.  Only then can streamlines be shortened on
+  // open_triangles().
   bool has_surface_metric() const;
 
   // Returns the triangles before refinement, with twins removed along the boundary of obstacles.

@@ -46,8 +46,9 @@ struct Exit
 };
 
 // The bounds of a query (lengths times masses) with the potential and the flow that certify them.
-// Transport_solver uses the unit of length of its operators, Multilevel_transport_solver that of the
-// coordinates; there, potential and flow are those of the vertices and triangles before refinement.
+// Transport_solver uses the unit of length of its operators, Multilevel_transport_solver that of
+// the coordinates; there, potential and flow are those of the vertices and triangles before
+// refinement.
 struct Transport_result : Earth_movers_cost
 {
   Vector potential;  // #vertices: increases along the flow, by at most 1 per unit of length
@@ -58,7 +59,8 @@ struct Transport_result : Earth_movers_cost
   Mass_distribution from, to; // as they were moved; of solve_to_region() only `from`
 };
 
-// Converts a result from the unit of the operators, of length `scale`, to the unit of the coordinates.
+// Converts a result from the unit of the operators, of length `scale`, to the unit of the
+// coordinates.
 inline void rescale(Transport_result& result, double scale)
 {
   for(double* cost :
@@ -69,21 +71,22 @@ inline void rescale(Transport_result& result, double scale)
     vector = (1. / scale) * vector;
 }
 
-// Computes the earth mover's distance whose cost is the length of paths, in Beckmann's formulation
-// (Solomon, Rustamov, Guibas and Butscher 2014, without their spectral truncation).  Over all fields J
-// that are constant in each triangle,
+// Computes the earth mover's distance whose cost is the length of paths, in Beckmann's
+// formulation (Solomon, Rustamov, Guibas and Butscher 2014, without their spectral truncation).
+// Over all fields J that are constant in each triangle,
 //   minimize the integral of |J| subject to divergence(J) = b.
-// The dual problem is to maximize the sum of b times phi subject to |gradient(phi)| <= 1 in each triangle.
+// The dual problem is to maximize the sum of b times phi subject to |gradient(phi)| <= 1 in each
+// triangle.
 //
-// Both bounds are certified: every feasible J is an upper bound, and every phi, divided by its maximum
-// slope, is a lower bound.  A function phi of slope one changes no faster than the geodesic distance.
-// Therefore the lower bound also holds for the distance on the surface itself.  On smooth surfaces the
-// distance is larger by O(edge length).
+// Both bounds are certified: every feasible J is an upper bound, and every phi, divided by its
+// maximum slope, is a lower bound.  A function phi of slope one changes no faster than the
+// geodesic distance. Therefore the lower bound also holds for the distance on the surface itself.
+// On smooth surfaces the distance is larger by O(edge length).
 //
 // The default method is a primal-dual interior point method for the second-order cone program:
 // Nesterov-Todd scaling, Mehrotra's predictor and corrector, Gondzio's centrality corrector.  The
-// matrix of each iteration is a Laplacian with a tensor in each triangle.  All of these matrices have
-// one sparsity pattern, whose symbolic analysis is shared by all queries.
+// matrix of each iteration is a Laplacian with a tensor in each triangle.  All of these matrices
+// have one sparsity pattern, whose symbolic analysis is shared by all queries.
 //
 // To a gap of 0.1 percent, 5 to 9 iterations are needed between points of models of 6,000 to 40,000
 // vertices, and 16 to 21 between smooth densities (test/benchmark/transport.cpp).  O(n^1.5) each.
@@ -97,21 +100,22 @@ public:
 
   // Computes bounds, potential and flow for the given masses.
   //
-  // masses  #vertices: target mass minus source mass.  On each component they must sum to zero, up to
-  //         1e-9 of the sum of their absolute values.
-  // exits   If a component has exits, its surplus of source mass leaves through them, and the bounds
-  //         include the prices.  The potential is then minus the marginal cost of mass that leaves: it
-  //         is -price * outflow at an exit with capacity left, and at most that at a full one.
-  //         `interior_point` only.
+  // masses  #vertices: target mass minus source mass.  On each component they must sum to zero,
+  //         up to 1e-9 of the sum of their absolute values.
+  // exits   If a component has exits, its surplus of source mass leaves through them, and the
+  //         bounds include the prices.  The potential is then minus the marginal cost of mass
+  //         that leaves: it is -price * outflow at an exit with capacity left, and at most that
+  //         at a full one. `interior_point` only.
   //
-  // Throws Invalid_argument_error if a mass is not finite, the masses do not sum to zero, the tolerance is
-  // not positive, an exit is invalid, or the exits of a component have too little capacity.
+  // Throws Invalid_argument_error if a mass is not finite, the masses do not sum to zero, the
+  // tolerance is not positive, an exit is invalid, or the exits of a component have too little
+  // capacity.
   Transport_result solve(const Vector& masses, const Transport_options& options = {},
                          const std::vector<Exit>& exits = {}) const;
 
-  // Returns the flow with the given divergence that minimizes the integral of its squared length.  The
-  // masses must sum to zero on each component.  One back substitution.  Applied to
-  // masses - minus_divergence(J), it returns the smallest correction that makes a field J feasible.
+  // Returns the flow with the given divergence that minimizes the integral of its squared length.
+  // The masses must sum to zero on each component.  One back substitution.  Applied to masses -
+  // minus_divergence(J), it returns the smallest correction that makes a field J feasible.
   Field least_squares_flow(const Vector& masses) const;
 
   const Operators& operators() const { return m_operators; }
