@@ -99,11 +99,28 @@ Field Transport_solver::least_squares_flow(const Vector& masses) const
   return gradient(m_operators, m_solver->solve(masses));
 }
 
-void Transport_solver::add_to_component(Vector& function, Index component, double value) const
+Transport_result Transport_solver::zero_result(std::size_t number_of_exits) const
 {
-  for(std::size_t vertex = 0; vertex < m_component.size(); ++vertex)
-    if(m_component[vertex] == component)
-      function[Eigen::Index(vertex)] += value;
+  Transport_result result;
+  result.potential = Vector::Zero(Eigen::Index(m_operators.number_of_vertices));
+  result.flow.assign(m_operators.number_of_triangles(), Vec2{0., 0.});
+  result.outflow = Vector::Zero(Eigen::Index(number_of_exits));
+  result.converged = true;
+  return result;
+}
+
+void Transport_solver::shift_to_marginal_cost(const Exit_groups& groups, Vector& potential) const
+{
+  const auto subtract = [&](Index component, double value)
+  {
+    for(std::size_t vertex = 0; vertex < m_component.size(); ++vertex)
+      if(m_component[vertex] == component)
+        potential[Eigen::Index(vertex)] -= value;
+  };
+  for(const Exit_group& group : groups.open)
+    subtract(group.component, dual_exit_cost(group, potential).marginal_cost);
+  for(const Exit_group& group : groups.full)
+    subtract(group.component, full_marginal_cost(group, potential));
 }
 
 Transport_result Transport_solver::solve(const Vector& masses, const Transport_options& options,
@@ -114,14 +131,7 @@ Transport_result Transport_solver::solve(const Vector& masses, const Transport_o
     throw Invalid_argument_error("The tolerance is not positive.");
   const double moved_mass = exits.empty() ? 0.5 * masses.lpNorm<1>() : masses.lpNorm<1>();
   if(moved_mass == 0.)
-  {
-    Transport_result result;
-    result.potential = Vector::Zero(masses.size());
-    result.flow.assign(m_operators.number_of_triangles(), Vec2{0., 0.});
-    result.outflow = Vector::Zero(Eigen::Index(exits.size()));
-    result.converged = true;
-    return result;
-  }
+    return zero_result(exits.size());
   Vector normalized_masses = masses / moved_mass;
   const Exit_groups groups = group_exits(exits, m_component, normalized_masses, moved_mass);
   if(!groups.open.empty() && options.method != Transport_method::interior_point)
@@ -139,12 +149,7 @@ Transport_result Transport_solver::solve(const Vector& masses, const Transport_o
     normalized_masses[exits[exit].vertex] += outflow[Eigen::Index(exit)] =
         result.outflow[Eigen::Index(i)];
   }
-  for(const Exit_group& group : groups.open)
-    add_to_component(result.potential, group.component,
-                     -dual_exit_cost(group, result.potential).marginal_cost);
-  for(const Exit_group& group : groups.full)
-    add_to_component(result.potential, group.component,
-                     -full_marginal_cost(group, result.potential));
+  shift_to_marginal_cost(groups, result.potential);
   result.residual =
       (minus_divergence(m_operators, result.flow) - normalized_masses).lpNorm<Eigen::Infinity>();
   result.lower *= moved_mass;

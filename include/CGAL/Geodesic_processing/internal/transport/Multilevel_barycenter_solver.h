@@ -47,6 +47,12 @@ private:
     std::vector<double> area; // #triangles: zero in obstacles; only of the first and last level
   };
 
+  // #vertices of the finest level: the masses of a distribution, scaled to a sum of one on request.
+  Vector finest_masses(Mass_distribution distribution, bool do_normalize) const;
+  // #triangles of the input: a flow of the finest level in the unit of the coordinates, without
+  // metric.
+  Field restored(Field flow) const;
+
   std::vector<Level> m_levels;         // from coarse to fine
   std::vector<Metric_tensor> m_metric; // of the finest triangles, or empty
   Vector m_vertex_areas;

@@ -8,11 +8,14 @@
 #include <CGAL/Geodesic_processing/internal/transport/admm.h>
 #include <CGAL/Geodesic_processing/transport_costs.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
+
+struct Exit_groups;
 
 enum class Transport_method
 {
@@ -28,8 +31,7 @@ struct Transport_options
   double tolerance = 1e-3;              // relative gap between the bounds: (upper - lower) / upper
   unsigned maximum_iterations = 0;      // 0 uses the default of the method: 100, for `admm` 5000
   std::function<bool(double)> callback; // receives the progress in [0, 1]; returns false to cancel
-  Admm::State
-      warm_start; // `admm` only: the final state of an earlier query of this solver, or empty
+  Admm::State warm_start;               // `admm` only: final state of an earlier query, or empty
 
   // Used by Multilevel_transport_solver only.
   bool do_normalize = false;        // scales both mass distributions to a total mass of one
@@ -80,7 +82,7 @@ inline void rescale(Transport_result& result, double scale)
 //
 // Both bounds are certified: every feasible J is an upper bound, and every phi, divided by its
 // maximum slope, is a lower bound.  A function phi of slope one changes no faster than the
-// geodesic distance. Therefore the lower bound also holds for the distance on the surface itself.
+// geodesic distance.  Therefore the lower bound also holds for the distance on the surface itself.
 // On smooth surfaces the distance is larger by O(edge length).
 //
 // The default method is a primal-dual interior point method for the second-order cone program:
@@ -114,8 +116,10 @@ public:
                          const std::vector<Exit>& exits = {}) const;
 
   // Returns the flow with the given divergence that minimizes the integral of its squared length.
-  // The masses must sum to zero on each component.  One back substitution.  Applied to masses -
-  // minus_divergence(J), it returns the smallest correction that makes a field J feasible.
+  // The masses must sum to zero on each component.  One back substitution.
+  //
+  // To make a field J feasible with the smallest correction, add the flow of the masses
+  // masses - minus_divergence(J).
   Field least_squares_flow(const Vector& masses) const;
 
   const Operators& operators() const { return m_operators; }
@@ -123,7 +127,10 @@ public:
 private:
   void check_input(const Vector& masses, const std::vector<Exit>& exits) const;
   void check_totals(const Vector& masses, const std::vector<Exit>& exits) const;
-  void add_to_component(Vector& function, Index component, double value) const;
+  // Returns the result for masses that are all zero.
+  Transport_result zero_result(std::size_t number_of_exits) const;
+  // Subtracts from the potential of each component with exits their marginal cost.
+  void shift_to_marginal_cost(const Exit_groups& groups, Vector& potential) const;
 
   Operators m_operators;
   Laplacian m_laplacian;
