@@ -264,8 +264,8 @@ TEST(Earth_movers_solver, throws_on_invalid_masses)
   for(const double tolerance : {0., -1., std::nan("")})
     EXPECT_THROW(solver.compute(Vertex(0), Vertex(3), GP::parameters::tolerance(tolerance)),
                  GP::Invalid_argument_error);
-  const Mesh nothing;
-  EXPECT_THROW(GP::Earth_movers_solver<Mesh>{nothing}, GP::Unsupported_surface_error);
+  const Mesh empty;
+  EXPECT_THROW(GP::Earth_movers_solver<Mesh>{empty}, GP::Unsupported_surface_error);
 }
 
 } // namespace

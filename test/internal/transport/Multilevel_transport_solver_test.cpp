@@ -350,16 +350,16 @@ TEST(Multilevel_transport_solver, methods_agree)
   const double value = solver.solve(from, to, with_tolerance(1e-5)).value;
   Transport_options options = with_tolerance(0.01);
   options.method = Transport_method::admm;
-  const Transport_result split = solver.solve(from, to, options);
-  EXPECT_TRUE(split.converged);
-  EXPECT_LE(split.lower, value * (1. + 1e-5));
-  EXPECT_GE(split.upper, value * (1. - 1e-5));
+  const Transport_result cold_start = solver.solve(from, to, options);
+  EXPECT_TRUE(cold_start.converged);
+  EXPECT_LE(cold_start.lower, value * (1. + 1e-5));
+  EXPECT_GE(cold_start.upper, value * (1. - 1e-5));
   // From the final state, with the same masses.
-  options.warm_start = split.state;
+  options.warm_start = cold_start.state;
   const Transport_result warm_started = solver.solve(from, to, options);
   EXPECT_TRUE(warm_started.converged);
   EXPECT_LE(warm_started.iterations, 20u);
-  EXPECT_LT(warm_started.iterations, split.iterations);
+  EXPECT_LT(warm_started.iterations, cold_start.iterations);
 
   options = with_tolerance(0.02);
   options.method = Transport_method::weiszfeld;
@@ -621,17 +621,17 @@ TEST(Multilevel_transport_solver, throws_on_invalid_masses)
 {
   const Array_surface surface(square(4));
   const Multilevel_transport_solver solver(surface.triangles());
-  Mass_distribution nothing, invalid = at(surface.at(3), std::nan("")),
-                             none_at_all = at(surface.at(3), 0.);
+  Mass_distribution empty, invalid = at(surface.at(3), std::nan("")),
+                           zero_mass = at(surface.at(3), 0.);
   const Mass_distribution one = at(surface.at(0)), two = at(surface.at(5), 2.);
   EXPECT_THROW(solver.solve(one, two), Invalid_argument_error);
   EXPECT_THROW(solver.solve(one, invalid), Invalid_argument_error);
-  EXPECT_THROW(solver.solve(one, nothing), Invalid_argument_error);
-  EXPECT_EQ(solver.solve(nothing, none_at_all).value, 0.);
+  EXPECT_THROW(solver.solve(one, empty), Invalid_argument_error);
+  EXPECT_EQ(solver.solve(empty, zero_mass).value, 0.);
   Transport_options options;
   options.do_normalize = true;
   EXPECT_NO_THROW(solver.solve(one, two, options));
-  EXPECT_THROW(solver.solve(one, none_at_all, options), Invalid_argument_error);
+  EXPECT_THROW(solver.solve(one, zero_mass, options), Invalid_argument_error);
   EXPECT_THROW(solver.solve(at(surface.at(0), -1.), one, options), Invalid_argument_error);
   EXPECT_THROW(Multilevel_transport_solver(surface.triangles(), 20), Unsupported_surface_error);
 }

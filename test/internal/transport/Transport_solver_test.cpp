@@ -425,8 +425,7 @@ TEST(Transport_solver, exits_serve_their_component)
   const Transport_solver solver(operators(surface.t()));
   Vector masses = Vector::Zero(surface.size());
   masses[surface.vertex(0)] = -2.;
-  masses[surface.vertex(49)] =
-      -3.; // on the second component, from one corner to another
+  masses[surface.vertex(49)] = -3.; // on the second component, from one corner to another
   masses[surface.vertex(55)] = 3.;
   const Transport_result transport = solver.solve(
       masses, with_tolerance(1e-6), {{surface.vertex(6), 5., 0.}, {surface.vertex(90), 1., 0.}});
