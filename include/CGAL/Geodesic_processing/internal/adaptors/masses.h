@@ -32,8 +32,7 @@ namespace CGAL::Geodesic_processing {
 template <typename PropertyMap>
 struct Mass_density
 {
-  PropertyMap
-      map; ///< the mass per area at each vertex or surfel, per squared unit of the coordinates
+  PropertyMap map; ///< mass per area at each vertex or surfel, in the unit of the coordinates
 };
 
 /// \ingroup PkgGeodesicProcessingTransport

@@ -52,7 +52,7 @@ void check_weights(const std::vector<double>& weights, std::size_t number);
 //
 // Both bounds are certified.  Every feasible m with flows J_i is an upper bound.  For the lower
 // bound, W^2 is the maximum of 2 (integral of phi (m_i - m)) - t^2 over functions with
-// |gradient(phi)| <= t. Thus potentials phi_i of slopes t_i, with the best common factor, prove
+// |gradient(phi)| <= t.  Thus potentials phi_i of slopes t_i, with the best common factor, prove
 // L^2 / (sum of w_i t_i^2).  L is the sum of w_i (integral of phi_i m_i) minus the maximum over m
 // of the integral of the sum of w_i phi_i m.  That maximum puts all mass at the highest vertex of
 // each component.
@@ -72,7 +72,8 @@ public:
   // masses   each #vertices, not negative; on each component all have the same sum, up to 1e-9
   // weights  #masses: not negative, not all zero
   // Throws Invalid_argument_error if masses or weights are invalid, or if the tolerance is not
-  // positive. An iteration is O(k n log n) for k masses.
+  // positive.
+  // An iteration is O(k n log n) for k masses.
   Barycenter_result solve(const std::vector<Vector>& masses, const std::vector<double>& weights,
                           const Barycenter_options& options = {}) const;
 

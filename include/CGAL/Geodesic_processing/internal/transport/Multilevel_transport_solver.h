@@ -19,8 +19,8 @@
 namespace CGAL::Geodesic_processing::internal {
 
 // Returns the default number of uniform refinements.  On coarse surfaces the cost between points
-// is more than a percent too small; a query on the refined surface takes some tenths of a second
-// there.
+// can be more than a percent too small, and a query on the refined surface still takes only some
+// tenths of a second.
 inline unsigned default_number_of_refinements(const Surface_arrays& triangles)
 {
   return triangles.number_of_vertices() <= 5000 ? 1 : 0;
@@ -28,12 +28,12 @@ inline unsigned default_number_of_refinements(const Surface_arrays& triangles)
 
 // The region at which mass can leave the surface: a list of exits.  An exit is a set of vertices,
 // with the edges and triangles between them, or a polyline on a mesh.  Moving within an exit
-// costs nothing. Without limits, moving between exits costs nothing either.
+// costs nothing.  Without limits, moving between exits costs nothing either.
 struct Transport_region
 {
-  std::vector<std::vector<Index>> exits; // #exits: vertices; empty for a polyline
-  std::vector<std::vector<Surface_location>>
-      curves;                   // #exits: polylines of Curve_embedding; or empty
+  std::vector<std::vector<Index>> exits; // #exits: vertices; empty if the exit is a polyline
+  // #exits, or empty: polylines as for Curve_embedding; empty if the exit is a set of vertices
+  std::vector<std::vector<Surface_location>> curves;
   std::vector<double> capacity; // #exits: mass that can arrive, may be infinite; empty for no limit
   double spreading_weight = 0.; // adds this times the integral of the squared density of arrivals
 
@@ -56,7 +56,7 @@ public:
   // refinements  number of 1-to-4 subdivisions of each triangle
   // metric       #triangles, or empty: the length of a vector v is |A v|, where A is this positive
   //              definite tensor in the plane of the unfolded triangle; infinite in obstacles
-  // region       required by solve_to_region(); not used by solve()
+  // region       for solve_to_region(); must be empty if solve() is called
   //
   // Throws Unsupported_surface_error if no triangle has an area or the refined surface is too
   // large.
