@@ -143,8 +143,8 @@ private:
 
   std::size_t size() const { return m_masses.size(); }
 
-  // An iteration.  With x = z - u and the target masses m - mass_dual, the projection is x plus the
-  // gradients of the columns of `potentials`, with the common masses `projected_masses`.
+  // Computes an iteration.  This projects x = z - u and the masses m - mass_dual.  The projection
+  // of the flows is x plus the gradients of `potentials`.
   void step()
   {
     auto& [z, u, m, mass_dual, factor] = m_state;

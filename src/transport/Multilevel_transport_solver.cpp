@@ -98,7 +98,7 @@ void check_region(const Transport_region& region)
     throw Invalid_argument_error("The spreading weight is negative or not finite.");
 }
 
-// Sorts the vertices of each exit and, if there are no limits, merges all exits into one.
+// Sorts the vertices of each exit.  If there are no limits, merges all exits into one.
 std::vector<std::vector<Index>> merged_exits(std::vector<std::vector<Index>> exits, bool is_limited)
 {
   if(!is_limited && exits.size() > 1)

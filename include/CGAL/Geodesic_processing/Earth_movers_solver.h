@@ -70,8 +70,8 @@ public:
     internal::write_vectors(m_domain, m_result.flow, map);
   }
 
-  /// writes a likelihood in [0, 1] that mass passes each vertex or surfel: the mean length of the
-  /// flow in the incident triangles, divided by its maximum.
+  /// writes the likelihood that mass passes each vertex or surfel, a number in [0, 1]. It is the
+  /// mean length of the flow in the incident triangles, divided by its maximum.
   /// \param map receives a `double` for each vertex or surfel
   /// \param radius standard deviation of the diffusion that smooths the result, in the unit of
   ///   the coordinates
@@ -148,14 +148,15 @@ protected:
 
 /// computes earth mover's distances between mass distributions on one surface.
 ///
-/// The earth mover's distance, or 1-Wasserstein distance with the length of paths as cost, is the
-/// minimum of the integral of the length of a flow. The divergence of the flow is the difference
-/// of the two mass distributions. This class computes a flow that is constant in each face, and a
-/// potential of slope one that certifies a lower bound.  \cgalCite{cgal:srgb-emd-14}
+/// The earth mover's distance is the 1-Wasserstein distance whose cost is the length of paths. It
+/// is the minimum of the integral of the length of a flow. The divergence of this flow must be the
+/// difference of the two mass distributions. This class computes a flow that is constant in each
+/// face, and a potential of slope one that certifies a lower bound.
+/// \cgalCite{cgal:srgb-emd-14}
 ///
-/// Between two points the result is the geodesic distance minus an error of the order of an edge
-/// length: some tenths of a percent on common meshes, and zero in the plane. The distance is
-/// symmetric. It satisfies the triangle inequality up to the gap between the bounds.
+/// Between two points, the result is the geodesic distance minus an error of the order of an edge
+/// length. This error is some tenths of a percent on common meshes, and zero in the plane. The
+/// distance is symmetric. It satisfies the triangle inequality up to the gap between the bounds.
 ///
 /// A mass distribution is one of the following:
 /// - a vertex, surfel or location: a unit mass there,
@@ -193,9 +194,8 @@ public:
   ///     \cgalParamType{a property map with `double` values} \cgalParamDefault{1 everywhere}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{metric_map}
-  ///     \cgalParamDescription{a symmetric positive definite matrix M for each face or vertex:
-  ///       the length of a vector v is the square root of v<SUP>T</SUP> M v, divided by the
-  ///       speed}
+  ///     \cgalParamDescription{a symmetric positive definite matrix M for each face or vertex. The
+  ///       length of a vector v is the square root of v<SUP>T</SUP> M v, divided by the speed}
   ///     \cgalParamType{a property map with `Eigen::Matrix3d` values}
   ///     \cgalParamDefault{the identity} \cgalParamNEnd
   /// \cgalNamedParamsEnd
@@ -213,8 +213,8 @@ public:
       : Base(domain, np)
   {}
 
-  /// computes the distance between two mass distributions, and replaces potential and flow of the
-  /// last query.
+  /// computes the distance between two mass distributions. This replaces the potential and the
+  /// flow of the last query.
   ///
   /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
   /// \param from, to mass distributions as listed above
@@ -245,10 +245,11 @@ public:
   ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the distance with certified bounds
-  /// \throws Invalid_argument_error if a mass is not finite, a location is not on the surface, a
-  ///         range is empty, total masses differ (on the surface or on a component), a
-  ///         distribution that is to be normalized has no positive total mass, or the tolerance
-  ///         is not positive
+  /// \throws Invalid_argument_error if a mass is not finite, if a location is not on the surface,
+  ///         or if a range is empty
+  /// \throws Invalid_argument_error if the total masses differ on the surface or on a component, or
+  ///         if a total mass that must be normalized is not positive
+  /// \throws Invalid_argument_error if the tolerance is not positive
   /// \throws Unsupported_surface_error if `do_bound_from_above` is set on a cloud
   ///
   /// The default method takes 5 to 20 iterations of O(n<SUP>1.5</SUP>) to a gap of 0.1 percent.

@@ -63,8 +63,9 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 /// coordinates.
 ///
 /// The potential is zero in the region. Elsewhere its absolute value is a lower bound of the
-/// distance to the region, which is close to the distance on all paths of the masses. Bounds are
-/// certified as those of `Earth_movers_solver`.  \cgalCite{cgal:srgb-emd-14}, section 6.3
+/// distance to the region. At each vertex that mass starts from or passes, this bound is close to
+/// the distance. The bounds of the cost are certified as in `Earth_movers_solver`.
+/// \cgalCite{cgal:srgb-emd-14}, section 6.3
 ///
 /// Each source of the region is an exit. Exits can have capacities, and a price for the density
 /// of arriving mass spreads the arrivals. With such limits moving between exits has a cost. The
@@ -93,15 +94,16 @@ public:
   ///       positive, infinite for no limit}
   ///     \cgalParamType{a range of `double`} \cgalParamDefault{no limits} \cgalParamNEnd
   ///   \cgalParamNBegin{spreading_weight}
-  ///     \cgalParamDescription{the cost includes the integral of the squared density of arriving
-  ///       mass times this weight; the area of a source is a third of that of the faces incident
-  ///       to its vertices}
+  ///     \cgalParamDescription{a weight: the integral of the squared density of arriving mass,
+  ///       times this weight, is added to the cost. The area of a source is a third of the area
+  ///       of the faces incident to its vertices}
   ///     \cgalParamType{`double`} \cgalParamDefault{0} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
-  /// \throws Invalid_argument_error if the region is empty or has a location that is not on the
-  ///         surface (on a cloud: not at a surfel), if the number of capacities is not the number
-  ///         of sources, a capacity is not positive, or two sources with limits share a vertex
+  /// \throws Invalid_argument_error if the region is empty, if a location is not on the surface,
+  ///         or if a location on a cloud is not at a surfel
+  /// \throws Invalid_argument_error if the number of capacities is not the number of sources, if
+  ///         a capacity is not positive, or if two sources with limits share a vertex
   template <typename Region, typename NamedParameters = internal::Default_parameters>
   Region_transport_solver(const Surface& surface, const Region& region,
                           const NamedParameters& np = NamedParameters())
@@ -121,8 +123,9 @@ public:
   /// \param from a mass distribution as accepted by `Earth_movers_solver`
   /// \param np named parameters of `Earth_movers_solver::compute()`
   /// \returns the cost with certified bounds
-  /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`, and if a component with
-  ///         mass has no source of the region, or too little capacity
+  /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`
+  /// \throws Invalid_argument_error if a component with mass has no source of the region, or if
+  ///         the capacity of its sources is too small
   template <typename Method = Interior_point, typename From,
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const NamedParameters& np = NamedParameters())

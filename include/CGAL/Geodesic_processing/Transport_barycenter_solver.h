@@ -24,19 +24,20 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes barycenters of mass distributions on one surface: the nonnegative mass distribution
-/// with the minimum weighted sum of squared earth mover's distances to the given ones.
+/// computes barycenters of mass distributions on one surface. The barycenter is the nonnegative
+/// distribution that minimizes the weighted sum of squared earth mover's distances to the given
+/// ones.
 ///
-/// Each of the given distributions must be nonnegative, and is one of those accepted by
-/// `Earth_movers_solver`: a vertex, surfel or location (unit mass), a range of these, a property
-/// map of masses, or the result of `mass_density()`. All must have the same total mass on each
-/// connected component.
+/// Each given distribution must be nonnegative. It can have any type that `Earth_movers_solver`
+/// accepts: a vertex, surfel or location (unit mass), a range of these, a property map of masses,
+/// or the result of `mass_density()`. All must have the same total mass on each connected
+/// component.
 ///
 /// The minimum is not unique, since the objective is convex but not strictly convex. If several
-/// distributions have the same cost, any of them is returned. For two points, these are all
-/// distributions on shortest paths whose mean distances to both points are equal: for example,
-/// all mass at the midpoint, or half of it at each end. The cost is unique, and its bounds are
-/// certified as those of `Earth_movers_solver`. If the barycenter has to be a point, use
+/// distributions have the same cost, any of them is returned. For two points, this set contains
+/// all distributions on shortest paths whose mean distances to both points are equal. For example,
+/// all mass is at the midpoint, or half of it is at each end. The cost is unique, and its bounds
+/// are certified as in `Earth_movers_solver`. If the barycenter must be a point, use
 /// `geodesic_barycenter()`.
 /// \cgalCite{cgal:srgb-emd-14}
 ///
@@ -71,7 +72,7 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// computes the barycenter of mass distributions, and replaces the result of the last call.
+  /// computes the barycenter of mass distributions. This replaces the result of the last call.
   ///
   /// \param masses a range of mass distributions as listed above
   /// \param np
@@ -99,10 +100,13 @@ public:
   ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns the cost of the barycenter with certified bounds
-  /// \throws Invalid_argument_error if there is no distribution, a mass is negative or not
-  ///         finite, a location is not on the surface, total masses differ (on the surface or on
-  ///         a component) or are zero, the weights are not as many as the distributions, a weight
-  ///         is negative or not finite, all weights are zero, or the tolerance is not positive
+  /// \throws Invalid_argument_error if there is no distribution, if a mass is negative or not
+  ///         finite, or if a location is not on the surface
+  /// \throws Invalid_argument_error if the total masses are zero, or if they differ on the surface
+  ///         or on a component
+  /// \throws Invalid_argument_error if the number of weights is not the number of distributions,
+  ///         if a weight is negative or not finite, or if all weights are zero
+  /// \throws Invalid_argument_error if the tolerance is not positive
   ///
   /// An iteration is O(k n log n) for k distributions. A gap of 1 percent takes some hundred
   /// iterations.
@@ -138,9 +142,9 @@ public:
     m_domain.write([&](internal::Index i) { return m_result.masses[i]; }, map);
   }
 
-  /// writes the density of the barycenter at each vertex or surfel: its mass divided by a third
-  /// of the area of the incident triangles, without obstacles. The density is zero if there is no
-  /// mass, and infinite if there is mass but no area.
+  /// writes the density of the barycenter at each vertex or surfel. This is the mass divided by a
+  /// third of the area of the incident triangles outside of obstacles. If there is no mass, the
+  /// density is zero. If there is mass but no area, it is infinite.
   template <typename DensityMap>
   void write_density(DensityMap map) const
   {

@@ -32,8 +32,8 @@ struct Earth_movers_cost
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// stores the cost of a barycenter with certified bounds: the weighted sum of squared earth mover's
-/// distances, in the square of the coordinates' unit times the square of the unit of the masses.
+/// stores the cost of a barycenter with certified bounds. The cost is the weighted sum of squared
+/// earth mover's distances. Its unit is the square of the unit of `Earth_movers_cost`.
 struct Transport_barycenter_cost
 {
   double value = 0.; ///< the mean of the lower and the upper bound

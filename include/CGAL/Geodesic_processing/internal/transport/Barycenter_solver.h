@@ -45,20 +45,20 @@ struct Barycenter_result : Transport_barycenter_cost
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_weights(const std::vector<double>& weights, std::size_t number);
 
-// Computes barycenters of masses m_i with weights w_i for the squared earth mover's distance W:
-// the masses m >= 0 that minimize the sum of w_i W(m, m_i)^2 (Solomon, Rustamov, Guibas and
-// Butscher 2014),
+// Computes barycenters of masses m_i with weights w_i.  If W is the earth mover's distance, the
+// barycenter is the m >= 0 that minimizes the sum of w_i W(m, m_i)^2 (Solomon, Rustamov, Guibas
+// and Butscher 2014):
 //   minimize the sum of w_i (integral of |J_i|)^2 subject to divergence(J_i) = m_i - m for all i.
 //
 // Both bounds are certified.  Every feasible m with flows J_i is an upper bound.  For the lower
 // bound, W^2 is the maximum of 2 (integral of phi (m_i - m)) - t^2 over functions with
 // |gradient(phi)| <= t.  Thus potentials phi_i of slopes t_i, with the best common factor, prove
-// L^2 / (sum of w_i t_i^2).  L is the sum of w_i (integral of phi_i m_i) minus the maximum over m
-// of the integral of the sum of w_i phi_i m.  That maximum puts all mass at the highest vertex of
-// each component.
+// L^2 / (sum of w_i t_i^2).  To compute L, subtract from the sum of w_i (integral of phi_i m_i) the
+// maximum, over m, of the integral of (sum of w_i phi_i) m.  This maximum is attained if the mass
+// of each component is at the vertex with the largest sum of w_i phi_i.
 //
-// The method is ADMM.  It alternates between the projection to flows that have a common m, two back
-// substitutions with precomputed factorizations, and shrinking flows and clamping masses at zero.
+// The method is ADMM.  Each step projects to the flows with a common m, then shrinks the flows and
+// clamps the masses at zero.  The projection uses two precomputed factorizations.
 //
 // Results scale with the units of length, mass and weight.  Queries can run concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Barycenter_solver

@@ -35,10 +35,10 @@ CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                           const Mass_distribution& masses);
 
-// Returns `to` minus `from`, each divided by its total mass if `do_normalize` is set.  Throws
-// Invalid_argument_error if a mass is not finite, if the total masses differ by more than 1e-9 of
-// the sum of absolute masses, or if a distribution that is to be normalized has no positive total
-// mass.
+// Returns `to` minus `from`.  If `do_normalize` is set, each is first divided by its total mass.
+// Throws Invalid_argument_error if a mass is not finite, if the total masses differ by more than
+// 1e-9 of the sum of absolute masses, or if a distribution that is to be normalized has no
+// positive total mass.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,
                              const Mass_distribution& from, const Mass_distribution& to,

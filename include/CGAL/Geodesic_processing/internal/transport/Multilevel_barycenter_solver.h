@@ -12,8 +12,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Computes barycenters on a surface that is refined uniformly, optionally with a metric: places
-// the masses on the finest level, calls Barycenter_solver, and maps the result back to the input.
+// Computes barycenters on a surface that is refined uniformly, optionally with a metric.  This
+// class refines the masses, calls Barycenter_solver on the finest level, and maps the result back
+// to the input.
 //
 // Const member functions can be called concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Multilevel_barycenter_solver

@@ -18,9 +18,9 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Returns the default number of uniform refinements.  On coarse surfaces the cost between points
-// can be more than a percent too small, and a query on the refined surface still takes only some
-// tenths of a second.
+// Returns the default number of uniform refinements.  On coarse surfaces, the cost between points
+// can be more than a percent too small.  A query on the refined surface takes some tenths of a
+// second there.
 inline unsigned default_number_of_refinements(const Surface_arrays& triangles)
 {
   return triangles.number_of_vertices() <= 5000 ? 1 : 0;
@@ -45,8 +45,8 @@ struct Transport_region
 };
 
 // Computes optimal transport on a surface that is refined uniformly, optionally with a metric and
-// with a region: prepares a Transport_solver for the last two levels, solves on both,
-// extrapolates, and maps the result back to the triangles of the input.  Results are in the unit
+// with a region.  This class uses a Transport_solver on each of the last two levels, extrapolates
+// the value, and maps the result of the finest level back to the input.  Results are in the unit
 // of the coordinates.
 //
 // Const member functions can be called concurrently.

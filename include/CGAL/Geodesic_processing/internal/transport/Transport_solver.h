@@ -48,8 +48,8 @@ struct Exit
 };
 
 // The bounds of a query (lengths times masses) with the potential and the flow that certify them.
-// Transport_solver uses the unit of length of its operators, Multilevel_transport_solver that of
-// the coordinates; there, potential and flow are those of the vertices and triangles before
+// Transport_solver uses the unit of length of its operators.  Multilevel_transport_solver uses the
+// unit of the coordinates, and returns potential and flow on the vertices and triangles before
 // refinement.
 struct Transport_result : Earth_movers_cost
 {
@@ -106,12 +106,12 @@ public:
   //         up to 1e-9 of the sum of their absolute values.
   // exits   If a component has exits, its surplus of source mass leaves through them, and the
   //         bounds include the prices.  The potential is then minus the marginal cost of mass
-  //         that leaves: it is -price * outflow at an exit with capacity left, and at most that
-  //         at a full one. `interior_point` only.
+  //         that leaves.  At an exit with capacity left it is -price * outflow, at a full exit it
+  //         is at most this value.  `interior_point` only.
   //
-  // Throws Invalid_argument_error if a mass is not finite, the masses do not sum to zero, the
-  // tolerance is not positive, an exit is invalid, or the exits of a component have too little
-  // capacity.
+  // Throws Invalid_argument_error if a mass is not finite, if the masses do not sum to zero, or if
+  // the tolerance is not positive.  Throws it also if an exit is invalid, or if the exits of a
+  // component have too little capacity.
   Transport_result solve(const Vector& masses, const Transport_options& options = {},
                          const std::vector<Exit>& exits = {}) const;
 

@@ -10,14 +10,14 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Minimizes the integral of the length of a field over an affine set of fields, by the
-// alternating direction method of multipliers (Solomon, Rustamov, Guibas and Butscher 2014,
-// section 5).  It alternates between the projection to the set and shrinking all vectors.  A gap
-// of half a percent takes some hundred projections.
+// Minimizes the integral of the length of a field over an affine set of fields.  This is the
+// alternating direction method of multipliers (ADMM) of Solomon, Rustamov, Guibas and Butscher
+// 2014, section 5.  It alternates between the projection to the set and shrinking all vectors.  A
+// gap of half a percent takes some hundred projections.
 //
-// Both bounds are certified.  Every field of the set is an upper bound.  A field whose vectors
-// are at most one long, and that is orthogonal to the differences of the set's fields, has the
-// same inner product with all fields of the set: this product is a lower bound.
+// Both bounds are certified.  Every field of the set is an upper bound.  For the lower bound, let a
+// field have vectors of length at most one, and be orthogonal to all differences of fields of the
+// set.  Its inner product with each field of the set is the same, and is a lower bound.
 class CGAL_GEODESIC_PROCESSING_EXPORT Admm
 {
 public:
