@@ -219,17 +219,17 @@ public:
       return false;
     const double gap = mean_gap({0., 0.});
     const Steps predicted = predict();
-    // The flow of a full predictor step moves the masses, even if the step leaves the cone.  Its
-    // cost often exceeds the minimum by half as much as that of the iterate.
+    // The flow of a full predictor step moves the masses even if the step leaves the cone, so that
+    // it gives an upper bound.  This bound often has half the error of the iterate.
     update_upper_bound(flow(1.), outflow(1.));
     const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
     return move(correct_centrality(next, correct(next)));
   }
 
 private:
-  // Initializes the outflows: 0.9 times the outflow that is optimal if moving costs nothing plus
-  // 0.1 times an outflow in proportion to the capacity, so that none starts at zero or at its
-  // capacity.
+  // Initializes the outflows.  Each is 0.9 times the outflow that is optimal if moving costs
+  // nothing, plus 0.1 times an outflow in proportion to the capacity.  Then none is zero or at
+  // its capacity.
   void add_slacks(const Exit_group& group)
   {
     m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);

@@ -50,7 +50,8 @@ public:
   const Domain& domain() const { return m_domain; }
 
   /// returns the potential at a vertex or surfel. The potential increases along the flow, with
-  /// slope at most one. Its integral against the masses is the lower bound.
+  /// slope at most one. Its integral over the target mass minus that over the source mass is the
+  /// lower bound.
   /// \pre `compute()` was called
   double potential(Vertex vertex) const { return m_result.potential[m_domain.index(vertex)]; }
 

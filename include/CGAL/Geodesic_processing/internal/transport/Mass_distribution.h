@@ -16,16 +16,17 @@ namespace CGAL::Geodesic_processing::internal {
 struct Mass_distribution
 {
   Vector at_vertices; // #vertices, or empty
-  std::vector<std::pair<Surface_location, double>>
-      at_locations; // masses at vertices or inside triangles
-  Vector
-      density; // #vertices, or empty: linear in each triangle, mass per squared unit of coordinates
+  // Masses at locations, which are vertices or inside triangles.
+  std::vector<std::pair<Surface_location, double>> at_locations;
+  // #vertices, or empty: mass per squared unit of the coordinates, linear in each triangle.
+  Vector density;
 };
 
 // #vertices: returns masses at vertices that have the same integral against each function that is
 // linear in triangles.  A mass inside a triangle is distributed by its barycentric coordinates.
-// area  #triangles: as computed by operators(), in the unit of the arrays; zero in obstacles
 // O(n).
+//
+// area  #triangles: as computed by operators(), in the unit of the arrays; zero in obstacles
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector masses_at_vertices(const Surface_arrays& triangles, const std::vector<double>& area,
                           const Mass_distribution& masses);
@@ -36,9 +37,9 @@ Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fi
                           const Mass_distribution& masses);
 
 // Returns `to` minus `from`.  If `do_normalize` is set, each is first divided by its total mass.
-// Throws Invalid_argument_error if a mass is not finite, if the total masses differ by more than
-// 1e-9 of the sum of absolute masses, or if a distribution that is to be normalized has no
-// positive total mass.
+// Throws Invalid_argument_error if a mass is not finite, or if a total mass that must be normalized
+// is not positive.  If `do_normalize` is not set, throws it also if the total masses differ by more
+// than 1e-9 of the larger sum of absolute masses.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,
                              const Mass_distribution& from, const Mass_distribution& to,
