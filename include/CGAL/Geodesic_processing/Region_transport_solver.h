@@ -27,7 +27,7 @@ Transport_region transport_region(const Domain& domain, const Region& region,
   for(const internal::Front_source& source : sources(domain, region, labels))
   {
     std::vector<Index> vertices;
-    for(const Location& location : source.polyline)
+    for(const Surface_location& location : source.polyline)
       if(const Index vertex = vertex_of(*domain.triangles(), location); vertex != none)
         vertices.push_back(vertex);
     if(vertices.size() < source.polyline.size())
