@@ -25,7 +25,7 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 using Vector_3 = Kernel::Vector_3;
 
-// Of the bounds, by default; distances between points on plane surfaces are exact within it.
+// The default tolerance.  In the plane, distances between points are exact up to this gap.
 constexpr double relative_gap = 1e-3;
 
 double great_circle(const Kernel::Point_3& p, const Kernel::Point_3& q)
@@ -45,7 +45,7 @@ TEST(Earth_movers_solver, accepts_all_kinds_of_masses)
     EXPECT_LE(cost.lower, cost.value);
     EXPECT_LE(cost.value, cost.upper);
     EXPECT_LE(cost.upper - cost.lower, relative_gap * cost.upper);
-    EXPECT_LT(cost.residual, 1e-9); // rounding
+    EXPECT_LT(cost.residual, 1e-9); // round-off errors
     EXPECT_EQ(cost.upper_continuous, GP::internal::infinity);
     return cost.value;
   };
@@ -59,22 +59,22 @@ TEST(Earth_movers_solver, accepts_all_kinds_of_masses)
   EXPECT_NEAR(value(barycentric_at_corner, inside), exact, relative_gap * exact);
   const std::vector<Vertex> below = {corner, next};
   const std::set<Vertex> above = {Vertex(110), Vertex(120)};
-  EXPECT_NEAR(value(below, above), 1., relative_gap); // half of a mass each
+  EXPECT_NEAR(value(below, above), 1., relative_gap); // half of the mass each
   auto left = vertex_map(mesh), right = vertex_map(mesh);
   left[corner] = 2.;
-  left[next] = -1.; // a debt
+  left[next] = -1.;
   right[middle] = 1.;
   EXPECT_NEAR(value(left, right), 1.5,
-              2. * relative_gap); // one goes half as far as the one for the debt
+              2. * relative_gap); // a unit mass moves by 1 to the negative mass, another by 0.5
   const auto uniform =
       GP::mass_density(boost::make_function_property_map<Vertex>([](const Vertex&) { return 1.; }));
   EXPECT_EQ(solver.compute(uniform, uniform).value, 0.);
-  // The mean distance from a corner, less what is lost around it.
+  // The mean distance from a corner, up to the discretization error around it.
   const double mean = (std::sqrt(2.) + std::asinh(1.)) / 3.;
   EXPECT_NEAR(value(uniform, corner), mean, 0.05 * mean);
 }
 
-// What a mesh of any kind answers on an icosphere, from vertex 0 to vertex 100.
+// Returns the distance between vertices 0 and 100 of an icosphere, for any type of mesh.
 template <typename AnyMesh>
 GP::Earth_movers_cost cost_on_sphere(double scale = 1.)
 {
@@ -90,12 +90,12 @@ TEST(Earth_movers_solver, accepts_all_meshes_and_scales)
   const GP::Earth_movers_cost cost = cost_on_sphere<Mesh>();
   const Mesh mesh = mesh_of(icosphere(3));
   const double exact = great_circle(mesh.point(Vertex(0)), mesh.point(Vertex(100)));
-  EXPECT_NEAR(cost.value, exact, 0.01 * exact);           // a coarse sphere
-  EXPECT_GT(cost.upper_continuous, exact * (1. - 0.005)); // the polyhedron is that much smaller
+  EXPECT_NEAR(cost.value, exact, 0.01 * exact);           // the mesh is coarse
+  EXPECT_GT(cost.upper_continuous, exact * (1. - 0.005)); // polyhedral distances are 0.5 % shorter
   using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   EXPECT_EQ(cost_on_sphere<CGAL::Polyhedron_3<Exact_kernel>>().value, cost.value);
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
-  // Its coordinates have single precision.
+  // The coordinates of this mesh have single precision.
   EXPECT_NEAR(cost_on_sphere<OpenMesh::TriMesh_ArrayKernelT<>>().value, cost.value, 1e-5);
 #endif
   for(const double scale : {1e-6, 1e6})
@@ -119,12 +119,12 @@ TEST(Earth_movers_solver, works_on_clouds)
   {
     const double exact = great_circle(surfels[7].first, surfels[to].first);
     const double value = solver.compute(std::size_t(7), to).value;
-    EXPECT_NEAR(value, exact, 0.015 * exact); // as on a mesh of such triangles
+    EXPECT_NEAR(value, exact, 0.015 * exact); // as on a mesh with triangles of this size
     const auto index = [](std::size_t i) { return CGAL::Point_set_3<Kernel::Point_3>::Index(i); };
     EXPECT_EQ(other.compute(index(7), index(to)).value, value);
   }
 
-  // Along the surface; away from the ends it is as strong as what it carries is wide.
+  // The flow is tangential to the surface, and exceeds one near the ends, where it is concentrated.
   std::vector<Vector_3> flow(surfels.size());
   std::vector<double> potential(surfels.size());
   solver.compute(std::size_t(7), std::size_t(2000));
@@ -136,7 +136,7 @@ TEST(Earth_movers_solver, works_on_clouds)
   for(std::size_t i = 0; i < surfels.size(); ++i)
   {
     const double size = std::sqrt(flow[i].squared_length());
-    // Triangles of ten degrees lean by five.
+    // Triangles that span ten degrees deviate by five degrees from the tangent plane.
     EXPECT_LE(std::abs(flow[i] * surfels[i].second), 0.1 * size);
     max_magnitude = std::max(max_magnitude, size);
   }
@@ -173,10 +173,10 @@ TEST(Earth_movers_solver, writes_flow_and_potential)
       length += area * std::sqrt(flow[f].squared_length());
       moment = moment + area * flow[f];
     }
-    // Means of four triangles are shorter than what they are means of.
+    // The mean of the vectors of four triangles is shorter than the mean of their lengths.
     EXPECT_LT(length, cost.upper + 1e-9);
     EXPECT_GT(length, cost.upper - (refinements == 0 ? 1e-9 : 0.01));
-    // Each coordinate is a function too: its change is the integral of the flow along its gradient.
+    // The integral of the flow times the gradient of a coordinate is the change of the coordinate.
     EXPECT_LT((moment - (mesh.point(to) - mesh.point(from))).squared_length(), 1e-18);
   }
 }
@@ -192,7 +192,7 @@ TEST(Earth_movers_solver, respects_speeds_and_metrics)
   };
   const auto speed = mesh.add_property_map<Face, double>("f:speed", 0.5).first;
   EXPECT_NEAR(value(GP::parameters::speed_map(speed)), 2. * std::sqrt(2.), 4. * relative_gap);
-  // x counts twice.
+  // Lengths along x are doubled.
   const Eigen::Matrix3d longer = Eigen::Vector3d(4., 1., 1.).asDiagonal();
   const auto face_metric = mesh.add_property_map<Face, Eigen::Matrix3d>("f:metric", longer).first;
   const auto vertex_metric =
@@ -264,8 +264,8 @@ TEST(Earth_movers_solver, throws_on_invalid_masses)
   for(const double tolerance : {0., -1., std::nan("")})
     EXPECT_THROW(solver.compute(Vertex(0), Vertex(3), GP::parameters::tolerance(tolerance)),
                  GP::Invalid_argument_error);
-  const Mesh nothing;
-  EXPECT_THROW(GP::Earth_movers_solver<Mesh>{nothing}, GP::Unsupported_surface_error);
+  const Mesh empty;
+  EXPECT_THROW(GP::Earth_movers_solver<Mesh>{empty}, GP::Unsupported_surface_error);
 }
 
 } // namespace

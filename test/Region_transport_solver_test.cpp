@@ -21,10 +21,10 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// Of the bounds, by default.
+// The default tolerance.
 constexpr double relative_gap = 1e-3;
 
-// The unit square in 12 by 12 cells: vertex 13 * row + column.
+// Returns a vertex of the unit square with 12 by 12 cells.
 Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
 
 TEST(Region_transport_solver, finds_nearest_exit)
@@ -41,28 +41,29 @@ TEST(Region_transport_solver, finds_nearest_exit)
     return cost.value;
   };
   EXPECT_NEAR(value(at(3, 0)), 0.25, 0.25 * relative_gap);
-  EXPECT_NEAR(solver.arrival(exits[0]), 1., relative_gap); // less what strays
+  EXPECT_NEAR(solver.arrival(exits[0]), 1., relative_gap); // up to the gap
   EXPECT_NEAR(solver.potential(at(3, 0)), -0.25, 0.25 * relative_gap);
   EXPECT_NEAR(value(at(12, 0)), 0.75, 0.75 * relative_gap);
   EXPECT_NEAR(solver.arrival(exits[1]), 1., relative_gap);
   EXPECT_EQ(solver.arrival(at(5, 5)), 0.);
   EXPECT_NEAR(value(std::vector<Vertex>{at(3, 0), at(12, 0)}), 0.5,
-              0.5 * relative_gap);                          // half a mass each
-  EXPECT_NEAR(solver.arrival(exits[0]), 0.5, relative_gap); // what strays
+              0.5 * relative_gap);                          // half of the mass each
+  EXPECT_NEAR(solver.arrival(exits[0]), 0.5, relative_gap); // the gap
   EXPECT_EQ(solver.compute(exits[1]).value, 0.);
   EXPECT_NEAR(solver.arrival(exits[1]), 1., 1e-9);
 }
 
-// To the border: sides between its vertices are as good as they are.
-TEST(Region_transport_solver, accepts_border_sources)
+// The region is the boundary: masses also arrive on the edges between its vertices.
+TEST(Region_transport_solver, accepts_boundary_sources)
 {
   Mesh mesh = mesh_of(square(12));
-  std::vector<GP::Source<Mesh>> border;
-  GP::border_sources(mesh, std::back_inserter(border));
-  GP::Region_transport_solver<Mesh> solver(mesh, border);
-  const double middle = solver.compute(at(6, 6)).value;
-  EXPECT_LE(middle, 0.5 * (1. + relative_gap));
-  EXPECT_GE(middle, 0.5 - 0.5 / 24.); // where ways are equally short a part of a side is lost
+  std::vector<GP::Source<Mesh>> boundary;
+  GP::border_sources(mesh, std::back_inserter(boundary));
+  GP::Region_transport_solver<Mesh> solver(mesh, boundary);
+  const double center_cost = solver.compute(at(6, 6)).value;
+  EXPECT_LE(center_cost, 0.5 * (1. + relative_gap));
+  EXPECT_GE(center_cost,
+            0.5 - 0.5 / 24.); // discretization error if there are several shortest paths
   EXPECT_NEAR(solver.compute(at(2, 7)).value, 1. / 6., relative_gap / 6.);
   auto arrivals = vertex_map(mesh);
   solver.write_arrivals(arrivals);
@@ -72,7 +73,8 @@ TEST(Region_transport_solver, accepts_border_sources)
   EXPECT_NEAR(sum, 1., 1e-9);
 }
 
-// The surface as any mesh, of any size; the cost from vertex 0 to a ring of vertices.
+// Returns the cost from vertex 0 to the vertices near a great circle, for any type and size of
+// mesh.
 template <typename AnyMesh>
 double cost_to_great_circle(double scale = 1.)
 {
@@ -92,7 +94,7 @@ double cost_to_great_circle(double scale = 1.)
 TEST(Region_transport_solver, accepts_all_meshes_and_scales)
 {
   const double value = cost_to_great_circle<Mesh>();
-  EXPECT_NEAR(value, 0.5 * std::acos(-1.), 0.06); // the ring is as wide as that
+  EXPECT_NEAR(value, 0.5 * std::acos(-1.), 0.06); // half the width of the band of vertices
   EXPECT_EQ(cost_to_great_circle<CGAL::Polyhedron_3<Kernel>>(), value);
 #ifdef GEODESIC_PROCESSING_HAS_OPENMESH
   EXPECT_NEAR(cost_to_great_circle<OpenMesh::TriMesh_ArrayKernelT<>>(), value,
@@ -118,7 +120,8 @@ TEST(Region_transport_solver, works_on_clouds)
   EXPECT_NEAR(solver.compute(Index(500)).value, exact, 0.015 * exact); // as between two surfels
 }
 
-// Three exits in a row, the nearest too small; a source of several sites is one exit.
+// Checks capacities and spreading with three exits in one row.  The nearest one has too little
+// capacity.
 template <typename AnyMesh>
 void expect_limits(double size)
 {
@@ -137,18 +140,18 @@ void expect_limits(double size)
   EXPECT_LE(cost.iterations, 30);
   const double exact = size * (0.25 * 3. + 0.4 * 5. + 0.35 * 7.) / 12.;
   EXPECT_NEAR(cost.value, exact, relative_gap * exact);
-  EXPECT_NEAR(solver.arrival(vertex_at(8, 6)), 0.25, 0.01); // what strays
+  EXPECT_NEAR(solver.arrival(vertex_at(8, 6)), 0.25, 0.01); // the error that the gap allows
   EXPECT_NEAR(solver.arrival(vertex_at(0, 6)), 0.4, 0.01);
   EXPECT_NEAR(solver.arrival(vertex_at(12, 6)), 0.35, 0.01);
   EXPECT_LE(solver.arrival(vertex_at(8, 6)), 0.25 * (1. + 1e-6));
-  // One more mass goes to the last exit.
+  // One more unit of mass would take the last exit.
   EXPECT_NEAR(solver.potential(vertex_at(5, 6)), -size * 7. / 12., 0.01 * size);
 
   GP::Region_transport_solver<AnyMesh> spreading_solver(
       square.mesh, exits,
       GP::parameters::spreading_weight(1e3 * size * size * size).number_of_refinements(0u));
   spreading_solver.compute(vertex_at(5, 6));
-  // The areas are as 1 to 1 to 2.
+  // The areas of the exits are as 1 to 1 to 2, since two are on the boundary.
   EXPECT_NEAR(spreading_solver.arrival(vertex_at(8, 6)), 0.5, 1e-3);
   EXPECT_NEAR(spreading_solver.arrival(vertex_at(0, 6)), 0.25, 1e-3);
 }
@@ -163,7 +166,8 @@ TEST(Region_transport_solver, respects_limits)
 #endif
 }
 
-// What arrives in faces is told of their vertices, in parts whose mean is there; and each exit has its room.
+// Arrivals inside a face are distributed to its vertices, with the location as their center of
+// mass.
 TEST(Region_transport_solver, accepts_locations_in_faces)
 {
   const Mesh mesh = mesh_of(square(8, 0.2));
@@ -193,11 +197,12 @@ TEST(Region_transport_solver, accepts_locations_in_faces)
   const double nearest = std::min(to_left, to_right), farthest = std::max(to_left, to_right);
   const double exact = to_left < to_right ? 0.25 * nearest + 0.75 * farthest : nearest;
   EXPECT_NEAR(with_capacities.compute(from).value, exact,
-              0.03); // a part of an edge where masses part
-  // Its lines end there.
+              0.03); // a fraction of an edge length where flows separate
+  // Streamlines end at the location.
   const GP::Streamline<Mesh> line = one.streamlines()(from);
   ASSERT_FALSE(line.empty());
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(line.points.back(), point(left))), 0.2); // an edge
+  EXPECT_LT(std::sqrt(CGAL::squared_distance(line.points.back(), point(left))),
+            0.2); // an edge length
 }
 
 TEST(Region_transport_solver, throws_on_invalid_region)

@@ -22,11 +22,11 @@ namespace {
 namespace GP = CGAL::Geodesic_processing;
 using namespace GP::test;
 
-// Of the bounds, by default.
+// The default tolerance.
 constexpr double relative_gap = 0.01;
 const double pi = std::acos(-1.);
 
-// The unit square in 12 by 12 cells: vertex 13 * row + column.
+// Returns a vertex of the unit square with 12 by 12 cells.
 Vertex at(Mesh::size_type column, Mesh::size_type row) { return Vertex(13 * row + column); }
 
 TEST(Transport_barycenter_solver, finds_midpoint_of_two_points)
@@ -44,13 +44,13 @@ TEST(Transport_barycenter_solver, finds_midpoint_of_two_points)
   EXPECT_LT(cost.residual, 1e-9);
   ASSERT_EQ(cost.distances.size(), 2u);
   for(const double distance :
-      cost.distances) // half of d; a cost above by 1 % is 0.1 of that farther
+      cost.distances) // d / 2; a cost that is 1 % too large allows an error of 10 %
     EXPECT_NEAR(distance, std::sqrt(0.5 * exact), 0.1 * std::sqrt(0.5 * exact));
   double sum = 0.;
   for(const Vertex v : vertices(mesh))
     sum += solver.mass(v);
   EXPECT_NEAR(sum, 1., 1e-9);
-  // A weight w of the other costs w / (1 + w) d^2, at that part of the way.
+  // With weights 1 and w, the cost is w / (1 + w) d^2.
   const auto cost_for = [&](const auto& weights)
   { return solver.compute(points, GP::parameters::weights(weights)); };
   const GP::Transport_barycenter_cost weighted = cost_for(std::vector<double>{1., 3.});
@@ -77,7 +77,7 @@ TEST(Transport_barycenter_solver, accepts_all_kinds_of_masses)
   EXPECT_NEAR(solver.compute(maps).value, 4. * value, 1e-9 * value);
   EXPECT_NEAR(solver.compute(maps, GP::parameters::do_normalize(true)).value, value, 1e-9 * value);
   EXPECT_NEAR(solver.compute(groups).value, value, 1e-9 * value);
-  // Of equal densities what they are.
+  // The barycenter of equal densities is the density.
   auto density = mesh.add_property_map<Vertex, double>("density", 3.).first;
   const std::vector<GP::Mass_density<decltype(density)>> same(3, GP::mass_density(density));
   EXPECT_LT(solver.compute(same).value, 1e-18);
@@ -89,14 +89,14 @@ TEST(Transport_barycenter_solver, accepts_all_kinds_of_masses)
     sum += solver.mass(v);
     EXPECT_NEAR(found[v], 3., 1e-9);
   }
-  EXPECT_NEAR(sum, 3., 1e-9); // the square has an area of one
-  // A location in a face is a mass at its corners.
+  EXPECT_NEAR(sum, 3., 1e-9); // density 3 times the area of the unit square
+  // Locations inside faces.
   const std::vector<std::pair<Face, std::array<double, 3>>> locations = {
       location_of(0, {0.2, 0.3, 0.5}), location_of(100, {1., 0., 0.})};
   EXPECT_TRUE(solver.compute(locations).converged);
 }
 
-// The cost of three points on any mesh, of any size.
+// Returns the cost of the barycenter of three points, for any type and size of mesh.
 template <typename AnyMesh>
 double cost_on_sphere(double scale = 1.)
 {
@@ -137,7 +137,7 @@ TEST(Transport_barycenter_solver, error_decreases_under_refinement)
   GP::Earth_movers_solver<Mesh> distances(mesh, GP::parameters::number_of_refinements(3u));
   const double distance = distances.compute(points[0], points[1]).estimate;
   const double exact = 0.5 * distance * distance;
-  EXPECT_LT(value(0), value(1)); // by much more than the gap
+  EXPECT_LT(value(0), value(1)); // the difference is much larger than the gap
   EXPECT_LT(value(1), exact);
   EXPECT_NEAR(value(1), exact, 0.01 * exact);
 }
@@ -155,7 +155,7 @@ TEST(Transport_barycenter_solver, works_on_clouds)
   EXPECT_TRUE(cost.converged);
   const auto p = cloud.point(Index(0)), q = cloud.point(Index(700));
   const double d = std::acos((p - CGAL::ORIGIN) * (q - CGAL::ORIGIN));
-  // Each distance is short by up to half a percent there, its square by up to one.
+  // Distances on this cloud are up to 0.5 % too short, their squares up to 1 %.
   EXPECT_NEAR(cost.value, 0.5 * d * d, 0.5 * d * d * (0.5 * relative_gap + 0.01));
   double sum = 0.;
   for(const Index& i : cloud)
@@ -163,7 +163,7 @@ TEST(Transport_barycenter_solver, works_on_clouds)
   EXPECT_NEAR(sum, 1., 1e-9);
 }
 
-// Twice as fast is half as far, and a wall is gone around.
+// Doubling the speed halves distances, and paths avoid a wall of speed zero.
 TEST(Transport_barycenter_solver, respects_speeds)
 {
   Mesh mesh = mesh_of(square(12));
@@ -177,7 +177,7 @@ TEST(Transport_barycenter_solver, respects_speeds)
   };
   const double exact = 0.25 * 0.5 * std::pow(8. / 12., 2);
   EXPECT_NEAR(value(), exact, relative_gap * exact);
-  for(const Face f : faces(mesh)) // but for the upper sixth
+  for(const Face f : faces(mesh)) // a wall in the lower 5/6
   {
     const auto h = mesh.halfedge(f);
     const auto c = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
@@ -189,11 +189,11 @@ TEST(Transport_barycenter_solver, respects_speeds)
       std::hypot(4., 4.) + 1. + std::hypot(3., 4.); // around the wall's corners
   const double exact_around_wall = 0.25 * 0.5 * std::pow(path_length / 12., 2);
   EXPECT_NEAR(value(), exact_around_wall,
-              0.02 * exact_around_wall); // at corners a part of a side is lost
+              0.02 * exact_around_wall); // a fraction of an edge length is lost at the corners
 }
 
-// The integral of a flow in the plane is the way of the masses' middle, however fast they are; that of its
-// length is the distance.
+// In the plane, the integral of a flow is the displacement of the center of mass, for any speed.
+// The integral of its length, divided by the speed, is the distance.
 TEST(Transport_barycenter_solver, writes_flows)
 {
   Mesh mesh = mesh_of(square(12, 0.2));
@@ -225,7 +225,7 @@ TEST(Transport_barycenter_solver, writes_flows)
       }
       const Kernel::Vector_3 difference =
           mesh.point(points[i]) - CGAL::ORIGIN - center_of_mass - flow_integral;
-      EXPECT_LT(std::sqrt(difference.squared_length()), 1e-9); // rounding
+      EXPECT_LT(std::sqrt(difference.squared_length()), 1e-9); // round-off errors
       EXPECT_LE(0.5 * length, cost.distances[i] * (1. + 1e-9));
       if(refinements == 0)
       {
@@ -236,7 +236,7 @@ TEST(Transport_barycenter_solver, writes_flows)
   }
 }
 
-TEST(Transport_barycenter_solver, warm_start_and_cancellation)
+TEST(Transport_barycenter_solver, warm_start_saves_iterations_and_callback_cancels)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   const std::vector<Vertex> points = {Vertex(0), Vertex(200), Vertex(300)};

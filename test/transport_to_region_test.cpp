@@ -41,7 +41,7 @@ TEST(Transport_to_region, agrees_with_solver)
                               .z() *
                           flow[f];
   }
-  // The mean way is from where the mass was to where it arrived.
+  // The integral of the flow is the mean displacement of the mass.
   Kernel::Vector_3 mean_displacement = CGAL::NULL_VECTOR;
   for(const Vertex v : vertices(mesh))
   {

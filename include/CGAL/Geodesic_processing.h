@@ -59,6 +59,7 @@
 #include <CGAL/Geodesic_processing/tags.h>
 #include <CGAL/Geodesic_processing/texture_atlas.h>
 #include <CGAL/Geodesic_processing/transport_barycenter.h>
+#include <CGAL/Geodesic_processing/transport_costs.h>
 #include <CGAL/Geodesic_processing/transport_streamlines.h>
 #include <CGAL/Geodesic_processing/transport_to_region.h>
 #include <CGAL/Geodesic_processing/volumetric_distance.h>

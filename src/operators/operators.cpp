@@ -101,18 +101,19 @@ Field rotated_left(Field field)
   return field;
 }
 
-Field rotated_right(Field field)
-{
-  for(Vec2& vector : field)
-    vector = {vector[1], -vector[0]};
-  return field;
-}
-
 double inner_product(const Operators& operators, const Field& a, const Field& b)
 {
   double result = 0.;
   for(std::size_t f = 0; f < a.size(); ++f)
     result += operators.area[f] * dot(a[f], b[f]);
+  return result;
+}
+
+double integrated_length(const Operators& o, const Field& field, double initial)
+{
+  double result = initial;
+  for(std::size_t f = 0; f < field.size(); ++f)
+    result += o.area[f] * norm(field[f]);
   return result;
 }
 

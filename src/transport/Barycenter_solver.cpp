@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/Barycenter_solver.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include "transport/convergence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,28 +16,22 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Steps of nearly two are the fastest; 1.7 takes a tenth more of them.
+// Over-relaxation close to 2 converges fastest.  1.7 takes a tenth more steps.
 constexpr double relaxation_factor = 1.9;
 
-// Steps between two looks at the upper bound, which cost as much as one.
+// The number of steps between two updates of the upper bound, which cost as much as one step.
 constexpr unsigned steps_per_check = 10;
 
-// Between points a flow is some tens of times as strong where it is not zero as that of least squares.
+// The initial threshold relative to the root mean square of the least squares flows.  Between
+// points, the optimal flow is nonzero in few triangles, and some tens of times as large there.
 constexpr double threshold_factor = 20.;
 
-// After how many looks thresholds may change, and after which no more.
+// Thresholds change at every 16th update of the upper bound, up to the 64th.
 constexpr unsigned checks_between_updates = 16, last_update = 64;
 
-// Of the area.  From a half to twice of it makes no difference, ten times some.
+// The stiffness relative to the area.  The number of steps does not depend on it from half to
+// twice this value; at ten times the value it increases.
 constexpr double stiffness_factor = 2e-4;
-
-double integrated_length(const Operators& o, const Field& field)
-{
-  double result = 0.;
-  for(std::size_t f = 0; f < field.size(); ++f)
-    result += o.area[f] * norm(field[f]);
-  return result;
-}
 
 double max_squared_length(const Operators& o, const Field& field)
 {
@@ -47,9 +42,11 @@ double max_squared_length(const Operators& o, const Field& field)
   return result;
 }
 
-// The field z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) / factor: vectors get shorter
-// by factor times the integral of |z|, which Newton's method finds in a few steps from below, wherever
-// it starts: the equation is concave, and made of straight parts.
+// Replaces a field by the z that minimizes (integral of |z|)^2 + (integral of |z - field|^2) /
+// factor.  All vectors become shorter by the threshold factor * (integral of |z|).
+//
+// Newton's method finds the threshold in a few steps from any start, since the equation is
+// concave and piecewise linear.  `threshold` is the start, and receives the result.
 void shrink(const Operators& o, double factor, double& threshold, Field& field)
 {
   std::vector<double> size(field.size());
@@ -75,8 +72,9 @@ void shrink(const Operators& o, double factor, double& threshold, Field& field)
 
 } // namespace
 
-// Douglas and Rachford's splitting, of flows J_i in the metric w_i |J_i|^2 and of the masses m in that of
-// stiffness m^2 / lumped.  The sum of weights and that of the masses are one.
+// Douglas-Rachford splitting of the flows J_i and the masses m.  Distances of flows are measured
+// by w_i |J_i|^2, those of masses by stiffness * m^2 / lumped mass.  Weights and masses must sum
+// to one.
 class Barycenter_solver::Admm
 {
 public:
@@ -104,6 +102,35 @@ public:
                               : 0.};
   }
 
+  // Iterates until the gap is within the tolerance.  Returns bounds, masses, flows and potentials
+  // for masses and weights that sum to one each.
+  Barycenter_result run(const Barycenter_options& options)
+  {
+    // Costs below this one are zero up to round-off errors.
+    const double negligible_cost = 1e-20 * m_solver.m_area;
+    const auto gap = [&] { return m_upper > negligible_cost ? 1. - m_lower / m_upper : 0.; };
+    const unsigned max_iterations =
+        options.maximum_iterations > 0 ? options.maximum_iterations : 5000;
+    Barycenter_result result;
+    for(; gap() > options.tolerance && result.iterations < max_iterations &&
+          !is_cancelled(options.callback, gap(), options.tolerance);
+        result.iterations += steps_per_check)
+      advance();
+    result.converged = gap() <= options.tolerance;
+    result.lower = m_lower;
+    result.upper = m_upper;
+    result.masses = m_barycenter;
+    result.flows = std::move(m_flows);
+    for(Eigen::Index i = 0; i < m_potentials.cols(); ++i)
+      result.potentials.push_back(m_potentials.col(i));
+    result.state = std::move(m_state);
+    return result;
+  }
+
+private:
+  // One column for each of the masses.
+  using Columns = Eigen::MatrixXd;
+
   void advance()
   {
     for(unsigned step = 0; step < steps_per_check; ++step)
@@ -114,49 +141,25 @@ public:
       update_thresholds();
   }
 
-  double upper() const { return m_upper; }
-  double lower() const { return m_lower; }
-
-  void write(Barycenter_result& result)
-  {
-    result.masses = m_barycenter;
-    result.flows = std::move(m_flows);
-    for(Eigen::Index i = 0; i < m_potentials.cols(); ++i)
-      result.potentials.push_back(m_potentials.col(i));
-    result.state = std::move(m_state);
-  }
-
-private:
-  // One column for each mass.
-  using Columns = Eigen::MatrixXd;
-
   std::size_t size() const { return m_masses.size(); }
 
+  // Computes an iteration.  This projects x = z - u and the masses m - mass_dual.  The projection
+  // of the flows is x plus the gradients of `potentials`.
   void step()
   {
     auto& [z, u, m, mass_dual, factor] = m_state;
-    const Vector target_masses = m - mass_dual;
-    Columns rhs(target_masses.size(), Eigen::Index(size()));
-    Vector sum = -target_masses;
     for(std::size_t i = 0; i < size(); ++i)
-    {
       for(std::size_t f = 0; f < z[i].size(); ++f)
         z[i][f] = z[i][f] - u[i][f];
-      rhs.col(Eigen::Index(i)) = m_masses[i] - minus_divergence(m_operators, z[i]);
-      sum += m_weights[i] * rhs.col(Eigen::Index(i));
-    }
-    const Vector projected_masses =
-        target_masses + m_solver.m_lumped_mass.cwiseProduct(m_solver.m_damped_solver->solve(sum)) /
-                            m_solver.m_stiffness;
-    rhs.colwise() -= projected_masses;
-    m_solver.m_solver->solve_columns(rhs);
+    Columns potentials(m.size(), Eigen::Index(size()));
+    const Vector projected_masses = project(z, m - mass_dual, potentials);
 
     double square = 0.;
     for(std::size_t i = 0; i < size(); ++i)
     {
-      gradient(m_operators, rhs.col(Eigen::Index(i)), m_gradient);
+      gradient(m_operators, potentials.col(Eigen::Index(i)), m_gradient);
       square += m_weights[i] * max_squared_length(m_operators, m_gradient);
-      // Of the nearest flow x + slope, where x = z - u, and of z and u a flow beyond it.
+      // The relaxed iterate plus u, where z holds x.
       for(std::size_t f = 0; f < z[i].size(); ++f)
       {
         z[i][f] = z[i][f] + u[i][f] + relaxation_factor * m_gradient[f] +
@@ -167,7 +170,7 @@ private:
       for(std::size_t f = 0; f < z[i].size(); ++f)
         u[i][f] = u[i][f] - z[i][f];
     }
-    update_lower_bound(rhs, square);
+    update_lower_bound(potentials, square);
 
     const Vector relaxed_masses =
         relaxation_factor * projected_masses + (1. - relaxation_factor) * m + mass_dual;
@@ -175,8 +178,28 @@ private:
     mass_dual = relaxed_masses - m;
   }
 
-  // The smaller triangles are, the stronger flows between points: thresholds should be a third of what their
-  // vectors are in the mean, each as often as it carries mass.  At 40,000 vertices that saves half of the steps.
+  // Finds the flows and masses closest to the given ones that satisfy divergence(J_i) = m_i - m.
+  // Returns m and the potentials whose gradients are to be added to the flows.
+  Vector project(const std::vector<Field>& flows, const Vector& target_masses,
+                 Columns& potentials) const
+  {
+    Vector sum = -target_masses;
+    for(std::size_t i = 0; i < size(); ++i)
+    {
+      potentials.col(Eigen::Index(i)) = m_masses[i] - minus_divergence(m_operators, flows[i]);
+      sum += m_weights[i] * potentials.col(Eigen::Index(i));
+    }
+    const Vector result =
+        target_masses + m_solver.m_lumped_mass.cwiseProduct(m_solver.m_damped_solver->solve(sum)) /
+                            m_solver.m_stiffness;
+    potentials.colwise() -= result;
+    m_solver.m_solver->solve_columns(potentials);
+    return result;
+  }
+
+  // Raises the thresholds to a third of the mean length of the vectors, weighted by the mass that
+  // they carry. Flows between points are larger in smaller triangles.  At 40,000 vertices this
+  // saves half of the steps.
   void update_thresholds()
   {
     double mean_flow = 0., threshold = 0.;
@@ -196,18 +219,38 @@ private:
         vector = change * vector;
   }
 
-  // Masses that are not negative, with the right sum on each component, and the least difference of
-  // densities: less by one density, as far as there is any.
+  // Returns the masses max(0, target - c lumped_mass), with one constant c for each component,
+  // whose sums are m_total: the closest masses that are not negative, measured by their
+  // densities.
   Vector project_masses(const Vector& target_masses) const
   {
+    const std::vector<double> density = density_shift(target_masses);
     const std::vector<Index>& component = m_solver.m_component;
+    Vector result(target_masses.size());
+    std::vector<double> mass(m_total.size(), 0.);
+    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
+    {
+      const Index c = component[vertex];
+      result[vertex] =
+          std::max(0., target_masses[vertex] - density[c] * m_solver.m_lumped_mass[vertex]);
+      mass[c] += result[vertex];
+    }
+    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
+      if(const Index c = component[vertex]; mass[c] > 0.)
+        result[vertex] *= m_total[c] / mass[c];
+    return result;
+  }
+
+  // #components: the constants c of project_masses(), by Newton's method from below.
+  std::vector<double> density_shift(const Vector& target_masses) const
+  {
     std::vector<double> density(m_total.size(), -infinity), mass, area;
     for(bool has_converged = false; !has_converged;)
     {
       mass.assign(m_total.size(), 0.);
       area.assign(m_total.size(), 0.);
       for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
-        if(const Index c = component[vertex];
+        if(const Index c = m_solver.m_component[vertex];
            target_masses[vertex] > density[c] * m_solver.m_lumped_mass[vertex])
         {
           mass[c] += target_masses[vertex];
@@ -222,22 +265,11 @@ private:
           density[c] = std::max(density[c], next);
         }
     }
-    Vector result(target_masses.size());
-    mass.assign(m_total.size(), 0.);
-    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
-    {
-      const Index c = component[vertex];
-      result[vertex] =
-          std::max(0., target_masses[vertex] - density[c] * m_solver.m_lumped_mass[vertex]);
-      mass[c] += result[vertex];
-    }
-    for(Eigen::Index vertex = 0; vertex < target_masses.size(); ++vertex)
-      if(const Index c = component[vertex]; mass[c] > 0.)
-        result[vertex] *= m_total[c] / mass[c];
-    return result;
+    return density;
   }
 
-  // The flows from masses that are nearest to others.
+  // Corrects flows, by least squares, such that they move the given masses to the input masses.
+  // Keeps masses and flows if they cost less than the best ones.
   void update_upper_bound(const Vector& masses, std::vector<Field> flows)
   {
     Columns rhs(masses.size(), Eigen::Index(size()));
@@ -260,7 +292,8 @@ private:
     m_flows = std::move(flows);
   }
 
-  // The weighted sum of their squared slopes is known.
+  // Keeps potentials if they prove a higher lower bound than the best ones.  `square` is the sum
+  // of the weights times the squared slopes.
   void update_lower_bound(const Columns& potentials, double square)
   {
     Vector sum = Vector::Zero(potentials.rows());
@@ -290,7 +323,7 @@ private:
   const std::vector<Vector>& m_masses;
   const std::vector<double>& m_weights;
   std::vector<double> m_total;     // #components
-  std::vector<double> m_threshold; // #masses: that much in the last step
+  std::vector<double> m_threshold; // #masses: shrinkage of the last step
   Barycenter_state m_state;
   unsigned m_number_of_checks = 0;
   double m_upper = infinity, m_lower = 0.;
@@ -304,9 +337,9 @@ Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::mov
 {
   m_area = std::accumulate(m_operators.area.begin(), m_operators.area.end(), 0.);
   if(!(m_area > 0.))
-    throw Unsupported_surface_error("The surface has no triangle with an area to move masses on.");
+    throw Unsupported_surface_error("No triangle of the surface has an area.");
   std::tie(m_component, m_number_of_components) = components(m_operators);
-  // Masses at sites without triangles stay there, whatever their area is.
+  // Mass at a vertex without triangles cannot move, so that any positive area will do.
   m_lumped_mass = lumped_mass(m_operators);
   for(double& lumped : m_lumped_mass)
     if(!(lumped > 0.))
@@ -326,49 +359,57 @@ Barycenter_solver::Barycenter_solver(Operators operators) : m_operators(std::mov
 void check_weights(const std::vector<double>& weights, std::size_t number)
 {
   if(weights.size() != number)
-    throw Invalid_argument_error("There are " + std::to_string(weights.size()) + " weights for " +
-                                 std::to_string(number) + " of what they weigh.");
+    throw Invalid_argument_error("There are " + std::to_string(weights.size()) + " weights, but " +
+                                 std::to_string(number) + " are required.");
   for(const double weight : weights)
     if(!(weight >= 0. && std::isfinite(weight)))
       throw Invalid_argument_error("A weight is " + std::to_string(weight) +
-                                   ", not a number from zero on.");
+                                   "; it must be finite and not negative.");
   if(std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.; }))
     throw Invalid_argument_error("All weights are zero.");
+}
+
+std::vector<double> Barycenter_solver::component_totals(const Vector& masses) const
+{
+  std::vector<double> result(m_number_of_components, 0.);
+  for(Eigen::Index vertex = 0; vertex < masses.size(); ++vertex)
+    result[m_component[vertex]] += masses[vertex];
+  return result;
+}
+
+void Barycenter_solver::check_masses(const Vector& masses) const
+{
+  if(masses.size() != Eigen::Index(m_operators.number_of_vertices))
+    throw Invalid_argument_error("There are " + std::to_string(masses.size()) + " masses for " +
+                                 std::to_string(m_operators.number_of_vertices) + " vertices.");
+  if(!masses.allFinite())
+    throw Invalid_argument_error("A mass is not a finite number.");
+  if(masses.minCoeff() < 0.)
+    throw Invalid_argument_error("A mass is negative.");
 }
 
 void Barycenter_solver::check_input(const std::vector<Vector>& masses,
                                     const std::vector<double>& weights) const
 {
   if(masses.empty())
-    throw Invalid_argument_error("There are no masses to find the barycenter of.");
+    throw Invalid_argument_error("There are no mass distributions.");
   check_weights(weights, masses.size());
   std::vector<double> first_totals;
   for(const Vector& distribution : masses)
   {
-    if(distribution.size() != Eigen::Index(m_operators.number_of_vertices))
-      throw Invalid_argument_error("There are " + std::to_string(distribution.size()) +
-                                   " masses for " + std::to_string(m_operators.number_of_vertices) +
-                                   " sites.");
-    if(!distribution.allFinite())
-      throw Invalid_argument_error("A mass is not a finite number.");
-    if(distribution.minCoeff() < 0.)
-      throw Invalid_argument_error("A mass is negative.");
-    std::vector<double> total(m_number_of_components, 0.);
-    for(Eigen::Index vertex = 0; vertex < distribution.size(); ++vertex)
-      total[m_component[vertex]] += distribution[vertex];
+    check_masses(distribution);
+    const std::vector<double> total = component_totals(distribution);
     if(first_totals.empty())
       first_totals = total;
     for(std::size_t c = 0; c < m_number_of_components; ++c)
       if(std::abs(total[c] - first_totals[c]) > 1e-9 * std::max(total[c], first_totals[c]))
         throw Invalid_argument_error(
-            "Masses sum to " + std::to_string(first_totals[c]) + " and to " +
-            std::to_string(total[c]) +
-            (m_number_of_components == 1
-                 ? "."
-                 : " on a component of the surface, and none can leave it."));
+            "Two mass distributions have total masses " + std::to_string(first_totals[c]) +
+            " and " + std::to_string(total[c]) +
+            (m_number_of_components == 1 ? "." : " on a component of the surface."));
   }
   if(!(masses[0].sum() > 0.))
-    throw Invalid_argument_error("The masses sum to zero.");
+    throw Invalid_argument_error("The total mass is zero.");
 }
 
 Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
@@ -381,8 +422,8 @@ Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
   const std::vector<Field>& start = options.warm_start.shrunk_flows;
   if(!start.empty() && start.size() != masses.size())
     throw Invalid_argument_error("There are " + std::to_string(masses.size()) +
-                                 " masses, but it ended with " + std::to_string(start.size()) +
-                                 " where it is to start.");
+                                 " mass distributions, but the initial state has " +
+                                 std::to_string(start.size()) + ".");
   const double total = masses[0].sum();
   const double weight = std::accumulate(weights.begin(), weights.end(), 0.);
   std::vector<Vector> normalized_masses;
@@ -393,30 +434,7 @@ Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
     normalized_weights.push_back(weights[i] / weight);
   }
   Admm iteration(*this, normalized_masses, normalized_weights, options.warm_start);
-
-  Barycenter_result result;
-  // What moves no farther than this is where it was.
-  const double negligible_cost = 1e-20 * m_area;
-  const auto gap = [&]
-  { return iteration.upper() > negligible_cost ? 1. - iteration.lower() / iteration.upper() : 0.; };
-  const auto is_cancelled = [&]
-  {
-    const double fraction =
-        options.tolerance < 1. ? std::log(gap()) / std::log(options.tolerance) : 1.;
-    return options.callback && !options.callback(std::clamp(fraction, 0., 1.));
-  };
-  const unsigned max_iterations =
-      options.maximum_iterations > 0 ? options.maximum_iterations : 5000;
-  for(; gap() > options.tolerance && result.iterations < max_iterations && !is_cancelled();
-      result.iterations += steps_per_check)
-    iteration.advance();
-
-  result.converged = gap() <= options.tolerance;
-  const double scale = weight * total * total;
-  result.lower = scale * iteration.lower();
-  result.upper = scale * iteration.upper();
-  result.value = 0.5 * (result.lower + result.upper);
-  iteration.write(result);
+  Barycenter_result result = iteration.run(options);
   for(std::size_t i = 0; i < masses.size(); ++i)
   {
     const Vector error =
@@ -428,6 +446,10 @@ Barycenter_result Barycenter_solver::solve(const std::vector<Vector>& masses,
     result.distances.push_back(integrated_length(m_operators, result.flows[i]));
   }
   result.masses *= total;
+  const double scale = weight * total * total;
+  result.lower *= scale;
+  result.upper *= scale;
+  result.value = 0.5 * (result.lower + result.upper);
   return result;
 }
 

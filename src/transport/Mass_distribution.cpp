@@ -14,7 +14,7 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// target += factor * source, where empty is zero.
+// Adds factor * source to target.  An empty vector is zero.
 void add(Vector& target, double factor, const Vector& source)
 {
   if(source.size() == 0)
@@ -93,16 +93,16 @@ Mass_distribution difference(const Surface_arrays& triangles, const std::vector<
   {
     for(const double sum : total)
       if(!(sum > 0.))
-        throw Invalid_argument_error("Masses that sum to " + std::to_string(sum) +
-                                     " cannot be scaled so that they sum to one.");
+        throw Invalid_argument_error("A total mass of " + std::to_string(sum) +
+                                     " cannot be scaled to one.");
     add(result, 1. / total[1], to);
     add(result, -1. / total[0], from);
     return result;
   }
   if(std::abs(total[1] - total[0]) > 1e-9 * std::max(size[0], size[1]))
-    throw Invalid_argument_error("The masses sum to " + std::to_string(total[0]) +
-                                 " before and to " + std::to_string(total[1]) +
-                                 " after they are moved.");
+    throw Invalid_argument_error(
+        "The total masses before and after differ: " + std::to_string(total[0]) + " and " +
+        std::to_string(total[1]) + ".");
   add(result, 1., to);
   add(result, -1., from);
   return result;

@@ -8,6 +8,7 @@
 #include "core/unfold.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -17,7 +18,8 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Sites of a surface that was refined: those of the coarse one, and middles between two of them.
+// Returns the vertices of a region after refinement: those of the coarse surface, and the
+// midpoints of edges between two of them.
 std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                            const std::vector<Index>& region)
 {
@@ -32,7 +34,7 @@ std::vector<Index> refined(const Surface_arrays& coarse, const Surface_arrays& f
   return result;
 }
 
-// One unknown for all sites of an exit, the first one's.
+// Replaces all vertices of an exit by the first one, so that they share one unknown.
 void merge_exits(Operators& operators, const std::vector<std::vector<Index>>& exits)
 {
   std::vector<Index> representative(operators.number_of_vertices);
@@ -44,7 +46,7 @@ void merge_exits(Operators& operators, const std::vector<std::vector<Index>>& ex
     vertex = representative[vertex];
 }
 
-// What is missing there, in the first site.
+// Adds the masses of an exit at its first vertex.
 void merge_exits(Vector& masses, const std::vector<std::vector<Index>>& exits)
 {
   for(const std::vector<Index>& exit : exits)
@@ -53,7 +55,7 @@ void merge_exits(Vector& masses, const std::vector<std::vector<Index>>& exits)
         masses[exit.front()] += std::exchange(masses[vertex], 0.);
 }
 
-// Not glued where nothing may pass on one side.
+// Returns the arrays with twins removed along the boundary of obstacles.
 std::shared_ptr<const Surface_arrays> cut_open(const std::shared_ptr<const Surface_arrays>& arrays,
                                                const std::vector<Metric_tensor>& metric)
 {
@@ -67,6 +69,7 @@ std::shared_ptr<const Surface_arrays> cut_open(const std::shared_ptr<const Surfa
   return std::make_shared<const Surface_arrays>(std::move(result));
 }
 
+// Returns the metric with the identity inside obstacles.
 std::vector<Metric_tensor> cut_open(std::vector<Metric_tensor> metric)
 {
   std::replace_if(metric.begin(), metric.end(), is_blocked, Metric_tensor{1., 0., 1.});
@@ -92,10 +95,10 @@ void check_region(const Transport_region& region)
     if(!(capacity > 0.))
       throw Invalid_argument_error("A capacity is not positive.");
   if(!(region.spreading_weight >= 0.) || !std::isfinite(region.spreading_weight))
-    throw Invalid_argument_error("The weight of spreading is negative or not finite.");
+    throw Invalid_argument_error("The spreading weight is negative or not finite.");
 }
 
-// Without limits all exits are one.
+// Sorts the vertices of each exit.  If there are no limits, merges all exits into one.
 std::vector<std::vector<Index>> merged_exits(std::vector<std::vector<Index>> exits, bool is_limited)
 {
   if(!is_limited && exits.size() > 1)
@@ -113,7 +116,7 @@ std::vector<std::vector<Index>> merged_exits(std::vector<std::vector<Index>> exi
   }
   std::sort(vertices.begin(), vertices.end());
   if(std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end())
-    throw Invalid_argument_error("Two exits share a site.");
+    throw Invalid_argument_error("Two exits share a vertex.");
   return exits;
 }
 
@@ -126,52 +129,79 @@ Multilevel_transport_solver::Multilevel_transport_solver(
 {
   check_region(m_region);
   if(std::ldexp(double(triangles->corner.size()), 2 * int(std::min(refinements, 30u))) > 2e9)
-    throw Unsupported_surface_error("The refined surface would have more than 2^31 half-edges.");
-  std::vector<std::vector<Index>> exits = m_region.exits;
-  if(!m_region.curves.empty())
+    throw Unsupported_surface_error("The refined surface would have more than 2^31 halfedges.");
+  if(m_region.curves.empty())
+    add_level(std::move(triangles), std::move(metric),
+              merged_exits(m_region.exits, m_region.is_limited()));
+  else
   {
-    if(triangles->is_cloud())
-      throw Invalid_argument_error("A region of a cloud has a location that is not at a surfel.");
-    std::vector<Index> region_vertices;
-    for(const std::vector<Index>& exit : exits)
-      region_vertices.insert(region_vertices.end(), exit.begin(), exit.end());
-    m_curve_embedding.emplace(triangles, m_region.curves, region_vertices);
-    for(std::size_t i = 0; i < exits.size(); ++i)
-      if(exits[i].empty())
-        exits[i] = m_curve_embedding->vertices()[i];
-    add_level(triangles, metric, {});
-    triangles = m_curve_embedding->triangles();
-    metric = m_curve_embedding->refined(metric);
+    add_level(std::move(triangles), std::move(metric), {});
+    embed_curves();
   }
-  add_level(triangles, metric, merged_exits(std::move(exits), m_region.is_limited()));
   if(!m_region.is_empty())
-  {
-    Operators operators = metric_operators(*triangles, metric);
-    merge_exits(operators, m_levels.back().exits);
-    const auto [component, number] = components(operators);
-    std::vector<bool> has_exit(number, false);
-    for(const std::vector<Index>& exit : m_levels.back().exits)
-      has_exit[component[exit.front()]] = true;
-    for(const Index label : component)
-      m_reaches_region.push_back(has_exit[label]);
-    for(const std::vector<Index>& exit : m_levels.back().exits)
-      for(const Index vertex : exit)
-        m_reaches_region[vertex] = true;
-  }
+    find_reachable_vertices();
   for(unsigned level = 0; level < refinements; ++level)
-  {
-    const Level& coarse = m_levels.back();
-    triangles = std::make_shared<const Surface_arrays>(refined(*coarse.triangles));
-    exits.clear();
-    for(const std::vector<Index>& exit : coarse.exits)
-      exits.push_back(refined(*coarse.triangles, *triangles, exit));
-    for(const Metric_tensor& tensor : std::exchange(metric, {}))
-      metric.insert(metric.end(), 4, tensor);
-    add_level(triangles, metric, std::move(exits));
-  }
-  for(std::size_t level =
-          std::max(base_level(), m_levels.size() - std::min<std::size_t>(m_levels.size(), 2));
-      level < m_levels.size(); ++level)
+    refine();
+  prepare_solvers();
+}
+
+// Adds a level in which the curves of the region consist of edges, and makes exits of their
+// vertices.
+void Multilevel_transport_solver::embed_curves()
+{
+  const Level& input = m_levels.front();
+  if(input.triangles->is_cloud())
+    throw Invalid_argument_error("A region on a cloud has a location that is not at a surfel.");
+  std::vector<std::vector<Index>> exits = m_region.exits;
+  std::vector<Index> region_vertices;
+  for(const std::vector<Index>& exit : exits)
+    region_vertices.insert(region_vertices.end(), exit.begin(), exit.end());
+  m_curve_embedding.emplace(input.triangles, m_region.curves, region_vertices);
+  for(std::size_t i = 0; i < exits.size(); ++i)
+    if(exits[i].empty())
+      exits[i] = m_curve_embedding->vertices()[i];
+  std::vector<Metric_tensor> metric = m_curve_embedding->refined(input.metric);
+  add_level(m_curve_embedding->triangles(), std::move(metric),
+            merged_exits(std::move(exits), m_region.is_limited()));
+}
+
+// Finds the vertices whose component has an exit.
+void Multilevel_transport_solver::find_reachable_vertices()
+{
+  const Level& level = base();
+  Operators operators = metric_operators(*level.triangles, level.metric);
+  merge_exits(operators, level.exits);
+  const auto [component, number] = components(operators);
+  std::vector<bool> has_exit(number, false);
+  for(const std::vector<Index>& exit : level.exits)
+    has_exit[component[exit.front()]] = true;
+  for(const Index label : component)
+    m_reaches_region.push_back(has_exit[label]);
+  // Merged vertices are no longer corners of triangles and have components of their own.
+  for(const std::vector<Index>& exit : level.exits)
+    for(const Index vertex : exit)
+      m_reaches_region[vertex] = true;
+}
+
+// Adds a level in which each triangle of the last one is divided in four.
+void Multilevel_transport_solver::refine()
+{
+  const Level& coarse = m_levels.back();
+  auto triangles = std::make_shared<const Surface_arrays>(refined(*coarse.triangles));
+  std::vector<std::vector<Index>> exits;
+  for(const std::vector<Index>& exit : coarse.exits)
+    exits.push_back(refined(*coarse.triangles, *triangles, exit));
+  std::vector<Metric_tensor> metric;
+  for(const Metric_tensor& tensor : coarse.metric)
+    metric.insert(metric.end(), 4, tensor);
+  add_level(std::move(triangles), std::move(metric), std::move(exits));
+}
+
+void Multilevel_transport_solver::prepare_solvers()
+{
+  const std::size_t first =
+      std::max(base_level(), m_levels.size() - std::min<std::size_t>(m_levels.size(), 2));
+  for(std::size_t level = first; level < m_levels.size(); ++level)
   {
     Level& current = m_levels[level];
     Operators operators = metric_operators(*current.triangles, current.metric);
@@ -192,12 +222,15 @@ void Multilevel_transport_solver::add_level(std::shared_ptr<const Surface_arrays
   level.exits = std::move(exits);
 }
 
+// Returns the exits of a level in its unit of length, or nothing if there are no limits.  The
+// density of arrivals is the outflow divided by a third of the area of the incident triangles
+// before refinement.
 std::vector<Exit> Multilevel_transport_solver::limited_exits(const Level& level) const
 {
   std::vector<Exit> result;
   if(!m_region.is_limited())
     return result;
-  const Level& coarse = m_levels[base_level()];
+  const Level& coarse = base();
   const double scale = coarse.triangles->scale;
   for(std::size_t i = 0; i < coarse.exits.size(); ++i)
   {
@@ -214,51 +247,65 @@ std::vector<Exit> Multilevel_transport_solver::limited_exits(const Level& level)
   return result;
 }
 
-// At most what it costs to move masses within the finest triangles to those at sites.
+// Returns the corners of a triangle of the finest level, mapped such that lengths are measured
+// ones.
+std::array<Vec2, 3> Multilevel_transport_solver::measured_corners(Index triangle) const
+{
+  const Level& fine = m_levels.back();
+  std::array<Vec2, 3> result = unfolded(*fine.triangles, triangle);
+  if(!fine.metric.empty())
+    for(Vec2& p : result)
+      p = product(fine.metric[triangle], p);
+  return result;
+}
+
+// Returns an upper bound of the cost of moving masses of the finest level to the vertices at which
+// masses_at_vertices() places them.
 double Multilevel_transport_solver::cost_to_vertices(const Mass_distribution& masses) const
 {
-  const Surface_arrays& t = *m_levels.back().triangles;
   const std::vector<Metric_tensor>& metric = m_levels.back().metric;
-  const auto corners = [&](std::size_t f)
-  {
-    auto result = unfolded(t, Index(f));
-    if(!metric.empty())
-      for(Vec2& p : result)
-        p = product(metric[f], p);
-    return result;
-  };
   double result = 0.;
   for(const auto& [location, mass] : masses.at_locations)
     if(location.triangle != none)
     {
       if(!metric.empty() && is_blocked(metric[location.triangle]))
         return infinity;
-      const auto p = corners(location.triangle);
+      const auto p = measured_corners(location.triangle);
       const Vec2 point = unfolded_point(p, location.barycentric);
       for(std::size_t k = 0; k < 3; ++k)
         result += std::abs(mass * location.barycentric[k]) * norm(point - p[k]);
     }
-  if(masses.density.size() == 0)
-    return result;
-  // The hats of corners i, j and k: the i-th part of the density's share of j, as far as k at most, as
-  // distance is convex.
+  return masses.density.size() == 0 ? result : density_cost_to_vertices(masses.density, result);
+}
+
+// Returns an upper bound of the cost of moving a linear density to the vertices, added to
+// `initial`. masses_at_vertices() gives corner k the mass of density times h_k, where h_i are the
+// hat functions.  At the point with barycentric coordinates h_i, the distance to corner k is at
+// most the sum of h_i |p_k - p_i|, by convexity.  The integral of h_i h_j h_k over a triangle is
+// area / 30 if two of them are the same, and area / 60 if none are.
+double Multilevel_transport_solver::density_cost_to_vertices(const Vector& density,
+                                                             double initial) const
+{
+  const Surface_arrays& t = *m_levels.back().triangles;
   const std::vector<double>& area = m_levels.back().area;
+  double result = initial;
   for(std::size_t f = 0; f < area.size(); ++f)
   {
     if(area[f] == 0.)
       continue;
-    const auto p = corners(f);
+    const auto p = measured_corners(Index(f));
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t j = 0; j < 3; ++j)
         for(std::size_t k = 0; k < 3; ++k)
           if(i != k)
             result += t.scale * t.scale * area[f] / (i == j || j == k ? 30. : 60.) *
-                      std::abs(masses.density[t.corner[3 * f + j]]) * norm(p[k] - p[i]);
+                      std::abs(density[t.corner[3 * f + j]]) * norm(p[k] - p[i]);
   }
   return result;
 }
 
-// On the surface itself; what is blocked is no part of it.
+// Returns the cost of a flow of the finest level if it is made continuous across edges, on the
+// surface without obstacles.
 double Multilevel_transport_solver::cost_of_flow(const Field& flow) const
 {
   const Level& fine = m_levels.back();
@@ -282,8 +329,7 @@ bool Multilevel_transport_solver::has_surface_metric() const
                      });
 }
 
-Streamlines
-Multilevel_transport_solver::streamlines(const Multilevel_transport_result& result) const
+Streamlines Multilevel_transport_solver::streamlines(const Transport_result& result) const
 {
   const Level& coarse = m_levels.front();
   const auto open_mesh = open_triangles();
@@ -295,7 +341,7 @@ Multilevel_transport_solver::streamlines(const Multilevel_transport_result& resu
   const Vector from = masses_at_vertices(*open_mesh, coarse.area, result.from);
   const Vector to = from + minus_divergence(thickened_operators, flow);
 
-  // What is negative before is there after.
+  // A negative source mass is a target mass, and conversely.
   Moved_masses masses;
   masses.source_masses = from.cwiseMax(0.) - to.cwiseMin(0.);
   masses.target_masses = to.cwiseMax(0.) - from.cwiseMin(0.);
@@ -312,12 +358,12 @@ Multilevel_transport_solver::streamlines(const Multilevel_transport_result& resu
       std::move(masses));
 }
 
-Multilevel_transport_result
-Multilevel_transport_solver::solve(const Mass_distribution& from, const Mass_distribution& to,
-                                   const Multilevel_transport_options& options) const
+Transport_result Multilevel_transport_solver::solve(const Mass_distribution& from,
+                                                    const Mass_distribution& to,
+                                                    const Transport_options& options) const
 {
   const Level& coarse = m_levels.front();
-  Multilevel_transport_result result = transport_masses(
+  Transport_result result = transport_masses(
       difference(*coarse.triangles, coarse.area, from, to, options.do_normalize), options);
   const auto normalized = [&](const Mass_distribution& distribution)
   {
@@ -331,22 +377,24 @@ Multilevel_transport_solver::solve(const Mass_distribution& from, const Mass_dis
   return result;
 }
 
-Multilevel_transport_result
+Transport_result
 Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
-                                             const Multilevel_transport_options& options) const
+                                             const Transport_options& options) const
 {
   const Mass_distribution embedded_from =
       m_curve_embedding ? m_curve_embedding->refined(from) : from;
-  const Level& coarse = m_levels[base_level()];
+  const Level& coarse = base();
   const Vector at_vertices = masses_at_vertices(*coarse.triangles, coarse.area, embedded_from);
   Mass_distribution to;
   const Index first = coarse.exits.front().front();
   to.at_locations = {{{none, first, {}}, at_vertices.sum()}};
   Mass_distribution masses =
       difference(*coarse.triangles, coarse.area, embedded_from, to, options.do_normalize);
-  if(m_region.is_limited()) // where it goes is not known
+  // With limits the target masses are unknown, so that difference() only serves to check and
+  // normalize.
+  if(m_region.is_limited())
     masses.at_locations.erase(masses.at_locations.begin());
-  Multilevel_transport_result result = transport_masses(masses, options);
+  Transport_result result = transport_masses(masses, options);
 
   for(const std::vector<Index>& exit : coarse.exits)
     for(const Index vertex : exit)
@@ -354,14 +402,8 @@ Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
   if(!m_region.is_limited())
     result.potential.array() -= double(result.potential[first]);
 
-  const double scale = coarse.triangles->scale;
-  const Vector vertex_masses =
-      minus_divergence(operators(*coarse.triangles, Degenerate_triangles::thickened), result.flow);
   const double factor = options.do_normalize ? 1. / at_vertices.sum() : 1.;
-  result.arrivals = Vector::Zero(at_vertices.size());
-  for(const std::vector<Index>& exit : coarse.exits)
-    for(const Index vertex : exit)
-      result.arrivals[vertex] = scale * vertex_masses[vertex] + factor * at_vertices[vertex];
+  result.arrivals = arrivals(result.flow, factor * at_vertices);
   result.from = scaled(from, factor);
   if(m_curve_embedding)
   {
@@ -372,52 +414,76 @@ Multilevel_transport_solver::solve_to_region(const Mass_distribution& from,
   return result;
 }
 
-Multilevel_transport_result
-Multilevel_transport_solver::transport_masses(Mass_distribution masses,
-                                              const Multilevel_transport_options& options) const
+// #vertices of the base level: the mass that a flow carries to each vertex of the region.
+Vector Multilevel_transport_solver::arrivals(const Field& flow, const Vector& source_masses) const
+{
+  const Level& coarse = base();
+  const double scale = coarse.triangles->scale;
+  const Vector vertex_masses =
+      minus_divergence(operators(*coarse.triangles, Degenerate_triangles::thickened), flow);
+  Vector result = Vector::Zero(source_masses.size());
+  for(const std::vector<Index>& exit : coarse.exits)
+    for(const Index vertex : exit)
+      result[vertex] = scale * vertex_masses[vertex] + source_masses[vertex];
+  return result;
+}
+
+// Solves on the last two levels, or on the last one if there is no refinement.
+Multilevel_transport_solver::Finest_solution
+Multilevel_transport_solver::solve_levels(Mass_distribution masses,
+                                          const Transport_options& options) const
 {
   const std::size_t finest = m_levels.size() - 1;
-  Multilevel_transport_result result;
-  Transport_options transport = options.transport;
-  transport.warm_start = {};
-  double progress = 0., stage_weight = finest > base_level() ? 0.2 : 1.; // of the time, about
+  Finest_solution solution = {{}, std::move(masses), 0.};
+  Transport_options level_options = options;
+  level_options.warm_start = {};
+  // The coarse level takes about a fifth of the time.
+  double progress = 0., stage_weight = finest > base_level() ? 0.2 : 1.;
   bool is_cancelled = false;
-  if(options.transport.callback) // not asked again after it said no
-    transport.callback = [&](double fraction)
+  if(options.callback) // not called again after it has returned false
+    level_options.callback = [&](double fraction)
     {
-      is_cancelled =
-          is_cancelled || !options.transport.callback(progress + stage_weight * fraction);
+      is_cancelled = is_cancelled || !options.callback(progress + stage_weight * fraction);
       return !is_cancelled;
     };
-  double coarse_value = 0.; // the value on the surface that is refined once less
   for(std::size_t level = base_level(); level <= finest; ++level)
   {
     const Level& current = m_levels[level];
     if(level > base_level())
-      masses = refined(*m_levels[level - 1].triangles, *current.triangles, masses);
+      solution.masses =
+          refined(*m_levels[level - 1].triangles, *current.triangles, solution.masses);
     if(!current.solver)
       continue;
-    coarse_value = current.triangles->scale * 2. * result.value;
+    // The unit of length halves with each refinement.
+    solution.coarse_value = current.triangles->scale * 2. * solution.result.value;
     if(level == finest)
-      transport.warm_start = options.transport.warm_start; // which ended there
-    Vector vertex_masses = masses_at_vertices(*current.triangles, current.area, masses);
+      level_options.warm_start = options.warm_start; // the final state of a query of this level
+    Vector vertex_masses = masses_at_vertices(*current.triangles, current.area, solution.masses);
     merge_exits(vertex_masses, current.exits);
-    static_cast<Transport_result&>(result) =
-        current.solver->solve(vertex_masses, transport, limited_exits(current));
+    solution.result = current.solver->solve(vertex_masses, level_options, limited_exits(current));
     progress = stage_weight;
     stage_weight = 1. - stage_weight;
   }
-  const double scale = m_levels.back().triangles->scale;
+  return solution;
+}
+
+Transport_result
+Multilevel_transport_solver::transport_masses(Mass_distribution masses,
+                                              const Transport_options& options) const
+{
+  Finest_solution solution = solve_levels(std::move(masses), options);
+  Transport_result result = std::move(solution.result);
   const std::vector<Metric_tensor>& metric = m_levels.back().metric;
   for(std::size_t f = 0; f < metric.size(); ++f)
     if(!is_blocked(metric[f]))
       result.flow[f] = product(inverse(metric[f]), result.flow[f]);
   if(options.do_bound_from_above)
-    result.upper_continuous = scale * (cost_of_flow(result.flow) + cost_to_vertices(masses));
-  rescale(result, scale);
-  result.estimate = finest > base_level() ? 2. * result.value - coarse_value : result.value;
-  result.potential.conservativeResize(
-      Eigen::Index(m_levels[base_level()].triangles->number_of_vertices()));
+    result.upper_continuous = cost_of_flow(result.flow) + cost_to_vertices(solution.masses);
+  rescale(result, m_levels.back().triangles->scale);
+  const std::size_t finest = m_levels.size() - 1;
+  if(finest > base_level())
+    result.estimate = 2. * result.value - solution.coarse_value;
+  result.potential.conservativeResize(Eigen::Index(base().triangles->number_of_vertices()));
   for(std::size_t level = finest; level > base_level(); --level)
     result.flow = coarsened(result.flow);
   return result;

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_TRANSPORT_ITERATION_H
 
 #include <CGAL/Geodesic_processing/internal/transport/Transport_solver.h>
+#include "transport/exits.h"
 
 #include <memory>
 #include <utility>
@@ -11,74 +12,67 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// Those of a component whose masses, which sum to minus `mass`, leave through them; with room for more.
-struct Exit_group
-{
-  Index component;
-  double mass;
-  std::vector<Exit> exits;
-};
-
-// For a price of leaving at each site, and what is paid besides: no more than what it costs to get rid of
-// the mass; and the price at which the last of it leaves.
-std::pair<double, double> dual_exit_cost(const Exit_group& group, const Vector& price);
-
-// To minimize the integral of |J| over the fields with divergence(J) = masses; with exits, and what is paid
-// there, over those with divergence(J) = masses + what leaves.
+// Minimize the integral of |J| subject to divergence(J) = masses.  If there are exits, the mass
+// that leaves through each is a variable: divergence(J) = masses + outflow, and its price is
+// added to the objective.  Masses are scaled such that one unit of mass is moved.
 struct Transport_problem
 {
   const Operators& operators;
   const Laplacian& laplacian;
-  const Sparse_matrix& matrix; // of it, held
-  const Sparse_solver& solver; // of the matrix
-  const Vector& masses;
+  const Sparse_matrix& matrix; // the Laplacian, pinned
+  const Sparse_solver& solver; // factorization of the matrix
+  const Vector& masses;        // #vertices
   std::vector<Exit_group> exits = {};
 };
 
-// A way to get there step by step, and the best that was seen so far.
+// An iterative method for a Transport_problem.  The base class keeps the best bounds of all
+// iterates.
 class Transport_iteration
 {
 public:
-  explicit Transport_iteration(const Transport_problem& problem) : m_problem(problem) {}
+  explicit Transport_iteration(const Transport_problem& problem);
   virtual ~Transport_iteration() = default;
 
-  // False when rounding lets it go no farther.
+  // Improves the bounds.  Returns false if round-off errors prevent further progress.
   virtual bool advance() = 0;
 
-  double upper() const { return m_upper; }
-  double lower() const { return m_lower; }
-  const Field& flow() const { return m_flow; } // costs `upper`
-  const std::vector<double>& outflow() const
-  {
-    return m_outflow;
-  }                                                       // through exits, one after another
-  const Vector& potential() const { return m_potential; } // of slope one at most, proves `lower`
+  // Returns what a call of advance() adds to the number of iterations.
+  virtual unsigned iterations_per_advance() const { return 1; }
+  virtual unsigned default_max_iterations() const { return 100; }
+
+  // Returns the best bounds with flow, outflow and potential.  The outflow has an entry for each
+  // exit of problem().exits, one group after another.  Other members are not set.
+  const Transport_result& best() const { return m_best; }
+
+  // Moves the best bounds out, with the final state of methods that have one.
+  virtual Transport_result take_best() { return std::move(m_best); }
 
 protected:
   const Operators& operators() const { return m_problem.operators; }
   const Transport_problem& problem() const { return m_problem; }
 
-  // The field must have the divergence that is asked for, and is not kept when more leaves than there is
-  // room for, or less than nothing; the potential may have any slope.
-  void update_upper_bound(const Field& flow, const std::vector<double>& outflow = {});
+  // Keeps a flow with divergence(flow) = masses + outflow if it costs less than the best one.
+  // Ignores it if an outflow is negative or exceeds the capacity.
+  void update_upper_bound(const Field& flow, const Vector& outflow = {});
+  // Keeps a potential, divided by its maximum slope, if it proves a higher bound than the best one.
   void update_lower_bound(const Vector& potential);
 
 private:
   Transport_problem m_problem;
-  double m_lower = 0., m_upper = infinity;
-  Field m_flow;
-  std::vector<double> m_outflow;
-  Vector m_potential = Vector::Zero(m_problem.masses.size());
+  Transport_result m_best;
 };
 
-// For the second-order cone program: scaling of Nesterov and Todd, predictor and corrector of Mehrotra,
-// centrality corrector of Gondzio.  A step is a factorization.
+// The interior point method that Transport_solver describes.  A step is a factorization.
 std::unique_ptr<Transport_iteration> interior_point(const Transport_problem& problem);
 
-// Least squares again and again, weighted by one over the length that vectors had before (Weiszfeld 1937
-// in each triangle; figure 4 of Solomon and others 2014).  A step is a factorization; the gap stalls at
-// about one percent.
+// Iteratively reweighted least squares: each triangle is weighted by one over the length of its
+// vector in the previous iterate (Weiszfeld 1937; Solomon and others 2014, figure 4).  A step is
+// a factorization. The gap stalls at about one percent.
 std::unique_ptr<Transport_iteration> weiszfeld(const Transport_problem& problem);
+
+// Returns the method of the options, at its start.
+std::unique_ptr<Transport_iteration> make_iteration(const Transport_problem& problem,
+                                                    const Transport_options& options);
 
 } // namespace CGAL::Geodesic_processing::internal
 

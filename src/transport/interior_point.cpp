@@ -12,12 +12,12 @@ namespace CGAL::Geodesic_processing::internal {
 
 namespace {
 
-// Hidden by those of cone vectors otherwise.
+// Otherwise the operators of Cone_vector would hide these.
 using internal::dot;
 using internal::operator+;
 using internal::operator*;
 
-// A vector of the space of the second-order cone first >= |rest|.
+// A vector of the space of the second-order cone scalar >= |vector|.
 struct Cone_vector
 {
   double scalar;
@@ -36,10 +36,10 @@ double dot(const Cone_vector& x, const Cone_vector& y)
 {
   return x.scalar * y.scalar + dot(x.vector, y.vector);
 }
-// Positive inside of the cone, zero on it.
+// Returns the cone's determinant: positive inside the cone, zero on its boundary.
 double determinant(const Cone_vector& x) { return x.scalar * x.scalar - dot(x.vector, x.vector); }
 
-// The product of the cone's algebra, and x with product(a, x) = b.
+// The Jordan product of the cone, and its inverse: quotient(b, a) is the x with product(a, x) = b.
 Cone_vector product(const Cone_vector& a, const Cone_vector& b)
 {
   return {dot(a, b), a.scalar * b.vector + b.scalar * a.vector};
@@ -50,7 +50,8 @@ Cone_vector quotient(const Cone_vector& b, const Cone_vector& a)
   return {scalar, (1. / a.scalar) * (b.vector - scalar * a.vector)};
 }
 
-// What brings the two eigenvalues of x into [gap / 10, 10 gap], though not down by more than 10 gap.
+// Returns the correction that clamps the two eigenvalues of x to [gap / 10, 10 gap], but
+// decreases none by more than 10 gap.
 Cone_vector centrality_correction(double gap, const Cone_vector& x)
 {
   const auto correction = [&](double eigenvalue)
@@ -60,7 +61,8 @@ Cone_vector centrality_correction(double gap, const Cone_vector& x)
   return {0.5 * (high + low), (size > 0. ? 0.5 * (high - low) / size : 0.) * x.vector};
 }
 
-// One over the longest step from x, inside of the cone, in a direction; zero when none leaves it.
+// Returns the reciprocal of the longest step from x, which is inside the cone, that stays in the
+// cone; zero if no step in this direction leaves it.
 double inverse_max_step(const Cone_vector& x, const Cone_vector& direction)
 {
   const double a = determinant(direction), c = determinant(x);
@@ -69,8 +71,8 @@ double inverse_max_step(const Cone_vector& x, const Cone_vector& direction)
   return discriminant >= 0. ? std::max(0., (std::sqrt(discriminant) - b) / c) : 0.;
 }
 
-// The scaling W of Nesterov and Todd, symmetric, for which W z = W^-1 s: eta times the hyperbolic
-// reflection's root of the unit vector w.
+// The Nesterov-Todd scaling W: the symmetric matrix with W z = W^-1 s.  It is stored as the
+// factor eta and the hyperbolic unit vector w (Vandenberghe 2010).
 struct Scaling
 {
   Cone_vector w;
@@ -104,7 +106,7 @@ struct Scaling
     const double along = 2. * internal::dot(w.vector, x);
     return (1. / (eta * eta)) * Cone_vector{-along * w.scalar, x + along * w.vector};
   }
-  Metric_tensor tensor() const // of W^-2 in the plane
+  Metric_tensor tensor() const // the block of W^-2 that acts on the vector part
   {
     const double x = w.vector[0], y = w.vector[1], factor = 1. / (eta * eta);
     return {factor * (1. + 2. * x * x), factor * 2. * x * y, factor * (1. + 2. * y * y)};
@@ -113,34 +115,36 @@ struct Scaling
   static constexpr double min_determinant = std::numeric_limits<double>::min();
 };
 
-// An exit, through which x leaves, and y = capacity - x could leave besides.  With multipliers u of x >= 0
-// and v of y >= 0, price x + potential = u - v at the optimum, and the products u x and v y are zero.
+// The variables of an exit: the outflow x, the remaining capacity y = capacity - x, and the
+// multipliers u of x >= 0 and v of y >= 0.  At the optimum price x + potential = u - v, and the
+// products u x and v y are zero.
 struct Exit_slack : Exit
 {
   double x, y, u = 0., v = 0.;
   double x_step = 0., u_step = 0., v_step = 0.;
-  double u_change = 0., v_change = 0.; // of the products, to be reached
+  double u_change = 0., v_change = 0.; // target changes of the products u x and v y
 
   Exit_slack(const Exit& exit, double x) : Exit(exit), x(x), y(capacity - x) {}
 
   bool is_limited() const { return y < infinity; }
 
-  // With products of about that size.
+  // Chooses multipliers such that v y equals the product and price x + potential = u - v.
   void initialize(double potential, double product)
   {
     v = is_limited() ? product / y : 0.;
     u = price * x + potential + v;
   }
 
+  // Returns u x + v y after steps of the given lengths.
   double gap(double primal, double dual) const
   {
     const double gap_of_x = (u + primal * u_step) * (x + dual * x_step);
     return is_limited() ? gap_of_x + (v + primal * v_step) * (y - dual * x_step) : gap_of_x;
   }
 
-  // By how much more leaves where the potential is lower by one.
+  // Returns the change of x if the potential decreases by one, in the linearized system.
   double compliance() const { return 1. / (price + u / x + (is_limited() ? v / y : 0.)); }
-  // What the changes of products let leave.
+  // Returns the change of x that results from the target changes of the products.
   double rhs_contribution() const
   {
     return compliance() * (u_change / x - (is_limited() ? v_change / y : 0.));
@@ -182,9 +186,9 @@ struct Exit_slack : Exit
   }
 };
 
-// In each triangle s = (1, gradient phi) and z = (tau, -J), both inside of the cone; at the optimum their
-// product is zero.  The names are those of Vandenberghe 2010 ("The CVXOPT linear and quadratic cone
-// program solvers"), which has the method for cones in general.
+// In each triangle s = (1, gradient phi) and z = (tau, -J) are inside the cone, and at the
+// optimum their product is zero.  Names as in Vandenberghe 2010 ("The CVXOPT linear and quadratic
+// cone program solvers"), which describes the method for general cones.
 class Interior_point : public Transport_iteration
 {
 public:
@@ -203,33 +207,60 @@ public:
     m_tensor.resize(n);
     for(const double area : m_operators.area)
       m_area += area;
-    // From the flow of least squares to exits that are all as full, and no potential.
     for(const Exit_group& group : problem.exits)
+      add_slacks(group);
+    start_from_least_squares();
+  }
+
+  bool advance() override
+  {
+    scale();
+    if(!factorize())
+      return false;
+    const double gap = mean_gap({0., 0.});
+    const Steps predicted = predict();
+    // The flow of a full predictor step moves the masses even if the step leaves the cone, so that
+    // it gives an upper bound.  This bound often has half the error of the iterate.
+    update_upper_bound(flow(1.), outflow(1.));
+    const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
+    return move(correct_centrality(next, correct(next)));
+  }
+
+private:
+  // Initializes the outflows.  Each is 0.9 times the outflow that is optimal if moving costs
+  // nothing, plus 0.1 times an outflow in proportion to the capacity.  Then none is zero or at
+  // its capacity.
+  void add_slacks(const Exit_group& group)
+  {
+    m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);
+    m_has_exits[group.component] = true;
+    double total_capacity = 0.;
+    for(const Exit& exit : group.exits)
+      total_capacity += std::min(exit.capacity, 2. * group.mass);
+    const double price = dual_exit_cost(group, Vector::Zero(problem().masses.size())).marginal_cost;
+    for(const Exit& exit : group.exits)
     {
-      m_has_exits.resize(std::max(m_has_exits.size(), std::size_t(group.component) + 1), false);
-      m_has_exits[group.component] = true;
-      double total_capacity = 0.;
-      for(const Exit& exit : group.exits)
-        total_capacity += std::min(exit.capacity, 2. * group.mass);
-      // Nearly to where it would cost the least without a way, though none is empty or has no more room.
-      const double price = dual_exit_cost(group, Vector::Zero(problem.masses.size())).second;
-      for(const Exit& exit : group.exits)
-      {
-        const double uniform =
-            std::min(exit.capacity, 2. * group.mass) * (group.mass / total_capacity);
-        const double unconstrained =
-            exit.price > 0. ? std::min(price / exit.price, exit.capacity) : uniform;
-        m_slacks.emplace_back(exit, 0.1 * uniform + 0.9 * unconstrained);
-      }
+      const double uniform =
+          std::min(exit.capacity, 2. * group.mass) * (group.mass / total_capacity);
+      const double unconstrained =
+          exit.price > 0. ? std::min(price / exit.price, exit.capacity) : uniform;
+      m_slacks.emplace_back(exit, 0.1 * uniform + 0.9 * unconstrained);
     }
-    const Field flow = gradient(m_operators, problem.solver.solve(masses()));
+  }
+
+  // Starts from the least squares flow to the initial outflows, and from a potential that is zero
+  // if there are no exits.
+  void start_from_least_squares()
+  {
+    const std::size_t n = m_dual.size();
+    const Field flow = gradient(m_operators, problem().solver.solve(masses()));
     const double mean_square = inner_product(m_operators, flow, flow) / m_area;
     for(std::size_t f = 0; f < n; ++f)
       m_dual[f] = {std::sqrt(dot(flow[f], flow[f]) + mean_square), -1. * flow[f]};
     m_exit_weight = m_area / double(n);
     m_total_weight = m_area;
     const double product = m_exit_weight * std::sqrt(mean_square);
-    double max_outflow = 0., min_price = infinity; // of what leaves through one of them
+    double max_outflow = 0., min_price = infinity;
     for(const Exit_slack& slack : m_slacks)
     {
       max_outflow = std::max(max_outflow, slack.x);
@@ -243,21 +274,7 @@ public:
     update_upper_bound(flow, outflow(0.));
   }
 
-  bool advance() override
-  {
-    scale();
-    if(!factorize())
-      return false;
-    const double gap = mean_gap({0., 0.});
-    const Steps predicted = predict();
-    // Needs not stay in the cone, and often costs half as much too much.
-    update_upper_bound(flow(1.), outflow(1.));
-    const double next = gap * std::clamp(std::pow(mean_gap(predicted) / gap, 3), 1e-6, 1.);
-    return move(correct_centrality(next, correct(next)));
-  }
-
-private:
-  // How far to go, one at most, for s and for z.
+  // Step lengths of s (primal) and z (dual), at most one.
   struct Steps
   {
     double primal, dual;
@@ -265,6 +282,7 @@ private:
 
   Cone_vector primal(std::size_t f) const { return {1., m_gradient[f]}; }
 
+  // Computes the scalings of the current iterate.
   void scale()
   {
     for(std::size_t f = 0; f < m_dual.size(); ++f)
@@ -275,6 +293,7 @@ private:
     }
   }
 
+  // Factorizes the matrix of the current scalings.  Returns false if it is not positive definite.
   bool factorize()
   {
     problem().laplacian.assemble(m_operators, m_tensor, m_matrix);
@@ -284,7 +303,7 @@ private:
     return m_solver.factorize(m_matrix);
   }
 
-  // With what arrives at the gates.
+  // #vertices: returns the masses of the problem plus the current outflows.
   Vector masses() const
   {
     Vector result = problem().masses;
@@ -293,15 +312,16 @@ private:
     return result;
   }
 
-  std::vector<double> outflow(double step) const
+  // #exits: returns the outflows after a step.
+  Vector outflow(double step) const
   {
-    std::vector<double> result;
-    for(const Exit_slack& slack : m_slacks)
-      result.push_back(slack.x + step * slack.x_step);
+    Vector result(Eigen::Index(m_slacks.size()));
+    for(std::size_t i = 0; i < m_slacks.size(); ++i)
+      result[Eigen::Index(i)] = m_slacks[i].x + step * m_slacks[i].x_step;
     return result;
   }
 
-  // The mean of the product of s and z after steps.
+  // Returns the mean of the products of s and z after steps, weighted by area.
   double mean_gap(const Steps& steps) const
   {
     double sum = 0.;
@@ -314,7 +334,8 @@ private:
     return sum / m_total_weight;
   }
 
-  // The changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d, and how far they may go.
+  // Computes the changes ds and dz with W^-1 ds + W dz = d, where m_target = W^-1 d.  Returns the
+  // longest steps that stay in the cone.
   Steps find_step()
   {
     Field correction(m_dual.size());
@@ -339,14 +360,15 @@ private:
           std::max(primal_inverse, inverse_max_step(primal(f), {0., m_gradient_step[f]}));
       dual_inverse = std::max(dual_inverse, inverse_max_step(m_dual[f], m_dual_step[f]));
     }
-    // Prices tie the two together.
+    // A price couples x and the potential in one equation, which needs equal steps to stay
+    // satisfied.
     if(std::any_of(m_slacks.begin(), m_slacks.end(),
                    [](const Exit_slack& slack) { return slack.price > 0.; }))
       primal_inverse = dual_inverse = std::max(primal_inverse, dual_inverse);
     return {1. / primal_inverse, 1. / dual_inverse};
   }
 
-  // To the optimum, were the equations linear: d = -W z.
+  // Computes the predictor, d = -W z, which leads to the optimum if the equations are linear.
   Steps predict()
   {
     for(std::size_t f = 0; f < m_dual.size(); ++f)
@@ -356,8 +378,9 @@ private:
     return find_step();
   }
 
-  // Another change, after which change(x) is added to each product x of W^-1 s and W z to which the
-  // change known so far would lead in those steps, as far as that is linear.
+  // Adds a correction to the right-hand side and solves again.  If x is the product of W^-1 s and
+  // W z that the current change reaches with the given steps, the new one reaches x +
+  // correction(x), to first order.
   template <typename Change>
   Steps adjust(const Steps& steps, const Change& correction)
   {
@@ -378,8 +401,8 @@ private:
     return find_step();
   }
 
-  // To where all products are `gap`: what is left of them after the predictor's whole step, which would
-  // make them zero, is what is not linear.
+  // Computes the corrector, whose target is that all products equal `gap`.  The products that
+  // remain after a full predictor step are the second-order terms.
   Steps correct(double gap)
   {
     return adjust({1., 1.},
@@ -388,8 +411,9 @@ private:
                   });
   }
 
-  // Brings those products closer to `gap` that would be far from it after steps somewhat longer than may
-  // be gone (Gondzio 1996), unless that does not make them longer.
+  // Computes the centrality corrector (Gondzio 1996): products that would be far from `gap` after
+  // steps 0.3 longer than feasible are moved toward it.  Keeps the old change if the steps do not
+  // become longer.
   Steps correct_centrality(double gap, const Steps& steps)
   {
     const std::vector<Cone_vector> target = m_target;
@@ -404,6 +428,8 @@ private:
     return find_step();
   }
 
+  // Moves the iterate and updates the bounds.  Returns false if the steps are too short for
+  // progress.
   bool move(const Steps& steps)
   {
     const double primal_step = std::min(1., 0.95 * steps.primal);
@@ -423,6 +449,7 @@ private:
     return true;
   }
 
+  // Returns the flow of z after a step.
   Field flow(double step) const
   {
     Field result(m_dual.size());
@@ -437,8 +464,8 @@ private:
   double m_area = 0., m_exit_weight = 0., m_total_weight = 0.;
   std::vector<Exit_slack> m_slacks;
   std::vector<bool> m_has_exits;                    // #components
-  Vector m_potential, m_potential_step;             // #sites
-  Field m_gradient, m_gradient_step;                // #triangles: of the potential
+  Vector m_potential, m_potential_step;             // #vertices
+  Field m_gradient, m_gradient_step;                // #triangles: gradient of the potential
   std::vector<Cone_vector> m_dual, m_dual_step;     // #triangles: z
   std::vector<Cone_vector> m_target, m_scaled_dual; // #triangles: W^-1 d, and W z
   std::vector<Scaling> m_scaling;                   // #triangles

@@ -465,7 +465,7 @@ Transport_result Spectral_transport::transport(const Vector& masses,
   }
   result.lower = bounds.lower;
   result.upper = bounds.upper;
-  result.value = bounds.value();
+  result.value = result.estimate = bounds.value();
   result.iterations = bounds.iterations;
   result.converged = bounds.are_within(options.tolerance);
   return result;

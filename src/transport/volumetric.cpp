@@ -144,13 +144,7 @@ private:
     return bounds.lower >= (1. - m_tolerance) * bounds.upper;
   }
 
-  double cost(const Field& flow) const
-  {
-    double result = 0.;
-    for(std::size_t f = 0; f < flow.size(); ++f)
-      result += operators().area[f] * norm(flow[f]);
-    return result;
-  }
+  double cost(const Field& flow) const { return integrated_length(operators(), flow); }
 
   // Projects the flow onto the flows that balance the masses.
   void correct(const Vector& masses, Field& flow) const
@@ -269,14 +263,13 @@ Volumetric_distances::Volumetric_distances(std::shared_ptr<const Surface_arrays>
         "The mesh has several components, but no mass can move between components.");
 }
 
-Multilevel_transport_result
-Volumetric_distances::cost(const Vec3& from, const Vec3& to,
-                           const Multilevel_transport_options& options) const
+Transport_result Volumetric_distances::cost(const Vec3& from, const Vec3& to,
+                                            const Transport_options& options) const
 {
   Mass_distribution before, after;
   before.at_vertices = m_coordinates(from);
   after.at_vertices = m_coordinates(to);
-  Multilevel_transport_result result = m_transport_solver.solve(before, after, options);
+  Transport_result result = m_transport_solver.solve(before, after, options);
   result.lower = std::min(result.upper, std::max(result.lower, norm(to - from)));
   result.value = 0.5 * (result.lower + result.upper);
   return result;

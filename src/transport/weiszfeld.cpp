@@ -32,7 +32,7 @@ public:
       const double length = std::hypot(norm(m_flow[f]), m_regularization);
       m_tensor[f] = {length, 0., length};
     }
-    m_regularization *= 0.7; // so that no weight is infinite
+    m_regularization *= 0.7; // keeps the weights finite where the flow vanishes
     problem().laplacian.assemble(operators(), m_tensor, m_matrix);
     problem().laplacian.pin(m_matrix);
     if(!m_solver.factorize(m_matrix))

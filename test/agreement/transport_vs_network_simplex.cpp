@@ -89,9 +89,8 @@ std::vector<long long> gaussian_masses(const Array_surface& surface)
   return result;
 }
 
-Multilevel_transport_result transport_cost(const Array_surface& surface,
-                                           const std::vector<long long>& masses,
-                                           unsigned refinements)
+Transport_result transport_cost(const Array_surface& surface, const std::vector<long long>& masses,
+                                unsigned refinements)
 {
   Mass_distribution from, to;
   from.at_vertices = Vector::Zero(surface.size());
@@ -99,8 +98,8 @@ Multilevel_transport_result transport_cost(const Array_surface& surface,
   for(Index i = 0; i < surface.size(); ++i)
     (masses[i] < 0 ? from : to).at_vertices[surface.vertex(i)] =
         1e-6 * double(std::llabs(masses[i]));
-  Multilevel_transport_options options;
-  options.transport.tolerance = 1e-4;
+  Transport_options options;
+  options.tolerance = 1e-4;
   options.do_bound_from_above = true;
   return Multilevel_transport_solver(surface.triangles(), refinements).solve(from, to, options);
 }
@@ -120,7 +119,7 @@ TEST(transport, bounds_enclose_optimal_cost)
       double error = infinity;
       for(const unsigned refinements : {0u, 1u})
       {
-        const Multilevel_transport_result found = transport_cost(surface, *masses, refinements);
+        const Transport_result found = transport_cost(surface, *masses, refinements);
         // Rounding of lengths to 1e-9, and of sums.
         EXPECT_LE(found.lower, exact * (1. + 1e-6));
         EXPECT_GE(found.upper_continuous, exact * (1. - 1e-6));

@@ -50,7 +50,7 @@ Mass_distribution point_mass(const Array_surface& surface, Index i)
 
 std::string name_of(bool are_points) { return are_points ? "points" : "blobs"; }
 
-double potential(const Multilevel_transport_result& found, const Surface_arrays& t,
+double potential(const Transport_result& found, const Surface_arrays& t,
                  const Surface_location& location)
 {
   if(location.triangle == none)
@@ -70,9 +70,9 @@ void measure_lines(const std::string& name, const std::shared_ptr<const Surface_
                    Table& table)
 {
   const Surface_arrays& t = *triangles;
-  Multilevel_transport_options options;
+  Transport_options options;
   options.do_normalize = true;
-  const Multilevel_transport_result found = solver.solve(before, after, options);
+  const Transport_result found = solver.solve(before, after, options);
   std::vector<Streamline> traced;
   std::vector<std::vector<Surface_location>> shortened_lines;
   const double time = cpu_seconds(
@@ -146,10 +146,9 @@ void measure_model(const std::string& name, const Mesh& mesh, std::size_t lines,
     for(Index i = 0; i < surface.size(); ++i)
       if(distances_to[i] <= radius * exact)
         ball.density[surface.vertex(i)] = 1.;
-    Multilevel_transport_options options;
+    Transport_options options;
     options.do_normalize = true;
-    const Multilevel_transport_result found =
-        solver.solve(point_mass(surface, from), ball, options);
+    const Transport_result found = solver.solve(point_mass(surface, from), ball, options);
     row.push_back(format_fixed(100. * (found.value / exact - 1.), 2) + " in " +
                   format_fixed(100. * (radius + (found.upper - found.lower) / exact), 1));
   }

@@ -90,7 +90,7 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
     Mass_distribution before, after;
     before.at_locations = {{{none, surfels.internal_vertex[from], {}}, 1.}};
     after.at_locations = {{{none, surfels.internal_vertex[to], {}}, 1.}};
-    const Multilevel_transport_result found = solver.solve(before, after);
+    const Transport_result found = solver.solve(before, after);
     error.add(std::abs(found.value / exact - 1.));
     estimate.add(std::abs(found.estimate / exact - 1.));
   }
@@ -122,8 +122,8 @@ int main(int argc, char* argv[])
     const auto [component, number_of_components] = components(surface.t());
     const Multilevel_transport_solver solver(
         surface.triangles(), refinements.value_or(default_number_of_refinements(surface.t())));
-    Multilevel_transport_options options;
-    options.transport.tolerance = 1e-3;
+    Transport_options options;
+    options.tolerance = 1e-3;
     options.do_bound_from_above = true;
     Window_propagation windows(surface.triangles());
     std::mt19937 random;
@@ -140,7 +140,7 @@ int main(int argc, char* argv[])
       Mass_distribution before, after;
       before.at_locations = {{surface.at(from), 1.}};
       after.at_locations = {{surface.at(to), 1.}};
-      const Multilevel_transport_result found = solver.solve(before, after, options);
+      const Transport_result found = solver.solve(before, after, options);
       number_above += found.lower > exact * (1. + 1e-9); // rounding
       number_below += found.upper_continuous < exact * (1. - 1e-9);
       relative_loss.add(1. - found.value / exact);

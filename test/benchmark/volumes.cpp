@@ -117,8 +117,8 @@ void add_slice_row(const std::string& name, const Triangulation& shape, int reso
       [&] { watch = wall_seconds([&] { found = distances.one_to_many(from, points, options); }); });
   double gap = 0., error = 0.;
   std::size_t solved = 0;
-  Multilevel_transport_options precise;
-  precise.transport.tolerance = 1e-4;
+  Transport_options precise;
+  precise.tolerance = 1e-4;
   for(std::size_t i = 0; i < points.size(); ++i)
   {
     if(found[i].upper == 0.)

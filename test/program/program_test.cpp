@@ -488,7 +488,7 @@ TEST_F(Program, emd_matches_known_costs)
   }
   write("from.txt", from);
   write("to.txt", to);
-  expect_failure("emd square.ply --from from.txt --to to.txt", 2, "sum to");
+  expect_failure("emd square.ply --from from.txt --to to.txt", 2, "total masses");
   EXPECT_NEAR(json("emd square.ply --from from.txt --to to.txt --normalize")["value"].get<double>(),
               0.25, 1e-3);
   EXPECT_EQ(run("emd square.ply --from from.txt --to to.txt --normalize -o p.vtp --quiet").code, 0);

@@ -7,59 +7,37 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/operators/diffusion.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/transport_options.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/transport_costs.h>
 
-#include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Geodesic_processing {
 
 /// \addtogroup PkgGeodesicProcessingTransport
 /// @{
 
-/// chooses an interior point method for the second-order cone program: few iterations, each with a
-/// factorization, to gaps of any size.  \cgalCite{cgal:v-cvxopt-10}
+/// selects an interior point method for the second-order cone program. It takes few iterations,
+/// each with a factorization, and reaches any gap.  \cgalCite{cgal:v-cvxopt-10}
 struct Interior_point
 {};
 
-/// chooses the alternating direction method of multipliers: many cheap iterations with one factorization
-/// for all queries, for gaps of a percent.  \cgalCite{cgal:srgb-emd-14}, section 5
+/// selects the alternating direction method of multipliers (ADMM). It takes many cheap
+/// iterations, uses one factorization for all queries, and is suited for gaps of a percent.
+/// \cgalCite{cgal:srgb-emd-14}, section 5
 struct Alternating_directions
 {};
 
-/// chooses reweighted least squares, as of figure 4 there: a factorization in each iteration, and gaps of
-/// about a percent that do not close.  For comparison.
+/// selects iteratively reweighted least squares, for comparison. Each iteration takes a
+/// factorization, and the gap stalls at about a percent.  \cgalCite{cgal:srgb-emd-14}, figure 4
 struct Weiszfeld
 {};
 
-/// is what a query found: the earth mover's distance, in the unit of the coordinates times that of the masses.
-struct Earth_movers_cost
-{
-  double value = 0.; ///< halfway between the bounds
-  double lower = 0.; ///< certified, also for distances on the surface itself
-  double upper = 0.; ///< certified for flows that are constant in each face
-  /// certified for flows on the surface itself, of a mesh; infinite if not asked for.
-  double upper_continuous = internal::infinity;
-  /// the value extrapolated over the last refinement, which is not certified; without one the value.
-  double estimate = 0.;
-  unsigned iterations = 0;
-  /// the largest error of the masses that the flow moves, relative to all that is moved.
-  double residual = 0.;
-  bool converged = false; ///< whether the bounds are as close as was asked for
-
-  Earth_movers_cost() = default;
-#ifndef DOXYGEN_RUNNING
-  explicit Earth_movers_cost(const internal::Transport_result& found)
-      : value(found.value), lower(found.lower), upper(found.upper), estimate(found.value),
-        iterations(found.iterations), residual(found.residual), converged(found.converged)
-  {}
-#endif
-};
-
-/// has the potential and the flow that the last query of a solver found.
+/// gives access to the potential and the flow of the last query of a solver.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -71,28 +49,33 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// returns the potential of a site: it grows along the flow, nowhere by more than distance does, and
-  /// its integral over the masses is the lower bound.
+  /// returns the potential at a vertex or surfel. The potential increases along the flow, with
+  /// slope at most one. Its integral over the target mass minus that over the source mass is the
+  /// lower bound.
+  /// \pre `compute()` was called
   double potential(Vertex vertex) const { return m_result.potential[m_domain.index(vertex)]; }
 
-  /// writes the potential of each site.
+  /// writes the potential of each vertex or surfel, a `double`, to a property map.
   template <typename PotentialMap>
   void write_potential(PotentialMap map) const
   {
     m_domain.write([&](internal::Index i) { return m_result.potential[i]; }, map);
   }
 
-  /// writes the flow, in mass per length of a line across: a `Vector_3` for each face of a mesh, or
-  /// each surfel of a cloud.  Where triangles were divided it is the mean over the parts.
+  /// writes the flow to a property map: a `Vector_3` for each face of a mesh or each surfel of a
+  /// cloud, in mass per unit length of a line across it. If the surface was refined, this is the
+  /// mean over the triangles of a face.
   template <typename FlowMap>
   void write_flow(FlowMap map) const
   {
     internal::write_vectors(m_domain, m_result.flow, map);
   }
 
-  /// writes for each site how much flows there, the mean length of the flow around it, relative to where
-  /// that is the largest: from 0 to 1.
-  /// \param radius by how much it is blurred: a standard deviation, in the coordinates' unit
+  /// writes the likelihood that mass passes each vertex or surfel, a number in [0, 1]. It is the
+  /// mean length of the flow in the incident triangles, divided by its maximum.
+  /// \param map receives a `double` for each vertex or surfel
+  /// \param radius standard deviation of the diffusion that smooths the result, in the unit of
+  ///   the coordinates
   template <typename LikelihoodMap>
   void write_likelihood(LikelihoodMap map, double radius = 0.) const
   {
@@ -105,101 +88,87 @@ public:
                    map);
   }
 
-  /// returns what follows the flow of the last query.
+  /// returns a tracer of streamlines of the flow of the last query.
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{do_straighten}
-  ///     \cgalParamDescription{whether lines are pulled taut; never where there is a metric, or a speed
-  ///       that is neither zero nor one} \cgalParamDefault{true} \cgalParamNEnd
+  ///     \cgalParamDescription{whether lines are shortened to geodesics; ignored if there is a
+  ///       metric, or a speed that is neither zero nor one}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`true`}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Invalid_argument_error when there was no query
+  /// \throws Invalid_argument_error if there was no query
   ///
-  /// On a mesh two factorizations and up to 300 solutions.
+  /// On a mesh this takes two factorizations and up to 300 back substitutions.
   template <typename NamedParameters = internal::Default_parameters>
   Streamline_tracer<Surface> streamlines(const NamedParameters& np = NamedParameters()) const
   {
     if(m_result.flow.empty())
-      throw Invalid_argument_error("There are no lines of a flow that was not computed.");
+      throw Invalid_argument_error("There are no streamlines before a flow is computed.");
     return {m_domain, *m_kernel, m_result,
             internal::parameter(np, internal_np::do_straighten, true)};
   }
 
-  /// writes what `np` has of `potential_map` and `flow_map`.
+  /// writes the potential and the flow to the property maps `potential_map` and `flow_map` of `np`,
+  /// if it has them.
   template <typename NamedParameters>
   void write_maps(const NamedParameters& np) const
   {
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::potential_map_t>)
-      write_potential(internal::parameter(np, internal_np::potential_map, 0));
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
-      write_flow(internal::parameter(np, internal_np::flow_map, 0));
+    internal::write_transport_maps(m_domain, m_result, np);
   }
 
 protected:
   template <typename NamedParameters>
   Transport_solution(const Domain& domain, const NamedParameters& np,
                      internal::Transport_region region = {})
-      : m_domain(domain),
-        m_kernel(std::make_shared<const internal::Multilevel_transport_solver>(
-            domain.triangles(),
-            internal::parameter(np, internal_np::number_of_refinements,
-                                internal::default_number_of_refinements(*domain.triangles())),
-            internal::read_metric(domain, np), std::move(region)))
+      : m_domain(domain), m_kernel(std::make_shared<const internal::Multilevel_transport_solver>(
+                              domain.triangles(), internal::number_of_refinements(domain, np),
+                              internal::read_metric(domain, np), std::move(region)))
   {}
 
   template <typename Method, typename NamedParameters>
-  internal::Multilevel_transport_options options(const NamedParameters& np)
+  internal::Transport_options options(const NamedParameters& np)
   {
     using internal::Transport_method;
-    internal::Multilevel_transport_options result;
-    result.transport.method = std::is_same_v<Method, Interior_point>
-                                  ? Transport_method::interior_point
-                              : std::is_same_v<Method, Weiszfeld> ? Transport_method::weiszfeld
-                                                                  : Transport_method::admm;
-    result.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
-    result.transport.maximum_iterations =
-        internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
-    result.transport.callback =
-        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
-    if(internal::parameter(np, internal_np::do_start_from_last, false))
-      result.transport.warm_start = std::move(m_result.state);
+    internal::Transport_options result = internal::transport_options(np);
+    result.method = std::is_same_v<Method, Interior_point> ? Transport_method::interior_point
+                    : std::is_same_v<Method, Weiszfeld>    ? Transport_method::weiszfeld
+                                                           : Transport_method::admm;
     result.do_normalize = internal::parameter(np, internal_np::do_normalize, false);
-    result.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
+    if(internal::parameter(np, internal_np::do_start_from_last, false))
+      result.warm_start = std::move(m_result.state);
     return result;
   }
 
-  Earth_movers_cost cost() const
-  {
-    Earth_movers_cost result(m_result);
-    result.upper_continuous = m_result.upper_continuous;
-    result.estimate = m_result.estimate;
-    return result;
-  }
+  Earth_movers_cost cost() const { return m_result; }
 
   Domain m_domain;
   std::shared_ptr<const internal::Multilevel_transport_solver> m_kernel;
-  internal::Multilevel_transport_result m_result;
+  internal::Transport_result m_result;
 };
 
-/// finds out what it costs to move masses along a surface, for many masses on one surface.
+/// computes earth mover's distances between mass distributions on one surface.
 ///
-/// The earth mover's distance, or 1-Wasserstein distance with lengths of paths as cost, is the least
-/// integral of the length of a flow that leaves where there is too much mass, and arrives where some is
-/// missing.  Here the flow is a vector for each face, and what proves a lower bound a function of slope
-/// one.  Between two points it is the geodesic distance, less a part of the order of an edge: some
-/// tenths of a percent on common meshes; in the plane it is exact.  It is symmetric, and the triangle
-/// inequality holds within the gap between the bounds.  \cgalCite{cgal:srgb-emd-14}
+/// The earth mover's distance is the 1-Wasserstein distance whose cost is the length of paths. It
+/// is the minimum of the integral of the length of a flow. The divergence of this flow must be the
+/// difference of the two mass distributions. This class computes a flow that is constant in each
+/// face, and a potential of slope one that certifies a lower bound.
+/// \cgalCite{cgal:srgb-emd-14}
 ///
-/// Masses, on either side, are one of
-/// - a site or a location: a unit mass there,
-/// - a range of these, not empty: a unit mass in equal parts,
-/// - a property map of vertices or surfels: mass at each, which may be negative,
-/// - what `mass_density()` makes of such a map: mass per area, linear in each face.
+/// Between two points, the result is the geodesic distance minus an error of the order of an edge
+/// length. This error is some tenths of a percent on common meshes, and zero in the plane. The
+/// distance is symmetric. It satisfies the triangle inequality up to the gap between the bounds.
 ///
-/// What one side has more than the other is what moves; it must sum to zero, as a whole and on each
-/// component.
+/// A mass distribution is one of the following:
+/// - a vertex, surfel or location: a unit mass there,
+/// - a nonempty range of these: a unit mass in equal fractions,
+/// - a property map of vertices or surfels: the mass at each, which may be negative,
+/// - the result of `mass_density()`: mass per area, linear in each face.
 ///
-/// Borders let nothing pass.  On a cloud the triangles around each surfel are used.  Copies share what
-/// was prepared, and may compute at the same time.
+/// Both distributions must have the same total mass on each connected component.
+///
+/// No mass crosses the boundary. On a cloud, the triangles of the local triangulation of each
+/// surfel are used. Copies share the factorizations, and can compute concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -210,25 +179,31 @@ class Earth_movers_solver : public Transport_solution<Surface>
 public:
   using typename Base::Domain;
 
-  /// prepares the surface: two factorizations, about 1 KB per vertex.
+  /// factorizes the Laplacian on the last two refinement levels. About 1 KB per vertex.
   ///
-  /// \param np what `make_domain()` takes, and
+  /// \param surface the surface, as for `geodesic_distances()`
+  /// \param np named parameters of `make_domain()`, and the following
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{number_of_refinements}
-  ///     \cgalParamDescription{how often each triangle is divided in four, flat: each time what is lost
-  ///       halves, for four to eight times the time}
-  ///     \cgalParamDefault{1 up to 5,000 vertices or surfels, 0 above} \cgalParamNEnd
+  ///     \cgalParamDescription{the number of uniform 1-to-4 subdivisions of each triangle; each
+  ///       halves the error and takes four to eight times as long}
+  ///     \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{1 up to 5,000 vertices or surfels, otherwise 0} \cgalParamNEnd
   ///   \cgalParamNBegin{speed_map}
-  ///     \cgalParamDescription{the speed at vertices or in faces, finite and not negative, zero at
-  ///       obstacles: time is what moving costs then} \cgalParamDefault{1 everywhere} \cgalParamNEnd
+  ///     \cgalParamDescription{the speed at vertices or in faces, finite and not negative, zero
+  ///       in obstacles; the cost of a path is then its travel time}
+  ///     \cgalParamType{a property map with `double` values} \cgalParamDefault{1 everywhere}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{metric_map}
-  ///     \cgalParamDescription{an `Eigen::Matrix3d` M for each face or vertex, symmetric and positive
-  ///       definite: the length of a vector v is the root of v<SUP>T</SUP> M v, over the speed}
+  ///     \cgalParamDescription{a symmetric positive definite matrix M for each face or vertex. The
+  ///       length of a vector v is the square root of v<SUP>T</SUP> M v, divided by the speed}
+  ///     \cgalParamType{a property map with `Eigen::Matrix3d` values}
   ///     \cgalParamDefault{the identity} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `make_domain()`
-  /// \throws Unsupported_surface_error when there is no triangle with an area, or too many
-  /// \throws Invalid_argument_error when a speed or a metric is not usable
+  /// \throws Unsupported_surface_error if no triangle has an area or the refined surface is too
+  ///         large
+  /// \throws Invalid_argument_error if a speed or a metric is invalid
   template <typename NamedParameters = internal::Default_parameters>
   explicit Earth_movers_solver(const Surface& surface,
                                const NamedParameters& np = NamedParameters())
@@ -239,35 +214,46 @@ public:
       : Base(domain, np)
   {}
 
-  /// finds out what it costs to move masses; what the last call found is forgotten.
+  /// computes the distance between two mass distributions. This replaces the potential and the
+  /// flow of the last query.
   ///
   /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
-  /// \param from, to masses as above
+  /// \param from, to mass distributions as listed above
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{tolerance}
-  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one}
-  ///     \cgalParamDefault{0.001} \cgalParamNEnd
+  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
+  ///       the iteration ends}
+  ///     \cgalParamType{`double`} \cgalParamDefault{0.001} \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number_of_iterations}
-  ///     \cgalParamDefault{100, of `Alternating_directions` 5,000} \cgalParamNEnd
+  ///     \cgalParamDescription{the maximum number of iterations on each level}
+  ///     \cgalParamType{`unsigned`} \cgalParamDefault{100, for `Alternating_directions` 5,000}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{do_normalize}
-  ///     \cgalParamDescription{whether to scale both sides so that each sums to one}
-  ///     \cgalParamDefault{false} \cgalParamNEnd
+  ///     \cgalParamDescription{whether both distributions are scaled to a total mass of one}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{do_bound_from_above}
-  ///     \cgalParamDescription{whether to find `Earth_movers_cost::upper_continuous`: a few times as
-  ///       long; meshes only} \cgalParamDefault{false} \cgalParamNEnd
+  ///     \cgalParamDescription{whether `Earth_movers_cost::upper_continuous` is computed, which
+  ///       takes a few times as long; meshes only}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{do_start_from_last}
-  ///     \cgalParamDescription{whether `Alternating_directions` start where the last call ended, which
-  ///       pays when the masses are much the same} \cgalParamDefault{false} \cgalParamNEnd
+  ///     \cgalParamDescription{whether `Alternating_directions` starts from the final state of
+  ///       the last call, which saves iterations if the masses are similar}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and
-  ///       ends by returning false: with the bounds that it has by then} \cgalParamNEnd
+  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the
+  ///       iteration ends with the best bounds so far}
+  ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Invalid_argument_error when a mass is not finite, a place is none of the surface's, a
-  ///         range is empty, the sums differ, as a whole or on a component, a side that is to be
-  ///         normalized has no positive sum, or the tolerance is not positive
+  /// \returns the distance with certified bounds
+  /// \throws Invalid_argument_error if a mass is not finite, if a location is not on the surface,
+  ///         or if a range is empty
+  /// \throws Invalid_argument_error if the total masses differ on the surface or on a component, or
+  ///         if a total mass that must be normalized is not positive
+  /// \throws Invalid_argument_error if the tolerance is not positive
+  /// \throws Unsupported_surface_error if `do_bound_from_above` is set on a cloud
   ///
-  /// An iteration is O(n<SUP>1.5</SUP>); to 0.1 percent the default takes 5 to 20.
+  /// The default method takes 5 to 20 iterations of O(n<SUP>1.5</SUP>) to a gap of 0.1 percent.
   template <typename Method = Interior_point, typename From, typename To,
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const To& to,

@@ -15,7 +15,9 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// An exit for each source: sites, or a curve.
+// Creates an exit for each source of the region, from its vertices or, if it has other locations,
+// from its polyline.  Reads `capacities` and `spreading_weight`.  Throws Invalid_argument_error
+// as sources().
 template <typename Domain, typename Region, typename NamedParameters>
 Transport_region transport_region(const Domain& domain, const Region& region,
                                   const NamedParameters& np)
@@ -48,26 +50,28 @@ Transport_region transport_region(const Domain& domain, const Region& region,
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds out what it costs to move masses to wherever in a region it costs the least, for many masses and
-/// one region: ways out of a building, the distance from a curve.
+/// computes the minimum cost of moving mass distributions to one region, for example the exits of
+/// a building, or a curve.
 ///
-/// What arrives where is not given: the marginal is free.  A mass that is alone goes the shortest way to
-/// the region; masses do not hinder each other.  The region is made of sites, and of the edges and
-/// faces between them, and on a mesh also of curves and of locations in faces; between two parts of it
-/// moving costs nothing.
+/// The distribution of arriving masses is a variable: each mass takes a shortest path to the
+/// region. The region consists of vertices or surfels, and of the edges and faces between them.
+/// On a mesh it can also contain curves and locations inside faces. Moving within the region
+/// costs nothing.
 ///
-/// Faces that a curve passes are divided along it, so that it costs no more to be met within a face than
-/// at a vertex; what arrives there is told of the face's vertices, in the parts that barycentric
-/// coordinates are.
+/// Faces that a curve crosses are split along the curve, so that mass arrives inside a face as
+/// easily as at a vertex. Arrivals inside a face are distributed to its vertices by barycentric
+/// coordinates.
 ///
-/// The potential is zero in the region; elsewhere its absolute value is nowhere above the distance to the
-/// region, and close to it wherever masses come from or pass.  Bounds are certified as those of
-/// `Earth_movers_solver` are.  \cgalCite{cgal:srgb-emd-14}, section 6.3
+/// The potential is zero in the region. Elsewhere its absolute value is a lower bound of the
+/// distance to the region. At each vertex that mass starts from or passes, this bound is close to
+/// the distance. The bounds of the cost are certified as in `Earth_movers_solver`.
+/// \cgalCite{cgal:srgb-emd-14}, section 6.3
 ///
-/// Each source of the region is an exit, and there may be limits: how much goes through each, and a price
-/// for crowding that spreads what arrives.  Then moving between exits is not for nothing, the potential
-/// tells what it costs one more mass to go: it is zero where the last one went, and below where exits
-/// are full, by what more room would save.
+/// Each source of the region is an exit. Exits can have capacities, and a price for the density
+/// of arriving mass spreads the arrivals. With such limits moving between exits has a cost. The
+/// potential is then minus the marginal cost, the cost of one more unit of mass. At exits without
+/// price it is zero if capacity is left. At full exits it is negative, by the amount that one
+/// more unit of capacity saves.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -79,25 +83,27 @@ public:
   using typename Base::Domain;
   using typename Base::Vertex;
 
-  /// prepares surface and region, as `Earth_movers_solver` does.
+  /// embeds the curves of the region and factorizes as `Earth_movers_solver`.
   ///
-  /// \param region a site, a location, a source, or a range of one of them: see `Source`
-  /// \param np as for `Earth_movers_solver`, and
+  /// \param surface the surface, as for `geodesic_distances()`
+  /// \param region a vertex or surfel, a location, a `Source`, or a range of one of these
+  /// \param np named parameters of `Earth_movers_solver`, and the following
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{capacities}
-  ///     \cgalParamDescription{a range of `double`: the mass that may arrive at each source of the
-  ///       region, in their order; positive, infinite for no limit}
-  ///     \cgalParamDefault{no limits} \cgalParamNEnd
+  ///     \cgalParamDescription{the maximum mass that can arrive at each source of the region:
+  ///       positive, infinite for no limit}
+  ///     \cgalParamType{a range of `double`} \cgalParamDefault{no limits} \cgalParamNEnd
   ///   \cgalParamNBegin{spreading_weight}
-  ///     \cgalParamDescription{what the integral of the square of the density of what arrives is
-  ///       multiplied with, to be paid as well; the area of a source is that of a third of the faces
-  ///       around its sites}
-  ///     \cgalParamDefault{0} \cgalParamNEnd
+  ///     \cgalParamDescription{a weight: the integral of the squared density of arriving mass,
+  ///       times this weight, is added to the cost. The area of a source is a third of the area
+  ///       of the faces incident to its vertices}
+  ///     \cgalParamType{`double`} \cgalParamDefault{0} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `Earth_movers_solver`
-  /// \throws Invalid_argument_error when the region is empty, or has a place that is none of the surface's,
-  ///         or on a cloud not at a surfel; when there are limits, but not one for each source, one is not
-  ///         positive, or two sources share a site
+  /// \throws Invalid_argument_error if the region is empty, if a location is not on the surface,
+  ///         or if a location on a cloud is not at a surfel
+  /// \throws Invalid_argument_error if the number of capacities is not the number of sources, if
+  ///         a capacity is not positive, or if two sources with limits share a vertex
   template <typename Region, typename NamedParameters = internal::Default_parameters>
   Region_transport_solver(const Surface& surface, const Region& region,
                           const NamedParameters& np = NamedParameters())
@@ -109,13 +115,17 @@ public:
       : Base(domain, np, internal::transport_region(domain, region, np))
   {}
 
-  /// finds out what it costs to move masses to the region; what the last call found is forgotten.
+  /// computes the minimum cost of moving masses to the region, and replaces the result of the
+  /// last call.
   ///
-  /// \tparam Method as for `Earth_movers_solver::compute()`; with limits `Interior_point`
-  /// \param from masses, as `Earth_movers_solver` takes them
-  /// \param np as for `Earth_movers_solver::compute()`
-  /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`, and when masses are on a
-  ///         component that has no part of the region, or exits too small for them
+  /// \tparam Method as for `Earth_movers_solver::compute()`; only `Interior_point` if there are
+  ///   limits
+  /// \param from a mass distribution as accepted by `Earth_movers_solver`
+  /// \param np named parameters of `Earth_movers_solver::compute()`
+  /// \returns the cost with certified bounds
+  /// \throws Invalid_argument_error as `Earth_movers_solver::compute()`
+  /// \throws Invalid_argument_error if a component with mass has no source of the region, or if
+  ///         the capacity of its sources is too small
   template <typename Method = Interior_point, typename From,
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const NamedParameters& np = NamedParameters())
@@ -126,19 +136,20 @@ public:
     return this->cost();
   }
 
-  /// returns whether a way leads from a site to the region.
+  /// returns whether a path leads from a vertex or surfel to the region.
   bool is_reachable(Vertex vertex) const
   {
     return this->m_kernel->is_region_reachable()[this->m_domain.index(vertex)];
   }
 
-  /// returns the mass that arrived at a site, zero away from the region.
+  /// returns the mass that arrives at a vertex or surfel; zero outside of the region.
+  /// \pre `compute()` was called
   double arrival(Vertex vertex) const
   {
     return this->m_result.arrivals[this->m_domain.index(vertex)];
   }
 
-  /// writes the mass that arrived at each site.
+  /// writes the mass that arrives at each vertex or surfel, a `double`, to a property map.
   template <typename ArrivalMap>
   void write_arrivals(ArrivalMap map) const
   {

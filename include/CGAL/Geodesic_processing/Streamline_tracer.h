@@ -50,7 +50,7 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   Streamline_tracer(const Domain& domain, const internal::Multilevel_transport_solver& solver,
-                    const internal::Multilevel_transport_result& found, bool do_straighten)
+                    const internal::Transport_result& found, bool do_straighten)
       : m_domain(domain), m_triangles(solver.open_triangles()),
         m_streamlines(std::make_shared<const internal::Streamlines>(solver.streamlines(found))),
         m_potential(std::make_shared<const internal::Vector>(found.potential)),

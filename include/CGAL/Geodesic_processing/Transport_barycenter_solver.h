@@ -7,9 +7,11 @@
 #include <CGAL/Geodesic_processing/internal/transport/Multilevel_barycenter_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/masses.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/transport_options.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/weights.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
 #include <CGAL/Geodesic_processing/parameters.h>
+#include <CGAL/Geodesic_processing/transport_costs.h>
 
 #include <cstddef>
 #include <functional>
@@ -21,39 +23,26 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
-/// is what a barycenter costs: the weighted sum of squared distances, in the units of the coordinates and of
-/// the masses, both squared, times that of the weights.
-struct Transport_barycenter_cost
-{
-  double value = 0.; ///< halfway between the bounds
-  double lower = 0.; ///< certified: no masses cost less, also on the surface itself
-  double upper =
-      0.; ///< certified: the masses that were found cost no more, by flows constant in faces
-  std::vector<double>
-      distances; ///< from the barycenter to each of the masses, as flows bound them from above
-  unsigned iterations = 0;
-  /// the largest error of the masses that a flow moves, relative to their sum.
-  double residual = 0.;
-  bool converged = false; ///< whether the bounds are as close as was asked for
-};
-
-/// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds barycenters of masses: those masses, not negative, from which the weighted sum of squared earth
-/// mover's distances to given ones is the least.
+/// computes barycenters of mass distributions on one surface. The barycenter is the nonnegative
+/// distribution that minimizes the weighted sum of squared earth mover's distances to the given
+/// ones.
 ///
-/// Each of the given masses is what `Earth_movers_solver` takes, not negative: a site or a location, which
-/// is a unit mass, a range of these, a property map of masses, or what `mass_density()` makes of one.
-/// All have the same sum, on each component.
+/// Each given distribution must be nonnegative. It can have any type that `Earth_movers_solver`
+/// accepts: a vertex, surfel or location (unit mass), a range of these, a property map of masses,
+/// or the result of `mass_density()`. All must have the same total mass on each connected
+/// component.
 ///
-/// That sum of squares is convex, but not strictly: where several masses cost the same, any of them may
-/// be found.  Between two points it is all the masses on shortest paths whose mean distance from both is the
-/// same, from one in the middle to half at either end.  What to rely on is the cost, of which both bounds
-/// are certified as those of `Earth_movers_solver` are; for one point see `geodesic_barycenter()`.
+/// The minimum is not unique, since the objective is convex but not strictly convex. If several
+/// distributions have the same cost, any of them is returned. For two points, this set contains
+/// all distributions on shortest paths whose mean distances to both points are equal. For example,
+/// all mass is at the midpoint, or half of it is at each end. The cost is unique, and its bounds
+/// are certified as in `Earth_movers_solver`. If the barycenter must be a point, use
+/// `geodesic_barycenter()`.
 /// \cgalCite{cgal:srgb-emd-14}
 ///
-/// Speeds, metrics, borders and clouds are as for `Earth_movers_solver`.  Copies share what was prepared,
-/// and may compute at the same time.
+/// Speeds, metrics, boundaries and clouds are treated as in `Earth_movers_solver`. Copies share the
+/// factorizations, and can compute concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -63,9 +52,10 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Vertex = typename Domain::Vertex;
 
-  /// prepares the surface: two factorizations.
+  /// refines the surface and computes two factorizations.
   ///
-  /// \param np as for `Earth_movers_solver`
+  /// \param surface the surface, as for `geodesic_distances()`
+  /// \param np named parameters of `Earth_movers_solver`
   /// \throws as `Earth_movers_solver`
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_barycenter_solver(const Surface& surface,
@@ -75,44 +65,51 @@ public:
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_barycenter_solver(const Domain& domain,
                                        const NamedParameters& np = NamedParameters())
-      : m_domain(domain),
-        m_kernel(std::make_shared<const internal::Multilevel_barycenter_solver>(
-            domain.triangles(),
-            internal::parameter(np, internal_np::number_of_refinements,
-                                internal::default_number_of_refinements(*domain.triangles())),
-            internal::read_metric(domain, np)))
+      : m_domain(domain), m_kernel(std::make_shared<const internal::Multilevel_barycenter_solver>(
+                              domain.triangles(), internal::number_of_refinements(domain, np),
+                              internal::read_metric(domain, np)))
   {}
 
   const Domain& domain() const { return m_domain; }
 
-  /// finds the barycenter of masses; what the last call found is forgotten.
+  /// computes the barycenter of mass distributions. This replaces the result of the last call.
   ///
-  /// \param masses a range, each element masses as above
+  /// \param masses a range of mass distributions as listed above
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{weights}
-  ///     \cgalParamDescription{a range of numbers, one for each of the masses: not negative, not all zero}
-  ///     \cgalParamDefault{1 each} \cgalParamNEnd
+  ///     \cgalParamDescription{a weight for each distribution: not negative, not all zero}
+  ///     \cgalParamType{a range of numbers} \cgalParamDefault{1 for each} \cgalParamNEnd
   ///   \cgalParamNBegin{tolerance}
-  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one}
-  ///     \cgalParamDefault{0.01} \cgalParamNEnd
-  ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDefault{5,000} \cgalParamNEnd
+  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
+  ///       the iteration ends}
+  ///     \cgalParamType{`double`} \cgalParamDefault{0.01} \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_iterations}
+  ///     \cgalParamDescription{the maximum number of iterations} \cgalParamType{`unsigned`}
+  ///     \cgalParamDefault{5,000} \cgalParamNEnd
   ///   \cgalParamNBegin{do_normalize}
-  ///     \cgalParamDescription{whether to scale each of the masses to a sum of one}
-  ///     \cgalParamDefault{false} \cgalParamNEnd
+  ///     \cgalParamDescription{whether each distribution is scaled to a total mass of one}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{do_start_from_last}
-  ///     \cgalParamDescription{whether to start where the last call, for as many masses, ended: for
-  ///       example with other weights} \cgalParamDefault{false} \cgalParamNEnd
+  ///     \cgalParamDescription{whether to start from the final state of the last call, which must
+  ///       have had as many distributions; for example, if only weights change}
+  ///     \cgalParamType{`bool`} \cgalParamDefault{`false`} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and
-  ///       ends by returning false: with the bounds that it has by then} \cgalParamNEnd
+  ///     \cgalParamDescription{receives the progress in [0, 1]; if it returns `false`, the
+  ///       iteration ends with the best bounds so far}
+  ///     \cgalParamType{`std::function<bool(double)>`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Invalid_argument_error when there are no masses, one is negative or not finite, a place is
-  ///         none of the surface's, sums differ, as a whole or on a component, or are zero, there are not
-  ///         as many weights as masses, a weight is negative or not finite, all are zero, or the
-  ///         tolerance is not positive
+  /// \returns the cost of the barycenter with certified bounds
+  /// \throws Invalid_argument_error if there is no distribution, if a mass is negative or not
+  ///         finite, or if a location is not on the surface
+  /// \throws Invalid_argument_error if the total masses are zero, or if they differ on the surface
+  ///         or on a component
+  /// \throws Invalid_argument_error if the number of weights is not the number of distributions,
+  ///         if a weight is negative or not finite, or if all weights are zero
+  /// \throws Invalid_argument_error if the tolerance is not positive
   ///
-  /// An iteration is O(k n log n) for k masses; to a gap of 1 percent it takes some hundreds.
+  /// An iteration is O(k n log n) for k distributions. A gap of 1 percent takes some hundred
+  /// iterations.
   template <typename Masses, typename NamedParameters = internal::Default_parameters>
   Transport_barycenter_cost compute(const Masses& masses,
                                     const NamedParameters& np = NamedParameters())
@@ -130,22 +127,24 @@ public:
       options.warm_start = std::move(m_result.state);
     m_result = m_kernel->solve(distributions, internal::weights(np, distributions.size()),
                                internal::parameter(np, internal_np::do_normalize, false), options);
-    return {m_result.value,      m_result.lower,    m_result.upper,    m_result.distances,
-            m_result.iterations, m_result.residual, m_result.converged};
+    return m_result;
   }
 
-  /// returns the barycenter's mass at a site.
+  /// returns the mass of the barycenter at a vertex or surfel.
+  /// \pre `compute()` was called
   double mass(Vertex vertex) const { return m_result.masses[m_domain.index(vertex)]; }
 
-  /// writes the barycenter's mass at each site; with that on refined triangles shared by the sites near it.
+  /// writes the mass of the barycenter at each vertex or surfel, a `double`. Masses at vertices
+  /// that were inserted by refinement are distributed to the original ones.
   template <typename MassMap>
   void write_masses(MassMap map) const
   {
     m_domain.write([&](internal::Index i) { return m_result.masses[i]; }, map);
   }
 
-  /// writes the barycenter's mass per area around each site, as far as masses may move there; zero where
-  /// there is no mass, infinity where there is no area.
+  /// writes the density of the barycenter at each vertex or surfel. This is the mass divided by a
+  /// third of the area of the incident triangles outside of obstacles. If there is no mass, the
+  /// density is zero. If there is mass but no area, it is infinite.
   template <typename DensityMap>
   void write_density(DensityMap map) const
   {
@@ -154,14 +153,15 @@ public:
     m_domain.write(density, map);
   }
 
-  /// writes the flow from the barycenter to one of the masses, by its position: see
+  /// writes the flow from the barycenter to the given distribution at `position`, as
   /// `Transport_solution::write_flow()`.
-  /// \throws Invalid_argument_error when there is no such mass
+  /// \throws Invalid_argument_error if `position` is not less than the number of distributions
   template <typename FlowMap>
   void write_flow(std::size_t position, FlowMap map) const
   {
     if(position >= m_result.flows.size())
-      throw Invalid_argument_error("There is no flow to mass " + std::to_string(position) + " of " +
+      throw Invalid_argument_error("There is no flow with index " + std::to_string(position) +
+                                   "; the number of flows is " +
                                    std::to_string(m_result.flows.size()) + ".");
     internal::write_vectors(m_domain, m_result.flows[position], map);
   }

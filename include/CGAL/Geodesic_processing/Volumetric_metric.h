@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Earth_movers_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/transport_options.h>
 #include <CGAL/Geodesic_processing/internal/transport/volumetric.h>
 #include <CGAL/Geodesic_processing/mean_value_coordinates.h>
 
@@ -53,11 +54,8 @@ public:
   {}
   template <typename NamedParameters = internal::Default_parameters>
   explicit Volumetric_metric(const Domain& domain, const NamedParameters& np = NamedParameters())
-      : m_domain(domain),
-        m_distances(std::make_shared<const internal::Volumetric_distances>(
-            domain.triangles(),
-            internal::parameter(np, internal_np::number_of_refinements,
-                                internal::default_number_of_refinements(*domain.triangles()))))
+      : m_domain(domain), m_distances(std::make_shared<const internal::Volumetric_distances>(
+                              domain.triangles(), internal::number_of_refinements(domain, np)))
   {}
 
   const Domain& domain() const { return m_domain; }
@@ -93,25 +91,10 @@ public:
   Earth_movers_cost cost(const From& from, const To& to,
                          const NamedParameters& np = NamedParameters()) const
   {
-    internal::Multilevel_transport_options options;
-    options.transport.tolerance = internal::parameter(np, internal_np::tolerance, 1e-3);
-    options.transport.maximum_iterations =
-        internal::parameter(np, internal_np::maximum_number_of_iterations, 0u);
-    options.transport.callback =
-        internal::parameter(np, CGAL::internal_np::callback, std::function<bool(double)>());
-    options.do_bound_from_above = internal::parameter(np, internal_np::do_bound_from_above, false);
-    const internal::Multilevel_transport_result found =
-        m_distances->cost(internal::spatial(from), internal::spatial(to), options);
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::potential_map_t>)
-      m_domain.write([&](internal::Index i) { return found.potential[i]; },
-                     internal::parameter(np, internal_np::potential_map, 0));
-    if constexpr(internal::has_parameter<NamedParameters, internal_np::flow_map_t>)
-      internal::write_vectors(m_domain, found.flow,
-                              internal::parameter(np, internal_np::flow_map, 0));
-    Earth_movers_cost result(found);
-    result.upper_continuous = found.upper_continuous;
-    result.estimate = found.estimate;
-    return result;
+    const internal::Transport_result found = m_distances->cost(
+        internal::spatial(from), internal::spatial(to), internal::transport_options(np));
+    internal::write_transport_maps(m_domain, found, np);
+    return found;
   }
   /// returns the value of `cost()`.
   template <typename From, typename To>

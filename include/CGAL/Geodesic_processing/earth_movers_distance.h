@@ -9,23 +9,30 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds out what it costs to move masses along a surface: the earth mover's distance with the lengths of
-/// paths as cost.
+/// computes the earth mover's distance (1-Wasserstein distance) between two mass distributions on
+/// a surface, whose cost is the length of paths.
+///
+/// If many distributions on one surface are compared, use `Earth_movers_solver`, which factorizes
+/// only once.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
-/// \param surface along which masses move
-/// \param from, to masses, as `Earth_movers_solver` takes them
-/// \param np what `Earth_movers_solver` and its `compute()` take, and
+/// \param surface the surface on which masses move
+/// \param from, to mass distributions as accepted by `Earth_movers_solver`
+/// \param np named parameters of `Earth_movers_solver` and its `compute()`, and the following
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{potential_map}
-///     \cgalParamDescription{receives for each vertex or surfel the function of slope one that proves
-///       the lower bound} \cgalParamNEnd
+///     \cgalParamDescription{receives for each vertex or surfel the potential that certifies the
+///       lower bound, a function of slope at most one} \cgalParamNEnd
 ///   \cgalParamNBegin{flow_map}
-///     \cgalParamDescription{receives for each face, or surfel, the flow: a `Vector_3`} \cgalParamNEnd
+///     \cgalParamDescription{receives for each face or surfel the flow, a `Vector_3`: mass per unit
+///       length of a line across it} \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \returns the distance with certified bounds
 /// \throws as `Earth_movers_solver` and its `compute()`
+///
+/// Two factorizations and 5 to 20 iterations of O(n<SUP>1.5</SUP>).
 template <typename Method = Interior_point, typename Surface, typename From, typename To,
           typename NamedParameters = internal::Default_parameters>
 Earth_movers_cost earth_movers_distance(const Surface& surface, const From& from, const To& to,

@@ -9,15 +9,18 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds the barycenter of masses: those masses from which the weighted sum of squared earth mover's
-/// distances to given ones is the least.  `Transport_barycenter_solver` says more, and is prepared only
-/// once for many masses.
+/// computes the barycenter of mass distributions: the distribution with the minimum weighted sum
+/// of squared earth mover's distances to the given ones.
+///
+/// If several barycenters on one surface are computed, use `Transport_barycenter_solver`, which
+/// factorizes only once. See there for details.
 ///
 /// \tparam Surface as for `geodesic_distances()`
-/// \param surface along which masses move
-/// \param masses a range, as `Transport_barycenter_solver` takes them
-/// \param barycenter_map receives a `double` for each site: the barycenter's mass there
-/// \param np what `Transport_barycenter_solver` and its `compute()` take
+/// \param surface the surface on which masses move
+/// \param masses a range of mass distributions as accepted by `Transport_barycenter_solver`
+/// \param barycenter_map receives a `double` for each vertex or surfel: the mass of the barycenter
+/// \param np named parameters of `Transport_barycenter_solver` and its `compute()`
+/// \returns the cost of the barycenter with certified bounds
 /// \throws as `Transport_barycenter_solver` and its `compute()`
 template <typename Surface, typename Masses, typename BarycenterMap,
           typename NamedParameters = internal::Default_parameters>

@@ -9,26 +9,31 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds out what it costs to move masses to wherever in a region it costs the least, once.  For many
-/// masses and one region `Region_transport_solver` is prepared only once.
+/// computes the minimum cost of moving masses to a region, where each mass arrives at the vertex
+/// that is cheapest for it.
+///
+/// If there are many mass distributions and one region, use `Region_transport_solver`, which
+/// factorizes only once.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
-/// \param surface along which masses move
-/// \param from masses, as `Earth_movers_solver` takes them
+/// \param surface the surface on which masses move
+/// \param from a mass distribution as accepted by `Earth_movers_solver`
 /// \param region as for `Region_transport_solver`
-/// \param np what `Region_transport_solver` and its `compute()` take, and
+/// \param np named parameters of `Region_transport_solver` and its `compute()`, and the following
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{arrival_map}
 ///     \cgalParamDescription{receives for each vertex or surfel the mass that arrives there}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{potential_map}
-///     \cgalParamDescription{receives for each vertex or surfel the function of slope one that proves
-///       the lower bound} \cgalParamNEnd
+///     \cgalParamDescription{receives for each vertex or surfel the potential that certifies the
+///       lower bound, a function of slope at most one} \cgalParamNEnd
 ///   \cgalParamNBegin{flow_map}
-///     \cgalParamDescription{receives for each face, or surfel, the flow: a `Vector_3`} \cgalParamNEnd
+///     \cgalParamDescription{receives for each face or surfel the flow, a `Vector_3`: mass per unit
+///       length of a line across it} \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \returns the cost with certified bounds
 /// \throws as `Region_transport_solver` and its `compute()`
 template <typename Method = Interior_point, typename Surface, typename From, typename Region,
           typename NamedParameters = internal::Default_parameters>

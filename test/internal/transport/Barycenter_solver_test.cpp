@@ -22,7 +22,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// What is left of sums over some thousand triangles, relative to them.
+// Relative round-off error of sums over some thousand triangles.
 constexpr double round_off = 1e-9;
 
 Barycenter_options with_tolerance(double tolerance)
@@ -40,7 +40,7 @@ Vector at(const Array_surface& surface, const std::vector<Index>& points)
   return result;
 }
 
-// Falls off from a point.
+// Returns a Gaussian mass distribution around a vertex, with a total mass of one.
 Vector gaussian(const Array_surface& surface, const Operators& o, Index center, double width)
 {
   const Vector lumped = lumped_mass(o);
@@ -53,7 +53,7 @@ Vector gaussian(const Array_surface& surface, const Operators& o, Index center, 
   return result / result.sum();
 }
 
-// That flows and potentials prove the bounds, by the formulas alone.
+// Recomputes the bounds from the flows and potentials that certify them.
 void expect_certified(const Operators& o, const std::vector<Vector>& masses,
                       const std::vector<double>& weights, const Barycenter_result& found)
 {
@@ -90,7 +90,7 @@ void expect_certified(const Operators& o, const std::vector<Vector>& masses,
   }
   for(std::size_t c = 0; c < number_of_components; ++c)
     integral -= component_mass[c] * max_potential[c];
-  // 2 <phi, m_i - m> - t^2, whatever m is.
+  // The sum of 2 <phi_i, m_i - m> - t_i^2, minimized over m.
   EXPECT_NEAR(2. * integral - squared_slopes, found.lower, round_off * found.upper);
   EXPECT_LE(found.lower, found.value);
   EXPECT_LE(found.value, found.upper);
@@ -123,7 +123,7 @@ TEST(Barycenter_solver, bounds_are_certified)
   }
 }
 
-// The distances between the barycenter that was found and the masses, by another method.
+// Computes the distances from the barycenter to the masses by the interior point method.
 TEST(Barycenter_solver, agrees_with_transport_distances)
 {
   const Array_surface surface(jittered(icosphere(3), 0.02));
@@ -144,10 +144,11 @@ TEST(Barycenter_solver, agrees_with_transport_distances)
   }
   EXPECT_LE(found.lower, upper);
   EXPECT_LE(lower, found.upper);
-  EXPECT_GE(lower, 0.995 * found.upper); // as those flows cost no less than the lower bound
+  EXPECT_GE(lower, 0.995 * found.upper); // the gap of the barycenter
 }
 
-// In the plane nothing is lost: potentials that are linear prove the centroid's squared distances.
+// In the plane the discretization is exact: linear potentials certify the squared distances to the
+// centroid.
 TEST(Barycenter_solver, matches_centroid_cost_in_plane)
 {
   const Index n = 20;
@@ -182,7 +183,7 @@ TEST(Barycenter_solver, matches_centroid_cost_in_plane)
     EXPECT_TRUE(found.converged);
     EXPECT_LE(found.lower, exact * (1. + round_off));
     EXPECT_GE(found.upper, exact * (1. - round_off));
-    // The mean of the distances from two points does not go below that from their mean.
+    // By Jensen's inequality, the cost of a distribution is at least that of its center of mass.
     Point mean_position = {0., 0., 0.};
     for(Index i = 0; i < surface.size(); ++i)
       for(int c = 0; c < 3; ++c)
@@ -216,13 +217,14 @@ TEST(Barycenter_solver, full_weight_selects_mass)
   EXPECT_EQ(found.value, 0.);
   EXPECT_TRUE(found.converged);
   EXPECT_LT((found.masses - masses[1]).lpNorm<1>(), round_off);
-  // A mass of weight e costs at most e W^2, by staying.
+  // If the barycenter is the second mass, the first one of weight e costs e W^2.
   const Transport_solver distances(operators(surface.t()));
   const double distance = distances.solve(masses[0] - masses[1]).upper;
   const Barycenter_result nearly_second =
       solver.solve({masses[0], masses[1]}, {1e-3, 1.}, with_tolerance(0.01));
   EXPECT_LE(nearly_second.lower, 1e-3 * distance * distance);
-  // It is 1e-3 of the way; a cost above by 1 % of 1e-3 is 0.0032 of it farther at most.
+  // The optimum is at 1e-3 of the distance.  A cost that is 1 % of 1e-3 too large moves it by at
+  // most 0.0032 of the distance.
   EXPECT_LE(nearly_second.distances[1], 0.0043 * distance);
 }
 

@@ -17,7 +17,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of sums of some hundred numbers.
+// Round-off error of sums of some hundred terms.
 constexpr double round_off = 1e-12;
 
 struct Plane
@@ -66,7 +66,7 @@ TEST(Mass_distribution, preserves_integrals_of_linear_functions)
     EXPECT_NEAR(point.dot(f), 2. * (0.2 * f[corner[0]] + 0.5 * f[corner[1]] + 0.3 * f[corner[2]]),
                 round_off);
 
-  // Over the square x sums to a half, its square to a third, x y to a fourth.
+  // Integrals over the unit square: x has 1/2, its square 1/3, and x y 1/4.
   Mass_distribution linear;
   linear.density = along_x;
   const Vector masses = plane.at_vertices(linear);
@@ -100,7 +100,7 @@ TEST(Mass_distribution, difference_is_target_minus_source)
     EXPECT_EQ(moved[plane.surface.vertex(5)], mass);
     EXPECT_EQ(moved.lpNorm<1>(), 2. * mass);
   }
-  // Scaled, densities are too.
+  // Normalization also scales densities.
   Mass_distribution uniform;
   uniform.density = 5. * plane.function(one);
   EXPECT_NEAR(plane.at_vertices(plane.difference(from, uniform, true)).sum(), 0., round_off);

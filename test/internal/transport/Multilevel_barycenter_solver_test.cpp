@@ -17,7 +17,7 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of the sums of some hundred numbers.
+// Relative round-off error of sums of some hundred terms.
 constexpr double round_off = 1e-9;
 
 Mass_distribution at(const Surface_location& location, double mass = 1.)
@@ -27,7 +27,7 @@ Mass_distribution at(const Surface_location& location, double mass = 1.)
   return result;
 }
 
-// Whatever is divided, in the plane the squares of the distances from the middle.
+// In the plane, the cost is the sum of the squared distances to the midpoint on every level.
 TEST(Multilevel_barycenter_solver, cost_is_exact_in_refined_plane)
 {
   const Index n = 12;
@@ -50,7 +50,7 @@ TEST(Multilevel_barycenter_solver, cost_is_exact_in_refined_plane)
   }
 }
 
-// Twice as long along one axis: four times the square.
+// A metric that doubles lengths quadruples squared distances.
 TEST(Multilevel_barycenter_solver, respects_metric)
 {
   const Index n = 12;

@@ -20,13 +20,13 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of the sums of some hundred numbers.
+// Relative round-off error of sums of some hundred terms.
 constexpr double round_off = 1e-9;
 
-Multilevel_transport_options with_tolerance(double tolerance, bool do_bound_from_above = false)
+Transport_options with_tolerance(double tolerance, bool do_bound_from_above = false)
 {
-  Multilevel_transport_options result;
-  result.transport.tolerance = tolerance;
+  Transport_options result;
+  result.tolerance = tolerance;
   result.do_bound_from_above = do_bound_from_above;
   return result;
 }
@@ -57,14 +57,13 @@ TEST(Multilevel_transport_solver, bounds_enclose_exact_distance)
                                       surface.on(77, 1, 0.4), surface.at(20)})
     {
       const double exact = exact_distance(surface, from, to);
-      const Multilevel_transport_result found =
-          solver.solve(at(from), at(to), with_tolerance(1e-4, true));
+      const Transport_result found = solver.solve(at(from), at(to), with_tolerance(1e-4, true));
       EXPECT_LE(found.lower, exact * (1. + round_off));
       EXPECT_GE(found.upper_continuous, exact);
-      EXPECT_GT(found.value, 0.85 * exact); // a surface of ten sides loses so much around points
+      EXPECT_GT(found.value, 0.85 * exact); // discretization error around points, ten edges apart
       EXPECT_EQ(found.estimate, found.value);
     }
-    // Nobody asked.
+    // The continuous bound is computed on request only.
     EXPECT_EQ(solver.solve(at(from), at(surface.at(20))).upper_continuous, infinity);
   }
 }
@@ -79,15 +78,14 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
   for(const unsigned refinements : {0u, 1u, 2u, 3u})
   {
     const Multilevel_transport_solver solver(surface.triangles(), refinements);
-    const Multilevel_transport_result found =
-        solver.solve(at(from), at(to), with_tolerance(1e-5, true));
+    const Transport_result found = solver.solve(at(from), at(to), with_tolerance(1e-5, true));
     EXPECT_LE(found.lower, exact * (1. + round_off));
     EXPECT_LT(exact - found.lower, lower_error);
     EXPECT_LT(found.upper_continuous - exact, upper_error);
     lower_error = exact - found.lower;
     upper_error = found.upper_continuous - exact;
 
-    // Means of flows move the same masses; the potential is that of some of the fine sites.
+    // Coarsened flows move the same masses.  The potential is restricted to the coarse vertices.
     const Operators o = operators(surface.t());
     Vector masses = Vector::Zero(surface.size());
     for(std::size_t k = 0; k < 3; ++k)
@@ -104,7 +102,8 @@ TEST(Multilevel_transport_solver, converges_under_refinement)
   }
 }
 
-// What is lost at sites is halved by each refinement; within triangles it depends on where.
+// Refinement halves the error around masses at vertices.  Around masses inside triangles, the
+// error depends on their positions.
 TEST(Multilevel_transport_solver, estimate_extrapolates)
 {
   const Array_surface surface(jittered(icosphere(2), 0.03));
@@ -112,14 +111,14 @@ TEST(Multilevel_transport_solver, estimate_extrapolates)
   for(const Index to : {20u, 70u, 120u})
   {
     const double exact = exact_distance(surface, surface.at(0), surface.at(to));
-    const Multilevel_transport_result found =
+    const Transport_result found =
         solver.solve(at(surface.at(0)), at(surface.at(to)), with_tolerance(1e-5));
     EXPECT_LT(std::abs(found.estimate - exact), 0.5 * (exact - found.value) + 1e-5 * exact);
   }
 }
 
-// Linear densities on a square, which move to the right: along each line the integral of the difference
-// of what lies on the left of x before and after, which is 2 x - 2 x^2.
+// Linear densities on a square, moved to the right.  On each line, the cost is the integral of
+// the difference of the cumulative masses before and after, 2 x - 2 x^2.
 TEST(Multilevel_transport_solver, transports_densities)
 {
   const Array_surface surface(square(16, 0.24));
@@ -134,18 +133,17 @@ TEST(Multilevel_transport_solver, transports_densities)
   }
   for(const unsigned refinements : {0u, 1u})
   {
-    const Multilevel_transport_result found =
-        Multilevel_transport_solver(surface.triangles(), refinements)
-            .solve(from, to, with_tolerance(1e-5, true));
+    const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
+                                       .solve(from, to, with_tolerance(1e-5, true));
     EXPECT_LE(found.lower, 1. / 3. * (1. + round_off));
     EXPECT_GE(found.upper_continuous, 1. / 3.);
     EXPECT_NEAR(found.value, 1. / 3.,
-                2e-4); // the gap, and the square of a side, 1/16, by a twentieth
+                2e-4); // the gap, and a twentieth of the squared edge length (1/16)^2
     EXPECT_LT(found.upper_continuous, 0.5);
   }
-  // Any unit of mass, when it is normalized.
+  // With normalization, the total mass does not matter.
   to.density *= 7.;
-  Multilevel_transport_options options = with_tolerance(1e-5);
+  Transport_options options = with_tolerance(1e-5);
   options.do_normalize = true;
   EXPECT_NEAR(Multilevel_transport_solver(surface.triangles()).solve(from, to, options).value,
               1. / 3., 2e-4);
@@ -159,7 +157,7 @@ TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
   all.at_vertices[surface.vertex(4)] = 0.25;
   all.at_locations = {{surface.in(9, {0.5, 0.25, 0.25}), 0.25}};
   all.density = Vector::Constant(surface.size(), 0.5);
-  // To a corner of the unit square: the mean distance of a uniform density is (sqrt(2) + asinh(1)) / 3.
+  // The mean distance from the unit square to one of its corners is (sqrt(2) + asinh(1)) / 3.
   const auto distance_to_target = [&](const Point& p)
   { return test::distance(p, surface.point(80)); };
   Point inner = {0., 0., 0.};
@@ -170,13 +168,12 @@ TEST(Multilevel_transport_solver, accepts_all_kinds_of_masses)
   const double exact = 0.25 * distance_to_target(surface.point(4)) +
                        0.25 * distance_to_target(inner) +
                        0.5 * (std::sqrt(2.) + std::asinh(1.)) / 3.;
-  // Towards a point to which masses come from everywhere a side's part is lost at each distance of one,
-  // two, four and so on sides.
+  // If masses arrive at a point from all directions, the discretization error is a fraction of an
+  // edge length in each annulus of radii 1, 2, 4, ... edge lengths.
   for(const unsigned refinements : {0u, 2u})
   {
-    const Multilevel_transport_result found =
-        Multilevel_transport_solver(surface.triangles(), refinements)
-            .solve(all, at(surface.at(80)), with_tolerance(1e-4));
+    const Transport_result found = Multilevel_transport_solver(surface.triangles(), refinements)
+                                       .solve(all, at(surface.at(80)), with_tolerance(1e-4));
     EXPECT_TRUE(found.converged);
     EXPECT_LE(found.lower, exact);
     const double edge_length = 0.125 / double(1 << refinements);
@@ -197,7 +194,8 @@ TEST(Multilevel_transport_solver, respects_metric)
   };
   EXPECT_NEAR(value({}), std::sqrt(2.), 1e-5);
   EXPECT_NEAR(value(std::vector<Metric_tensor>(n, {3., 0., 3.})), 3. * std::sqrt(2.), 3e-5);
-  // Twice as long along x: the diagonal of a rectangle.  The planes of the triangles are turned.
+  // Doubling lengths along x gives the diagonal of a rectangle.  Tensors are given in the frame
+  // of each triangle.
   std::vector<Metric_tensor> metric;
   for(std::size_t f = 0; f < n; ++f)
   {
@@ -207,15 +205,14 @@ TEST(Multilevel_transport_solver, respects_metric)
     metric.push_back({1. + c * c, -c * s, 1. + s * s});
   }
   EXPECT_NEAR(value(metric), std::sqrt(5.), 1e-4);
-  const Multilevel_transport_result bounded =
-      Multilevel_transport_solver(surface.triangles(), 1, metric)
-          .solve(at(from), at(to), with_tolerance(1e-6, true));
+  const Transport_result bounded = Multilevel_transport_solver(surface.triangles(), 1, metric)
+                                       .solve(at(from), at(to), with_tolerance(1e-6, true));
   EXPECT_NEAR(bounded.value, std::sqrt(5.), 1e-4);
   EXPECT_GE(bounded.upper_continuous, std::sqrt(5.));
   EXPECT_LE(bounded.upper_continuous, 1.5 * std::sqrt(5.));
 }
 
-// A ray is bent where it becomes three times as slow: the sines of its angles are as the speeds.
+// Lengths in the upper half of a square count three times.
 TEST(Multilevel_transport_solver, obeys_snells_law)
 {
   const std::size_t columns = 24;
@@ -229,15 +226,15 @@ TEST(Multilevel_transport_solver, obeys_snells_law)
     const double slowness = y * surface.scale() / 3. + surface.t().origin[1] > 0.5 ? 3. : 1.;
     metric.push_back({slowness, 0., slowness});
   }
-  // From a corner to the opposite one, through (x, 0.5).
+  // The shortest path from a corner to the opposite one crosses (x, 0.5).
   double exact = infinity;
   for(double x = 0.; x < 1.; x += 1e-5)
     exact = std::min(exact, std::hypot(x, 0.5) + 3. * std::hypot(1. - x, 0.5));
   const Multilevel_transport_solver solver(surface.triangles(), 0, metric);
-  const Multilevel_transport_result found = solver.solve(
-      at(surface.at(0)), at(surface.at(surface.size() - 1)), with_tolerance(1e-5, true));
-  EXPECT_LE(found.lower, exact * (1. + 1e-9));   // the steps' square, and rounding
-  EXPECT_NEAR(found.value, exact, 4e-3 * exact); // in one triangle the ray has one direction
+  const Transport_result found = solver.solve(at(surface.at(0)), at(surface.at(surface.size() - 1)),
+                                              with_tolerance(1e-5, true));
+  EXPECT_LE(found.lower, exact * (1. + 1e-9));   // the squared step of x, and round-off errors
+  EXPECT_NEAR(found.value, exact, 4e-3 * exact); // the flow is constant in each triangle
   EXPECT_GE(found.upper_continuous, exact * (1. - 1e-9));
 }
 
@@ -259,28 +256,26 @@ TEST(Multilevel_transport_solver, avoids_obstacles)
       metric[surface.triangle(f)] = {infinity, 0., infinity};
   }
   const Multilevel_transport_solver solver(surface.triangles(), 0, metric);
-  const Multilevel_transport_result found =
+  const Transport_result found =
       solver.solve(at(surface.at(0)), at(surface.at(Index(n))), with_tolerance(1e-6, true));
-  // Over both corners of the wall's end.
+  // The shortest path passes both corners of the end of the wall.
   const double exact =
       std::hypot(0.5, 0.75) + 1. / double(n) + std::hypot(0.5 - 1. / double(n), 0.75);
   EXPECT_NEAR(found.value, exact, 1e-5 * exact);
   EXPECT_GE(found.upper_continuous, exact);
   EXPECT_LE(found.upper_continuous, 1.3 * exact);
 
-  // A density has mass where something can move, which is all but one in sixteen cells in three of four
-  // rows; the sites in the wall have none.
+  // A density has no mass in obstacles: here, in 1/16 of the cells in 3/4 of the rows.
   Mass_distribution uniform;
   uniform.density = Vector::Ones(surface.size());
   const Mass_distribution point_mass = at(surface.at(0), 1. - 0.75 / double(n));
-  const Multilevel_transport_result spread =
-      Multilevel_transport_solver(surface.triangles(), 1, metric)
-          .solve(uniform, point_mass, with_tolerance(1e-4, true));
+  const Transport_result spread = Multilevel_transport_solver(surface.triangles(), 1, metric)
+                                      .solve(uniform, point_mass, with_tolerance(1e-4, true));
   EXPECT_TRUE(spread.converged);
   EXPECT_GT(spread.upper_continuous, spread.upper);
 }
 
-// Two triangles below a third one that is flat: its corners lie on the side of the one above.
+// The third triangle is degenerate: its corners are collinear, on an edge of the first one.
 TEST(Multilevel_transport_solver, lower_bound_holds_across_degenerate_triangles)
 {
   Triangulation shape;
@@ -290,22 +285,23 @@ TEST(Multilevel_transport_solver, lower_bound_holds_across_degenerate_triangles)
   for(const unsigned refinements : {0u, 2u})
   {
     const Multilevel_transport_solver solver(surface.triangles(), refinements);
-    const Multilevel_transport_result found =
+    const Transport_result found =
         solver.solve(at(surface.at(2)), at(surface.at(3)), with_tolerance(1e-4, true));
     EXPECT_TRUE(found.converged);
-    EXPECT_LE(found.lower, 1. + 1e-6); // ten times the height of the flat one
+    EXPECT_LE(found.lower, 1. + 1e-6); // ten times the height of the thickened degenerate triangle
     EXPECT_NEAR(found.value, 1., 1e-4);
     EXPECT_GE(found.upper_continuous, 1.);
   }
 }
 
-// Proposition 3 of Solomon and others 2014: for the least costs, so that bounds may be compared.
+// Proposition 3 of Solomon and others 2014 holds for the exact minimum, so that only bounds are
+// compared.
 TEST(Multilevel_transport_solver, satisfies_triangle_inequality)
 {
   const Array_surface surface(jittered(icosphere(3), 0.02));
   const Multilevel_transport_solver solver(surface.triangles());
   constexpr std::size_t n = 9;
-  std::array<std::array<Multilevel_transport_result, n>, n> cost;
+  std::array<std::array<Transport_result, n>, n> cost;
   for(Index i = 0; i < n; ++i)
     for(Index j = 0; j < n; ++j)
     {
@@ -324,7 +320,8 @@ TEST(Multilevel_transport_solver, satisfies_triangle_inequality)
   }
 }
 
-// Proposition 2 there: spread evenly over less and less around a place, a mass comes to be at the place.
+// Proposition 2 of Solomon and others 2014: if a uniform mass on a ball moves to another point,
+// the distance converges as the radius of the ball decreases.
 TEST(Multilevel_transport_solver, ball_converges_to_point)
 {
   const Array_surface surface(square(24, 0.24));
@@ -339,7 +336,7 @@ TEST(Multilevel_transport_solver, ball_converges_to_point)
         inside.push_back(i);
     for(const Index i : inside)
       ball.at_locations.emplace_back(surface.at(i), 1. / double(inside.size()));
-    const Multilevel_transport_result found =
+    const Transport_result found =
         Multilevel_transport_solver(surface.triangles()).solve(at(surface.at(from)), ball);
     EXPECT_LE(std::abs(found.value - exact), radius);
   }
@@ -351,28 +348,28 @@ TEST(Multilevel_transport_solver, methods_agree)
   const Multilevel_transport_solver solver(surface.triangles());
   const Mass_distribution from = at(surface.at(0)), to = at(surface.at(50));
   const double value = solver.solve(from, to, with_tolerance(1e-5)).value;
-  Multilevel_transport_options options = with_tolerance(0.01);
-  options.transport.method = Transport_method::admm;
-  const Multilevel_transport_result split = solver.solve(from, to, options);
-  EXPECT_TRUE(split.converged);
-  EXPECT_LE(split.lower, value * (1. + 1e-5));
-  EXPECT_GE(split.upper, value * (1. - 1e-5));
-  // From where it ended, to much the same masses.
-  options.transport.warm_start = split.state;
-  const Multilevel_transport_result warm_started = solver.solve(from, to, options);
+  Transport_options options = with_tolerance(0.01);
+  options.method = Transport_method::admm;
+  const Transport_result cold_start = solver.solve(from, to, options);
+  EXPECT_TRUE(cold_start.converged);
+  EXPECT_LE(cold_start.lower, value * (1. + 1e-5));
+  EXPECT_GE(cold_start.upper, value * (1. - 1e-5));
+  // From the final state, with the same masses.
+  options.warm_start = cold_start.state;
+  const Transport_result warm_started = solver.solve(from, to, options);
   EXPECT_TRUE(warm_started.converged);
   EXPECT_LE(warm_started.iterations, 20u);
-  EXPECT_LT(warm_started.iterations, split.iterations);
+  EXPECT_LT(warm_started.iterations, cold_start.iterations);
 
   options = with_tolerance(0.02);
-  options.transport.method = Transport_method::weiszfeld;
-  const Multilevel_transport_result reweighted = solver.solve(from, to, options);
+  options.method = Transport_method::weiszfeld;
+  const Transport_result reweighted = solver.solve(from, to, options);
   EXPECT_LE(reweighted.lower, value * (1. + 1e-5));
   EXPECT_GE(reweighted.upper, value * (1. - 1e-5));
   EXPECT_TRUE(reweighted.converged);
 }
 
-// Of each point, to the nearest of some.
+// Returns the exact distance of each point to the nearest point of a region.
 std::vector<double> distances_to(const Array_surface& surface, const std::vector<Index>& region)
 {
   std::vector<internal::Front_source> sources;
@@ -394,7 +391,8 @@ std::vector<Index> internal_vertices(const Array_surface& surface, const std::ve
   return result;
 }
 
-// A square of 24 by 24 cells without those of two walls, which leave open what is beside them.
+// Returns a square of 24 by 24 cells without the cells of two walls, each with an opening at one
+// end.
 Triangulation square_with_walls()
 {
   Triangulation result = square(24);
@@ -423,16 +421,17 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
     for(const Index from : {0u, 12u * 25u + 12u, 25u * 25u - 3u, 5u * 25u + 7u})
     {
       const double exact = distance[from];
-      const Multilevel_transport_result found =
+      const Transport_result found =
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
-      EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane nothing is lost but the gap
-      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // a hundred masses' rounding in each step
+      EXPECT_NEAR(found.value, 2. * exact, 1e-5);  // in the plane the only error is the gap
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of many steps
       EXPECT_NEAR(-2. * found.potential[surface.vertex(from)], found.lower, round_off);
       for(const Index exit : exits)
       {
         EXPECT_EQ(found.potential[surface.vertex(exit)], 0.);
-        // All go the one shortest way; what strays costs at least a side of a 24th more in a hundred.
+        // All mass takes the shortest path.  Within the gap, a small fraction can take another
+        // exit.
         const bool is_nearest =
             exact_distance(surface, surface.at(from), surface.at(exit)) < exact + round_off;
         EXPECT_NEAR(found.arrivals[surface.vertex(exit)], is_nearest ? 2. : 0., 1e-3);
@@ -441,7 +440,8 @@ TEST(Multilevel_transport_solver, finds_nearest_exit)
   }
 }
 
-// From everywhere at once: what each place pays is nowhere above its distance, and not far below.
+// For a uniform source density, the potential is a lower bound of the distance everywhere, and
+// close to it.
 TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
 {
   for(const Triangulation& shape : {jittered(icosphere(3), 0.02), square(16, 0.24)})
@@ -456,8 +456,7 @@ TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
     {
       const Multilevel_transport_solver solver(surface.triangles(), refinements, {},
                                                internal_vertices(surface, region));
-      const Multilevel_transport_result found =
-          solver.solve_to_region(uniform, with_tolerance(1e-4));
+      const Transport_result found = solver.solve_to_region(uniform, with_tolerance(1e-4));
       double lower_error = 0.;
       for(Index i = 0; i < surface.size(); ++i)
       {
@@ -465,14 +464,15 @@ TEST(Multilevel_transport_solver, potential_bounds_distance_to_region)
         EXPECT_LE(distance, exact[i] * (1. + round_off));
         lower_error += (exact[i] - distance) / double(surface.size());
       }
-      EXPECT_LT(lower_error, 0.7 * previous_error); // of the order of a side
+      EXPECT_LT(lower_error, 0.7 * previous_error); // the error is O(edge length)
       previous_error = lower_error;
     }
-    EXPECT_LT(previous_error, 0.03); // a fifth of the sphere's sides, half of the square's
+    EXPECT_LT(previous_error, 0.03); // 1/5 of an edge length on the sphere, 1/2 on the square
   }
 }
 
-// To a side of a square, sites and sides between them: straight on.
+// The region is one boundary edge of a square, given by its vertices.  Mass moves perpendicular
+// to it.
 TEST(Multilevel_transport_solver, mass_arrives_along_region)
 {
   const Array_surface surface(square(8));
@@ -485,23 +485,23 @@ TEST(Multilevel_transport_solver, mass_arrives_along_region)
                                              internal_vertices(surface, right_side));
     Mass_distribution uniform;
     uniform.density = Vector::Ones(surface.size());
-    const Multilevel_transport_result found = solver.solve_to_region(uniform, with_tolerance(1e-6));
+    const Transport_result found = solver.solve_to_region(uniform, with_tolerance(1e-6));
     EXPECT_NEAR(found.value, 0.5, 1e-6);
     for(Index row = 0; row < 9; ++row)
       EXPECT_NEAR(found.arrivals[surface.vertex(9 * row + 8)], row % 8 == 0 ? 1. / 16. : 1. / 8.,
-                  1e-3); // the gap leaves so much room
-    // What is in the region is there already; half of a mass, scaled to one, counts for one.
+                  1e-3); // the error that the gap allows
+    // Mass inside the region does not move.  Normalization scales the total mass of 0.5 to one.
     Mass_distribution some = at(surface.at(0), 0.25);
     some.at_locations.emplace_back(surface.at(8), 0.25);
-    Multilevel_transport_options options = with_tolerance(1e-6);
+    Transport_options options = with_tolerance(1e-6);
     options.do_normalize = true;
-    const Multilevel_transport_result at_exit = solver.solve_to_region(some, options);
+    const Transport_result at_exit = solver.solve_to_region(some, options);
     EXPECT_NEAR(at_exit.value, 0.5, 1e-6);
-    EXPECT_NEAR(at_exit.arrivals[surface.vertex(8)], 1., 5e-3); // what strays by x costs x * x more
+    EXPECT_NEAR(at_exit.arrivals[surface.vertex(8)], 1., 5e-3); // an offset x costs only O(x^2)
   }
 }
 
-// Doors of two sites in a maze, one too small: what does not fit goes on to the next one.
+// If the mass exceeds the capacity of the nearest exit, the rest moves to the next one.
 TEST(Multilevel_transport_solver, respects_capacities)
 {
   const Array_surface surface(square_with_walls());
@@ -527,13 +527,14 @@ TEST(Multilevel_transport_solver, respects_capacities)
       for(std::size_t i = 0; i < 2; ++i)
         exact += region.capacity[order[i]] * distance[order[i]][from];
       const Multilevel_transport_solver solver(surface.triangles(), refinements, {}, region);
-      const Multilevel_transport_result found =
+      const Transport_result found =
           solver.solve_to_region(at(surface.at(from), 2.), with_tolerance(1e-6));
       EXPECT_TRUE(found.converged);
       EXPECT_LE(found.lower, exact * (1. + round_off));
-      // Where masses part in a fan of six triangles a part of a side is lost.
+      // Around a vertex from which flows leave in several directions, a fraction of an edge
+      // length is lost.
       EXPECT_NEAR(found.value, exact, 2. * 0.2 / 24.);
-      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // a hundred masses' rounding in each step
+      EXPECT_NEAR(found.arrivals.sum(), 2., 1e-8); // round-off errors of many steps
       for(std::size_t i = 0; i < 3; ++i)
       {
         double arrived_mass = 0.;
@@ -544,12 +545,12 @@ TEST(Multilevel_transport_solver, respects_capacities)
                     i == 0   ? 1.2
                     : i == 1 ? 0.5
                              : 0.3,
-                    1e-3); // as among exits without limits
+                    1e-3); // as for exits without limits
       }
     }
 }
 
-// Without a way to go, what spreads evenly over the region costs the least.
+// If distances are negligible, a uniform density of arrivals has the minimum cost.
 TEST(Multilevel_transport_solver, spreading_weight_spreads_arrivals)
 {
   for(const double scale : {1., 1e-3, 1e3})
@@ -558,12 +559,12 @@ TEST(Multilevel_transport_solver, spreading_weight_spreads_arrivals)
     Transport_region region;
     for(Index i = 0; i < surface.size(); ++i)
       region.exits.push_back({surface.vertex(i)});
-    const double area = scale * scale, weight = 1e3 * scale * area; // far dearer than any way
+    const double area = scale * scale, weight = 1e3 * scale * area; // moving is much cheaper
     region.spreading_weight = weight;
     const Multilevel_transport_solver solver(surface.triangles(), 0, {}, region);
-    const Multilevel_transport_result found =
+    const Transport_result found =
         solver.solve_to_region(at(surface.at(40), 3.), with_tolerance(1e-7));
-    // Ways cost a mass of three a part of two times the side.
+    // Moving a mass of 3 by at most 2 * scale costs at most 6 * scale.
     EXPECT_NEAR(found.value, weight * 9. / area, 6. * scale);
     EXPECT_NEAR(found.arrivals[surface.vertex(30)], 3. / 64., 1e-5);
     EXPECT_NEAR(found.arrivals[surface.vertex(4)], 3. / 128., 1e-5);
@@ -583,7 +584,7 @@ TEST(Multilevel_transport_solver, throws_on_invalid_limits)
     return Multilevel_transport_solver(surface.triangles(), 0, {}, region);
   };
   EXPECT_THROW(make({{1, 2}, {2, 3}}, {1., 1.}), Invalid_argument_error);
-  EXPECT_NO_THROW(make({{1, 2}, {2, 3}}, {})); // one anyway
+  EXPECT_NO_THROW(make({{1, 2}, {2, 3}}, {})); // exits are merged if there are no limits
   EXPECT_THROW(make({{1}, {3}}, {1.}), Invalid_argument_error);
   EXPECT_THROW(make({{1}, {3}}, {1., 0.}), Invalid_argument_error);
   EXPECT_THROW(make({{1}, {3}}, {1., std::nan("")}), Invalid_argument_error);
@@ -594,8 +595,8 @@ TEST(Multilevel_transport_solver, throws_on_invalid_limits)
   EXPECT_THROW(limited.solve_to_region(at(surface.at(0), 1.6)), Invalid_argument_error);
   EXPECT_NEAR(limited.solve_to_region(at(surface.at(0), 1.5)).arrivals[surface.vertex(3)], 0.5,
               1e-9);
-  Multilevel_transport_options admm;
-  admm.transport.method = Transport_method::admm;
+  Transport_options admm;
+  admm.method = Transport_method::admm;
   EXPECT_THROW(limited.solve_to_region(at(surface.at(0)), admm), Invalid_argument_error);
 }
 
@@ -610,7 +611,7 @@ TEST(Multilevel_transport_solver, regions_serve_their_component)
   EXPECT_THROW(to_left.solve_to_region(right), Invalid_argument_error);
   Mass_distribution all = left;
   all.at_locations.emplace_back(surface.at(25), 3.);
-  const Multilevel_transport_result found = to_both.solve_to_region(all, with_tolerance(1e-6));
+  const Transport_result found = to_both.solve_to_region(all, with_tolerance(1e-6));
   EXPECT_NEAR(found.value, 4., 1e-5);
   EXPECT_NEAR(found.arrivals[surface.vertex(4)], 1., 1e-6);
   EXPECT_NEAR(found.arrivals[surface.vertex(29)], 3., 1e-6);
@@ -620,17 +621,17 @@ TEST(Multilevel_transport_solver, throws_on_invalid_masses)
 {
   const Array_surface surface(square(4));
   const Multilevel_transport_solver solver(surface.triangles());
-  Mass_distribution nothing, invalid = at(surface.at(3), std::nan("")),
-                             none_at_all = at(surface.at(3), 0.);
+  Mass_distribution empty, invalid = at(surface.at(3), std::nan("")),
+                           zero_mass = at(surface.at(3), 0.);
   const Mass_distribution one = at(surface.at(0)), two = at(surface.at(5), 2.);
   EXPECT_THROW(solver.solve(one, two), Invalid_argument_error);
   EXPECT_THROW(solver.solve(one, invalid), Invalid_argument_error);
-  EXPECT_THROW(solver.solve(one, nothing), Invalid_argument_error);
-  EXPECT_EQ(solver.solve(nothing, none_at_all).value, 0.);
-  Multilevel_transport_options options;
+  EXPECT_THROW(solver.solve(one, empty), Invalid_argument_error);
+  EXPECT_EQ(solver.solve(empty, zero_mass).value, 0.);
+  Transport_options options;
   options.do_normalize = true;
   EXPECT_NO_THROW(solver.solve(one, two, options));
-  EXPECT_THROW(solver.solve(one, none_at_all, options), Invalid_argument_error);
+  EXPECT_THROW(solver.solve(one, zero_mass, options), Invalid_argument_error);
   EXPECT_THROW(solver.solve(at(surface.at(0), -1.), one, options), Invalid_argument_error);
   EXPECT_THROW(Multilevel_transport_solver(surface.triangles(), 20), Unsupported_surface_error);
 }

@@ -24,8 +24,8 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// What is left of the divergence after some tens of solutions, and of the bounds when they are found
-// again.
+// Relative round-off error of divergences after some tens of back substitutions, and of
+// recomputed bounds.
 constexpr double round_off = 1e-9;
 
 Transport_options with_tolerance(double tolerance)
@@ -35,7 +35,7 @@ Transport_options with_tolerance(double tolerance)
   return result;
 }
 
-// A mass at one point to another.
+// Returns the masses that move a unit mass from one vertex to another.
 Vector point_to_point(const Array_surface& surface, Index from, Index to)
 {
   Vector result = Vector::Zero(surface.size());
@@ -70,7 +70,7 @@ Vector random_masses(const Operators& operators, unsigned seed)
   return result;
 }
 
-// That the bounds are what flow and potential say.
+// Checks the bounds against the flow and the potential that certify them.
 void expect_certified(const Operators& o, const Vector& masses, const Transport_result& transport)
 {
   const double moved_mass = 0.5 * masses.lpNorm<1>();
@@ -88,7 +88,7 @@ void expect_certified(const Operators& o, const Vector& masses, const Transport_
     EXPECT_LT(norm(slope), 1. + round_off);
 }
 
-// A unit square with a wall one cell thick up to three quarters of its height.
+// Returns a unit square without the triangles of a wall, which is one cell thick and 3/4 high.
 Triangulation walled_square(std::size_t n)
 {
   Triangulation result = square(n);
@@ -141,7 +141,7 @@ TEST(Transport_solver, lower_bound_is_at_most_exact_distance)
           solver.solve(point_to_point(surface, 0, to), with_tolerance(1e-4));
       EXPECT_LE(transport.lower, exact * (1. + round_off));
       EXPECT_GE(transport.upper,
-                0.9 * exact); // what a coarse surface loses around masses at points
+                0.9 * exact); // a coarse mesh loses up to 10 % around point masses
     }
   }
 }
@@ -157,10 +157,10 @@ TEST(Transport_solver, error_is_below_one_percent_on_sphere)
     {
       const double exact = exact_distance(surface, from, to);
       EXPECT_GT(value(from, to), 0.99 * exact);
-      EXPECT_LT(value(from, to), exact * (1. + 0.5e-3)); // half of the gap
+      EXPECT_LT(value(from, to), exact * (1. + 0.5e-3)); // half the gap
     }
-  // Between poles the flow leaves in all directions, and a fan of five triangles around each lets no
-  // function of slope one grow by more than 0.81 of a side.
+  // Between the poles the flow leaves in all directions.  In a fan of five triangles, a function
+  // of slope one with equal values at the neighbors changes by at most 0.81 of an edge length.
   EXPECT_GT(value(0, 3), 0.98 * exact_distance(surface, 0, 3));
 }
 
@@ -170,7 +170,7 @@ TEST(Transport_solver, is_exact_in_plane)
   for(const Array_surface* surface : {&convex, &walled})
   {
     const Transport_solver solver(operators(surface->t()));
-    // From the lower left corner to the others, and to a point in the middle of the right half.
+    // From the lower left corner to the other corners, and to a vertex in the right half.
     for(const Index to : {20u, 420u, 440u, 225u})
     {
       const double exact = exact_distance(*surface, 0, to);
@@ -194,7 +194,7 @@ TEST(Transport_solver, transports_square_side_to_opposite_side)
   const Transport_solver solver(operators(surface.t()));
   const Transport_result transport = solver.solve(masses, with_tolerance(1e-6));
   EXPECT_NEAR(transport.value * surface.scale(), n * (n + 1) / 2.,
-              1e-5 * n * n); // each goes by one
+              1e-5 * n * n); // each mass moves by one
 }
 
 TEST(Transport_solver, is_symmetric_and_unit_invariant)
@@ -210,7 +210,7 @@ TEST(Transport_solver, is_symmetric_and_unit_invariant)
     EXPECT_NEAR(solver.solve(factor * masses).value, factor * value, round_off * factor * value);
     const Array_surface other(scaled(shape, factor));
     const Transport_solver other_solver(operators(other.t()));
-    // The sites are in another order.
+    // Scaling changes the order of the vertices.
     const Vector same = point_to_point(other, 0, 50) + 0.3 * point_to_point(other, 7, 120);
     EXPECT_NEAR(other_solver.solve(same).value * other.scale(), factor * value * surface.scale(),
                 round_off * factor * value * surface.scale());
@@ -244,7 +244,7 @@ TEST(Transport_solver, is_additive_over_components)
                              .value;
   const Transport_solver solver(operators(both.t()));
   EXPECT_NEAR(solver.solve(masses, with_tolerance(1e-6)).value * both.scale(), sum, 1e-6 * sum);
-  // Nothing at all on one of the two.
+  // No mass on one of the components.
   const Transport_result transport =
       solver.solve(point_to_point(both, 0, 50), with_tolerance(1e-5));
   EXPECT_TRUE(transport.converged);
@@ -254,7 +254,7 @@ TEST(Transport_solver, is_additive_over_components)
 TEST(Transport_solver, throws_on_invalid_masses)
 {
   Triangulation shape = square(4);
-  shape.points.push_back({2., 2., 0.}); // of no triangle
+  shape.points.push_back({2., 2., 0.}); // isolated
   const Array_surface surface(shape);
   const Transport_solver solver(operators(surface.t()));
   EXPECT_THROW(solver.solve(Vector::Zero(3)), Invalid_argument_error);
@@ -280,18 +280,19 @@ TEST(Transport_solver, handles_degenerate_triangles)
   Triangulation shape = square(20);
   for(const Index i : {210u, 211u, 212u})
     shape.points[i] = shape.points[210];
-  shape.points[66] = {0.125, 0.15, 0.}; // between its neighbours in a row
+  shape.points[66] = {0.125, 0.15, 0.}; // collinear with its neighbors in the row
   const Array_surface surface(shape);
   const Transport_solver solver(operators(surface.t()));
   const Vector masses = point_to_point(surface, 0, 440);
   const Transport_result transport = solver.solve(masses);
   EXPECT_TRUE(transport.converged);
-  EXPECT_LT(transport.residual, 1e-6); // needles of 1e-9 raise rounding by as much
+  EXPECT_LT(transport.residual, 1e-6); // needles of height 1e-9 amplify round-off errors
   EXPECT_NEAR(transport.value * surface.scale(), std::sqrt(2.), 0.01);
 }
 
-// Exits in a row of a square for a mass of one in that row: distances there, of which the potential is a
-// function, have kinks along columns alone, so that nothing is lost.
+// A unit mass and three exits in one row of a square.  The potential is a function of the
+// distances to the exits, whose kinks are along columns of vertices; so that the discretization
+// is exact.
 struct Exit_problem
 {
   Array_surface surface{square(20)};
@@ -323,7 +324,7 @@ struct Exit_problem
   }
 };
 
-// Bounds are of what is paid, and everything that has to leave does.
+// Checks that the bounds include the prices, and that all surplus mass leaves.
 void expect_certified(const Exit_problem& problem, const std::vector<Exit>& exits,
                       const Transport_result& transport)
 {
@@ -344,7 +345,8 @@ void expect_certified(const Exit_problem& problem, const std::vector<Exit>& exit
     EXPECT_LE(x, capacity);
     upper += 0.5 * price * x * x;
     missing[exits[i].vertex] += x;
-    // The potential is zero where the last mass leaves: nothing is gained by more of it.
+    // The potential is shifted such that the marginal cost is zero; the gain of an exit is minus
+    // the potential.
     if(const double optimal_outflow = price > 0. ? std::min(gain / price, capacity) : capacity;
        gain > 0.)
       lower += optimal_outflow * (0.5 * price * optimal_outflow - gain);
@@ -384,7 +386,7 @@ TEST(Transport_solver, fills_nearest_exits_first)
         problem.solver.solve(problem.masses, with_tolerance(1e-6), exits);
     expect_certified(problem, exits, transport);
     EXPECT_NEAR(transport.value, exact, 1e-5 * exact);
-    // What goes elsewhere costs a tenth more at least.
+    // Mass that takes another exit costs at least a tenth more.
     EXPECT_LT((transport.outflow - outflow).lpNorm<Eigen::Infinity>(), 1e-4);
   }
 }
@@ -396,7 +398,7 @@ TEST(Transport_solver, quadratic_prices_spread_outflow)
     for(const double capacity : {infinity, 0.45})
     {
       const std::vector<Exit> exits = problem.exits({capacity, capacity, capacity}, price);
-      // Of all that cost the same at the margin, by bisection.
+      // All open exits have the same marginal cost, which is found by bisection.
       double low = 0., high = 100. + price;
       Vector outflow(3);
       for(int i = 0; i < 100; ++i)
@@ -411,7 +413,8 @@ TEST(Transport_solver, quadratic_prices_spread_outflow)
           problem.solver.solve(problem.masses, with_tolerance(1e-6), exits);
       expect_certified(problem, exits, transport);
       EXPECT_NEAR(transport.value, exact, 1e-5 * exact);
-      // By how much a sum of squares shows what is a millionth away.
+      // The cost is quadratic around the minimum: a gap of 1e-6 bounds the error by its square
+      // root.
       EXPECT_LT((transport.outflow - outflow).norm(), std::sqrt(4e-6 * exact / price) + 1e-6);
     }
 }
@@ -422,8 +425,7 @@ TEST(Transport_solver, exits_serve_their_component)
   const Transport_solver solver(operators(surface.t()));
   Vector masses = Vector::Zero(surface.size());
   masses[surface.vertex(0)] = -2.;
-  masses[surface.vertex(49)] =
-      -3.; // on the second one, where it also goes from a corner to another
+  masses[surface.vertex(49)] = -3.; // on the second component, from one corner to another
   masses[surface.vertex(55)] = 3.;
   const Transport_result transport = solver.solve(
       masses, with_tolerance(1e-6), {{surface.vertex(6), 5., 0.}, {surface.vertex(90), 1., 0.}});
@@ -446,14 +448,14 @@ TEST(Transport_solver, works_on_clouds)
   const Cloud cloud = octahedron_sphere(4); // 1026 surfels
   const Surfel_arrays sphere = build_surfel_arrays(cloud.points, cloud.normals);
   const Transport_solver solver(operators(sphere.arrays));
-  for(const std::size_t to : {2u, 500u, 1000u}) // no poles, as above
+  for(const std::size_t to : {2u, 500u, 1000u}) // not opposite to vertex 0
   {
     Vector masses = Vector::Zero(Eigen::Index(cloud.size()));
     masses[sphere.internal_vertex[0]] = -1.;
     masses[sphere.internal_vertex[to]] = 1.;
     const double exact = great_circle(cloud.points[0], cloud.points[to]);
     const Transport_result transport = solver.solve(masses);
-    // 2 percent: what a side, of about 0.1, takes from the distance around a mass at a point.
+    // 2 percent: the discretization error around point masses, for edges of length 0.1.
     EXPECT_NEAR(transport.value * sphere.arrays.scale, exact, 0.02 * exact);
   }
 }
@@ -477,7 +479,7 @@ TEST(Transport_solver, can_be_cancelled)
   EXPECT_EQ(calls, 4u);
   EXPECT_EQ(transport.iterations, 3u);
   EXPECT_FALSE(transport.converged);
-  expect_certified(solver.operators(), masses, transport); // as far as it came
+  expect_certified(solver.operators(), masses, transport);
 }
 
 TEST(Transport_solver, solves_concurrently)

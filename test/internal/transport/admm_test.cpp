@@ -13,10 +13,10 @@ using namespace CGAL::Geodesic_processing;
 using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 
-// Of some hundred sums.
+// Relative round-off error of sums of some hundred terms.
 constexpr double round_off = 1e-9;
 
-// Fields that are v + c w with any number c.
+// Projection to the fields v + c w, c real.
 struct Affine_line
 {
   const Operators& o;
@@ -50,7 +50,7 @@ TEST(Admm, minimizes_length_on_affine_line)
   {
     const Affine_line line = {o, random_field(o.number_of_triangles(), seed),
                               random_field(o.number_of_triangles(), seed + 10)};
-    // The cost is convex: by golden section, to 1e-8 of c.
+    // The cost is convex.  Golden section search finds c up to 1e-8.
     double low = -10., high = 10.;
     while(high - low > 1e-8)
     {
@@ -70,7 +70,7 @@ TEST(Admm, minimizes_length_on_affine_line)
       EXPECT_GE(upper, min_cost * (1. - round_off));
       EXPECT_LE(lower, min_cost * (1. + round_off));
     }
-    EXPECT_LT(upper - lower, 1e-3 * upper); // converges as one over the number of steps, or faster
+    EXPECT_LT(upper - lower, 1e-3 * upper); // the error is at most O(1 / steps)
 
     const Field &flow = admm.flow(), &dual_field = admm.dual_field();
     const Field projected_flow = line(flow);

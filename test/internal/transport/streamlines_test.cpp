@@ -184,8 +184,8 @@ struct Two_target_flow
   template <typename Function>
   void check(const Surface_arrays& t, Function f)
   {
-    Multilevel_transport_options options;
-    options.transport.tolerance = 1e-5;
+    Transport_options options;
+    options.tolerance = 1e-5;
     const Streamlines streamlines = solver.streamlines(solver.solve(from, to, options));
     std::vector<int> number_arrived(2, 0);
     for(const Streamline_seed& seed : streamlines.seeds(100))

@@ -48,8 +48,8 @@ TEST(volumetric, one_to_many_bounds_contain_single_distances)
     const std::vector<Volumetric_bounds> found = distances.one_to_many(from, to, options);
     ASSERT_EQ(found.size(), to.size());
     EXPECT_EQ(found[0].upper, 0.);
-    Multilevel_transport_options tight_options;
-    tight_options.transport.tolerance = 1e-4;
+    Transport_options tight_options;
+    tight_options.tolerance = 1e-4;
     std::size_t solved = 0;
     for(std::size_t i = 0; i < to.size(); ++i)
     {
@@ -58,7 +58,7 @@ TEST(volumetric, one_to_many_bounds_contain_single_distances)
       solved += found[i].is_solved;
       if(i % 10 > 0)
         continue;
-      const Multilevel_transport_result single = distances.cost(from, to[i], tight_options);
+      const Transport_result single = distances.cost(from, to[i], tight_options);
       EXPECT_LE(found[i].lower, single.upper * (1. + 1e-12)); // round-off errors
       EXPECT_GE(found[i].upper, single.lower * (1. - 1e-12));
     }

@@ -24,16 +24,22 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
-/// a mass per area that is linear in each triangle; see `mass_density()`.
+/// stores a mass distribution with a density, which is linear in each triangle. See
+/// `mass_density()`.
+///
+/// \tparam PropertyMap a model of `ReadablePropertyMap` with vertices or surfels as keys and
+///   numbers as values
 template <typename PropertyMap>
 struct Mass_density
 {
-  PropertyMap map; ///< a number for each vertex or surfel, per square of the coordinates' unit
+  PropertyMap map; ///< mass per area at each vertex or surfel, in the unit of the coordinates
 };
 
 /// \ingroup PkgGeodesicProcessingTransport
-/// makes masses for `earth_movers_distance()` out of a property map of vertices or surfels that has mass
-/// per area.
+/// creates a mass distribution for `earth_movers_distance()` from a property map of densities.
+///
+/// \param map the mass per area at each vertex or surfel, per squared unit of the coordinates
+/// \returns the density, to be passed as `from` or `to`
 template <typename PropertyMap>
 Mass_density<PropertyMap> mass_density(PropertyMap map)
 {
@@ -49,7 +55,7 @@ template <typename PropertyMap>
 struct Is_density<Mass_density<PropertyMap>> : std::true_type
 {};
 
-// A set has keys and values too, but no category.
+// Detects property maps by their category, since std::set also has a key_type and a value_type.
 template <typename T, typename = void>
 struct Is_property_map : std::false_type
 {};
@@ -58,7 +64,7 @@ struct Is_property_map<T, std::void_t<typename boost::property_traits<T>::catego
     : std::true_type
 {};
 
-// A value for each site, in the domain's order.
+// #vertices: returns the values of a property map in the internal order of the domain.
 template <typename Domain, typename PropertyMap>
 Vector vertex_values(const Domain& domain, const PropertyMap& map)
 {
@@ -68,7 +74,9 @@ Vector vertex_values(const Domain& domain, const PropertyMap& map)
   return result;
 }
 
-// A unit mass at a place, in equal parts at a range of places, masses at sites, or a density.
+// Converts a vertex or location (unit mass), a range of these (unit mass in equal fractions), a
+// property map of masses, or a Mass_density.  Throws Invalid_argument_error if a range is empty
+// or a location is invalid.
 template <typename Domain, typename From>
 Mass_distribution masses(const Domain& domain, const From& from)
 {
@@ -83,14 +91,14 @@ Mass_distribution masses(const Domain& domain, const From& from)
   {
     const std::vector<Surface_location> located = locations(domain, from);
     if(located.empty())
-      throw Invalid_argument_error("There is no place where a mass could be.");
+      throw Invalid_argument_error("A range of locations for a mass is empty.");
     for(const Surface_location& point : located)
       result.at_locations.emplace_back(point, 1. / double(located.size()));
   }
   return result;
 }
 
-// The root of a symmetric positive definite tensor.
+// Returns the square root of a symmetric positive definite tensor.
 inline Metric_tensor square_root(const Metric_tensor& a)
 {
   const double determinant = std::sqrt(a[0] * a[2] - a[1] * a[1]);
@@ -98,7 +106,8 @@ inline Metric_tensor square_root(const Metric_tensor& a)
   return {factor * (a[0] + determinant), factor * a[1], factor * (a[2] + determinant)};
 }
 
-// A map's tensor of a face, or the mean of those of its vertices.
+// Returns the tensor of a face: from a map of faces, or the mean of its vertices from a map of
+// vertices.
 template <typename Domain, typename MetricMap>
 Eigen::Matrix3d face_metric(const Domain& domain, const MetricMap& map, Index triangle)
 {
@@ -114,7 +123,10 @@ Eigen::Matrix3d face_metric(const Domain& domain, const MetricMap& map, Index tr
     return get(map, domain.face(triangle));
 }
 
-// What named parameters say about lengths, as the kernel knows it: a speed, or a metric in space.
+// #triangles: returns the tensors of the kernels' metric, by which lengths of vectors v are
+// |A v|, from `speed_map` and `metric_map`; empty if both are missing.  A metric M in space is
+// restricted to the plane of the triangle, and A is the square root divided by the speed.  Throws
+// Invalid_argument_error if a tensor is not positive definite.  O(n).
 template <typename Domain, typename NamedParameters>
 std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParameters& np)
 {

@@ -99,8 +99,6 @@ Vector minus_divergence(const Operators& operators, const Field& field);
 // Rotates all vectors by 90 degrees counterclockwise.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Field rotated_left(Field field);
-CGAL_GEODESIC_PROCESSING_EXPORT
-Field rotated_right(Field field);
 
 // Rotates all vectors by 90 degrees clockwise.
 CGAL_GEODESIC_PROCESSING_EXPORT
@@ -109,6 +107,10 @@ Field rotated_right(Field field);
 // Returns the integral of the inner product of two fields.
 CGAL_GEODESIC_PROCESSING_EXPORT
 double inner_product(const Operators& operators, const Field& a, const Field& b);
+
+// Returns the integral of the length of a field, added to `initial`.
+CGAL_GEODESIC_PROCESSING_EXPORT
+double integrated_length(const Operators& operators, const Field& field, double initial = 0.);
 
 // Returns the integral of each hat function: #vertices values, whose sum is the area.
 CGAL_GEODESIC_PROCESSING_EXPORT

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_TRANSPORT_BARYCENTER_SOLVER_H
 
 #include <CGAL/Geodesic_processing/internal/operators/operators.h>
+#include <CGAL/Geodesic_processing/transport_costs.h>
 
 #include <cstddef>
 #include <functional>
@@ -12,67 +13,67 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// What an iteration may start from where another one, for as many masses, ended.
+// The iterate of a query, from which another query with as many masses can start.
 struct Barycenter_state
 {
-  std::vector<Field> shrunk_flows,
-      scaled_duals;         // #masses; empty: from the weighted mean of the masses
-  Vector masses, mass_dual; // #sites
-  double factor = 0.;       // of the integral of a flow's length: by how much vectors get shorter
+  std::vector<Field> shrunk_flows; // #masses; empty: start from the weighted mean of the masses
+  std::vector<Field> scaled_duals; // #masses
+  Vector masses, mass_dual;        // #vertices
+  double factor = 0.;              // shrinkage: |J| decreases by factor times the integral of |J|
 };
 
 struct Barycenter_options
 {
-  double tolerance = 1e-2;              // of the gap between the bounds, relative to the upper one
-  unsigned maximum_iterations = 0;      // zero: as many as are usually needed at most
-  std::function<bool(double)> callback; // gets a fraction from 0 to 1, ends the iterations by false
+  double tolerance = 1e-2;              // relative gap between the bounds: (upper - lower) / upper
+  unsigned maximum_iterations = 0;      // 0 uses the default, 5000
+  std::function<bool(double)> callback; // receives the progress in [0, 1]; returns false to cancel
   Barycenter_state warm_start;
 };
 
-// In lengths of the domain squared, times masses squared and weights.
-struct Barycenter_result
+// The bounds of a query (squared lengths times squared masses times weights) with the barycenter,
+// and with the potentials and flows that certify the bounds.
+struct Barycenter_result : Transport_barycenter_cost
 {
-  double value = 0.;              // halfway between the bounds
-  double lower = 0.;              // what the potentials prove
-  double upper = 0.;              // what the flows cost
-  Vector masses;                  // #sites: the barycenter
-  std::vector<double> distances;  // #masses: what the flow to each costs
-  std::vector<Field> flows;       // #masses: from the barycenter to each
-  std::vector<Vector> potentials; // #masses: each grows along its flow
-  unsigned iterations = 0;
-  double residual = 0.; // largest error of the masses that a flow moves, relative to their sum
-  bool converged = false;
-  Barycenter_state state; // where the iteration ended
+  Vector masses;                  // #vertices: the barycenter
+  std::vector<Field> flows;       // #masses: from the barycenter to each of the masses
+  std::vector<Vector> potentials; // #masses: each increases along its flow
+  Barycenter_state state;         // the final iterate
 };
 
-// Throws Invalid_argument_error when there are not as many weights, one is negative or not finite, or all are
-// zero.
+// Throws Invalid_argument_error if the number of weights is not `number`, a weight is negative or
+// not finite, or all weights are zero.
 CGAL_GEODESIC_PROCESSING_EXPORT
 void check_weights(const std::vector<double>& weights, std::size_t number);
 
-// The barycenter of masses m_i, with weights w_i: the masses m >= 0 that minimize the sum of w_i W(m, m_i)^2,
-// W the earth mover's distance (Solomon, Rustamov, Guibas and Butscher 2014):
-//   minimize the sum of w_i (integral of |J_i|)^2 where divergence(J_i) = m_i - m for all i.
+// Computes barycenters of masses m_i with weights w_i.  If W is the earth mover's distance, the
+// barycenter is the m >= 0 that minimizes the sum of w_i W(m, m_i)^2 (Solomon, Rustamov, Guibas
+// and Butscher 2014):
+//   minimize the sum of w_i (integral of |J_i|)^2 subject to divergence(J_i) = m_i - m for all i.
 //
-// Both bounds are certified.  Any such m and J_i are an upper one.  As W^2 is the largest of
-// 2 (integral of phi over m_i - m) - t^2 where |gradient(phi)| <= t, any potentials phi_i of slopes t_i
-// are a lower one, with their best common factor: L^2 over the sum of w_i t_i^2, where L is the sum of
-// w_i (integral of phi_i over m_i), less the most that m may have of the sum of w_i phi_i, where that is
-// highest on each component.
+// Both bounds are certified.  Every feasible m with flows J_i is an upper bound.  For the lower
+// bound, W^2 is the maximum of 2 (integral of phi (m_i - m)) - t^2 over functions with
+// |gradient(phi)| <= t.  Thus potentials phi_i of slopes t_i, with the best common factor, prove
+// L^2 / (sum of w_i t_i^2).  To compute L, subtract from the sum of w_i (integral of phi_i m_i) the
+// maximum, over m, of the integral of (sum of w_i phi_i) m.  This maximum is attained if the mass
+// of each component is at the vertex with the largest sum of w_i phi_i.
 //
-// By the alternating direction method of multipliers.  In turn the nearest flows that fit to one m, which
-// two factorizations tell, and shorter vectors and masses that are not negative.
+// The method is ADMM.  Each step projects to the flows with a common m, then shrinks the flows and
+// clamps the masses at zero.  The projection uses two precomputed factorizations.
 //
-// Nothing depends on the units of lengths, masses and weights.  Queries may run in several threads.
+// Results scale with the units of length, mass and weight.  Queries can run concurrently.
 class CGAL_GEODESIC_PROCESSING_EXPORT Barycenter_solver
 {
 public:
-  // Throws Unsupported_surface_error when there is no triangle with an area.
+  // Computes two factorizations.  Throws Unsupported_surface_error if no triangle has an area.
   explicit Barycenter_solver(Operators operators);
 
-  // masses   each #sites, not negative, with the same sum on each component up to 1e-9
-  // weights  one for each, not negative, not all zero
-  // Throws Invalid_argument_error when that is not so, or the tolerance not positive.
+  // Computes the barycenter of the given masses.
+  //
+  // masses   each #vertices, not negative; on each component all have the same sum, up to 1e-9
+  // weights  #masses: not negative, not all zero
+  // Throws Invalid_argument_error if masses or weights are invalid, or if the tolerance is not
+  // positive.
+  // An iteration is O(k n log n) for k masses.
   Barycenter_result solve(const std::vector<Vector>& masses, const std::vector<double>& weights,
                           const Barycenter_options& options = {}) const;
 
@@ -82,15 +83,17 @@ private:
   class Admm;
 
   void check_input(const std::vector<Vector>& masses, const std::vector<double>& weights) const;
+  void check_masses(const Vector& masses) const;
+  std::vector<double> component_totals(const Vector& masses) const;
 
   Operators m_operators;
-  std::vector<Index> m_component; // #sites
+  std::vector<Index> m_component; // #vertices
   std::size_t m_number_of_components = 0;
-  Vector m_lumped_mass;                    // #sites: the mass of a unit density, positive
-  double m_area = 0., m_stiffness = 0.;    // of the masses as to flows: a length squared
-  std::unique_ptr<Sparse_solver> m_solver; // of the Laplacian
-  std::unique_ptr<Sparse_solver>
-      m_damped_solver; // of the Laplacian plus the lumped masses over stiffness
+  Vector m_lumped_mass; // #vertices: the integral of the hat function, positive
+  double m_area = 0.;
+  double m_stiffness = 0.; // weight of masses relative to flows in the projection: a squared length
+  std::unique_ptr<Sparse_solver> m_solver;        // of the Laplacian, pinned
+  std::unique_ptr<Sparse_solver> m_damped_solver; // of the Laplacian plus lumped mass / stiffness
 };
 
 } // namespace CGAL::Geodesic_processing::internal

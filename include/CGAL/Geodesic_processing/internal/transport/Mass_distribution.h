@@ -12,29 +12,34 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// A sum of any of these.
+// The sum of masses at vertices, masses at locations, and a density.
 struct Mass_distribution
 {
-  Vector at_vertices; // #sites, or empty
-  std::vector<std::pair<Surface_location, double>>
-      at_locations; // no matter whether at sites or in triangles
-  Vector density;   // #sites, or empty: linear in each triangle, per square of the caller's unit
+  Vector at_vertices; // #vertices, or empty
+  // Masses at locations, which are vertices or inside triangles.
+  std::vector<std::pair<Surface_location, double>> at_locations;
+  // #vertices, or empty: mass per squared unit of the coordinates, linear in each triangle.
+  Vector density;
 };
 
-// At sites, such that the integral of each function that is linear in triangles is the same: a mass in
-// a triangle is shared by its corners as its barycentric coordinates are.  The areas are those of
-// operators().
+// #vertices: returns masses at vertices that have the same integral against each function that is
+// linear in triangles.  A mass inside a triangle is distributed by its barycentric coordinates.
+// O(n).
+//
+// area  #triangles: as computed by operators(), in the unit of the arrays; zero in obstacles
 CGAL_GEODESIC_PROCESSING_EXPORT
 Vector masses_at_vertices(const Surface_arrays& triangles, const std::vector<double>& area,
                           const Mass_distribution& masses);
 
-// The same masses on triangles that were divided in four.
+// Returns the same masses on triangles after one uniform refinement.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution refined(const Surface_arrays& coarse, const Surface_arrays& fine,
                           const Mass_distribution& masses);
 
-// What is to be moved: `to` less `from`, each scaled to a sum of one on request.  Throws
-// Invalid_argument_error when a mass is not finite, the sums differ, or nothing can be scaled.
+// Returns `to` minus `from`.  If `do_normalize` is set, each is first divided by its total mass.
+// Throws Invalid_argument_error if a mass is not finite, or if a total mass that must be normalized
+// is not positive.  If `do_normalize` is not set, throws it also if the total masses differ by more
+// than 1e-9 of the larger sum of absolute masses.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Mass_distribution difference(const Surface_arrays& triangles, const std::vector<double>& area,
                              const Mass_distribution& from, const Mass_distribution& to,

@@ -10,35 +10,39 @@
 
 namespace CGAL::Geodesic_processing::internal {
 
-// The field of an affine set that minimizes the integral of its length, by the alternating direction
-// method of multipliers (Douglas and Rachford's splitting; Solomon and others 2014, section 5): in turn
-// the nearest field of the set, and shorter vectors.  Half of a percent takes some hundred projections.
+// Minimizes the integral of the length of a field over an affine set of fields.  This is the
+// alternating direction method of multipliers (ADMM) of Solomon, Rustamov, Guibas and Butscher
+// 2014, section 5.  It alternates between the projection to the set and shrinking all vectors.  A
+// gap of half a percent takes some hundred projections.
 //
-// Certified from both sides: a field of the set is an upper bound; a field of length at most one that is
-// orthogonal to all differences of the set's fields has the same inner product with each of the set,
-// which is a lower one.
+// Both bounds are certified.  Every field of the set is an upper bound.  For the lower bound, let a
+// field have vectors of length at most one, and be orthogonal to all differences of fields of the
+// set.  Its inner product with each field of the set is the same, and is a lower bound.
 class CGAL_GEODESIC_PROCESSING_EXPORT Admm
 {
 public:
-  // The field of the set that is nearest to another one.
+  // Returns the field of the set that is closest to the given one in L2.
   using Projection = std::function<Field(const Field&)>;
 
-  // What a problem may start from where another one, with the same operators, ended.
+  // An iterate, from which another problem with the same operators can start.
   struct State
   {
-    Field shrunk_flow, scaled_dual; // empty: from the set's field of least squares
+    // #triangles each; empty: start from the least squares field of the set
+    Field shrunk_flow, scaled_dual;
   };
 
-  // The operators must live as long.
+  // Stores a reference to the operators.  Computes the least squares field: one projection.
   Admm(const Operators& operators, Projection projection, State initial_state = {});
 
-  // Some steps, each a projection, and one more to look for better bounds.
+  // Performs the given number of steps, then updates the bounds: steps + 1 projections.
   void advance(unsigned steps);
 
   double upper() const { return m_upper; }
   double lower() const { return m_lower; }
-  const Field& flow() const { return m_flow; }             // of the set, costs `upper`
-  const Field& dual_field() const { return m_dual_field; } // orthogonal to it, proves `lower`
+  // Returns the field of the set that certifies the upper bound.
+  const Field& flow() const { return m_flow; }
+  // Returns the field of length at most one that certifies the lower bound; zero if that is zero.
+  const Field& dual_field() const { return m_dual_field; }
 
   const State& state() const { return m_state; }
 
@@ -48,8 +52,8 @@ private:
 
   const Operators& m_operators;
   Projection m_projection;
-  Field m_least_squares_flow; // of the set, nearest to zero
-  double m_threshold;         // by how much vectors get shorter
+  Field m_least_squares_flow; // the field of the set that is closest to zero
+  double m_threshold;         // shrinkage: the length that vectors lose in a step
   State m_state;
   double m_upper = infinity, m_lower = 0.;
   Field m_flow, m_dual_field;

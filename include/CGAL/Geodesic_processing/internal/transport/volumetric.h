@@ -56,8 +56,7 @@ public:
 
   // Computes the distance of two points, given in the input coordinates. Throws as
   // Mean_value_coordinates' operator().
-  Multilevel_transport_result cost(const Vec3& from, const Vec3& to,
-                                   const Multilevel_transport_options& options) const;
+  Transport_result cost(const Vec3& from, const Vec3& to, const Transport_options& options) const;
 
   // Computes bounds of the distances from one point to many. For most points, potentials and flows
   // are interpolated from solved points nearby. If the bounds are not within the tolerance, some

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_TRANSPORT_COSTS_H
+#define CGAL_GEODESIC_PROCESSING_TRANSPORT_COSTS_H
+
+#include <limits>
+#include <vector>
+
+namespace CGAL::Geodesic_processing {
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// stores the earth mover's distance of two mass distributions with certified bounds, in the unit
+/// of the coordinates times that of the masses.
+struct Earth_movers_cost
+{
+  double value = 0.; ///< the mean of the lower and the upper bound
+  /// certified lower bound, which also holds for geodesic distances on the surface
+  double lower = 0.;
+  double upper = 0.; ///< certified upper bound for flows that are constant in each face
+  /// certified upper bound for flows on the surface; infinite unless `do_bound_from_above` is set
+  double upper_continuous = std::numeric_limits<double>::infinity();
+  /// the value extrapolated from the last two refinement levels, not certified; without refinement
+  /// the same as `value`
+  double estimate = 0.;
+  unsigned iterations = 0; ///< the number of iterations on the finest level
+  /// the largest difference of the divergence of the flow and the masses, relative to the total
+  /// mass that is moved
+  double residual = 0.;
+  bool converged = false; ///< whether the gap between the bounds is within the tolerance
+};
+
+/// \ingroup PkgGeodesicProcessingTransport
+///
+/// stores the cost of a barycenter with certified bounds. The cost is the weighted sum of squared
+/// earth mover's distances. Its unit is the square of the unit of `Earth_movers_cost`.
+struct Transport_barycenter_cost
+{
+  double value = 0.; ///< the mean of the lower and the upper bound
+  /// certified lower bound of the cost of every mass distribution, also for geodesic distances on
+  /// the surface
+  double lower = 0.;
+  /// certified upper bound of the cost of the computed barycenter, for flows that are constant in
+  /// each face
+  double upper = 0.;
+  /// the upper bound of the distance from the barycenter to each of the given mass distributions
+  std::vector<double> distances;
+  unsigned iterations = 0; ///< the number of iterations
+  /// the largest difference of the divergence of a flow and the masses that it moves, relative to
+  /// the total mass
+  double residual = 0.;
+  bool converged = false; ///< whether the gap between the bounds is within the tolerance
+};
+
+} // namespace CGAL::Geodesic_processing
+
+#endif // CGAL_GEODESIC_PROCESSING_TRANSPORT_COSTS_H
