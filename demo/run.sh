@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing, builds the program and the demo programs, runs them on real models and
-# leaves pictures and a page that shows them in demo/gallery/.
+# Installs what is missing and builds the program.  As soon as it exists it draws pictures of real
+# models, two at a time, while the demo programs are built; these are run at the end.  Leaves the
+# pictures and a page that shows them in demo/gallery/.
 # Environment: JOBS (default: all processors).
 set -u -o pipefail
 
@@ -14,8 +15,8 @@ jobs=${JOBS:-$(nproc)}
 build=build/demo
 gallery=demo/gallery
 models=$build/models
+parts=$build/parts # of the page, and a file for each failure
 log=$build/run.log
-failures=0
 started=$SECONDS
 
 packages=(g++ cmake ninja-build ccache
@@ -24,14 +25,10 @@ packages=(g++ cmake ninja-build ccache
 
 install_packages "${packages[@]}" || exit 1
 
-echo "Building"
 mkdir -p $build $gallery "$models"
-if ! { cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DGEODESIC_PROCESSING_DEMOS=ON &&
-       cmake --build $build -j "$jobs"; } >$log 2>&1; then
-  tail -n 30 $log >&2
-  echo "The build failed; all of its words are in $log." >&2
-  exit 1
-fi
+rm -rf "$parts" $build/demos_failed
+mkdir -p "$parts"
+: >$log
 
 # Real models come in the documentation of Debian's libcgal-demo, which need not be installed.
 fetch_models()
@@ -53,12 +50,66 @@ fetch_models()
   return $status
 }
 
-$build/demo/make_models $models && $build/demo/make_test_image $models/rings.png || exit 1
+build_failed()
+{
+  tail -n 30 $log >&2
+  echo "The build failed; all of its words are in $log." >&2
+  exit 1
+}
+
+# One X server for all pictures; without it the program starts one for each.
+start_server()
+{
+  local pipe=$build/display
+  rm -f $pipe
+  Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp 3>$pipe >/dev/null 2>&1 &
+  server=$!
+  for ((i = 0; i < 100; ++i)); do
+    [ ! -s $pipe ] || break
+    sleep 0.1
+  done
+  if [ -s $pipe ]; then
+    GEODESIC_DISPLAY=:$(<$pipe)
+    export GEODESIC_DISPLAY
+  fi
+}
+
+# The demo programs, those that make models first.
+build_demos()
+{
+  if ! { nice cmake --build $build -j "$jobs" --target demo_make_models demo_make_picture &&
+         $build/demo/make_models $models && $build/demo/make_test_image $models/rings.png &&
+         touch $models/are_made && nice cmake --build $build -j "$jobs"; }; then
+    touch $build/demos_failed
+  fi
+} >>$log 2>&1
+
+# Waits until models were made by a demo program.
+wait_for_models()
+{
+  until [ -e $models/are_made ]; do
+    [ ! -e $build/demos_failed ] || build_failed
+    sleep 0.2
+  done
+}
+
+server='' demo_build=''
+trap 'kill $server $demo_build 2>/dev/null' EXIT
+
+echo "Building the program and fetching models"
+fetch_models &
+fetching=$!
+{ cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DGEODESIC_PROCESSING_DEMOS=ON &&
+  cmake --build $build -j "$jobs" --target geodesic; } >>$log 2>&1 || build_failed
+start_server
+rm -f $models/are_made
+build_demos &
+demo_build=$!
+
 terrain=$models/hills.off knot=$models/knot.off rings=$models/rings.png
 knot_scan=$models/scan.xyz noisy_scan=$models/noisy.xyz
 
-echo "Fetching models"
-if fetch_models; then
+if wait $fetching; then
   m=$models/data/meshes p=$models/data/points_3
   animal=$m/armadillo.off beast=$m/ChineseDragon-10kv.off part=$m/fandisk.off
   runner=$m/man.off holes=$m/mech-holes-shark.off mask=$m/mannequin-devil.off
@@ -70,10 +121,19 @@ else
   bunny=$animal loop=$animal cow=$animal
   holes=$models/hills.off mask=$models/hills.off small=$models/hills.off
   scan=$models/scan.xyz scan_with_normals=$scan
+  wait_for_models
 fi
 
 page=$gallery/index.html
-cat >$page <<'HTML'
+number_of_parts=0 this_part='' # of the page, which is written next
+next_part()
+{
+  number_of_parts=$((number_of_parts + 1))
+  printf -v this_part '%s/%04d' "$parts" $number_of_parts
+}
+
+next_part
+cat >"$this_part.html" <<'HTML'
 <!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>Geodesic_processing: a tour</title>
 <style>
@@ -92,29 +152,55 @@ escape() { sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g'; }
 # The command as a reader would type it: without our folders.
 shown() { printf '%s' "$*" | sed -e "s|[^ ]*/||g" | escape; }
 
-# picture NAME SENTENCE COMMAND ARGUMENTS...: the program's picture of its own result.
+# Waits for a picture when two are being drawn, or for all of them.
+drawn=()
+wait_for_pictures()
+{
+  local most=$1 id rest
+  while [ ${#drawn[@]} -gt "$most" ]; do
+    wait -n "${drawn[@]}"
+    rest=()
+    for id in "${drawn[@]}"; do
+      ! kill -0 "$id" 2>/dev/null || rest+=("$id")
+    done
+    drawn=("${rest[@]}")
+  done
+}
+
+# picture NAME SENTENCE COMMAND ARGUMENTS...: starts to draw the program's picture of its own result.
 picture()
+{
+  wait_for_pictures 1
+  next_part
+  draw "$@" &
+  drawn+=($!)
+}
+
+draw()
 {
   local name=$1 sentence=$2 begin=$SECONDS
   shift 2
   rm -f "$gallery/$name.png"
-  if "$build/geodesic" "$@" --quiet --picture "$gallery/$name.png" >>$log 2>"$build/errors" &&
+  if "$build/geodesic" "$@" --quiet --picture "$gallery/$name.png" >>$log 2>"$this_part.errors" &&
      [ -s "$gallery/$name.png" ]; then
     printf '%-24s %3d s  %s\n' "$name" $((SECONDS - begin)) "$sentence"
     printf '<figure><img src="%s.png" alt=""><figcaption><p>%s</p><code>geodesic %s</code></figcaption></figure>\n' \
-      "$name" "$(printf '%s' "$sentence" | escape)" "$(shown "$@")" >>$page
+      "$name" "$(printf '%s' "$sentence" | escape)" "$(shown "$@")" >"$this_part.html"
   else
-    failures=$((failures + 1))
+    touch "$this_part.failed"
     printf '%-24s FAILED: geodesic %s\n' "$name" "$*" >&2
-    cat "$build/errors" >&2
+    cat "$this_part.errors" >&2
   fi
 }
 
 # program NAME ARGUMENTS...: a demo program; its question is the first line of its source.  A
 # result that it leaves, the last argument then, is shown by its distances or another $property, or
-# without one where that is `none`; or it is the gallery's picture itself.
+# without one where that is `none`; or it is the gallery's picture itself.  Nothing is drawn
+# meanwhile: some programs measure times, and some read what pictures' commands have left.
 program()
 {
+  wait_for_pictures 0
+  next_part
   local name=$1 file=${as:-$1} question answer picture=''
   local shown_by=(--property "${property:-distance}")
   [ "${property-}" != none ] || shown_by=()
@@ -129,9 +215,9 @@ program()
     [ ! -s "$gallery/$file.png" ] || picture="<img src=\"$file.png\" alt=\"\">"
     printf '<figure>%s<figcaption><p>%s</p><pre>%s</pre><code>%s</code></figcaption></figure>\n' \
       "$picture" "$(printf '%s' "$question" | escape)" "$(printf '%s' "$answer" | escape)" \
-      "$(shown "$name" "$@")" >>$page
+      "$(shown "$name" "$@")" >"$this_part.html"
   else
-    failures=$((failures + 1))
+    touch "$this_part.failed"
     printf '%s FAILED: %s\n' "$name" "$answer" >&2
   fi
 }
@@ -179,6 +265,7 @@ picture remesh-100 "One surface in 100 vertices," \
   remesh "$animal" --number 100 --lloyd 10
 picture remesh-400 "in 400," remesh "$animal" --number 400 --lloyd 10
 picture remesh-1600 "and in 1,600." remesh "$animal" --number 1600 --lloyd 10
+wait_for_models
 for strength in 0 5 20; do
   picture remesh-image-$strength "A terrain with small triangles where a picture of rings varies, by a strength of $strength." \
     remesh "$terrain" --number 3000 --density-image "$rings" --strength $strength
@@ -323,7 +410,12 @@ picture cloud-path-pipe "Through noise with outliers, around a pipe." \
 picture cloud-graph "Which surfels of a scan are joined: those whose spheres meet and whose normals agree." \
   surfels "$scan_with_normals" --arcs
 
-echo '</main><h2>The demo programs</h2><main>' >>$page
+next_part
+echo '</main><h2>The demo programs</h2><main>' >"$this_part.html"
+wait_for_pictures 0
+wait $demo_build
+demo_build=''
+[ ! -e $build/demos_failed ] || build_failed
 program farthest_vertex "$animal" $build/farthest.ply
 program covering_radius "$animal" $build/covering.ply
 program curvature_adapted_sampling "$part" $build/attracted.ply
@@ -370,13 +462,16 @@ for bits in 0.7 1 2 6; do
   picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits
 done
 picture wavelet-tenth "A tenth of the details, the largest." wavelet $build/levels.off --keep 10
+next_part
 cp doc/fig/rate_distortion.svg $gallery &&
   printf '<figure><img src="rate_distortion.svg" alt=""><figcaption><p>%s</p></figcaption></figure>\n' \
-    "Errors over the bits for each vertex, relative to the diagonal." >>$page
-echo '</main></body></html>' >>$page
+    "Errors over the bits for each vertex, relative to the diagonal." >"$this_part.html"
+wait_for_pictures 0
+{ cat "$parts"/*.html && echo '</main></body></html>'; } >$page
+failures=$(find "$parts" -name '*.failed' | wc -l)
 
 echo
-if [ $failures -ne 0 ]; then
+if [ "$failures" -ne 0 ]; then
   echo "$failures of the pictures and programs failed, after $((SECONDS - started)) s; $log has" \
        "what they said." >&2
   exit 1

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/tags.h>
 
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
+
 #include "Array_surface.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +18,7 @@ template <typename Method>
 double distance_across_square()
 {
   static const Array_surface surface(square(20));
-  internal::Engine<Method> engine(surface.triangles());
+  internal::Distance_engine engine(internal::distance_method<Method>(), surface.triangles());
   engine.run({surface.source(20)});
   return surface.distances(engine)[20 * 21]; // from (1,0) to (0,1), against all diagonals
 }

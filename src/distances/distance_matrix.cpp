@@ -18,7 +18,7 @@ namespace {
 
 // Calls for_each_row() with the type of the engine.
 template <typename Row>
-bool for_each_row_with(const Distance_engine& engine, std::size_t number_of_rows,
+bool for_each_row_with(const Row_engine& engine, std::size_t number_of_rows,
                        const Front_limits& limits, unsigned threads, const Row& row)
 {
   return std::visit([&](const auto* row_engine)
@@ -28,7 +28,7 @@ bool for_each_row_with(const Distance_engine& engine, std::size_t number_of_rows
 
 } // namespace
 
-Eigen::MatrixXd distance_matrix(const Distance_engine& engine, double scale,
+Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
                                 const std::vector<Front_source>& from,
                                 const std::vector<Surface_location>& to, const Front_limits& limits,
                                 unsigned threads)
@@ -48,7 +48,7 @@ Eigen::MatrixXd distance_matrix(const Distance_engine& engine, double scale,
 }
 
 Eigen::SparseMatrix<double, Eigen::RowMajor>
-sparse_distance_matrix(const Distance_engine& engine, double scale,
+sparse_distance_matrix(const Row_engine& engine, double scale,
                        const std::vector<Front_source>& from, const std::vector<Index>& column,
                        const Front_limits& limits, unsigned threads)
 {

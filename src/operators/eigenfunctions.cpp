@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/eigenfunctions.h"
 
-#include <Eigen/Eigenvalues>
+#include "numerics/eigen_system.h"
+
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -172,9 +173,9 @@ public:
   // of 1e-16.
   void solve()
   {
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(m_projected_operator);
-    m_values = solver.eigenvalues().reverse();
-    m_vectors = solver.eigenvectors().rowwise().reverse();
+    const Eigen_system solver = eigen_system(m_projected_operator);
+    m_values = solver.values.reverse();
+    m_vectors = solver.vectors.rowwise().reverse();
     const Matrix residual = m_residual * m_vectors.bottomRows(m_last_block_size);
     m_number_of_converged = 0;
     while(m_number_of_converged < m_size &&

@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/parameterization/charts.h>
 
 #include <CGAL/Geodesic_processing/internal/parameterization/base_points.h>
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/symmetric_dirichlet.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/tutte_map.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/untangling.h>
 #include "core/unfold.h"
-#include <CGAL/Geodesic_processing/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ std::vector<Vec2> lle_embedding(const Surface_arrays& surface)
 {
   // Does not own the arrays: all copies end in this function.
   const std::shared_ptr<const Surface_arrays> triangles(std::shared_ptr<void>(), &surface);
-  const Engine<Euclidean_front> front(triangles);
+  const Front front(triangles, Front_kind::euclidean);
   Sampling sampling(triangles, front, Sample_location::vertex);
   Sampling_options options;
   options.number_of_samples = number_of_base_points;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/lle.h>
 
+#include "numerics/eigen_system.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -61,12 +62,12 @@ std::vector<Local_chart> build_local_charts(const Base_points& base, std::size_t
         gram(j, k) = 0.5 * (chart.squared_distance[j] + chart.squared_distance[k] -
                             pair_distance * pair_distance);
       }
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
+    const Eigen_system eigen = eigen_system(gram);
     chart.position.assign(chart.neighbor.size(), Vec2{0., 0.});
     for(Eigen::Index c = number_of_neighbors - 1; c >= 0 && c >= number_of_neighbors - 2; --c)
       for(Eigen::Index j = 0; j < number_of_neighbors; ++j)
         chart.position[j][number_of_neighbors - 1 - c] =
-            std::sqrt(std::max(0., eigen.eigenvalues()[c])) * eigen.eigenvectors()(j, c);
+            std::sqrt(std::max(0., eigen.values[c])) * eigen.vectors(j, c);
   }
   return result;
 }
@@ -204,13 +205,13 @@ Matrix spectral_embedding(const std::vector<Local_chart>& charts)
     for(std::size_t j = 0; j < w.size(); ++j)
       residual(i, charts[i].neighbor[j]) -= w[j];
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(residual.transpose() * residual));
+  const Eigen_system eigen = eigen_system(residual.transpose() * residual);
   // The constant vector is in the span of the three lowest eigenvectors, but need not be one of
   // them.
-  Matrix lowest = eigen.eigenvectors().leftCols(3);
+  Matrix lowest = eigen.vectors.leftCols(3);
   lowest.rowwise() -= lowest.colwise().mean();
-  const Eigen::SelfAdjointEigenSolver<Matrix> centered(Matrix(lowest.transpose() * lowest));
-  return lowest * centered.eigenvectors().rightCols(2);
+  const Eigen_system centered = eigen_system(lowest.transpose() * lowest);
+  return lowest * centered.vectors.rightCols(2);
 }
 
 // Applies the linear map that fits the squared distances of neighbors to those on the surface by
@@ -231,11 +232,12 @@ Matrix fit_metric(const std::vector<Local_chart>& charts, const Matrix& f)
   const Eigen::Vector3d s = normal.ldlt().solve(rhs);
   Eigen::Matrix2d metric;
   metric << s[0], s[1], s[1], s[2];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(metric);
+  const Eigen_system solver = eigen_system(metric);
   Eigen::Vector2d root;
   for(int k = 0; k < 2; ++k)
-    root[k] = std::sqrt(std::max(solver.eigenvalues()[k], 1e-6 * solver.eigenvalues()[1]));
-  return f * (solver.eigenvectors() * root.asDiagonal() * solver.eigenvectors().transpose());
+    root[k] = std::sqrt(std::max(solver.values[k], 1e-6 * solver.values[1]));
+  const Eigen::Matrix2d axes = solver.vectors;
+  return f * (axes * root.asDiagonal() * axes.transpose());
 }
 
 // Computes classical scaling of the graph distances between base points (Isomap, Tenenbaum, de
@@ -358,10 +360,10 @@ Matrix classical_scaling(const Matrix& squares)
   gram.rowwise() += 0.5 * mean;
   gram.colwise() += 0.5 * mean.transpose();
   gram.array() -= 0.5 * mean.mean();
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
-  Matrix result = eigen.eigenvectors().rightCols(2);
+  const Eigen_system eigen = eigen_system(gram);
+  Matrix result = eigen.vectors.rightCols(2);
   for(int k = 0; k < 2; ++k)
-    result.col(k) *= std::sqrt(std::max(0., eigen.eigenvalues()[gram.rows() - 2 + k]));
+    result.col(k) *= std::sqrt(std::max(0., eigen.values[gram.rows() - 2 + k]));
   return result;
 }
 

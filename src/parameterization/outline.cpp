@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/internal/parameterization/outline.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "core/orientation.h"
 
 #include <algorithm>
 #include <numeric>
@@ -10,13 +10,6 @@
 namespace CGAL::Geodesic_processing::internal {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-CGAL::Orientation exact_orientation(const Vec2& p, const Vec2& q, const Vec2& r)
-{
-  return Kernel().orientation_2_object()({p[0], p[1]}, {q[0], q[1]}, {r[0], r[1]});
-}
 
 // Returns whether a point on the line through p and q is between p and q.
 bool is_between(const Vec2& x, const Vec2& p, const Vec2& q)
@@ -27,26 +20,23 @@ bool is_between(const Vec2& x, const Vec2& p, const Vec2& q)
 
 bool do_intersect_segments(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s)
 {
-  const auto at_r = exact_orientation(p, q, r), at_s = exact_orientation(p, q, s),
-             at_p = exact_orientation(r, s, p), at_q = exact_orientation(r, s, q);
-  return (at_r * at_s < 0 && at_p * at_q < 0) || (at_r == CGAL::ZERO && is_between(r, p, q)) ||
-         (at_s == CGAL::ZERO && is_between(s, p, q)) ||
-         (at_p == CGAL::ZERO && is_between(p, r, s)) || (at_q == CGAL::ZERO && is_between(q, r, s));
+  const auto at_r = orientation(p, q, r), at_s = orientation(p, q, s), at_p = orientation(r, s, p),
+             at_q = orientation(r, s, q);
+  return (at_r * at_s < 0 && at_p * at_q < 0) || (at_r == 0 && is_between(r, p, q)) ||
+         (at_s == 0 && is_between(s, p, q)) || (at_p == 0 && is_between(p, r, s)) ||
+         (at_q == 0 && is_between(q, r, s));
 }
 
 // Returns whether the edges pq and qr overlap, or one of them has length zero.
 bool is_folding_back(const Vec2& p, const Vec2& q, const Vec2& r)
 {
   return p == q || q == r ||
-         (exact_orientation(p, q, r) == CGAL::ZERO && (is_between(r, p, q) || is_between(p, q, r)));
+         (orientation(p, q, r) == 0 && (is_between(r, p, q) || is_between(p, q, r)));
 }
 
 } // namespace
 
-bool is_left_turn(const Vec2& p, const Vec2& q, const Vec2& r)
-{
-  return exact_orientation(p, q, r) == CGAL::LEFT_TURN;
-}
+bool is_left_turn(const Vec2& p, const Vec2& q, const Vec2& r) { return orientation(p, q, r) > 0; }
 
 std::optional<std::pair<std::size_t, std::size_t>> find_self_intersection(const Outline& outline)
 {

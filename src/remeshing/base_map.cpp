@@ -5,10 +5,9 @@
 #include "mesh/Split_mesh.h"
 #include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
 #include <CGAL/Geodesic_processing/internal/mesh/mesh_arrays.h>
+#include "core/orientation.h"
 #include <CGAL/Geodesic_processing/internal/core/path_locations.h>
 #include "core/unfold.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <Eigen/SparseLU>
 
@@ -72,9 +71,7 @@ Barycentric interpolate(const Barycentric& b, const std::array<Barycentric, 3>& 
 
 bool is_folded(const Barycentric& a, const Barycentric& b, const Barycentric& c)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto point = [](const Barycentric& p) { return Kernel::Point_2(p[1], p[2]); };
-  return CGAL::orientation(point(a), point(b), point(c)) != CGAL::LEFT_TURN;
+  return orientation({a[1], a[2]}, {b[1], b[2]}, {c[1], c[2]}) <= 0;
 }
 
 } // namespace

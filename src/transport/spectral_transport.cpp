@@ -3,6 +3,7 @@
 #include <CGAL/Geodesic_processing/internal/transport/spectral_transport.h>
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include "numerics/eigen_system.h"
 #include "operators/eigenfunctions.h"
 #include "transport/Group_lasso.h"
 #include <CGAL/Geodesic_processing/internal/core/parallel.h>
@@ -28,13 +29,13 @@ Matrix orthonormalize(Matrix& columns)
 {
   Matrix gram, result;
   transposed_product(columns, columns, gram);
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(gram);
+  const Eigen_system solver = eigen_system(gram);
   const Eigen::Index n = gram.rows();
   Eigen::Index rank = 0;
-  while(rank < n && solver.eigenvalues()[n - 1 - rank] > 1e-10 * solver.eigenvalues()[n - 1])
+  while(rank < n && solver.values[n - 1 - rank] > 1e-10 * solver.values[n - 1])
     ++rank;
-  const Matrix factor = solver.eigenvectors().rightCols(rank) *
-                        solver.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Matrix factor = solver.vectors.rightCols(rank) *
+                        solver.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
   product(columns, factor, result);
   columns = std::move(result);
   return factor;

@@ -37,6 +37,19 @@ struct Alternating_directions
 struct Weiszfeld
 {};
 
+namespace internal {
+
+// Returns the method that a tag stands for.
+template <typename Method>
+constexpr Transport_method transport_method()
+{
+  return std::is_same_v<Method, Interior_point> ? Transport_method::interior_point
+         : std::is_same_v<Method, Weiszfeld>    ? Transport_method::weiszfeld
+                                                : Transport_method::admm;
+}
+
+} // namespace internal
+
 /// gives access to the potential and the flow of the last query of a solver.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
@@ -126,14 +139,11 @@ protected:
                               internal::read_metric(domain, np), std::move(region)))
   {}
 
-  template <typename Method, typename NamedParameters>
-  internal::Transport_options options(const NamedParameters& np)
+  template <typename NamedParameters>
+  internal::Transport_options options(internal::Transport_method method, const NamedParameters& np)
   {
-    using internal::Transport_method;
     internal::Transport_options result = internal::transport_options(np);
-    result.method = std::is_same_v<Method, Interior_point> ? Transport_method::interior_point
-                    : std::is_same_v<Method, Weiszfeld>    ? Transport_method::weiszfeld
-                                                           : Transport_method::admm;
+    result.method = method;
     result.do_normalize = internal::parameter(np, internal_np::do_normalize, false);
     if(internal::parameter(np, internal_np::do_start_from_last, false))
       result.warm_start = std::move(m_result.state);
@@ -259,11 +269,19 @@ public:
   Earth_movers_cost compute(const From& from, const To& to,
                             const NamedParameters& np = NamedParameters())
   {
-    const auto options = this->template options<Method>(np);
+    return compute(internal::transport_method<Method>(), from, to, np);
+  }
+#ifndef DOXYGEN_RUNNING
+  template <typename From, typename To, typename NamedParameters>
+  Earth_movers_cost compute(internal::Transport_method method, const From& from, const To& to,
+                            const NamedParameters& np)
+  {
+    const auto options = this->options(method, np);
     this->m_result = this->m_kernel->solve(internal::masses(this->m_domain, from),
                                            internal::masses(this->m_domain, to), options);
     return this->cost();
   }
+#endif
 };
 
 /// @}

@@ -5,6 +5,7 @@
 
 #include <CGAL/Geodesic_processing/Source.h>
 #include <CGAL/Geodesic_processing/Surface_path.h>
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
@@ -66,8 +67,13 @@ public:
       : Geodesic_distance_solver(Domain(surface, np))
   {}
   explicit Geodesic_distance_solver(const Domain& domain)
-      : m_domain(domain), m_engine(domain.triangles())
+      : Geodesic_distance_solver(domain, internal::distance_method<Method>())
   {}
+#ifndef DOXYGEN_RUNNING
+  Geodesic_distance_solver(const Domain& domain, internal::Distance_method method)
+      : m_domain(domain), m_engine(method, domain.triangles())
+  {}
+#endif
 
   const Domain& domain() const { return m_domain; }
 
@@ -140,8 +146,8 @@ public:
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     // Only triangles without area keep an exact path from being found.
-    if constexpr(std::is_same_v<Method, Exact>)
-      if(const auto path = m_engine.path(inner); !path.empty())
+    if(const internal::Window_propagation* windows = m_engine.windows())
+      if(const auto path = windows->path(inner); !path.empty())
         return internal::surface_path(m_domain, path, distance);
     return internal::surface_path(m_domain,
                                   internal::path_to_sources(
@@ -165,7 +171,7 @@ public:
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
     std::vector<Surface_path<Surface>> result;
-    for(const auto& path : m_engine.paths(inner, tolerance))
+    for(const auto& path : m_engine.windows()->paths(inner, tolerance))
       result.push_back(internal::surface_path(m_domain, path, distance));
     return result;
   }
@@ -174,7 +180,8 @@ public:
   Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {
     static_assert(std::is_same_v<Method, Exact>, "Departures are known to Exact alone.");
-    const internal::Departure found = m_engine.departure(internal::location(m_domain, to));
+    const internal::Departure found =
+        m_engine.windows()->departure(internal::location(m_domain, to));
     Geodesic_departure<Surface> result;
     if(!(found.length < internal::infinity))
       return result;
@@ -220,7 +227,7 @@ private:
   }
 
   Domain m_domain;
-  internal::Engine<Method> m_engine;
+  internal::Distance_engine m_engine;
   std::vector<internal::Front_source> m_sources;
   std::vector<std::size_t> m_labels;
 };

@@ -130,11 +130,19 @@ public:
             typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost compute(const From& from, const NamedParameters& np = NamedParameters())
   {
-    const auto options = this->template options<Method>(np);
+    return compute(internal::transport_method<Method>(), from, np);
+  }
+#ifndef DOXYGEN_RUNNING
+  template <typename From, typename NamedParameters>
+  Earth_movers_cost compute(internal::Transport_method method, const From& from,
+                            const NamedParameters& np)
+  {
+    const auto options = this->options(method, np);
     this->m_result =
         this->m_kernel->solve_to_region(internal::masses(this->m_domain, from), options);
     return this->cost();
   }
+#endif
 
   /// returns whether a path leads from a vertex or surfel to the region.
   bool is_reachable(Vertex vertex) const

@@ -95,6 +95,9 @@ public:
       : m_map(surface, np)
   {}
   explicit Decal_placer(const Domain& domain) : m_map(domain) {}
+#ifndef DOXYGEN_RUNNING
+  Decal_placer(const Domain& domain, const internal::Log_kind& kind) : m_map(domain, kind) {}
+#endif
 
   const Domain& domain() const { return m_map.domain(); }
 

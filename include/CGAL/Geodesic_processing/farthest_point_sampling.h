@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_FARTHEST_POINT_SAMPLING_H
 #define CGAL_GEODESIC_PROCESSING_FARTHEST_POINT_SAMPLING_H
 
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/sampling/sampling.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
@@ -22,7 +23,7 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
                            Sample_location sample_location, const NamedParameters& np,
                            const Out& report_sample)
 {
-  static_assert(std::is_base_of_v<Front, Engine<Method>>,
+  static_assert(is_front<Method>,
                 "Samples are spread by fronts: Euclidean_front, Fast_marching or Dijkstra.");
   const Front_limits front_limits = limits(domain, np);
   const double scale = domain.triangles()->scale;
@@ -30,8 +31,8 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
   if(!(radius >= 0.))
     throw Invalid_argument_error("The covering radius is negative or not a number.");
 
-  Sampling sampling(domain.triangles(), Engine<Method>(domain.triangles()), sample_location,
-                    front_limits.slowness);
+  Sampling sampling(domain.triangles(), Front(domain.triangles(), front_kind<Method>()),
+                    sample_location, front_limits.slowness);
   if constexpr(has_parameter<NamedParameters, internal_np::first_samples_t>)
     for(const Surface_location& sample :
         locations(domain, parameter(np, internal_np::first_samples, none)))

@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_CENTROIDAL_TESSELLATION_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/sampling/tessellation.h>
 #include <CGAL/Geodesic_processing/make_domain.h>
@@ -78,7 +79,7 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
                                              const NamedParameters& np = NamedParameters())
 {
   using internal::Index;
-  static_assert(std::is_base_of_v<internal::Front, internal::Engine<Method>>,
+  static_assert(internal::is_front<Method>,
                 "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
   const auto domain = make_domain(surface, np);
   constexpr bool is_cloud =
@@ -95,9 +96,9 @@ std::size_t geodesic_centroidal_tessellation(const Surface& surface, std::size_t
   options.seed = unsigned(internal::parameter(np, CGAL::internal_np::random_seed, 0u));
   options.threads = internal::threads<Concurrency_tag>(np);
   options.callback = front_limits.callback;
-  const internal::Tessellation found =
-      internal::tessellate(domain.triangles(), internal::Engine<Method>(domain.triangles()),
-                           front_limits.slowness, options);
+  const internal::Tessellation found = internal::tessellate(
+      domain.triangles(), internal::Front(domain.triangles(), internal::front_kind<Method>()),
+      front_limits.slowness, options);
 
   const auto label = [](Index cell)
   { return cell == internal::none ? no_label : std::size_t(cell); };

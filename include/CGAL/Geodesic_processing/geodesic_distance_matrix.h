@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_DISTANCE_MATRIX_H
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_DISTANCE_MATRIX_H
 
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/distances/distance_matrix.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
@@ -17,6 +18,51 @@
 #include <vector>
 
 namespace CGAL::Geodesic_processing {
+
+namespace internal {
+
+// geodesic_distance_matrix() by a method that is chosen at run time.
+template <typename Concurrency_tag, typename Domain, typename Sources, typename NamedParameters>
+Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
+                                   const Sources& from_sources, const NamedParameters& np)
+{
+  std::vector<std::size_t> labels;
+  const auto from = sources(domain, from_sources, labels);
+  Front_limits asked = limits(domain, np);
+  if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
+    asked.targets = locations(domain, from_sources);
+  const std::vector<Location> to = asked.targets;
+  // As many as there are sites limit nothing.
+  if(to.size() >= domain.number_of_vertices())
+    asked.targets.clear();
+  const Distance_engine engine(method, domain.triangles());
+  return distance_matrix(engine.row_engine(), domain.triangles()->scale, from, to, asked,
+                         threads<Concurrency_tag>(np));
+}
+
+// sparse_geodesic_distance_matrix() by a method that is chosen at run time.
+template <typename Concurrency_tag, typename Domain, typename Vertices, typename NamedParameters>
+Eigen::SparseMatrix<double, Eigen::RowMajor>
+distances_of_near_pairs(const Domain& domain, Distance_method method, const Vertices& vertices,
+                        double maximum_distance, const NamedParameters& np)
+{
+  const auto asked = limits(domain, chain(np).maximum_distance(maximum_distance));
+  std::vector<Source> from;
+  std::vector<Index> column_of(domain.number_of_vertices(), none);
+  for(const auto& vertex : vertices)
+  {
+    const Location location = domain.inner_vertex(vertex);
+    if(column_of[location.vertex] != none)
+      throw Invalid_argument_error("A site comes twice.");
+    column_of[location.vertex] = Index(from.size());
+    from.push_back({{location}, 0., Index(from.size())});
+  }
+  const Distance_engine engine(method, domain.triangles());
+  return sparse_distance_matrix(engine.row_engine(), domain.triangles()->scale, from, column_of,
+                                asked, threads<Concurrency_tag>(np));
+}
+
+} // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
@@ -55,19 +101,8 @@ template <typename Method = Euclidean_front, typename Concurrency_tag = Sequenti
 Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& sources,
                                          const NamedParameters& np = NamedParameters())
 {
-  const auto domain = make_domain(surface, np);
-  std::vector<std::size_t> labels;
-  const auto from = internal::sources(domain, sources, labels);
-  internal::Front_limits limits = internal::limits(domain, np);
-  if constexpr(!internal::has_parameter<NamedParameters, internal_np::targets_t>)
-    limits.targets = internal::locations(domain, sources);
-  const std::vector<internal::Surface_location> to = limits.targets;
-  // As many as there are sites limit nothing.
-  if(to.size() >= domain.number_of_vertices())
-    limits.targets.clear();
-  const internal::Engine<Method> engine(domain.triangles());
-  return internal::distance_matrix(&engine, domain.triangles()->scale, from, to, limits,
-                                   internal::threads<Concurrency_tag>(np));
+  return internal::distances_of_pairs<Concurrency_tag>(
+      make_domain(surface, np), internal::distance_method<Method>(), sources, np);
 }
 
 /// \ingroup PkgGeodesicProcessingDistances
@@ -94,24 +129,9 @@ sparse_geodesic_distance_matrix(const Surface& surface, const Vertices& vertices
                                 double maximum_distance,
                                 const NamedParameters& np = NamedParameters())
 {
-  using internal::Index;
-
-  const auto domain = make_domain(surface, np);
-  const auto limits =
-      internal::limits(domain, internal::chain(np).maximum_distance(maximum_distance));
-  std::vector<internal::Front_source> from;
-  std::vector<Index> column_of(domain.number_of_vertices(), internal::none);
-  for(const auto& vertex : vertices)
-  {
-    const internal::Surface_location location = domain.inner_vertex(vertex);
-    if(column_of[location.vertex] != internal::none)
-      throw Invalid_argument_error("A site comes twice.");
-    column_of[location.vertex] = Index(from.size());
-    from.push_back({{location}, 0., Index(from.size())});
-  }
-  const internal::Engine<Method> engine(domain.triangles());
-  return internal::sparse_distance_matrix(&engine, domain.triangles()->scale, from, column_of,
-                                          limits, internal::threads<Concurrency_tag>(np));
+  return internal::distances_of_near_pairs<Concurrency_tag>(make_domain(surface, np),
+                                                            internal::distance_method<Method>(),
+                                                            vertices, maximum_distance, np);
 }
 
 } // namespace CGAL::Geodesic_processing

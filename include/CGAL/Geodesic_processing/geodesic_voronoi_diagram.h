@@ -3,6 +3,7 @@
 #ifndef CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
 #define CGAL_GEODESIC_PROCESSING_GEODESIC_VORONOI_DIAGRAM_H
 
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/internal/sampling/voronoi.h>
@@ -53,7 +54,7 @@ template <typename Method, typename Domain, typename Seeds, typename NamedParame
 Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds,
                                         const NamedParameters& np)
 {
-  static_assert(std::is_base_of_v<Front, Engine<Method>>,
+  static_assert(is_front<Method>,
                 "Cells are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
   const Front_limits front_limits = limits(domain, np);
   std::vector<std::size_t> label_of_source;
@@ -64,8 +65,8 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
   for(std::size_t i = 0; i < front_sources.size(); ++i)
     front_sources[i].label =
         Index(std::lower_bound(labels.begin(), labels.end(), label_of_source[i]) - labels.begin());
-  Voronoi_diagram cells(domain.triangles(), Engine<Method>(domain.triangles()), front_sources,
-                        Index(labels.size()), front_limits);
+  Voronoi_diagram cells(domain.triangles(), Front(domain.triangles(), front_kind<Method>()),
+                        front_sources, Index(labels.size()), front_limits);
   return {std::move(labels), std::move(cells)};
 }
 

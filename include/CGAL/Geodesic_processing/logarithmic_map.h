@@ -56,22 +56,23 @@ struct Tangent_frame
 
 namespace internal {
 
+// The engine that a tag stands for.
 template <typename Method>
-struct Log_engine;
-template <typename Distance_method>
-struct Log_engine<Gradient<Distance_method>> : Gradient_engine<Engine<Distance_method>>
+struct Log_tag;
+template <typename Method>
+struct Log_tag<Gradient<Method>>
 {
-  using Gradient_engine<Engine<Distance_method>>::Gradient_engine;
+  static constexpr Log_kind kind = {Log_method::gradient, distance_method<Method>()};
 };
 template <>
-struct Log_engine<Exact> : Exact_log_engine
+struct Log_tag<Exact>
 {
-  using Exact_log_engine::Exact_log_engine;
+  static constexpr Log_kind kind = {Log_method::exact};
 };
 template <>
-struct Log_engine<Discrete_exponential> : Discrete_exponential_engine
+struct Log_tag<Discrete_exponential>
 {
-  using Discrete_exponential_engine::Discrete_exponential_engine;
+  static constexpr Log_kind kind = {Log_method::discrete_exponential};
 };
 
 } // namespace internal
@@ -104,9 +105,14 @@ public:
       : Logarithmic_map(Domain(surface, np))
   {}
   explicit Logarithmic_map(const Domain& domain)
-      : m_domain(domain), m_engine(domain.triangles()),
+      : Logarithmic_map(domain, internal::Log_tag<Method>::kind)
+  {}
+#ifndef DOXYGEN_RUNNING
+  Logarithmic_map(const Domain& domain, const internal::Log_kind& kind)
+      : m_domain(domain), m_engine(kind, domain.triangles()),
         m_coordinates(domain.triangles()->number_of_vertices(), outside)
   {}
+#endif
 
   const Domain& domain() const { return m_domain; }
 
@@ -203,7 +209,7 @@ private:
   const internal::Vec2& inner(Vertex vertex) const { return m_coordinates[m_domain.index(vertex)]; }
 
   Domain m_domain;
-  internal::Log_engine<Method> m_engine;
+  internal::Log_engine m_engine;
   std::vector<internal::Vec2> m_coordinates; // #sites
   std::vector<internal::Index> m_reached;
   internal::Log_map_defects m_defects;

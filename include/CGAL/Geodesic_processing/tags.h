@@ -3,10 +3,6 @@
 #ifndef CGAL_GEODESIC_PROCESSING_TAGS_H
 #define CGAL_GEODESIC_PROCESSING_TAGS_H
 
-#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/distances/front.h>
-#include <CGAL/Geodesic_processing/internal/distances/heat.h>
-
 namespace CGAL::Geodesic_processing {
 
 /// \addtogroup PkgGeodesicProcessingMethods
@@ -59,48 +55,6 @@ struct Heat
 
 /// @}
 
-namespace internal {
-
-// What computes distances for a method: run(), distance(), source(), predecessor(), reached().
-template <typename Method>
-struct Engine;
-
-template <>
-struct Engine<Dijkstra> : Front
-{
-  explicit Engine(std::shared_ptr<const Surface_arrays> t)
-      : Front(std::move(t), Front_kind::dijkstra)
-  {}
-};
-
-template <>
-struct Engine<Fast_marching> : Front
-{
-  explicit Engine(std::shared_ptr<const Surface_arrays> t) : Front(std::move(t), Front_kind::planar)
-  {}
-};
-
-template <>
-struct Engine<Euclidean_front> : Front
-{
-  explicit Engine(std::shared_ptr<const Surface_arrays> t)
-      : Front(std::move(t), Front_kind::euclidean)
-  {}
-};
-
-template <>
-struct Engine<Exact> : Window_propagation
-{
-  using Window_propagation::Window_propagation;
-};
-
-template <>
-struct Engine<Heat> : Heat_solver
-{
-  using Heat_solver::Heat_solver;
-};
-
-} // namespace internal
 } // namespace CGAL::Geodesic_processing
 
 #endif // CGAL_GEODESIC_PROCESSING_TAGS_H

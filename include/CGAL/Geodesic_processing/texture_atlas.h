@@ -4,6 +4,7 @@
 #define CGAL_GEODESIC_PROCESSING_TEXTURE_ATLAS_H
 
 #include <CGAL/Geodesic_processing/exceptions.h>
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/atlas.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/planar_value.h>
@@ -83,7 +84,7 @@ template <typename Method = Euclidean_front, typename Concurrency_tag = Sequenti
 Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap corner_uv_map,
                             const NamedParameters& np = NamedParameters())
 {
-  static_assert(std::is_base_of_v<internal::Front, internal::Engine<Method>>,
+  static_assert(internal::is_front<Method>,
                 "Charts are found by fronts: Euclidean_front, Fast_marching or Dijkstra.");
   using Value = typename boost::property_traits<UVMap>::value_type;
   static_assert(!internal::Is_cloud<TriangleMesh>::value,
@@ -101,9 +102,9 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
   options.tessellation.callback = front_limits.callback;
   options.texels = internal::parameter(np, internal_np::texture_size, options.texels);
   options.gutter = internal::parameter(np, internal_np::gutter_width, options.gutter);
-  const internal::Atlas found =
-      internal::make_atlas(domain.triangles(), internal::Engine<Method>(domain.triangles()),
-                           front_limits.slowness, options);
+  const internal::Atlas found = internal::make_atlas(
+      domain.triangles(), internal::Front(domain.triangles(), internal::front_kind<Method>()),
+      front_limits.slowness, options);
 
   Texture_atlas result;
   result.is_complete = found.is_complete;

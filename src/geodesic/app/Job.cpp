@@ -7,6 +7,8 @@
 #include "io/Output_file.h"
 #include "io/Scanner.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +18,29 @@
 
 namespace program {
 
-Job::Job(Command& command)
+void Json_entry::set_flag(bool value) { m_value = value; }
+void Json_entry::set_unsigned(unsigned long long value) { m_value = value; }
+void Json_entry::set_signed(long long value) { m_value = value; }
+void Json_entry::set(double value) { m_value = value; }
+void Json_entry::set(const Json_number& number)
+{
+  if(std::isfinite(number.value))
+    m_value = number.value;
+  else
+    m_value = nullptr;
+}
+void Json_entry::set(const std::string& value) { m_value = value; }
+void Json_entry::set(const Point& value) { m_value = value; }
+void Json_entry::set(const std::vector<std::size_t>& values) { m_value = values; }
+void Json_entry::set(const std::vector<double>& values) { m_value = values; }
+void Json_entry::set(const std::vector<Point>& values) { m_value = values; }
+
+Json_entry Json_object::operator[](const std::string& name) const
+{
+  return Json_entry(m_object[name]);
+}
+
+Job::Job(Command& command) : m_result(std::make_unique<nlohmann::ordered_json>())
 {
   command
       .add("INPUT", m_input, "TEXT", "a mesh or a cloud: .ply .off .obj .stl .xyz .pwn .vtp .gpw")
@@ -57,11 +81,11 @@ const Surface& Job::read(const std::vector<std::string>& extensions)
   }
   begin_stage("read");
   m_surface = read_surface(m_input, threads());
-  m_result["input"] = m_input;
-  m_result["repaired"] = m_surface.is_repaired;
-  m_result["kind"] = m_surface.is_mesh() ? "mesh" : "cloud";
-  m_result["vertices"] = m_surface.file.points.size();
-  m_result["faces"] = m_surface.file.number_of_polygons();
+  (*m_result)["input"] = m_input;
+  (*m_result)["repaired"] = m_surface.is_repaired;
+  (*m_result)["kind"] = m_surface.is_mesh() ? "mesh" : "cloud";
+  (*m_result)["vertices"] = m_surface.file.points.size();
+  (*m_result)["faces"] = m_surface.file.number_of_polygons();
   if(m_surface.is_repaired)
     print_warning(m_surface.is_mesh()
                       ? "the faces were repaired (cut into triangles, turned, or separated)"
@@ -121,13 +145,13 @@ void Job::print_value(const std::string& name, const std::string& value) const
 
 void Job::report(const std::string& name, double value)
 {
-  m_result[name] = json_number(value);
+  result()[name] = json_number(value);
   print_value(name, rounded_text(value));
 }
 
 void Job::report(const std::string& name, std::size_t value)
 {
-  m_result[name] = value;
+  (*m_result)[name] = value;
   print_value(name, std::to_string(value));
 }
 
@@ -149,19 +173,14 @@ void Job::finish()
   if(m_json)
   {
     for(const char* name : {"read", "prepare", "query", "write"})
-      m_result["seconds"][name] = m_seconds[name];
+      (*m_result)["seconds"][name] = m_seconds[name];
     // A file name may hold any bytes; JSON holds UTF-8.
     const std::string text =
-        m_result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+        m_result->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     std::printf("%s\n", text.c_str());
   }
   if(std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Output_error("standard output: it cannot be written.");
-}
-
-nlohmann::ordered_json json_number(double value)
-{
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 std::string rounded_text(double value)

@@ -5,19 +5,71 @@
 
 #include "repair/Surface.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace program {
 
 class Command;
 class Display;
+
+// A number for JSON, which has no infinity: null instead.
+struct Json_number
+{
+  double value;
+};
+inline Json_number json_number(double value) { return {value}; }
+
+// A value of an object for JSON.  Assignments are compiled once, as the JSON library takes long.
+class Json_entry
+{
+public:
+  explicit Json_entry(nlohmann::ordered_json& value) : m_value(value) {}
+
+  template <typename Value>
+  void operator=(const Value& value)
+  {
+    if constexpr(std::is_same_v<Value, bool>)
+      set_flag(value);
+    else if constexpr(std::is_unsigned_v<Value>)
+      set_unsigned(value);
+    else if constexpr(std::is_integral_v<Value>)
+      set_signed(value);
+    else
+      set(value);
+  }
+
+private:
+  void set_flag(bool value);
+  void set_unsigned(unsigned long long value);
+  void set_signed(long long value);
+  void set(double value);
+  void set(const Json_number& value);
+  void set(const std::string& value);
+  void set(const Point& value);
+  void set(const std::vector<std::size_t>& values);
+  void set(const std::vector<double>& values);
+  void set(const std::vector<Point>& values);
+
+  nlohmann::ordered_json& m_value;
+};
+
+class Json_object
+{
+public:
+  explicit Json_object(nlohmann::ordered_json& object) : m_object(object) {}
+  Json_entry operator[](const std::string& name) const;
+
+private:
+  nlohmann::ordered_json& m_object;
+};
 
 // One call of the program: what all commands share.
 class Job
@@ -36,7 +88,7 @@ public:
   void begin_stage(const std::string& name);
 
   // What the command has found, for --json in this order.
-  nlohmann::ordered_json& result() { return m_result; }
+  Json_object result() { return Json_object(*m_result); }
 
   // Finds a number: for --json under its name, and for people in a line.
   void report(const std::string& name, double value);
@@ -71,15 +123,12 @@ private:
   unsigned m_threads = 0, m_seed = 0;
 
   Surface m_surface;
-  nlohmann::ordered_json m_result;
+  std::unique_ptr<nlohmann::ordered_json> m_result;
   std::map<std::string, double> m_seconds;
   std::string m_stage;
   std::chrono::steady_clock::time_point m_stage_start;
   std::unique_ptr<Display> m_display;
 };
-
-// A number for JSON, which has no infinity: null instead.
-nlohmann::ordered_json json_number(double value);
 
 // A number for people: six digits.
 std::string rounded_text(double value);

@@ -37,56 +37,49 @@ Barycenter_result find_barycenter(const Surface_type& surface, const std::vector
                                   const std::vector<std::size_t>& points,
                                   const Barycenter_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
-  using Map = Property_map<Vertex>;
-  std::vector<Map> maps;
-  std::vector<GP::Mass_density<Map>> speed_options;
+  std::vector<GP::internal::Mass_distribution> given;
   for(const Masses& distribution : masses)
-    if(distribution.is_density)
-      speed_options.push_back(GP::mass_density(Map{&distribution.values}));
-    else
-      maps.push_back(Map{&distribution.values});
+    given.push_back(distribution(domain, distribution));
   std::vector<double> weights = options.weights;
   if(weights.empty())
     weights.assign(masses.size(), 1.);
 
   std::optional<GP::Transport_barycenter_solver<Surface_type>> solver;
   Barycenter_result result;
-  with_solver_parameters<Vertex>(
-      domain, options, job,
-      [&](const auto& np)
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  const auto prepared = preparation(domain, options, speed);
+  solver.emplace(domain, prepared);
+  if(points.size() == masses.size())
+  {
+    std::vector<Vertex> vertices;
+    for(const std::size_t vertex : points)
+      vertices.push_back(vertex_at<Surface_type>(vertex));
+    result.objective.resize(job.surface().file.points.size());
+    const auto found = GP::geodesic_barycenter(
+        domain, vertices,
+        prepared.weights(weights).objective_map(Value_map<Vertex>{&result.objective}));
+    result.point = static_cast<std::size_t>(found.vertex);
+    result.point_value = found.value;
+    if(!job.picture().empty())
+    {
+      GP::Geodesic_distance_solver<Surface_type> distance_solver(domain);
+      distance_solver.compute(found.vertex, prepared);
+      for(const Vertex& v : vertices)
       {
-        solver.emplace(domain, np);
-        if(points.size() != masses.size())
-          return;
-        std::vector<Vertex> vertices;
-        for(const std::size_t vertex : points)
-          vertices.push_back(vertex_at<Surface_type>(vertex));
-        result.objective.resize(job.surface().file.points.size());
-        const auto found = GP::geodesic_barycenter(
-            domain, vertices,
-            np.weights(weights).objective_map(Value_map<Vertex>{&result.objective}));
-        result.point = static_cast<std::size_t>(found.vertex);
-        result.point_value = found.value;
-        if(job.picture().empty())
-          return;
-        GP::Geodesic_distance_solver<Surface_type> distance_solver(domain);
-        distance_solver.compute(found.vertex, np);
-        for(const Vertex& v : vertices)
-        {
-          result.paths.emplace_back();
-          for(const auto& p : distance_solver.path(v).points)
-            result.paths.back().push_back({p.x(), p.y(), p.z()});
-        }
-      });
+        result.paths.emplace_back();
+        for(const auto& p : distance_solver.path(v).points)
+          result.paths.back().push_back({p.x(), p.y(), p.z()});
+      }
+    }
+  }
   job.begin_stage("query");
   const auto np = GP::parameters::tolerance(options.tolerance)
                       .do_normalize(options.normalize)
                       .weights(weights)
                       .callback(job.progress_callback("barycenter"));
-  result.cost =
-      speed_options.empty() ? solver->compute(maps, np) : solver->compute(speed_options, np);
+  result.cost = solver->compute(given, np);
   result.masses.resize(job.surface().file.points.size());
   result.density.resize(result.masses.size());
   solver->write_masses(Value_map<Vertex>{&result.masses});

@@ -33,6 +33,16 @@ void check_method(const std::string& method)
                       ": the methods are dijkstra, fast-marching, euclidean, exact and heat.");
 }
 
+GP::internal::Distance_method to_method(const std::string& method)
+{
+  using GP::internal::Distance_method;
+  return method == "dijkstra"        ? Distance_method::dijkstra
+         : method == "fast-marching" ? Distance_method::fast_marching
+         : method == "exact"         ? Distance_method::exact
+         : method == "heat"          ? Distance_method::heat
+                                     : Distance_method::euclidean_front;
+}
+
 void check_method(const std::string& method, const Surface& surface)
 {
   if(method == "exact" && !surface.is_mesh())
@@ -66,6 +76,44 @@ std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& 
   }
   return corners;
 }
+
+Mesh_domain make_domain(const Mesh& mesh, const Job&) { return Mesh_domain(mesh); }
+
+Cloud_domain make_domain(const Cloud& cloud, const Job& job)
+{
+  return Cloud_domain(cloud, GP::parameters::threads(job.threads()));
+}
+
+template <typename Domain>
+typename Domain::Location locate(const Domain& domain, const std::string& text,
+                                 const std::string& option)
+{
+  return GP::Surface_locator<typename Domain::Surface>(domain)(parse_point_3(text, option));
+}
+
+template Mesh_domain::Location locate(const Mesh_domain&, const std::string&, const std::string&);
+template Cloud_domain::Location locate(const Cloud_domain&, const std::string&, const std::string&);
+
+template <typename Domain>
+std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t number, Job& job,
+                                           const std::vector<double>& speeds)
+{
+  using Vertex = typename Domain::Vertex;
+  std::vector<Vertex> vertices;
+  GP::farthest_vertex_sampling(domain, number, std::back_inserter(vertices),
+                               GP::parameters::random_seed(job.seed())
+                                   .callback(job.progress_callback("farthest vertices"))
+                                   .speed_map(speed_map<Vertex>(speeds)));
+  std::vector<std::size_t> result;
+  for(const auto& one : vertices)
+    result.push_back(static_cast<std::size_t>(one));
+  return result;
+}
+
+template std::vector<std::size_t> farthest_vertices(const Mesh_domain&, std::size_t, Job&,
+                                                    const std::vector<double>&);
+template std::vector<std::size_t> farthest_vertices(const Cloud_domain&, std::size_t, Job&,
+                                                    const std::vector<double>&);
 
 void report_unreached(Job& job, const std::vector<long long>& labels)
 {

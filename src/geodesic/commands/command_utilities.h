@@ -51,22 +51,18 @@ typename GP::Source<Surface_type>::Vertex vertex_at(std::size_t number)
 void check_method(const std::string& method);
 void check_method(const std::string& method, const Surface& surface);
 
-// Calls f with the tag of a method that passed the check; the exact one is for meshes.
-template <typename Surface_type, typename Function>
-void with_method(const std::string& method, Function f)
-{
-  if constexpr(is_mesh<Surface_type>)
-    if(method == "exact")
-      return f(GP::Exact());
-  if(method == "dijkstra")
-    f(GP::Dijkstra());
-  else if(method == "fast-marching")
-    f(GP::Fast_marching());
-  else if(method == "heat")
-    f(GP::Heat());
-  else
-    f(GP::Euclidean_front());
-}
+// The method of a word that passed the check.
+GP::internal::Distance_method to_method(const std::string& method);
+
+// Solvers whose method is chosen at run time: commands are compiled once for all methods.
+template <typename Surface_type>
+using Distance_solver = GP::Geodesic_distance_solver<Surface_type, GP::internal::Runtime_method>;
+
+// What all commands measure on.
+using Mesh_domain = GP::Mesh_domain<Mesh>;
+using Cloud_domain = GP::Surfel_domain<Cloud>;
+Mesh_domain make_domain(const Mesh& mesh, const Job& job);
+Cloud_domain make_domain(const Cloud& cloud, const Job& job);
 
 // Distances by transport of masses, and the one that they are compared with.
 bool is_metric(const std::string& method);
@@ -96,10 +92,7 @@ inline Kernel::Point_3 parse_point_3(const std::string& text, const std::string&
 // The place on the surface nearest to a point "x,y,z".
 template <typename Domain>
 typename Domain::Location locate(const Domain& domain, const std::string& text,
-                                 const std::string& option)
-{
-  return GP::Surface_locator<typename Domain::Surface>(domain)(parse_point_3(text, option));
-}
+                                 const std::string& option);
 
 // Corners of the triangles that a picture of a cloud draws lines on: as many as fit side by side.
 std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels);
@@ -151,14 +144,13 @@ struct Value_map
   }
 };
 
-// Calls f with named parameters, among them the speeds of the vertices where there are any.
-template <typename Vertex, typename NamedParameters, typename Function>
-void with_speeds(const std::vector<double>& speeds, const NamedParameters& np, Function f)
+// The speeds of the vertices as a map of the library; none where they are 1 everywhere.
+template <typename Vertex>
+std::optional<Property_map<Vertex>> speed_map(const std::vector<double>& speeds)
 {
   if(speeds.empty())
-    f(np);
-  else
-    f(np.speed_map(Property_map<Vertex>{&speeds}));
+    return std::nullopt;
+  return Property_map<Vertex>{&speeds};
 }
 
 // Tells how many have the label -1.
@@ -188,20 +180,7 @@ struct Label_map
 // asked for when no vertex is left at a distance.
 template <typename Domain>
 std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t number, Job& job,
-                                           const std::vector<double>& speeds = {})
-{
-  using Vertex = typename Domain::Vertex;
-  std::vector<Vertex> vertices;
-  with_speeds<Vertex>(
-      speeds,
-      GP::parameters::random_seed(job.seed()).callback(job.progress_callback("farthest vertices")),
-      [&](const auto& np)
-      { GP::farthest_vertex_sampling(domain, number, std::back_inserter(vertices), np); });
-  std::vector<std::size_t> result;
-  for(const auto& v : vertices)
-    result.push_back(static_cast<std::size_t>(v));
-  return result;
-}
+                                           const std::vector<double>& speeds = {});
 
 // A line of coordinates for each point.
 std::string points_text(const std::vector<Point>& points);

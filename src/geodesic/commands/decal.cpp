@@ -80,12 +80,16 @@ void bake(const std::vector<GP::Decal_layer<Mesh>>& layers, std::size_t number_o
   result.faces = texture.faces.size();
 }
 
-template <typename Surface_type, typename Method>
+template <typename Surface_type>
 Result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
                     const std::vector<Decal_placement>& placements, const Decal_options& options,
                     Job& job)
 {
-  GP::Decal_placer<Surface_type, Method> placer(domain);
+  using Placer = GP::Decal_placer<Surface_type, GP::internal::Runtime_method>;
+  GP::internal::Log_kind kind;
+  if(options.method == "exact")
+    kind.method = GP::internal::Log_method::exact;
+  Placer placer(domain, kind);
   job.begin_stage("query");
   Result result;
   result.colors.assign(job.surface().file.points.size(), default_color);
@@ -107,7 +111,7 @@ Result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
                           : place_at(locate(domain, placement.point, "--base-at")),
                       image});
     const auto& decal = layers.back().decal;
-    using Vertex = typename GP::Decal_placer<Surface_type, Method>::Domain::Vertex;
+    using Vertex = typename Placer::Domain::Vertex;
     GP::composite_decal(decal, image, Value_map<Vertex, Color>{&result.colors});
     result.centers.push_back(coordinates(decal.frame.origin));
     result.normals.push_back(coordinates(decal.frame.normal()));
@@ -126,11 +130,8 @@ template <typename Surface_type>
 Result find_decals(const Surface_type& surface, const std::vector<Decal_placement>& placements,
                    const Decal_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  if constexpr(is_mesh<Surface_type>)
-    if(options.method == "exact")
-      return place_decals<Surface_type, GP::Exact>(domain, placements, options, job);
-  return place_decals<Surface_type, GP::Gradient<>>(domain, placements, options, job);
+  const auto domain = make_domain(surface, job);
+  return place_decals<Surface_type>(domain, placements, options, job);
 }
 
 std::vector<std::size_t> parse_base_vertices(const Decal_options& options)

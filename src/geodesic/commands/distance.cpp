@@ -62,7 +62,7 @@ std::vector<double> metric_distances(const Domain& domain, const Distance_option
 template <typename Surface_type>
 Result compute_distances(const Surface_type& surface, const Distance_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   Result result;
   std::vector<GP::Source<Surface_type>> sources;
@@ -91,20 +91,14 @@ Result compute_distances(const Surface_type& surface, const Distance_options& op
     return result;
   }
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
-  const auto limits = GP::parameters::maximum_distance(options.max_distance)
-                          .callback(job.progress_callback("distance"));
   result.values.resize(job.surface().file.points.size());
-  with_method<Surface_type>(
-      options.method,
-      [&](auto method)
-      {
-        GP::Geodesic_distance_solver<Surface_type, decltype(method)> solver(domain);
-        job.begin_stage("query");
-        with_speeds<typename Domain::Vertex>(speed, limits,
-                                             [&](const auto& np) { solver.compute(sources, np); });
-        for(std::size_t i = 0; i < result.values.size(); ++i)
-          result.values[i] = solver.distance(vertex_at<Surface_type>(i));
-      });
+  Distance_solver<Surface_type> solver(domain, to_method(options.method));
+  job.begin_stage("query");
+  solver.compute(sources, GP::parameters::maximum_distance(options.max_distance)
+                              .callback(job.progress_callback("distance"))
+                              .speed_map(speed_map<typename Domain::Vertex>(speed)));
+  for(std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = solver.distance(vertex_at<Surface_type>(i));
   result.triangles = picture_triangles(domain, job);
   return result;
 }

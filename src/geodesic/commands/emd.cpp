@@ -43,33 +43,18 @@ template <typename Surface_type>
 Transport_result compute_transport(const Surface_type& surface, const Masses& from,
                                    const Masses& to, const Emd_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
+  const auto domain = make_domain(surface, job);
   Transport_result result;
-  const auto with_mass_distributions = [&](auto f)
-  {
-    with_masses<Vertex>(
-        from, [&](const auto& from_masses)
-        { with_masses<Vertex>(to, [&](const auto& to_masses) { f(from_masses, to_masses); }); });
-  };
+  const auto from_masses = distribution(domain, from), to_masses = distribution(domain, to);
   if(options.basis == complete_basis)
   {
-    std::optional<GP::Earth_movers_solver<Surface_type>> solver;
-    with_solver_parameters<Vertex>(domain, options, job,
-                                   [&](const auto& np) { solver.emplace(domain, np); });
+    const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+    GP::Earth_movers_solver<Surface_type> solver(domain, preparation(domain, options, speed));
     job.begin_stage("query");
-    with_mass_distributions(
-        [&](const auto& from_masses, const auto& to_masses)
-        {
-          with_transport_method(options.method,
-                                [&](auto method)
-                                {
-                                  result.cost = solver->template compute<decltype(method)>(
-                                      from_masses, to_masses, query_parameters(options, job));
-                                });
-        });
+    result.cost = solver.compute(to_transport_method(options.method), from_masses, to_masses,
+                                 query_parameters(options, job));
     job.result()["estimate"] = json_number(result.cost.estimate);
-    copy_solution(*solver, surface, job, result);
+    copy_solution(solver, surface, job, result);
   }
   else
   {
@@ -77,12 +62,8 @@ Transport_result compute_transport(const Surface_type& surface, const Masses& fr
     job.result()["basis"] = metric.basis_size();
     job.begin_stage("query");
     const auto flow = vector_map(result.fields["flow"], surface);
-    with_mass_distributions(
-        [&](const auto& from_masses, const auto& to_masses)
-        {
-          result.cost =
-              metric.cost(from_masses, to_masses, query_parameters(options, job).flow_map(flow));
-        });
+    result.cost =
+        metric.cost(from_masses, to_masses, query_parameters(options, job).flow_map(flow));
   }
   add_hodge_decomposition(domain, surface, options, result);
   result.triangles = picture_triangles(domain, job);

@@ -20,7 +20,7 @@ Transport_result compute_distances(const Surface_type& surface,
                                    const std::vector<std::size_t>& vertices,
                                    const Feature_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   std::vector<GP::Source<Surface_type>> feature;
   for(const std::size_t vertex : vertices)
@@ -34,16 +34,11 @@ Transport_result compute_distances(const Surface_type& surface,
     fail(job.input(), "it has no border");
   job.begin_stage("query");
   result.potential.resize(job.surface().file.points.size());
-  const auto compute = [&](const auto& np) {
-    result.cost = GP::feature_distance(domain, feature, Value_map<Vertex>{&result.potential}, np);
-  };
-  with_solver_parameters<Vertex>(
-      domain, options, job,
-      [&](const auto& np)
-      {
-        compute(np.tolerance(options.tolerance)
-                    .callback(job.progress_callback("distance to a feature")));
-      });
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  result.cost = GP::feature_distance(domain, feature, Value_map<Vertex>{&result.potential},
+                                     preparation(domain, options, speed)
+                                         .tolerance(options.tolerance)
+                                         .callback(job.progress_callback("distance to a feature")));
   result.triangles = picture_triangles(domain, job);
   return result;
 }

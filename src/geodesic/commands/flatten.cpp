@@ -32,7 +32,7 @@ template <typename Surface_type>
 void flatten_surface(const Surface_type& surface, const Flatten_options& options, Job& job,
                      std::vector<UV>& uv)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   const Value_map<typename decltype(domain)::Vertex, UV> map = {&uv};
   job.begin_stage("query");
   if(options.method == "glle" || options.method == "mds")

@@ -29,7 +29,7 @@ template <typename Surface_type>
 Transport_result compute_likelihoods(const Surface_type& surface, std::size_t from, std::size_t to,
                                      const Fuzzy_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   const Vertex p = vertex_at<Surface_type>(from), q = vertex_at<Surface_type>(to);
   job.begin_stage("query");
@@ -39,19 +39,15 @@ Transport_result compute_likelihoods(const Surface_type& surface, std::size_t fr
   const auto compute = [&](const auto& np)
   {
     if(options.by_distances)
-      GP::fuzzy_geodesic_by_distances(domain, p, q, map, np);
+      return GP::fuzzy_geodesic_by_distances(domain, p, q, map, np);
+    const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+    const auto parameters = preparation(domain, options, speed)
+                                .tolerance(options.tolerance)
+                                .callback(job.progress_callback("transport"));
+    if(options.width)
+      result.cost = GP::fuzzy_geodesic(domain, p, q, map, parameters.width(*options.width));
     else
-      with_solver_parameters<Vertex>(
-          domain, options, job,
-          [&](const auto& solver_parameters)
-          {
-            const auto parameters = solver_parameters.tolerance(options.tolerance)
-                                        .callback(job.progress_callback("transport"));
-            if(options.width)
-              result.cost = GP::fuzzy_geodesic(domain, p, q, map, parameters.width(*options.width));
-            else
-              result.cost = GP::fuzzy_geodesic(domain, p, q, map, parameters);
-          });
+      result.cost = GP::fuzzy_geodesic(domain, p, q, map, parameters);
   };
   if(options.width)
     compute(GP::parameters::width(*options.width));

@@ -88,15 +88,15 @@ Picture_regions report_mesh(Job& job)
   job.begin_stage("query");
   const Mesh_quality quality = compute_quality(mesh.arrays);
   const std::size_t faces = surface.file.number_of_polygons();
-  auto& result = job.result();
+  Json_object result = job.result();
   result["components"] = connectivity.number_of_components;
   result["boundary_loops"] = connectivity.number_of_boundary_loops;
   result["genus"] = connectivity.genus(faces);
   result["manifold"] = connectivity.is_manifold();
   result["area"] = json_number(quality.area);
   const bool has_angles = quality.max_angle > 0.;
-  result["min_angle"] = has_angles ? json_number(quality.min_angle) : nullptr;
-  result["max_angle"] = has_angles ? json_number(quality.max_angle) : nullptr;
+  result["min_angle"] = json_number(has_angles ? quality.min_angle : INFINITY);
+  result["max_angle"] = json_number(has_angles ? quality.max_angle : INFINITY);
   result["degenerate_faces"] = mesh.number_of_degenerate_triangles;
 
   job.print_line("components      " + std::to_string(connectivity.number_of_components));
@@ -142,7 +142,7 @@ void report_bounding_box(Job& job)
       low[c] = std::min(low[c], p[c]);
       high[c] = std::max(high[c], p[c]);
     }
-  job.result()["bounding_box"] = {low, high};
+  job.result()["bounding_box"] = std::vector<Point>{low, high};
   job.print_line("bounding box    " + rounded_text(low[0]) + " " + rounded_text(low[1]) + " " +
                  rounded_text(low[2]) + " to " + rounded_text(high[0]) + " " +
                  rounded_text(high[1]) + " " + rounded_text(high[2]));

@@ -31,11 +31,11 @@ struct Result
   std::vector<std::size_t> cut_faces; // of a mesh
 };
 
-template <typename Surface_type, typename Method>
+template <typename Surface_type>
 Result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
-                   const Logmap_options& options, Job& job)
+                   const GP::internal::Log_kind& kind, const Logmap_options& options, Job& job)
 {
-  GP::Logarithmic_map<Surface_type, Method> map(domain);
+  GP::Logarithmic_map<Surface_type, GP::internal::Runtime_method> map(domain, kind);
   job.begin_stage("query");
   const auto limits = GP::parameters::maximum_distance(options.radius);
   const auto compute = [&](const auto& base)
@@ -67,19 +67,13 @@ Result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
 template <typename Surface_type>
 Result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  if constexpr(is_mesh<Surface_type>)
-    if(options.method == "exact")
-      return compute_map<Surface_type, GP::Exact>(domain, options, job);
-  if(options.method == "discrete-exponential")
-    return compute_map<Surface_type, GP::Discrete_exponential>(domain, options, job);
-  Result result;
-  with_method<Surface_type>(options.distances,
-                            [&](auto method) {
-                              result = compute_map<Surface_type, GP::Gradient<decltype(method)>>(
-                                  domain, options, job);
-                            });
-  return result;
+  const auto domain = make_domain(surface, job);
+  using GP::internal::Log_method;
+  const Log_method method = options.method == "exact" ? Log_method::exact
+                            : options.method == "discrete-exponential"
+                                ? Log_method::discrete_exponential
+                                : Log_method::gradient;
+  return compute_map<Surface_type>(domain, {method, to_method(options.distances)}, options, job);
 }
 
 void check(const Logmap_options& options)

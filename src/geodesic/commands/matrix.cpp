@@ -44,10 +44,11 @@ struct Result
 };
 
 // What a picture shows: how far the vertices of the rows are, or, where all are, how many are near.
-template <typename Method, typename Domain>
-std::vector<double>
-picture_values(const Domain& domain, const std::vector<typename Domain::Vertex>& descriptors,
-               const Result& result, const Matrix_options& options, const Job& job)
+template <typename Domain>
+std::vector<double> picture_values(const Domain& domain,
+                                   const std::vector<typename Domain::Vertex>& descriptors,
+                                   GP::internal::Distance_method method, const Result& result,
+                                   const Matrix_options& options, const Job& job)
 {
   std::vector<double> values(job.surface().file.points.size());
   if(options.has_all_vertices())
@@ -58,7 +59,7 @@ picture_values(const Domain& domain, const std::vector<typename Domain::Vertex>&
     return values;
   }
   using Surface_type = typename Domain::Surface;
-  GP::Geodesic_distance_solver<Surface_type, Method> solver(domain);
+  Distance_solver<Surface_type> solver(domain, method);
   solver.compute(descriptors, GP::parameters::maximum_distance(options.max_distance));
   for(std::size_t i = 0; i < values.size(); ++i)
     values[i] = solver.distance(vertex_at<Surface_type>(i));
@@ -69,7 +70,7 @@ picture_values(const Domain& domain, const std::vector<typename Domain::Vertex>&
 template <typename Surface_type>
 Result compute_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   job.begin_stage("query");
   Result result;
@@ -95,23 +96,21 @@ Result compute_matrix(const Surface_type& surface, const Matrix_options& options
                               { result.dense = metric.distance_matrix(descriptors); });
     if(!job.picture().empty()) // of lengths
       result.values =
-          picture_values<GP::Euclidean_front>(domain, descriptors, result, options, job);
+          picture_values(domain, descriptors, GP::internal::Distance_method::euclidean_front,
+                         result, options, job);
   }
   else
-    with_method<Surface_type>(
-        options.method,
-        [&](auto method)
-        {
-          using Method = decltype(method);
-          if(options.is_sparse())
-            result.sparse = GP::sparse_geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-                domain, descriptors, options.max_distance, parameters);
-          else
-            result.dense = GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
-                domain, descriptors, parameters);
-          if(!job.picture().empty())
-            result.values = picture_values<Method>(domain, descriptors, result, options, job);
-        });
+  {
+    const auto method = to_method(options.method);
+    if(options.is_sparse())
+      result.sparse = GP::internal::distances_of_near_pairs<CGAL::Parallel_tag>(
+          domain, method, descriptors, options.max_distance, parameters);
+    else
+      result.dense = GP::internal::distances_of_pairs<CGAL::Parallel_tag>(domain, method,
+                                                                          descriptors, parameters);
+    if(!job.picture().empty())
+      result.values = picture_values(domain, descriptors, method, result, options, job);
+  }
   result.entries = options.is_sparse()
                        ? static_cast<std::size_t>(result.sparse.nonZeros())
                        : static_cast<std::size_t>((result.dense.array() < infinity).count());

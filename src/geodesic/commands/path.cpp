@@ -58,7 +58,7 @@ void copy_path(const Path& path, Result& result)
 template <typename Surface_type>
 Result find_path(const Surface_type& surface, const Path_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   using Path_endpoint = std::variant<typename Domain::Vertex, typename Domain::Location>;
   const auto endpoint = [&](const Path_end& end)
@@ -75,9 +75,11 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
         if(options.method.empty())
           copy_path(GP::Geodesic_path_finder<Surface_type>(domain)(begin, end), result);
         else
-          with_method<Surface_type>(
-              options.method, [&](auto method)
-              { copy_path(GP::geodesic_path<decltype(method)>(domain, begin, end), result); });
+        {
+          Distance_solver<Surface_type> solver(domain, to_method(options.method));
+          solver.compute(end, GP::parameters::targets(begin));
+          copy_path(solver.path(begin), result);
+        }
       },
       from, to);
   return result;

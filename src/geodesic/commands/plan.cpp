@@ -48,34 +48,22 @@ Transport_result
 compute_plan(const Surface_type& surface, const Masses& from, const std::vector<std::size_t>& to,
              const std::vector<double>& capacity, const Plan_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
+  const auto domain = make_domain(surface, job);
   std::vector<GP::Source<Surface_type>> region;
   for(const std::size_t vertex : to)
     region.emplace_back(vertex_at<Surface_type>(vertex));
   Transport_result result;
   add_sources(domain, options.region, job.surface(), region, result);
-  std::optional<GP::Region_transport_solver<Surface_type>> solver;
-  with_solver_parameters<Vertex>(
-      domain, options, job,
-      [&](const auto& np) {
-        solver.emplace(domain, region, np.capacities(capacity).spreading_weight(options.spread));
-      });
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  GP::Region_transport_solver<Surface_type> solver(
+      domain, region,
+      preparation(domain, options, speed).capacities(capacity).spreading_weight(options.spread));
   job.begin_stage("query");
-  with_masses<Vertex>(from,
-                      [&](const auto& from_masses)
-                      {
-                        with_transport_method(
-                            options.method,
-                            [&](auto method)
-                            {
-                              result.cost = solver->template compute<decltype(method)>(
-                                  from_masses, query_parameters(options, job));
-                            });
-                      });
-  copy_solution(*solver, surface, job, result);
+  result.cost = solver.compute(to_transport_method(options.method), distribution(domain, from),
+                               query_parameters(options, job));
+  copy_solution(solver, surface, job, result);
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.arrivals.push_back(solver->arrival(vertex_at<Surface_type>(i)));
+    result.arrivals.push_back(solver.arrival(vertex_at<Surface_type>(i)));
   add_hodge_decomposition(domain, surface, options, result);
   result.triangles = picture_triangles(domain, job);
   return result;

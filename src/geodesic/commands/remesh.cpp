@@ -66,7 +66,7 @@ void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
 template <typename Surface_type>
 Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
@@ -78,12 +78,10 @@ Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job
                               .maximum_deviation(options.max_deviation)
                               .do_fit(options.does_fit)
                               .do_avoid_self_intersections(!options.allow_self_intersections)
-                              .location_map(locations);
+                              .location_map(locations)
+                              .speed_map(speed_map<typename Domain::Vertex>(speed));
   Result result;
-  with_speeds<typename Domain::Vertex>(
-      speed, parameters,
-      [&](const auto& np)
-      { result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, np); });
+  result.found = GP::geodesic_delaunay_remeshing(domain, options.number, mesh, parameters);
   for(const auto v : mesh.vertices())
   {
     result.file.points.push_back(coordinates(mesh.point(v)));

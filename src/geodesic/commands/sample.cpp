@@ -33,7 +33,7 @@ struct Result
 template <typename Surface_type>
 Result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
@@ -42,13 +42,11 @@ Result find_samples(const Surface_type& surface, const Sample_options& options, 
   const auto parameters = GP::parameters::random_seed(job.seed())
                               .covering_radius(options.spacing)
                               .covering_radius_output(std::back_inserter(result.covering_radii))
-                              .callback(job.progress_callback("samples"));
+                              .callback(job.progress_callback("samples"))
+                              .speed_map(speed_map<typename Domain::Vertex>(speed));
   const std::size_t number =
       options.number > 0 ? options.number : std::numeric_limits<std::size_t>::max();
-  with_speeds<typename Domain::Vertex>(
-      speed, parameters,
-      [&](const auto& np)
-      { GP::farthest_point_sampling(domain, number, std::back_inserter(samples), np); });
+  GP::farthest_point_sampling(domain, number, std::back_inserter(samples), parameters);
   result.triangles = picture_triangles(domain, job);
   for(const auto& sample : samples)
   {

@@ -34,7 +34,7 @@ struct Result
 template <typename Surface_type>
 Result find_cells(const Surface_type& surface, const Segment_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Domain = std::decay_t<decltype(domain)>;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
@@ -48,16 +48,12 @@ Result find_cells(const Surface_type& surface, const Segment_options& options, J
                               .do_make_discs(options.make_disks)
                               .center_output(std::back_inserter(centers))
                               .energy_output(std::back_inserter(result.energies))
-                              .callback(job.progress_callback("cells"));
+                              .callback(job.progress_callback("cells"))
+                              .speed_map(speed_map<typename Domain::Vertex>(speed));
   const auto tessellate = [&](const auto& labels)
   {
-    with_speeds<typename Domain::Vertex>(
-        speed, parameters,
-        [&](const auto& np)
-        {
-          GP::geodesic_centroidal_tessellation<GP::Euclidean_front, CGAL::Parallel_tag>(
-              domain, options.number, labels, np);
-        });
+    GP::geodesic_centroidal_tessellation<GP::Euclidean_front, CGAL::Parallel_tag>(
+        domain, options.number, labels, parameters);
   };
   if constexpr(is_mesh<Surface_type>)
     tessellate(Label_map<typename Surface_type::Face_index>{&result.labels});

@@ -139,4 +139,43 @@ std::vector<Color> vertex_colors(const Surface& surface, const Speed_options& op
   return result;
 }
 
+template <typename Domain>
+std::vector<double> compute_speeds(const Domain& domain, const Speed_options& options,
+                                   const Job& job)
+{
+  if(!options.is_given())
+    return {};
+  using Vertex = typename Domain::Vertex;
+  std::vector<double> result(domain.number_of_vertices());
+  const Value_map<Vertex> map{&result};
+  const auto make = [&](const auto& np)
+  {
+    if(options.speed == "curvature-attractive")
+      GP::curvature_speeds<GP::Edge_attractive, CGAL::Parallel_tag>(domain, map, np);
+    else if(options.speed == "curvature-repulsive")
+      GP::curvature_speeds<GP::Edge_repulsive, CGAL::Parallel_tag>(domain, map, np);
+    else if(const auto vertex = similar_vertex(options))
+    {
+      check_vertex(job.surface(), *vertex);
+      GP::similar_curvature_speeds<CGAL::Parallel_tag>(domain, Vertex(*vertex), map, np);
+    }
+    else if(options.speed == "colours" || !options.image.empty())
+    {
+      const std::vector<Color> colors = vertex_colors(job.surface(), options);
+      GP::image_speeds(domain, Property_map<Vertex, Color>{&colors}, map, np);
+    }
+    else
+      result = property(job.surface(), options.speed);
+  };
+  const auto np = GP::parameters::threads(job.threads());
+  if(options.strength)
+    make(np.strength(*options.strength));
+  else
+    make(np);
+  return result;
+}
+
+template std::vector<double> compute_speeds(const Mesh_domain&, const Speed_options&, const Job&);
+template std::vector<double> compute_speeds(const Cloud_domain&, const Speed_options&, const Job&);
+
 } // namespace program

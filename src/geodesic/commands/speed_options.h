@@ -34,39 +34,7 @@ std::vector<Color> vertex_colors(const Surface& surface, const Speed_options& op
 // #vertices: the speeds that are asked for; empty where they are 1 everywhere.
 template <typename Domain>
 std::vector<double> compute_speeds(const Domain& domain, const Speed_options& options,
-                                   const Job& job)
-{
-  if(!options.is_given())
-    return {};
-  using Vertex = typename Domain::Vertex;
-  std::vector<double> result(domain.number_of_vertices());
-  const Value_map<Vertex> map{&result};
-  const auto compute = [&](const auto& np)
-  {
-    if(options.speed == "curvature-attractive")
-      GP::curvature_speeds<GP::Edge_attractive, CGAL::Parallel_tag>(domain, map, np);
-    else if(options.speed == "curvature-repulsive")
-      GP::curvature_speeds<GP::Edge_repulsive, CGAL::Parallel_tag>(domain, map, np);
-    else if(const auto vertex = similar_vertex(options))
-    {
-      check_vertex(job.surface(), *vertex);
-      GP::similar_curvature_speeds<CGAL::Parallel_tag>(domain, Vertex(*vertex), map, np);
-    }
-    else if(options.speed == "colours" || !options.image.empty())
-    {
-      const std::vector<Color> colors = vertex_colors(job.surface(), options);
-      GP::image_speeds(domain, Property_map<Vertex, Color>{&colors}, map, np);
-    }
-    else
-      result = property(job.surface(), options.speed);
-  };
-  const auto np = GP::parameters::threads(job.threads());
-  if(options.strength)
-    compute(np.strength(*options.strength));
-  else
-    compute(np);
-  return result;
-}
+                                   const Job& job);
 
 } // namespace program
 

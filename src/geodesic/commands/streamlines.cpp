@@ -33,28 +33,14 @@ Streamline_result compute_streamlines(const Surface_type& surface, const Masses&
                                       const Masses& to, const std::vector<std::size_t>& seeds,
                                       const Streamline_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
-  using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
-  std::optional<GP::Earth_movers_solver<Surface_type>> solver;
-  with_solver_parameters<Vertex>(domain, options, job,
-                                 [&](const auto& np) { solver.emplace(domain, np); });
+  const auto domain = make_domain(surface, job);
+  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
+  GP::Earth_movers_solver<Surface_type> solver(domain, preparation(domain, options, speed));
   job.begin_stage("query");
   Streamline_result result;
-  const auto compute = [&](const auto& from_masses, const auto& to_masses)
-  {
-    with_transport_method(options.method,
-                          [&](auto method)
-                          {
-                            result.cost = solver->template compute<decltype(method)>(
-                                from_masses, to_masses, query_parameters(options, job));
-                          });
-  };
-  with_masses<Vertex>(from,
-                      [&](const auto& from_masses) {
-                        with_masses<Vertex>(to, [&](const auto& to_masses)
-                                            { compute(from_masses, to_masses); });
-                      });
-  const auto tracer = solver->streamlines(GP::parameters::do_straighten(!options.keep_traced));
+  result.cost = solver.compute(to_transport_method(options.method), distribution(domain, from),
+                               distribution(domain, to), query_parameters(options, job));
+  const auto tracer = solver.streamlines(GP::parameters::do_straighten(!options.keep_traced));
   std::vector<GP::Streamline<Surface_type>> lines;
   if(options.seeds.empty())
     tracer(options.number, std::back_inserter(lines));
@@ -70,7 +56,7 @@ Streamline_result compute_streamlines(const Surface_type& surface, const Masses&
     result.arrived += line.has_arrived;
   }
   for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.potential.push_back(solver->potential(vertex_at<Surface_type>(i)));
+    result.potential.push_back(solver.potential(vertex_at<Surface_type>(i)));
   result.triangles = picture_triangles(domain, job);
   return result;
 }

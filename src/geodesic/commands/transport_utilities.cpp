@@ -267,4 +267,94 @@ void write_transport(const Job& job, const Transport_result& result,
   write_surface_file(job.output(), file);
 }
 
+GP::internal::Transport_method to_transport_method(const std::string& word)
+{
+  using GP::internal::Transport_method;
+  return word == "admm"        ? Transport_method::splitting
+         : word == "weiszfeld" ? Transport_method::weiszfeld
+                               : Transport_method::interior_point;
+}
+
+template <typename Domain>
+GP::internal::Mass_distribution distribution(const Domain& domain, const Masses& masses)
+{
+  const Property_map<typename Domain::Vertex> map{&masses.values};
+  return masses.is_density ? GP::internal::masses(domain, GP::mass_density(map))
+                           : GP::internal::masses(domain, map);
+}
+
+template <typename Domain>
+void add_sources(const Domain& domain, const Region_options& options, const Surface& surface,
+                 std::vector<GP::Source<typename Domain::Surface>>& region,
+                 Transport_result& result)
+{
+  using Surface_type = typename Domain::Surface;
+  if constexpr(is_mesh<Surface_type>)
+  {
+    for(const std::string& point : options.at)
+    {
+      const auto place = locate(domain, point, options.at_option);
+      region.emplace_back(place);
+      result.feature_polylines.push_back({coordinates(domain.point(domain.inner(place)))});
+    }
+    for(const std::string& text : options.paths)
+    {
+      GP::Geodesic_path_finder<Surface_type> find(domain);
+      const std::vector<std::size_t> vertices = parse_indices(text, options.path_option);
+      typename GP::Source<Surface_type>::Polyline polyline;
+      result.feature_polylines.emplace_back();
+      for(std::size_t i = 1; i < vertices.size(); ++i)
+      {
+        const auto path =
+            find(vertex_at<Surface_type>(vertices[i - 1]), vertex_at<Surface_type>(vertices[i]));
+        if(path.empty())
+          fail(surface.name, "no path joins vertices " + std::to_string(vertices[i - 1]) + " and " +
+                                 std::to_string(vertices[i]));
+        polyline.insert(polyline.end(), path.locations.begin(), path.locations.end());
+        for(const auto& point : path.points)
+          result.feature_polylines.back().push_back(coordinates(point));
+      }
+      region.emplace_back(std::move(polyline));
+    }
+  }
+}
+
+template <typename Surface_type>
+void copy_solution(const GP::Transport_solution<Surface_type>& solution,
+                   const Surface_type& surface, const Job& job, Transport_result& result)
+{
+  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
+    result.potential.push_back(solution.potential(vertex_at<Surface_type>(i)));
+  solution.write_flow(vector_map(result.fields["flow"], surface));
+}
+
+template <typename Domain, typename Surface_type>
+void add_hodge_decomposition([[maybe_unused]] const Domain& domain,
+                             [[maybe_unused]] const Surface_type& surface,
+                             [[maybe_unused]] const Transport_options& options,
+                             [[maybe_unused]] Transport_result& result)
+{
+  if constexpr(is_mesh<Surface_type>)
+    if(options.hodge)
+      GP::hodge_decomposition(domain, vector_map(result.fields["flow"], surface),
+                              vector_map(result.fields["gradient"], surface),
+                              vector_map(result.fields["rotation"], surface),
+                              vector_map(result.fields["harmonic"], surface));
+}
+
+template GP::internal::Mass_distribution distribution(const Mesh_domain&, const Masses&);
+template GP::internal::Mass_distribution distribution(const Cloud_domain&, const Masses&);
+template void add_sources(const Mesh_domain&, const Region_options&, const Surface&,
+                          std::vector<GP::Source<Mesh>>&, Transport_result&);
+template void add_sources(const Cloud_domain&, const Region_options&, const Surface&,
+                          std::vector<GP::Source<Cloud>>&, Transport_result&);
+template void copy_solution(const GP::Transport_solution<Mesh>&, const Mesh&, const Job&,
+                            Transport_result&);
+template void copy_solution(const GP::Transport_solution<Cloud>&, const Cloud&, const Job&,
+                            Transport_result&);
+template void add_hodge_decomposition(const Mesh_domain&, const Mesh&, const Transport_options&,
+                                      Transport_result&);
+template void add_hodge_decomposition(const Cloud_domain&, const Cloud&, const Transport_options&,
+                                      Transport_result&);
+
 } // namespace program

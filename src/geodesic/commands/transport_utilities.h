@@ -88,38 +88,7 @@ void check(const Region_options& options, const Surface& surface);
 template <typename Domain>
 void add_sources(const Domain& domain, const Region_options& options, const Surface& surface,
                  std::vector<GP::Source<typename Domain::Surface>>& region,
-                 Transport_result& result)
-{
-  using Surface_type = typename Domain::Surface;
-  if constexpr(is_mesh<Surface_type>)
-  {
-    for(const std::string& point : options.at)
-    {
-      const auto location = locate(domain, point, options.at_option);
-      region.emplace_back(location);
-      result.feature_polylines.push_back({coordinates(domain.point(domain.inner(location)))});
-    }
-    for(const std::string& text : options.paths)
-    {
-      GP::Geodesic_path_finder<Surface_type> path_finder(domain);
-      const std::vector<std::size_t> vertices = parse_indices(text, options.path_option);
-      typename GP::Source<Surface_type>::Polyline polyline;
-      result.feature_polylines.emplace_back();
-      for(std::size_t i = 1; i < vertices.size(); ++i)
-      {
-        const auto path = path_finder(vertex_at<Surface_type>(vertices[i - 1]),
-                                      vertex_at<Surface_type>(vertices[i]));
-        if(path.empty())
-          fail(surface.name, "no path joins vertices " + std::to_string(vertices[i - 1]) + " and " +
-                                 std::to_string(vertices[i]));
-        polyline.insert(polyline.end(), path.locations.begin(), path.locations.end());
-        for(const auto& point : path.points)
-          result.feature_polylines.back().push_back(coordinates(point));
-      }
-      region.emplace_back(std::move(polyline));
-    }
-  }
-}
+                 Transport_result& result);
 
 // A vector for each face or surfel, written like a map of the library.
 template <typename Key>
@@ -158,27 +127,20 @@ auto vector_map(std::vector<Point>& vectors, const Surface_type& surface)
   }
 }
 
-// Calls f with what the library takes as masses.
-template <typename Vertex, typename Function>
-auto with_masses(const Masses& masses, Function f)
-{
-  const Property_map<Vertex> map{&masses.values};
-  return masses.is_density ? f(GP::mass_density(map)) : f(map);
-}
+// Masses as the library's kernels know them.
+template <typename Domain>
+GP::internal::Mass_distribution distribution(const Domain& domain, const Masses& masses);
 
-// Calls f with what options say about the preparation of a solver.
-template <typename Vertex, typename Domain, typename Function>
-void with_solver_parameters(const Domain& domain, const Transport_options& options, Job& job,
-                            Function f)
+// What options say about the preparation of a solver, with speeds.
+template <typename Domain>
+auto preparation(const Domain& domain, const Transport_options& options,
+                 const std::vector<double>& speeds)
 {
-  const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
-  if(options.refine)
-    with_speeds<Vertex>(speed,
-                        GP::parameters::number_of_refinements(
-                            static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))),
-                        f);
-  else
-    with_speeds<Vertex>(speed, GP::parameters::threads(job.threads()), f);
+  const unsigned refinements =
+      options.refine ? static_cast<unsigned>(std::min<std::size_t>(*options.refine, 30))
+                     : GP::internal::default_number_of_refinements(*domain.triangles());
+  return GP::parameters::number_of_refinements(refinements)
+      .speed_map(speed_map<typename Domain::Vertex>(speeds));
 }
 
 // What options say about a query.
@@ -190,41 +152,18 @@ inline auto query_parameters(const Transport_options& options, Job& job)
       .callback(job.progress_callback("transport"));
 }
 
-// Calls f with the tag of a method.
-template <typename Function>
-auto with_transport_method(const std::string& method, Function f)
-{
-  if(method == "admm")
-    return f(GP::Alternating_directions());
-  if(method == "weiszfeld")
-    return f(GP::Weiszfeld());
-  return f(GP::Interior_point());
-}
+// The method of a word.
+GP::internal::Transport_method to_transport_method(const std::string& method);
 
 // What the last query of a solver found.
 template <typename Surface_type>
 void copy_solution(const GP::Transport_solution<Surface_type>& solution,
-                   const Surface_type& surface, const Job& job, Transport_result& result)
-{
-  for(std::size_t i = 0; i < job.surface().file.points.size(); ++i)
-    result.potential.push_back(solution.potential(vertex_at<Surface_type>(i)));
-  solution.write_flow(vector_map(result.fields["flow"], surface));
-}
+                   const Surface_type& surface, const Job& job, Transport_result& result);
 
 // The parts of the flow on request.
 template <typename Domain, typename Surface_type>
-void add_hodge_decomposition([[maybe_unused]] const Domain& domain,
-                             [[maybe_unused]] const Surface_type& surface,
-                             [[maybe_unused]] const Transport_options& options,
-                             [[maybe_unused]] Transport_result& result)
-{
-  if constexpr(is_mesh<Surface_type>)
-    if(options.hodge)
-      GP::hodge_decomposition(domain, vector_map(result.fields["flow"], surface),
-                              vector_map(result.fields["gradient"], surface),
-                              vector_map(result.fields["rotation"], surface),
-                              vector_map(result.fields["harmonic"], surface));
-}
+void add_hodge_decomposition(const Domain& domain, const Surface_type& surface,
+                             const Transport_options& options, Transport_result& result);
 
 // Says what was found, in the JSON and to a reader.
 void report(Job& job, const Transport_options& options, const GP::Earth_movers_cost& cost,

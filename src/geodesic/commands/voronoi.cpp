@@ -30,7 +30,7 @@ struct Result
 template <typename Surface_type>
 Result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
 {
-  const auto domain = GP::make_domain(surface, GP::parameters::threads(job.threads()));
+  const auto domain = make_domain(surface, job);
   using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   const std::vector<double> speed = compute_speeds(domain, options.speed_options, job);
   job.begin_stage("query");
@@ -42,13 +42,13 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
     seeds.push_back(vertex_at<Surface_type>(seed));
   result.labels.assign(job.surface().file.points.size(), -1);
   const Label_map<Vertex> labels{&result.labels};
-  const auto parameters = GP::parameters::callback(job.progress_callback("cells"));
+  const auto asked =
+      GP::parameters::callback(job.progress_callback("cells")).speed_map(speed_map<Vertex>(speed));
   if constexpr(is_mesh<Surface_type>)
   {
     std::vector<GP::Voronoi_bisector<Surface_type>> bisectors;
-    with_speeds<Vertex>(speed, parameters.bisector_output(std::back_inserter(bisectors)),
-                        [&](const auto& np)
-                        { GP::geodesic_voronoi_diagram(domain, seeds, labels, np); });
+    GP::geodesic_voronoi_diagram(domain, seeds, labels,
+                                 asked.bisector_output(std::back_inserter(bisectors)));
     for(const auto& bisector : bisectors)
     {
       result.bisectors.emplace_back();
@@ -57,9 +57,7 @@ Result find_cells(const Surface_type& surface, const Voronoi_options& options, J
     }
   }
   else
-    with_speeds<Vertex>(speed, parameters,
-                        [&](const auto& np)
-                        { GP::geodesic_voronoi_diagram(domain, seeds, labels, np); });
+    GP::geodesic_voronoi_diagram(domain, seeds, labels, asked);
   result.triangles = picture_triangles(domain, job);
   return result;
 }

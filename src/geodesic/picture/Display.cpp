@@ -64,6 +64,12 @@ bool can_open_display()
 
 Display::Display()
 {
+  if(const char* const shared = std::getenv("GEODESIC_DISPLAY"))
+  {
+    ::setenv("DISPLAY", shared, 1);
+    if(can_open_display())
+      return;
+  }
   int pipe_ends[2];
   if(::pipe(pipe_ends) != 0)
     throw Usage_error("--picture: no pipe to a display server can be opened.");

@@ -7,8 +7,9 @@
 
 namespace program {
 
-// Something to draw on.  Starts Xvfb, a server without a screen, and ends it with its own life;
-// where there is none, takes the display that the environment names.
+// Something to draw on.  Uses the X server that the environment variable GEODESIC_DISPLAY names, so
+// that several runs share one.  Otherwise it starts Xvfb, a server without a screen, and ends it with
+// its own life.  If Xvfb does not start, it uses the display that DISPLAY names.
 // Throws Usage_error with a sentence that says what is missing.
 class Display
 {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/parameterization/atlas.h>
-#include <CGAL/Geodesic_processing/tags.h>
 
 #include "Array_surface.h"
 
@@ -17,12 +16,11 @@ namespace {
 
 using namespace CGAL::Geodesic_processing::test;
 using namespace CGAL::Geodesic_processing::internal;
-using CGAL::Geodesic_processing::Euclidean_front;
 using CGAL::Geodesic_processing::Invalid_argument_error;
 
 Atlas atlas_of(const Array_surface& arrays, const Atlas_options& options)
 {
-  return make_atlas(arrays.triangles(), Engine<Euclidean_front>(arrays.triangles()), nullptr,
+  return make_atlas(arrays.triangles(), Front(arrays.triangles(), Front_kind::euclidean), nullptr,
                     options);
 }
 

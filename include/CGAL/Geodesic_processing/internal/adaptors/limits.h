@@ -13,11 +13,25 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
+
+// Returns 1 / speed of each triangle; null for an empty optional, which stands for no map.
+template <typename Domain, typename SpeedMap>
+std::shared_ptr<const std::vector<double>> slowness(const Domain& domain, const SpeedMap& speed)
+{
+  return std::make_shared<const std::vector<double>>(domain.slowness(speed));
+}
+template <typename Domain, typename SpeedMap>
+std::shared_ptr<const std::vector<double>> slowness(const Domain& domain,
+                                                    const std::optional<SpeedMap>& speed)
+{
+  return speed ? slowness(domain, *speed) : nullptr;
+}
 
 // Converts the named parameters of a distance query (maximum distance, callback, targets, speed
 // map) to the limits of a front, in scaled units.  Throws Invalid_argument_error if the maximum
@@ -34,8 +48,7 @@ Front_limits limits(const Domain& domain, const NamedParameters& np)
   if constexpr(has_parameter<NamedParameters, internal_np::targets_t>)
     result.targets = locations(domain, parameter(np, internal_np::targets, none));
   if constexpr(has_parameter<NamedParameters, internal_np::speed_map_t>)
-    result.slowness = std::make_shared<const std::vector<double>>(
-        domain.slowness(parameter(np, internal_np::speed_map, none)));
+    result.slowness = slowness(domain, parameter(np, internal_np::speed_map, none));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Geodesic_processing/exceptions.h>
 #include <CGAL/Geodesic_processing/internal/transport/Multilevel_transport_solver.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/field_vectors.h>
+#include <CGAL/Geodesic_processing/internal/adaptors/limits.h>
 #include <CGAL/Geodesic_processing/internal/core/slowness.h>
 #include <CGAL/Geodesic_processing/internal/adaptors/sources.h>
 #include <CGAL/Geodesic_processing/parameters.h>
@@ -81,7 +82,9 @@ template <typename Domain, typename From>
 Mass_distribution masses(const Domain& domain, const From& from)
 {
   Mass_distribution result;
-  if constexpr(is_vertex_or_location<Domain, From>)
+  if constexpr(std::is_same_v<From, Mass_distribution>)
+    return from;
+  else if constexpr(is_vertex_or_location<Domain, From>)
     result.at_locations.emplace_back(location(domain, from), 1.);
   else if constexpr(Is_density<From>::value)
     result.density = vertex_values(domain, from.map);
@@ -133,8 +136,9 @@ std::vector<Metric_tensor> read_metric(const Domain& domain, const NamedParamete
   const Surface_arrays& t = *domain.triangles();
   std::vector<Metric_tensor> result;
   if constexpr(has_parameter<NamedParameters, internal_np::speed_map_t>)
-    for(const double slowness : domain.slowness(parameter(np, internal_np::speed_map, none)))
-      result.push_back({slowness, 0., slowness});
+    if(const auto given = slowness(domain, parameter(np, internal_np::speed_map, none)))
+      for(const double slow : *given)
+        result.push_back({slow, 0., slow});
   if constexpr(has_parameter<NamedParameters, internal_np::metric_map_t>)
   {
     const auto map = parameter(np, internal_np::metric_map, none);

@@ -3,27 +3,21 @@
 #ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_DISTANCE_MATRIX_H
 #define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_DISTANCE_MATRIX_H
 
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
 #include <CGAL/Geodesic_processing/internal/core/Surface_arrays.h>
-#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
-#include <CGAL/Geodesic_processing/internal/distances/front.h>
-#include <CGAL/Geodesic_processing/internal/distances/heat.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <variant>
 #include <vector>
 
 namespace CGAL::Geodesic_processing::internal {
-
-// The method that computes the rows of a matrix; each thread copies it.
-using Distance_engine = std::variant<const Front*, const Window_propagation*, const Heat_solver*>;
 
 // Returns the distances from each source, one query each, to each location, times `scale`.  The
 // matrix is #from x #to; unreachable pairs are infinite.  Returns an empty matrix if the callback
 // of the limits cancelled it.
 CGAL_GEODESIC_PROCESSING_EXPORT
-Eigen::MatrixXd distance_matrix(const Distance_engine& engine, double scale,
+Eigen::MatrixXd distance_matrix(const Row_engine& engine, double scale,
                                 const std::vector<Front_source>& from,
                                 const std::vector<Surface_location>& to, const Front_limits& limits,
                                 unsigned threads);
@@ -34,7 +28,7 @@ Eigen::MatrixXd distance_matrix(const Distance_engine& engine, double scale,
 // if cancelled.
 CGAL_GEODESIC_PROCESSING_EXPORT
 Eigen::SparseMatrix<double, Eigen::RowMajor>
-sparse_distance_matrix(const Distance_engine& engine, double scale,
+sparse_distance_matrix(const Row_engine& engine, double scale,
                        const std::vector<Front_source>& from, const std::vector<Index>& column,
                        const Front_limits& limits, unsigned threads);
 

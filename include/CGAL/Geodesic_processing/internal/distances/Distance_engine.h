@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_DISTANCE_ENGINE_H
+#define CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_DISTANCE_ENGINE_H
+
+#include <CGAL/Geodesic_processing/internal/distances/Window_propagation.h>
+#include <CGAL/Geodesic_processing/internal/distances/front.h>
+#include <CGAL/Geodesic_processing/internal/distances/heat.h>
+#include <CGAL/Geodesic_processing/tags.h>
+
+#include <memory>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Geodesic_processing::internal {
+
+enum class Distance_method
+{
+  dijkstra,
+  fast_marching,
+  euclidean_front,
+  exact,
+  heat
+};
+
+// The tag of a function or class whose method is a Distance_method that is passed at run time.
+struct Runtime_method
+{};
+
+template <typename Method>
+inline constexpr bool is_front =
+    std::is_same_v<Method, Dijkstra> || std::is_same_v<Method, Fast_marching> ||
+    std::is_same_v<Method, Euclidean_front>;
+
+// Returns the method that a tag stands for.
+template <typename Method>
+constexpr Distance_method distance_method()
+{
+  if constexpr(std::is_same_v<Method, Dijkstra>)
+    return Distance_method::dijkstra;
+  else if constexpr(std::is_same_v<Method, Fast_marching>)
+    return Distance_method::fast_marching;
+  else if constexpr(std::is_same_v<Method, Euclidean_front>)
+    return Distance_method::euclidean_front;
+  else if constexpr(std::is_same_v<Method, Exact>)
+    return Distance_method::exact;
+  else
+  {
+    static_assert(std::is_same_v<Method, Heat>,
+                  "The methods are Dijkstra, Fast_marching, Euclidean_front, Exact and Heat.");
+    return Distance_method::heat;
+  }
+}
+
+// Returns the kind of front of a tag for which is_front is true.
+template <typename Method>
+constexpr Front_kind front_kind()
+{
+  static_assert(is_front<Method>);
+  return std::is_same_v<Method, Dijkstra>        ? Front_kind::dijkstra
+         : std::is_same_v<Method, Fast_marching> ? Front_kind::planar
+                                                 : Front_kind::euclidean;
+}
+
+// What computes the rows of a matrix; each thread has a copy.
+using Row_engine = std::variant<const Front*, const Window_propagation*, const Heat_solver*>;
+
+// Computes distances by a method that is chosen at run time.  Adaptors that hold it are instantiated
+// once for all methods.  The dispatch is outside of the loops of the kernels.
+class CGAL_GEODESIC_PROCESSING_EXPORT Distance_engine
+{
+public:
+  Distance_engine(Distance_method method, std::shared_ptr<const Surface_arrays> triangles);
+
+  // As those of Front.
+  bool run(const std::vector<Front_source>& sources, const Front_limits& limits = {});
+  double distance(Index vertex) const;
+  double distance(const Surface_location& location) const;
+  Index source(Index vertex) const;
+  Index predecessor(Index vertex) const;
+  const std::vector<Index>& reached() const;
+
+  // Returns the exact engine, or null if the method is another one.
+  const Window_propagation* windows() const { return std::get_if<Window_propagation>(&m_kernel); }
+  // Returns the kernel for the rows of a matrix, which bypasses the dispatch.
+  Row_engine row_engine() const;
+
+private:
+  std::variant<Front, Window_propagation, Heat_solver> m_kernel;
+};
+
+} // namespace CGAL::Geodesic_processing::internal
+
+#endif // CGAL_GEODESIC_PROCESSING_INTERNAL_DISTANCES_DISTANCE_ENGINE_H

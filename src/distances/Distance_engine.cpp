@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
+
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+using Kernel = std::variant<Front, Window_propagation, Heat_solver>;
+
+Kernel make_kernel(Distance_method method, std::shared_ptr<const Surface_arrays> triangles)
+{
+  switch(method)
+  {
+  case Distance_method::dijkstra:
+    return Front(std::move(triangles), Front_kind::dijkstra);
+  case Distance_method::fast_marching:
+    return Front(std::move(triangles), Front_kind::planar);
+  case Distance_method::exact:
+    return Kernel(std::in_place_type<Window_propagation>, std::move(triangles));
+  case Distance_method::heat:
+    return Kernel(std::in_place_type<Heat_solver>, std::move(triangles));
+  default:
+    return Front(std::move(triangles), Front_kind::euclidean);
+  }
+}
+
+} // namespace
+
+Distance_engine::Distance_engine(Distance_method method,
+                                 std::shared_ptr<const Surface_arrays> triangles)
+    : m_kernel(make_kernel(method, std::move(triangles)))
+{}
+
+bool Distance_engine::run(const std::vector<Front_source>& sources, const Front_limits& limits)
+{
+  return std::visit([&](auto& kernel) { return kernel.run(sources, limits); }, m_kernel);
+}
+
+double Distance_engine::distance(Index vertex) const
+{
+  return std::visit([vertex](const auto& kernel) { return kernel.distance(vertex); }, m_kernel);
+}
+
+double Distance_engine::distance(const Surface_location& location) const
+{
+  return std::visit([&](const auto& kernel) { return kernel.distance(location); }, m_kernel);
+}
+
+Index Distance_engine::source(Index vertex) const
+{
+  return std::visit([vertex](const auto& kernel) { return kernel.source(vertex); }, m_kernel);
+}
+
+Index Distance_engine::predecessor(Index vertex) const
+{
+  return std::visit([vertex](const auto& kernel) { return kernel.predecessor(vertex); }, m_kernel);
+}
+
+const std::vector<Index>& Distance_engine::reached() const
+{
+  return std::visit(
+      [](const auto& kernel) -> const std::vector<Index>& { return kernel.reached(); }, m_kernel);
+}
+
+Row_engine Distance_engine::row_engine() const
+{
+  return std::visit([](const auto& kernel) { return Row_engine(&kernel); }, m_kernel);
+}
+
+} // namespace CGAL::Geodesic_processing::internal

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/log_map/Log_engine.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL::Geodesic_processing::internal {
+
+namespace {
+
+// Returns a single source at a location.
+std::vector<Front_source> point_source(const Surface_location& at) { return {Front_source{{at}}}; }
+
+using Engine = std::variant<Gradient_engine, Exact_log_engine, Discrete_exponential_engine>;
+
+Engine make_engine(const Log_kind& kind, std::shared_ptr<const Surface_arrays> triangles)
+{
+  switch(kind.method)
+  {
+  case Log_method::exact:
+    return Engine(std::in_place_type<Exact_log_engine>, std::move(triangles));
+  case Log_method::discrete_exponential:
+    return Engine(std::in_place_type<Discrete_exponential_engine>, std::move(triangles));
+  default:
+    return Engine(std::in_place_type<Gradient_engine>, kind.distances, std::move(triangles));
+  }
+}
+
+} // namespace
+
+Gradient_engine::Gradient_engine(Distance_method method,
+                                 std::shared_ptr<const Surface_arrays> triangles)
+    : m_triangles(triangles), m_engine(method, std::move(triangles))
+{}
+
+void Gradient_engine::run(const Tangent_plane& plane, const Log_map_options& options,
+                          const Log_visitor& visit)
+{
+  const Surface_arrays& t = *m_triangles;
+  Front_limits limits;
+  limits.maximum_distance = options.maximum_distance;
+  m_engine.run(point_source(plane.location()), limits);
+  const std::vector<Index> vertices = m_engine.reached();
+  std::vector<double> distances;
+  for(const Index vertex : vertices)
+    distances.push_back(m_engine.distance(vertex));
+
+  const double length = options.stencil_length > 0.
+                            ? options.stencil_length
+                            : stencil_length_ratio(plane) * mean_edge_length(t, plane.location());
+  const Stencil stencil = make_stencil(plane, vertices, distances, length, options.stencil_size);
+  const std::size_t size = stencil.locations.size();
+  limits.maximum_distance += length;
+  std::vector<double> stencil_distances(vertices.size() * size);
+  for(std::size_t j = 0; j < size; ++j)
+  {
+    m_engine.run(point_source(stencil.locations[j]), limits);
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      stencil_distances[i * size + j] = m_engine.distance(vertices[i]);
+  }
+  const Log_map_fit fit(stencil.vectors);
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    visit(vertices[i], fit(distances[i], stencil_distances.data() + i * size));
+}
+
+// Returns the length of the stencil divided by the mean length of the edges around the base point.
+//
+// A longer stencil averages the errors of the distances, but is more affected by curvature.  The
+// best ratio is proportional to one over the square root of the mean angle between adjacent
+// normals.  On a sphere of 10,000 vertices, the error of tangent vectors is 0.044 %, and 0.11 %
+// with a ratio of 0.6.  On the armadillo of 26,000 vertices, a rough mesh, the median error of
+// directions is 0.92 degrees; it is 0.87 degrees with a ratio of 0.6, and 1.4 degrees with twice
+// the length.  On a cloud, the stencil must reach surfels in all directions.
+double Gradient_engine::stencil_length_ratio(const Tangent_plane& plane) const
+{
+  if(m_triangles->is_cloud())
+    return 2.5;
+  return std::clamp(0.35 / std::sqrt(mean_normal_angle(*m_triangles, plane.location())), 0.6, 4.);
+}
+
+// Returns a straightest stencil on a mesh, and a stencil of surfels on a cloud.
+Stencil Gradient_engine::make_stencil(const Tangent_plane& plane,
+                                      const std::vector<Index>& vertices,
+                                      const std::vector<double>& distances, double length,
+                                      std::size_t size)
+{
+  if(!m_triangles->is_cloud())
+    return straightest_stencil(plane, length, size);
+  m_distance.resize(m_triangles->number_of_vertices(), infinity);
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    m_distance[vertices[i]] = distances[i];
+  return vertex_stencil(*m_triangles, plane, vertices, m_distance, length, size);
+}
+
+Exact_log_engine::Exact_log_engine(std::shared_ptr<const Surface_arrays> triangles)
+    : m_windows(std::move(triangles))
+{}
+
+void Exact_log_engine::run(const Tangent_plane& plane, const Log_map_options& options,
+                           const Log_visitor& visit)
+{
+  Front_limits limits;
+  limits.maximum_distance = options.maximum_distance;
+  m_windows.run(point_source(plane.location()), limits);
+  for(const Index vertex : m_windows.reached())
+  {
+    const double angle = plane.tangent_angle(m_windows.polar_angle_of_departure(vertex));
+    visit(vertex, m_windows.distance(vertex) * Vec2{std::cos(angle), std::sin(angle)});
+  }
+}
+
+Discrete_exponential_engine::Discrete_exponential_engine(
+    std::shared_ptr<const Surface_arrays> triangles)
+    : m_triangles(triangles), m_front(std::move(triangles), Front_kind::dijkstra),
+      m_vectors(m_triangles->number_of_vertices())
+{}
+
+void Discrete_exponential_engine::run(const Tangent_plane& plane, const Log_map_options& options,
+                                      const Log_visitor& visit)
+{
+  Front_limits limits;
+  limits.maximum_distance = options.maximum_distance;
+  m_front.run(point_source(plane.location()), limits);
+  for(const Index vertex : m_front.reached())
+    m_vectors[vertex] = {std::numeric_limits<double>::quiet_NaN(), 0.};
+  for(const Index vertex : m_front.reached())
+  {
+    accumulate_steps(plane, vertex);
+    visit(vertex, m_vectors[vertex]);
+  }
+}
+
+// Computes the vectors of a vertex and of all its predecessors.
+void Discrete_exponential_engine::accumulate_steps(const Tangent_plane& plane, Index vertex)
+{
+  const Surface_arrays& t = *m_triangles;
+  std::vector<Index> path; // from the vertex back to the first one with a known vector
+  for(; vertex != none && std::isnan(m_vectors[vertex][0]); vertex = m_front.predecessor(vertex))
+    path.push_back(vertex);
+  for(; !path.empty(); path.pop_back())
+  {
+    const Index next = path.back();
+    m_vectors[next] = vertex == none
+                          ? transported_step(plane, plane.normal(), t.point[next] - plane.point())
+                          : m_vectors[vertex] + transported_step(plane, vertex_normal(t, vertex),
+                                                                 t.point[next] - t.point[vertex]);
+    vertex = next;
+  }
+}
+
+Log_engine::Log_engine(const Log_kind& kind, std::shared_ptr<const Surface_arrays> triangles)
+    : m_engine(make_engine(kind, std::move(triangles)))
+{}
+
+void Log_engine::run(const Tangent_plane& plane, const Log_map_options& options,
+                     const Log_visitor& visit)
+{
+  std::visit([&](auto& engine) { engine.run(plane, options, visit); }, m_engine);
+}
+
+} // namespace CGAL::Geodesic_processing::internal

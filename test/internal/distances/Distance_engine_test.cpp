@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Geodesic_processing/internal/distances/Distance_engine.h>
+
+#include "Array_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing;
+using namespace CGAL::Geodesic_processing::internal;
+using test::Array_surface;
+
+struct Distance_engines : testing::Test
+{
+  Array_surface surface{test::square(8, 0.2)};
+
+  // The engine gives the same answers as the kernel that it wraps.
+  template <typename Kernel>
+  void expect_same(Distance_method method, Kernel kernel)
+  {
+    Distance_engine engine(method, surface.triangles());
+    const std::vector<Front_source> sources = {surface.source(3), surface.source(70, 0.1)};
+    EXPECT_EQ(engine.run(sources), kernel.run(sources));
+    const Distance_engine copy = engine;
+    for(Index i = 0; i < surface.size(); ++i)
+    {
+      EXPECT_EQ(copy.distance(i), kernel.distance(i));
+      EXPECT_EQ(copy.source(i), kernel.source(i));
+      EXPECT_EQ(copy.predecessor(i), kernel.predecessor(i));
+    }
+    const Surface_location location = surface.in(5, {0.2, 0.3, 0.5});
+    EXPECT_EQ(copy.distance(location), kernel.distance(location));
+    EXPECT_EQ(copy.reached(), kernel.reached());
+    EXPECT_TRUE(std::holds_alternative<const Kernel*>(copy.row_engine()));
+    EXPECT_EQ(copy.windows() != nullptr, method == Distance_method::exact);
+  }
+};
+
+TEST_F(Distance_engines, match_their_kernels)
+{
+  expect_same(Distance_method::dijkstra, Front(surface.triangles(), Front_kind::dijkstra));
+  expect_same(Distance_method::fast_marching, Front(surface.triangles(), Front_kind::planar));
+  expect_same(Distance_method::euclidean_front, Front(surface.triangles(), Front_kind::euclidean));
+  expect_same(Distance_method::exact, Window_propagation(surface.triangles()));
+  expect_same(Distance_method::heat, Heat_solver(surface.triangles()));
+}
+
+TEST_F(Distance_engines, return_false_if_cancelled)
+{
+  Front_limits limits;
+  limits.callback = [](double) { return false; };
+  EXPECT_FALSE(
+      Distance_engine(Distance_method::heat, surface.triangles()).run({surface.source(3)}, limits));
+}
+
+TEST(Distance_method, follows_from_the_tag)
+{
+  static_assert(distance_method<Dijkstra>() == Distance_method::dijkstra);
+  static_assert(distance_method<Fast_marching>() == Distance_method::fast_marching);
+  static_assert(distance_method<Euclidean_front>() == Distance_method::euclidean_front);
+  static_assert(distance_method<Exact>() == Distance_method::exact);
+  static_assert(distance_method<Heat>() == Distance_method::heat);
+  static_assert(front_kind<Dijkstra>() == Front_kind::dijkstra);
+  static_assert(front_kind<Fast_marching>() == Front_kind::planar);
+  static_assert(front_kind<Euclidean_front>() == Front_kind::euclidean);
+  static_assert(!is_front<Exact> && !is_front<Heat>);
+}
+
+} // namespace

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The authors of Geodesic_processing.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numerics/eigen_system.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace CGAL::Geodesic_processing::internal;
+
+TEST(eigen_system, diagonalizes_a_symmetric_matrix)
+{
+  for(const Eigen::Index n : {1, 2, 3, 20})
+  {
+    // The second differences of n points, whose eigenvalues are known.
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    matrix.diagonal().setConstant(2.);
+    matrix.diagonal(-1).setConstant(-1.);
+    matrix.diagonal(1).setConstant(-1.);
+    const Eigen_system found = eigen_system(matrix);
+    for(Eigen::Index k = 0; k < n; ++k)
+      EXPECT_NEAR(found.values[k], 2. - 2. * std::cos(EIGEN_PI * double(k + 1) / double(n + 1)),
+                  1e-14 * double(n)); // round-off errors
+    const Eigen::MatrixXd product =
+        found.vectors * found.values.asDiagonal() * found.vectors.transpose();
+    EXPECT_LT((product - matrix).cwiseAbs().maxCoeff(), 1e-14 * double(n));
+  }
+}
+
+TEST(eigen_system, reads_only_the_lower_triangle)
+{
+  Eigen::MatrixXd matrix(2, 2);
+  matrix << 1., 100., 2., 1.;
+  EXPECT_NEAR(eigen_system(matrix).values[0], -1., 1e-15);
+  EXPECT_NEAR(eigen_system(matrix).values[1], 3., 1e-15);
+}
+
+} // namespace
