@@ -31,7 +31,7 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
   Front_limits asked = limits(domain, np);
   if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
     asked.targets = locations(domain, from_sources);
-  const std::vector<Location> to = asked.targets;
+  const std::vector<Surface_location> to = asked.targets;
   // As many as there are sites limit nothing.
   if(to.size() >= domain.number_of_vertices())
     asked.targets.clear();
@@ -47,11 +47,11 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
                         double maximum_distance, const NamedParameters& np)
 {
   const auto asked = limits(domain, chain(np).maximum_distance(maximum_distance));
-  std::vector<Source> from;
+  std::vector<Front_source> from;
   std::vector<Index> column_of(domain.number_of_vertices(), none);
   for(const auto& vertex : vertices)
   {
-    const Location location = domain.inner_vertex(vertex);
+    const Surface_location location = domain.inner_vertex(vertex);
     if(column_of[location.vertex] != none)
       throw Invalid_argument_error("A site comes twice.");
     column_of[location.vertex] = Index(from.size());

@@ -40,8 +40,8 @@ Barycenter_result find_barycenter(const Surface_type& surface, const std::vector
   const auto domain = make_domain(surface, job);
   using Vertex = typename std::decay_t<decltype(domain)>::Vertex;
   std::vector<GP::internal::Mass_distribution> given;
-  for(const Masses& distribution : masses)
-    given.push_back(distribution(domain, distribution));
+  for(const Masses& mass : masses)
+    given.push_back(distribution(domain, mass));
   std::vector<double> weights = options.weights;
   if(weights.empty())
     weights.assign(masses.size(), 1.);

@@ -270,7 +270,7 @@ void write_transport(const Job& job, const Transport_result& result,
 GP::internal::Transport_method to_transport_method(const std::string& word)
 {
   using GP::internal::Transport_method;
-  return word == "admm"        ? Transport_method::splitting
+  return word == "admm"        ? Transport_method::admm
          : word == "weiszfeld" ? Transport_method::weiszfeld
                                : Transport_method::interior_point;
 }
