@@ -77,7 +77,7 @@ start_server()
 # The demo programs, those that make models first.
 build_demos()
 {
-  if ! { nice cmake --build $build -j "$jobs" --target demo_make_models demo_make_picture &&
+  if ! { nice cmake --build $build -j "$jobs" --target demo_make_models demo_make_test_image &&
          $build/demo/make_models $models && $build/demo/make_test_image $models/rings.png &&
          touch $models/are_made && nice cmake --build $build -j "$jobs"; }; then
     touch $build/demos_failed

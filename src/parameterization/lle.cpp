@@ -5,6 +5,7 @@
 #include "numerics/eigen_system.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <boost/pending/disjoint_sets.hpp>
 

@@ -132,7 +132,7 @@ OutputIterator farthest_point_sampling(const Surface& surface, std::size_t numbe
 ///
 /// is `farthest_point_sampling()` with samples at vertices or surfels only.
 ///
-/// \param sites an output iterator that takes vertex descriptors, or indices of surfels
+/// \param vertices an output iterator that takes vertex descriptors, or indices of surfels
 template <typename Method = Euclidean_front, typename Surface, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>
 OutputIterator farthest_vertex_sampling(const Surface& surface, std::size_t number,

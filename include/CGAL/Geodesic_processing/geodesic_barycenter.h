@@ -36,7 +36,7 @@ struct Geodesic_barycenter
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface where distances are measured
-/// \param places a range of sites, of locations, or of `Source`s; not empty
+/// \param locations a range of vertices, locations or `Source`s; not empty
 /// \param np what `make_domain()` takes, `speed_map` as for `Geodesic_distance_solver::compute()`, and
 ///
 /// \cgalNamedParamsBegin

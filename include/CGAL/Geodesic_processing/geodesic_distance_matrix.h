@@ -112,7 +112,7 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Concurrency_tag as for `geodesic_distance_matrix()`
 /// \param surface as for `geodesic_distances()`
-/// \param sites a range of sites, each once: row and column `i` belong to the `i`-th
+/// \param vertices a range of vertices or surfels, each once: row and column `i` belong to the `i`-th
 /// \param maximum_distance not negative
 /// \param np what `make_domain()` takes, `threads` and `callback` as for `geodesic_distance_matrix()`
 /// \returns a compressed matrix, whose rows are sorted, with an entry for each pair within the bound, also
