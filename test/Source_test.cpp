@@ -32,7 +32,7 @@ TEST(Source, is_constructed_from_vertex_location_or_polyline)
   EXPECT_EQ(std::get<Mesh::Vertex_index>(vertex_source.location()), vertex);
   EXPECT_EQ(vertex_source.offset(), 0.);
   EXPECT_EQ(vertex_source.label(17), 17u); // its position
-  EXPECT_EQ(std::get<Source::Polyline>(place.location()), Source::Polyline{location});
+  EXPECT_EQ(std::get<Source::Polyline>(location_source.location()), Source::Polyline{location});
   EXPECT_EQ(location_source.offset(), 0.25);
   EXPECT_EQ(location_source.label(17), 3u);
   EXPECT_EQ(std::get<Source::Polyline>(line.location()).size(), 2u);
