@@ -2,10 +2,10 @@
 # Copyright (c) 2026 The authors of Geodesic_processing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing and builds the program.  As soon as it exists it draws pictures of real
-# models, two at a time, while the demo programs are built; these are run at the end.  Leaves the
-# pictures and a page that shows them in demo/gallery/.
-# Environment: JOBS (default: all processors).
+# Installs missing packages and builds the program `geodesic`.  Then computes pictures of models, two
+# at a time, while the demo programs are built.  Runs the demo programs at the end.  Writes the
+# pictures and an HTML page to demo/gallery/.
+# Environment: JOBS, the number of build jobs (default: all processors).
 set -u -o pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
@@ -15,7 +15,7 @@ jobs=${JOBS:-$(nproc)}
 build=build/demo
 gallery=demo/gallery
 models=$build/models
-parts=$build/parts # of the page, and a file for each failure
+parts=$build/parts # fragments of the page, and one file per failure
 log=$build/run.log
 started=$SECONDS
 
@@ -30,14 +30,14 @@ rm -rf "$parts" $build/demos_failed
 mkdir -p "$parts"
 : >$log
 
-# Real models come in the documentation of Debian's libcgal-demo, which need not be installed.
+# Downloads Debian's libcgal-demo and extracts its models.  The package is not installed.
 fetch_models()
 {
   local folder
   [ -d $models/data ] && return 0
   folder=$(mktemp -d) || return 1
   chmod 755 "$folder"
-  # A machine on which nothing had to be installed may never have heard of the package.
+  # If the download fails, the package lists may be missing: updates them and downloads again.
   { (cd "$folder" && apt-get download libcgal-demo) ||
     { can_be_root && as_root apt-get update && (cd "$folder" && apt-get download libcgal-demo); }
   } >>$log 2>&1 &&
@@ -53,11 +53,11 @@ fetch_models()
 build_failed()
 {
   tail -n 30 $log >&2
-  echo "The build failed; all of its words are in $log." >&2
+  echo "The build failed; the complete output is in $log." >&2
   exit 1
 }
 
-# One X server for all pictures; without it the program starts one for each.
+# Starts one X server for all pictures.  Without it, the program starts a server per picture.
 start_server()
 {
   local pipe=$build/display
@@ -74,7 +74,7 @@ start_server()
   fi
 }
 
-# The demo programs, those that make models first.
+# Builds the demo programs; the ones that generate models are built and run first.
 build_demos()
 {
   if ! { nice cmake --build $build -j "$jobs" --target demo_make_models demo_make_test_image &&
@@ -84,7 +84,7 @@ build_demos()
   fi
 } >>$log 2>&1
 
-# Waits until models were made by a demo program.
+# Waits until the demo programs have generated the models.
 wait_for_models()
 {
   until [ -e $models/are_made ]; do
@@ -96,7 +96,7 @@ wait_for_models()
 server='' demo_build=''
 trap 'kill $server $demo_build 2>/dev/null' EXIT
 
-echo "Building the program and fetching models"
+echo "Building the program and downloading models"
 fetch_models &
 fetching=$!
 { cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DGEODESIC_PROCESSING_DEMOS=ON &&
@@ -116,7 +116,7 @@ if wait $fetching; then
   bear=$m/bear.off bunny=$m/bunny00.off small=$m/elephant.off loop=$m/knot1.off cow=$m/cow.off
   scan=$p/kitten.xyz scan_with_normals=$p/oni.pwn
 else
-  echo "Debian's libcgal-demo cannot be had here: the tour runs on models of its own."
+  echo "Debian's libcgal-demo is not available: the pictures use generated models instead."
   animal=$models/knot.off beast=$animal part=$models/hills.off runner=$animal bear=$animal
   bunny=$animal loop=$animal cow=$animal
   holes=$models/hills.off mask=$models/hills.off small=$models/hills.off
@@ -125,7 +125,7 @@ else
 fi
 
 page=$gallery/index.html
-number_of_parts=0 this_part='' # of the page, which is written next
+number_of_parts=0 this_part='' # path prefix of the current page fragment
 next_part()
 {
   number_of_parts=$((number_of_parts + 1))
@@ -143,16 +143,16 @@ figure { margin: 0; } img { width: 100%; }
 code, pre { background: #f2f2f2; padding: 0.2em 0.4em; display: block; white-space: pre-wrap; }
 </style></head><body>
 <h1>Geodesic_processing: a tour</h1>
-<p>Distances and paths along surfaces. Under each picture is the command that made it.</p>
+<p>Geodesic distances and paths on surfaces. The command follows each picture.</p>
 <main>
 HTML
 
 escape() { sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g'; }
 
-# The command as a reader would type it: without our folders.
+# Prints the command without the folders of its files.
 shown() { printf '%s' "$*" | sed -e "s|[^ ]*/||g" | escape; }
 
-# Waits for a picture when two are being drawn, or for all of them.
+# Waits until at most $1 pictures are still being computed.
 drawn=()
 wait_for_pictures()
 {
@@ -167,7 +167,8 @@ wait_for_pictures()
   done
 }
 
-# picture NAME SENTENCE COMMAND ARGUMENTS...: starts to draw the program's picture of its own result.
+# picture NAME CAPTION COMMAND ARGUMENTS...: runs a command of the program in the background and adds
+# the picture of its result to the page.
 picture()
 {
   wait_for_pictures 1
@@ -193,10 +194,11 @@ draw()
   fi
 }
 
-# program NAME ARGUMENTS...: a demo program; its question is the first line of its source.  A
-# result that it leaves, the last argument then, is shown by its distances or another $property, or
-# without one where that is `none`; or it is the gallery's picture itself.  Nothing is drawn
-# meanwhile: some programs measure times, and some read what pictures' commands have left.
+# program NAME ARGUMENTS...: runs a demo program and adds its output to the page.  The caption is the
+# first comment line of its source.  If the last argument is a .ply file, a picture of it is drawn,
+# colored by $property (default: distance; `none`: without values).  A program may also write the
+# gallery's picture itself.  Waits for all pictures first, because some programs measure times and
+# some read results of earlier pictures.
 program()
 {
   wait_for_pictures 0
@@ -222,192 +224,205 @@ program()
   fi
 }
 
-echo "Drawing"
-picture distance "How far is every place from one vertex?" distance "$animal" --source 0
-picture heat "The same by the flow of heat." distance "$animal" --source 0 --method heat
-picture near "Only what is near to any of three places is visited when there is a limit." \
+echo "Computing pictures"
+picture distance "Geodesic distance from one vertex (isolines at round values)" \
+  distance "$animal" --source 0
+picture heat "Distance from one vertex, approximated by the heat method" \
+  distance "$animal" --source 0 --method heat
+picture near "Distance from three vertices, computed up to a maximum distance" \
   distance "$runner" --source 100,5000,12000 --limit 0.15
-picture border "How deep in the surface, seen from its borders?" distance "$holes" --source-border
-picture sample "Which places cover a surface evenly?" sample "$animal" --number 300
-picture sample-part "Samples of a part of a machine, evenly spread." sample "$part" --number 600
-picture sample-attracted "Samples of a part of a machine where creases attract them." \
+picture border "Distance to the nearest boundary" distance "$holes" --source-border
+picture sample "300 samples by farthest point sampling" sample "$animal" --number 300
+picture sample-part "600 evenly spaced samples of a mechanical part" sample "$part" --number 600
+picture sample-attracted "600 samples of a mechanical part, denser at creases" \
   sample "$part" --number 600 --speed curvature-attractive
-picture sample-repelled "The same number where creases repel them." \
+picture sample-repelled "600 samples of a mechanical part, sparser at creases" \
   sample "$part" --number 600 --speed curvature-repulsive
-picture sample-even "Samples of a smooth surface, evenly spread," sample "$bunny" --number 600
-picture sample-bent "and where curvature attracts them." \
+picture sample-even "600 evenly spaced samples of a smooth surface" sample "$bunny" --number 600
+picture sample-bent "600 samples of a smooth surface, denser in regions of high curvature" \
   sample "$bunny" --number 600 --speed curvature-attractive
-picture voronoi "Which of sixty seeds, spread by farthest points, is nearest?" \
+picture voronoi "Geodesic Voronoi cells of 60 seeds from farthest point sampling" \
   voronoi "$bear" --number 60
-picture voronoi-part "The same on a part of a machine." voronoi "$part" --number 40
-picture segment "Forty charts of about equal size, each a disc, with their centres." \
+picture voronoi-part "Geodesic Voronoi cells of 40 seeds on a mechanical part" \
+  voronoi "$part" --number 40
+picture segment "At least 40 charts of similar size with disk topology, and their centers" \
   segment "$bear" --number 40 --discs
-picture segment-part "Charts that are smaller where creases slow fronts down." \
+picture segment-part "Charts with disk topology that are smaller at creases, because the fronts are slower there" \
   segment "$part" --number 60 --discs --speed curvature-attractive
-picture remesh "The same surface in 1,000 vertices, with even triangles." \
+picture remesh "Remeshing with 1,000 vertices and 10 relaxation steps" \
   remesh "$animal" --number 1000 --lloyd 10
-picture part "A part of a machine, as it is." info "$part" --sides
-picture remesh-part "Sharp edges are kept on request." \
+picture part "Input mesh of a mechanical part, with its edges" info "$part" --sides
+picture remesh-part "Remeshing that keeps edges sharper than 40 degrees" \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40
-picture remesh-spacing "With small steps along them." \
+picture remesh-spacing "Remeshing with kept sharp edges and a maximum vertex spacing along them" \
   remesh "$part" --number 1000 --lloyd 10 --keep-sharp 40 --curve-spacing 0.015
-picture remesh-part-even "The same part evenly, its creases left to chance," remesh "$part" --number 1000
-picture remesh-part-bent "with samples that creases attract, but which do not lie on them," \
+picture remesh-part-even "Uniform remeshing without feature edges" remesh "$part" --number 1000
+picture remesh-part-bent "Remeshing with denser samples at creases, without feature edges" \
   remesh "$part" --number 1000 --speed curvature-attractive
-picture remesh-part-both "and with these creases kept." \
+picture remesh-part-both "Remeshing with denser samples at creases and kept sharp edges" \
   remesh "$part" --number 1000 --speed curvature-attractive --keep-sharp 20
-picture remesh-part-repelled "With samples that creases repel triangles are small where it is flat." \
+picture remesh-part-repelled "Remeshing with sparser samples at creases: triangles are smaller in flat regions" \
   remesh "$part" --number 1000 --speed curvature-repulsive
-picture holes "A surface with holes, as it is." info "$holes"
-picture remesh-filled "The holes of a surface are filled first on request." \
+picture holes "Input mesh with holes" info "$holes"
+picture remesh-filled "Remeshing after hole filling" \
   remesh "$holes" --number 1500 --lloyd 10 --fill-holes
-picture remesh-100 "One surface in 100 vertices," \
+picture remesh-100 "Remeshing with 100 vertices" \
   remesh "$animal" --number 100 --lloyd 10
-picture remesh-400 "in 400," remesh "$animal" --number 400 --lloyd 10
-picture remesh-1600 "and in 1,600." remesh "$animal" --number 1600 --lloyd 10
+picture remesh-400 "Remeshing with 400 vertices" remesh "$animal" --number 400 --lloyd 10
+picture remesh-1600 "Remeshing with 1,600 vertices" remesh "$animal" --number 1600 --lloyd 10
 wait_for_models
 for strength in 0 5 20; do
-  picture remesh-image-$strength "A terrain with small triangles where a picture of rings varies, by a strength of $strength." \
+  picture remesh-image-$strength "Remeshing of a terrain, refined at the edges of an image of rings (strength $strength)" \
     remesh "$terrain" --number 3000 --density-image "$rings" --strength $strength
 done
-picture function-samples "On an animal a picture is seen along its shortest side: samples where it varies," \
+picture function-samples "Samples that are denser at the edges of an image, projected along the shortest axis of the bounding box" \
   sample "$animal" --number 1500 --density-image "$rings" --strength 8
-picture function-remesh "and triangles." \
+picture function-remesh "Remeshing that is refined at the edges of an image, projected along the shortest axis of the bounding box" \
   remesh "$animal" --number 1500 --density-image "$rings" --strength 8
-picture remesh-even "A beast in 1,500 vertices, evenly," remesh "$beast" --number 1500 --lloyd 5
-picture remesh-bent "and with more of them where it bends." \
+picture remesh-even "Uniform remeshing with 1,500 vertices" remesh "$beast" --number 1500 --lloyd 5
+picture remesh-bent "Curvature-adapted remeshing with 1,500 vertices" \
   remesh "$beast" --number 1500 --lloyd 5 --speed curvature-attractive
 for strength in 0.1 0.3 1; do
-  picture remesh-strength-$strength "Where it bends triangles are smaller, by a strength of $strength." \
+  picture remesh-strength-$strength "Curvature-adapted remeshing (strength $strength)" \
     remesh "$animal" --number 1500 --speed curvature-attractive --strength $strength
 done
-picture base "The edges of a base of 100 vertices, as geodesics." base "$animal" --number 100
-picture base-flat "The same vertices and flat triangles." \
+picture base "Base mesh of 100 vertices: its edges as geodesics on the input" \
+  base "$animal" --number 100
+picture base-flat "Remeshing with 100 vertices and planar triangles" \
   remesh "$animal" --number 100 --allow-self-intersections
-picture base-undivided "The triangles of a model," info "$small" --sides
-picture base-divided "and how the edges of a base divide them." \
+picture base-undivided "Input mesh with its edges" info "$small" --sides
+picture base-divided "Input mesh, its faces cut along the geodesic edges of a base mesh" \
   base "$small" --number 50 --divided
-picture base-part "Edges of a base that follow sharp ones." base "$part" --number 150 --keep-sharp 40
-picture semiregular "Each base face cut into 64." semiregular "$animal" --number 100 --levels 3
-picture semiregular-2 "The same faces cut into 16," semiregular "$animal" --number 100 --levels 2
-picture semiregular-4 "and into 256." semiregular "$animal" --number 100 --levels 4
-picture semiregular-quads "Base faces cut into 48 quadrilaterals, with sharp edges." \
+picture base-part "Edges of a base mesh that follow sharp edges" \
+  base "$part" --number 150 --keep-sharp 40
+picture semiregular "Semi-regular remeshing: each base face is subdivided into 64 triangles" \
+  semiregular "$animal" --number 100 --levels 3
+picture semiregular-2 "Semi-regular remeshing: each base face is subdivided into 16 triangles" \
+  semiregular "$animal" --number 100 --levels 2
+picture semiregular-4 "Semi-regular remeshing: each base face is subdivided into 256 triangles" \
+  semiregular "$animal" --number 100 --levels 4
+picture semiregular-quads "Semi-regular remeshing with kept sharp edges: each base face is subdivided into 48 quadrilaterals" \
   semiregular "$part" --number 150 --levels 2 --keep-sharp 40 --quads
-picture path "The shortest path from tip to tip." path "$beast" --from 0 --to 5000
-picture path-mask "A shortest path on a surface with a border." path "$mask" --from 0 --to 1000
-picture logmap "Normal coordinates around a place: rings of equal distances, and straight lines." \
+picture path "Shortest path between two vertices" path "$beast" --from 0 --to 5000
+picture path-mask "Shortest path on a mesh with boundary" path "$mask" --from 0 --to 1000
+picture logmap "Logarithmic map: geodesic polar coordinates around a point" \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0
-picture logmap-exact "The same by the directions in which shortest paths leave." \
+picture logmap-exact "Logarithmic map from the initial directions of exact shortest paths" \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --method exact
-picture logmap-heat "And from distances by the flow of heat." \
+picture logmap-heat "Logarithmic map from distances of the heat method" \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --distances heat
-picture logmap-edges "By the discrete exponential map, which adds up edges and goes astray." \
+picture logmap-edges "Discrete exponential map: errors accumulate along chains of edges" \
   logmap "$bunny" --base 1000 --radius 0.5 --up 0,1,0 --method discrete-exponential
 for number in 5 10 20 100; do
-  picture flatten-$number "A mask flattened by $number base points, and squares of the plane on it." \
+  picture flatten-$number "Parameterization from $number base points, shown by a checkerboard" \
     flatten "$mask" --base-points $number
 done
-picture flatten-flat "The plane itself, no face turned round." flatten "$mask" --injective --flat
-picture atlas "A model and the texture of its charts, in a colour each." atlas "$bunny" --number 30
-picture atlas-flat "The texture's plane: charts without flips or overlaps, with room between them." \
+picture flatten-flat "Injective parameterization in the plane, without inverted faces" \
+  flatten "$mask" --injective --flat
+picture atlas "Texture atlas: one color per chart, on the mesh" atlas "$bunny" --number 30
+picture atlas-flat "Texture atlas in the plane: charts without flips or overlaps, separated by gutters" \
   atlas "$bunny" --number 30 --flat
-picture atlas-image "A picture that is seen on the model from one side, painted into its texture." \
+picture atlas-image "Image projected onto the mesh and baked into its texture atlas" \
   atlas "$bunny" --number 30 --image "$rings"
-picture decal "Two pictures on an animal: lines through their middles keep lengths and directions." \
+picture decal "Two decals that preserve lengths and directions along the lines through their centers" \
   decal "$bunny" --base-at 0.25,-0.1,0.3 --base-at 0.1,0.05,0.4 --up 0,1,0
-picture decal-rough "On a rough shell." \
+picture decal-rough "Decal on a rough surface" \
   decal "$animal" --base-at 0,45,60 --up 0,1,0
-picture decal-sleeve "One that goes all around a tail." decal "$animal" --base-at 0,-20,100 --up 0,1,0
-picture decal-knot "And around a knot." decal "$knot" --base-at -2,1.8,1.5 --up 0,1,0
-picture decal-image "Rings on a terrain, twice." \
+picture decal-sleeve "Decal that wraps around a tail" decal "$animal" --base-at 0,-20,100 --up 0,1,0
+picture decal-knot "Decal that wraps around a knot" decal "$knot" --base-at -2,1.8,1.5 --up 0,1,0
+picture decal-image "Two decals with an image of rings on a terrain" \
   decal "$terrain" --base-at 35,40,20 --base-at 85,80,20 --up 0,1,0 --width 60 --width 40 --image "$rings"
-picture decal-cloud "On a scan it is surfels that have the colours." \
+picture decal-cloud "Decal on a point cloud, with one color per surfel" \
   decal "$knot_scan" --base-at -2,1.8,1.5 --up 0,1,0
-picture spectral "A smooth distance from a foot, by transport of masses along the gradient of a harmonic function," \
+picture spectral "Spectral distance: optimal transport along the gradient of a harmonic function" \
   distance "$small" --source 100 --method spectral
-picture spectral-100 "and with a hundred eigenfunctions, with which it comes nearer to the length of ways." \
+picture spectral-100 "Transport distance with 100 eigenfunctions, closer to the geodesic distance" \
   distance "$small" --source 100 --method emd --basis 100
-picture biharmonic "Its elder sister, the biharmonic distance, is uneven." \
+picture biharmonic "Biharmonic distance from the same vertex" \
   distance "$small" --source 100 --method biharmonic
-picture spectral-holes "Around holes the distance is smooth too, of a vertex of a part of a machine," \
+picture spectral-holes "Spectral distance on a mechanical part with holes" \
   distance "$holes" --source 100 --method spectral
-picture biharmonic-holes "and so is the biharmonic one." \
+picture biharmonic-holes "Biharmonic distance on a mechanical part with holes" \
   distance "$holes" --source 100 --method biharmonic
-picture spectral-fine "Spectral distances from a place of the foot," \
+picture spectral-fine "Spectral distance from a point of the input mesh" \
   distance "$small" --source-at=-0.161,-0.483,-0.052 --method spectral
 if "$build/geodesic" remesh "$small" --number 600 --lloyd 5 --quiet -o $build/coarse.ply 2>>$log; then
-  picture spectral-coarse "and with a fifth of the vertices, on other triangles." \
+  picture spectral-coarse "Spectral distance from the same point on a mesh remeshed with 600 vertices" \
     distance $build/coarse.ply --source-at=-0.161,-0.483,-0.052 --method spectral
 fi
-# A mass at each vertex: the second line of the file begins with their number.
+# Writes a unit mass per vertex; the second line of an OFF file begins with the number of vertices.
 yes 1 | head -n "$(sed -n '2s/ .*//p' "$small")" >$build/everywhere.txt
-picture emd-everywhere "All of a surface moves to a foot: the potential falls by the distance." \
+picture emd-everywhere "Transport of a uniform mass distribution to one vertex: optimal flow and potential" \
   emd "$small" --from $build/everywhere.txt --to 100 --density --normalize
-picture emd-feet "From four feet to the tip of the trunk." \
+picture emd-feet "Transport from four feet to the tip of the trunk: optimal flow and potential" \
   emd "$small" --from 1766,2200,2278,2552 --to 691
-picture emd "From three places to three others: what moves, and the potential that proves the least work." \
+picture emd "Transport from three vertices to three others: optimal flow and the potential that certifies the lower bound" \
   emd "$bunny" --from 0,500,1500 --to 100,2000,3000
-picture barycenter "Which vertex has the least sum of squared distances to four feet and the tip of the trunk?" \
+picture barycenter "Vertex with the minimum sum of squared distances to five points, and the shortest paths to them" \
   barycenter "$small" --points 691,1766,2200,2278,2552
-picture volume-slice "How far is every point of a plane, inside of a body and outside, by masses on its surface?" \
+picture volume-slice "Transport distance in space from an interior point, on a plane inside and outside the mesh" \
   volume "$small" --from=-0.061,-0.201,-0.006 --slice z,-0.006 --refine 0
-picture volume-slices "On two planes, from the same place," \
+picture volume-slices "Transport distance in space from an interior point, on two planes" \
   volume "$small" --from=-0.061,-0.201,-0.006 --slice x,0 --slice y,-0.2 --refine 0 --resolution 40
-picture volume-knot "and from one in a knot: what is near through the air is far." \
+picture volume-knot "Transport distance inside and outside a knot" \
   volume "$loop" --from 0.277,0.419,-0.015 --slice z,-0.015 --refine 0
-picture volume-path "A path inside of a body, down the distance to its end, from the trunk to a foot," \
+picture volume-path "Path inside a mesh from the trunk to a foot" \
   volume "$small" --from 0.152,0.371,0.201 --to=-0.113,-0.456,-0.052 --path --refine 0
-picture volume-path-knot "around a knot," \
+picture volume-path-knot "Path inside a knot" \
   volume "$loop" --from 0.277,0.419,-0.015 --to=-0.367,-0.14,0.092 --path --refine 0
-picture volume-path-cow "and from a foot to a mouth." \
+picture volume-path-cow "Path inside a mesh from a foot to the mouth" \
   volume "$cow" --from=-0.364,-0.299,-0.102 --to 0.473,0.173,0.021 --path --refine 0
-picture emd-cloud "The same on points alone." emd "$scan" --from 0,500,1500 --to 100,2000,3000
-picture feature "How far is everything from four places, by one transport?" \
+picture emd-cloud "Transport on a point cloud from three points to three others: optimal flow and potential" \
+  emd "$scan" --from 0,500,1500 --to 100,2000,3000
+picture feature "Distance to a set of four vertices from one optimal transport" \
   feature-distance "$animal" --feature 0,100,2000,9000
-picture feature-path "From a path through faces, and from a place in one." \
+picture feature-path "Distance to a path through faces and to a point inside a face" \
   feature-distance "$small" --feature-path 691,2278 --feature-at 0.1,0.2,0.1
-picture ridge "From a ridge of the back, with speeds that are high where it bends like there." \
+picture ridge "Distance to a ridge vertex, with high speeds in regions of similar curvature" \
   feature-distance "$beast" --feature 3000 --speed curvature-like-3000 --strength 1
-picture ridge-plain "The same with one speed." feature-distance "$beast" --feature 3000
-picture maze "From two places in a maze to whichever way out is nearer." \
+picture ridge-plain "Distance to a ridge vertex with unit speed" \
+  feature-distance "$beast" --feature 3000
+picture maze "Transport from two locations in a maze to the nearest exits" \
   plan $models/maze.ply --from people --to room
-picture floor "How people leave their rooms for the doors at both ends of a corridor." \
+picture floor "Evacuation of rooms to the doors at both ends of a corridor" \
   plan $models/floor.ply --from people --density --to room
-picture floor-full "The same where the right door has room for a quarter of them." \
+picture floor-full "Evacuation of rooms when the right door admits a quarter of the people" \
   plan $models/floor.ply --from people --density --to room --capacity room
-picture maze-spread "From two places to all others, where it costs to be crowded." \
+picture maze-spread "Transport from two locations to all of a maze, with a penalty on the squared density" \
   plan $models/maze.ply --from people --to floor --spread 500
-picture streamlines "Which grain goes where? Lines of the flow from a hind foot to all the others." \
+picture streamlines "Streamlines of the optimal flow from one hind foot to the other feet" \
   streamlines "$small" --from 1766 --to 2200,2278,2552 --number 60
-picture streamlines-everywhere "And from everywhere to the tip of the trunk, along shortest paths." \
+picture streamlines-everywhere "Streamlines from a uniform mass distribution to the tip of the trunk: shortest paths" \
   streamlines "$small" --from $build/everywhere.txt --to 691 --density --normalize --number 200
-picture streamlines-runner "From a head to three other places of a man." \
+picture streamlines-runner "Streamlines from one vertex to three others" \
   streamlines "$runner" --from 0 --to 5000,10000,15000 --number 60
-picture streamlines-cloud "On points alone." streamlines "$scan" --from 0 --to 1000,3000 --number 40
-picture fuzzy "Where do shortest paths between the surroundings of two places pass? Where a flow between blobs is strong," \
+picture streamlines-cloud "Streamlines on a point cloud" \
+  streamlines "$scan" --from 0 --to 1000,3000 --number 40
+picture fuzzy "Fuzzy geodesic from an optimal flow between two blobs of mass" \
   fuzzy "$small" --from 691 --to 2278 --width 0.06
-picture fuzzy-detours "or over small detours." fuzzy "$small" --from 691 --to 2278 --width 0.06 --by-distances
-picture fuzzy-cloud "On points alone." fuzzy "$scan" --from 0 --to 3000
-picture cloud "Distance on a scan: points alone, without triangles." distance "$scan" --source 0
-picture cloud-image "Samples of a scan where a picture of rings varies, seen along its shortest side." \
+picture fuzzy-detours "Fuzzy geodesic from the length of detours" \
+  fuzzy "$small" --from 691 --to 2278 --width 0.06 --by-distances
+picture fuzzy-cloud "Fuzzy geodesic on a point cloud" fuzzy "$scan" --from 0 --to 3000
+picture cloud "Geodesic distance from one point of a point cloud" distance "$scan" --source 0
+picture cloud-image "Samples of a point cloud that are denser at the edges of an image" \
   sample "$scan" --number 1500 --density-image "$rings"
-picture cloud-remesh "A surface of the scan, in 600 vertices." \
+picture cloud-remesh "Triangle mesh with 600 vertices reconstructed from a point cloud" \
   remesh "$scan" --number 600 --lloyd 10
-picture cloud-voronoi "Nearest seeds on points with normals." \
+picture cloud-voronoi "Geodesic Voronoi cells of 30 seeds on a point cloud with normals" \
   voronoi "$scan_with_normals" --number 30
-picture cloud-path "A shortest path on points, and the chain of arcs that it started from." \
+picture cloud-path "Shortest path on a point cloud and its initial path in the surfel graph" \
   path "$scan" --from 0 --to 2000 --start
-picture cloud-path-knot "The same on a cloud that was made for it." \
+picture cloud-path-knot "Shortest path on a point cloud of a knot and its initial path in the surfel graph" \
   path "$knot_scan" --from 0 --to 12000 --start
-picture cloud-path-noise "Where there is noise it is removed first; the chain is that of the clean surfels." \
+picture cloud-path-noise "Shortest path on a noisy cloud after denoising; the initial path connects the denoised surfels" \
   path "$noisy_scan" --from 0 --to 12000 --start
-picture cloud-path-jagged "Projected to planes, as others do, without removing it, the path is torn to and fro." \
+picture cloud-path-jagged "Path on a noisy cloud, projected to planes without denoising: the path is jagged" \
   path "$noisy_scan" --from 0 --to 12000 --start --surfel-noise kept --surfel-path-method projected-planes
-picture cloud-path-sphere "Arcs of a sphere zigzag; the path is a great circle." \
+picture cloud-path-sphere "Shortest path on a sphere is a great circle; its initial path in the surfel graph zigzags" \
   path $models/sphere.xyz --from 1000 --to 6800 --start
-picture cloud-path-pipe "Through noise with outliers, around a pipe." \
+picture cloud-path-pipe "Shortest path around a pipe with noise and outliers, and its initial path in the surfel graph" \
   path $models/pipe.xyz --from 20 --to 11950 --start
-picture cloud-graph "Which surfels of a scan are joined: those whose spheres meet and whose normals agree." \
+picture cloud-graph "Edges of the surfel graph: they join surfels whose spheres intersect and whose normals agree" \
   surfels "$scan_with_normals" --arcs
 
 next_part
@@ -421,15 +436,15 @@ program covering_radius "$animal" $build/covering.ply
 program curvature_adapted_sampling "$part" $build/attracted.ply
 program sampling_with_speed_map 170 $build/sampling_with_speed_map.ply
 for number in 30 170 680; do
-  picture two-speeds-$number "The triangles of $number such samples." \
+  picture two-speeds-$number "Remeshing of a square with two speeds, from $number samples" \
     remesh $build/sampling_with_speed_map.ply --number $number --speed speed
 done
-picture three-fronts "Where do three fronts meet, of which two start in the slow half?" \
+picture three-fronts "Voronoi cells of three seeds, two of them in the slow half" \
   voronoi $build/sampling_with_speed_map.ply --seeds 8000,10101,30000 --speed speed
 property=speed program sampling_density "$bunny" $build/sampling_density.ply
-picture sample-chosen "Samples where a user wants them," \
+picture sample-chosen "Samples with a user-defined density" \
   sample $build/sampling_density.ply --number 1000 --speed speed
-picture remesh-chosen "and small triangles." \
+picture remesh-chosen "Remeshing with a user-defined density" \
   remesh $build/sampling_density.ply --number 1500 --lloyd 5 --speed speed
 program cut_locus "$bunny" $build/cut_locus.ply
 property=graticule program azimuthal_map $build/azimuthal_map.ply
@@ -448,32 +463,35 @@ program path_queries "$animal"
 program neighborhood_queries "$animal"
 program remeshing "$animal" $build/remeshed.off
 property=share program barycentric_isolines "$animal" 100 $build/shares.ply
-picture base-distance "And how far is each from the nearest corner?" \
+picture base-distance "Distance to the nearest base vertex" \
   info $build/shares.ply --property distance
-picture step-sample "A hundred places that cover a surface," sample "$animal" --number 100
-picture step-voronoi "the cells of what is nearest to each," voronoi "$animal" --number 100
-picture step-remesh "the triangles between their centres," remesh "$animal" --number 100
-picture step-semiregular "and each of these cut into four on the surface." \
+picture step-sample "100 samples by farthest point sampling" sample "$animal" --number 100
+picture step-voronoi "Geodesic Voronoi cells of 100 samples" voronoi "$animal" --number 100
+picture step-remesh "Remeshing: the dual triangulation of 100 Voronoi cells" \
+  remesh "$animal" --number 100
+picture step-semiregular "Semi-regular remeshing: each base face is subdivided into 4 triangles" \
   semiregular "$animal" --number 100 --levels 1
 program contact_sheet $gallery/{distance,step-sample,step-voronoi,step-remesh,base}.png \
   $gallery/{barycentric_isolines,step-semiregular,semiregular}.png $gallery/contact_sheet.png
 program wavelet_bit_rate "$bunny" $build/levels.off
 for bits in 0.7 1 2 6; do
-  picture wavelet-$bits "At most $bits bits for each vertex." wavelet $build/levels.off --bits $bits
+  picture wavelet-$bits "Mesh decoded from at most $bits bits per vertex" \
+    wavelet $build/levels.off --bits $bits
 done
-picture wavelet-tenth "A tenth of the details, the largest." wavelet $build/levels.off --keep 10
+picture wavelet-tenth "Mesh reconstructed from the largest 10 % of the wavelet coefficients" \
+  wavelet $build/levels.off --keep 10
 next_part
 cp doc/fig/rate_distortion.svg $gallery &&
   printf '<figure><img src="rate_distortion.svg" alt=""><figcaption><p>%s</p></figcaption></figure>\n' \
-    "Errors over the bits for each vertex, relative to the diagonal." >"$this_part.html"
+    "Rate-distortion curve: error relative to the bounding box diagonal over bits per vertex" >"$this_part.html"
 wait_for_pictures 0
 { cat "$parts"/*.html && echo '</main></body></html>'; } >$page
 failures=$(find "$parts" -name '*.failed' | wc -l)
 
 echo
 if [ "$failures" -ne 0 ]; then
-  echo "$failures of the pictures and programs failed, after $((SECONDS - started)) s; $log has" \
-       "what they said." >&2
+  echo "$failures pictures or programs failed after $((SECONDS - started)) s; $log contains" \
+       "the output of the pictures' commands." >&2
   exit 1
 fi
-echo "The gallery is in $PWD/$page, made in $((SECONDS - started)) s."
+echo "The gallery is $PWD/$page, written in $((SECONDS - started)) s."
