@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How does a globe look on the map that keeps directions and distances from a pole, as on a flag?
+// Maps a sphere to the plane by the logarithmic map at a pole and measures error and distortion.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -41,14 +41,15 @@ int main(int argc, char* argv[])
     mesh.point(v) = CGAL::ORIGIN + direction / std::sqrt(direction.squared_length());
   }
 
-  // As far as 60 degrees on the other side.
+  // The map extends to colatitude 150 degrees, which is 60 degrees beyond the equator.
   const double degree = std::acos(-1.) / 180., max_angle = 150. * degree;
   GP::Logarithmic_map<Mesh> map(mesh);
   const Vertex pole(0);
   map.compute(pole, GP::parameters::maximum_distance(max_angle));
   const Vector up = mesh.point(pole) - CGAL::ORIGIN, u = map.frame().u, v = map.frame().v;
 
-  // Zero on every thirtieth degree, and near the pole, where these lines meet.
+  // The function is zero on every thirtieth parallel and meridian.  Its amplitude is the
+  // colatitude, at most 1, because the meridians meet at the pole.
   Mesh flat;
   auto value = flat.add_property_map<Vertex, double>("v:graticule").first;
   std::vector<Vertex> image(mesh.number_of_vertices());

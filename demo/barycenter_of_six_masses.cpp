@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where are masses at six places in the mean, at the least sum of squared distances?
+// Computes the transport barycenter of six densities and compares it with the best single vertex.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -29,8 +29,8 @@ int main(int argc, char* argv[])
   if(argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || mesh.number_of_vertices() < 7)
     return std::cerr << "usage: barycenter_of_six_masses MESH RESULT.ply\n", EXIT_FAILURE;
 
-  // A round heap at each of six tips, which are far from each other.
-  std::vector<Vertex> tips = {Vertex(0)}; // not one of them
+  // Places a Gaussian density at each of six vertices from farthest point sampling.
+  std::vector<Vertex> tips = {Vertex(0)}; // start of the sampling, removed below
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   while(tips.size() < 7)
   {
@@ -65,7 +65,8 @@ int main(int argc, char* argv[])
             << " at least, and to " << cost.upper << " from what is shown in yellow.\n"
             << "From the best vertex to the tips they sum to " << point.value << ".\n";
 
-  // Heaps are negative, their barycenter positive; beside it the same from behind.
+  // The inputs are shown with negative values and their barycenter with positive values.  A copy
+  // that is rotated by 180 degrees shows the back.
   auto mean = mesh.add_property_map<Vertex, double>("v:mean").first;
   solver.write_density(mean);
   const double highest = *std::max_element(mean.begin(), mean.end());

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where on a base is each place of a mesh? Lines of equal share of the nearest corner, across base edges as well.
+// Parameterizes a mesh over a base mesh and shows isolines of the maximum barycentric coordinate.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,7 +30,8 @@ int main(int argc, char* argv[])
 
   const GP::Base_parameterization<Mesh> base(mesh, std::stoul(argv[2]));
 
-  // One at base vertices, a third in the middle of base faces; vertices without faces have none.
+  // The maximum coordinate is 1 at base vertices and 1/3 at the centers of base faces.  Isolated
+  // vertices have no base location.
   const auto max_coordinate =
       mesh.add_property_map<Mesh::Vertex_index, double>("v:share", 0.).first;
   for(const auto v : mesh.vertices())
@@ -40,7 +41,7 @@ int main(int argc, char* argv[])
       max_coordinate[v] = *std::max_element(coordinates.begin(), coordinates.end());
     }
 
-  // From the nearest base vertex.
+  // Computes the distance to the nearest base vertex.
   std::vector<GP::Base_parameterization<Mesh>::Location> corners;
   for(std::size_t i = 0; i < base.number_of_base_vertices(); ++i)
     corners.push_back(base.base_vertex(i));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far is each method from the exact distance, and how long does it take?
+// Measures the mean relative error and the running time of four geodesic distance methods.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,7 +26,7 @@ template <typename Method>
 void compare(const char* name, const Mesh& mesh, const std::vector<double>& exact)
 {
   GP::Geodesic_distance_solver<Mesh, Method> solver(mesh);
-  solver.compute(Vertex(0)); // the first time the machine warms up
+  solver.compute(Vertex(0)); // warm-up, not measured
   CGAL::Real_timer timer;
   timer.start();
   solver.compute(Vertex(0));

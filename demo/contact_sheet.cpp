@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What becomes of a surface, step by step? Pictures of equal size in rows of four, at half of their size.
+// Arranges images of equal size in rows of four, each scaled to half its size.
 #include <png.h>
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How well do 10, 100 or 1,000 samples cover a surface?
+// Measures the covering radius of 10, 100 and 1,000 samples relative to a hexagonal lattice.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -36,8 +36,8 @@ int main(int argc, char* argv[])
   GP::farthest_point_sampling(mesh, 1000, std::back_inserter(samples),
                               GP::parameters::covering_radius_output(std::back_inserter(radii)));
 
-  // No n discs of a smaller radius cover a plane of the same area: those of a honeycomb, whose
-  // hexagons have the area 1.5 sqrt(3) r^2.
+  // The hexagonal lattice is the optimal covering of the plane by disks of radius r.  Its cells are
+  // hexagons of area 1.5 sqrt(3) r^2.
   const double area = CGAL::Polygon_mesh_processing::area(mesh);
   for(std::size_t n = 10; n <= radii.size(); n *= 10)
     std::cout << n << " samples cover with discs of radius " << radii[n - 1] << ", "

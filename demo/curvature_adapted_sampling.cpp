@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much better do samples describe a surface when creases attract them?
+// Measures how well tangent planes at samples approximate a surface, for three sample densities.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
     samples.clear();
     GP::farthest_point_sampling(mesh, 1000, std::back_inserter(samples),
                                 GP::parameters::speed_map(speed).source_label_map(nearest));
-    // How far is a vertex from the plane of its sample's face?
+    // Sums the distances of vertices to the plane of the face that contains their nearest sample.
     double sum = 0.;
     for(Vertex v : mesh.vertices())
       if(nearest[v] < samples.size())

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where do shortest ways from the first vertex meet that set out in different directions?
+// Computes the cut locus of the first vertex from the initial directions of shortest paths.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -38,7 +38,9 @@ int main(int argc, char* argv[])
   for(Vertex v : mesh.vertices())
     departures.push_back(solver.departure(v));
 
-  // The ways to the ends of an edge set out much as in a plane, unless the cut locus lies between.
+  // If the cut locus does not cross an edge, the shortest paths to its ends leave the source in
+  // similar directions.  An edge crosses it if the directions differ by more than five times the
+  // edge length over the shorter distance.
   std::vector<std::optional<Mesh::Point>> crossing(mesh.number_of_edges());
   std::size_t number_of_crossings = 0;
   for(Mesh::Edge_index e : mesh.edges())
@@ -61,7 +63,8 @@ int main(int argc, char* argv[])
     for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
       if(const auto& p = crossing[mesh.edge(h)])
         edge_crossings.push_back(*p);
-    // They meet where three do; a single one reaches to the middle of the face.
+    // The crossings of a face are joined at their centroid.  If there is only one, it is joined to
+    // the centroid of the face.
     Kernel::Vector_3 center = CGAL::NULL_VECTOR;
     if(edge_crossings.size() == 1)
       for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
@@ -75,7 +78,7 @@ int main(int argc, char* argv[])
       mesh.add_vertex(CGAL::ORIGIN + center);
     }
   }
-  // The pieces of the line join the new vertices by twos.
+  // Each pair of consecutive new vertices is a segment of the cut locus.
   std::ostringstream ply;
   CGAL::IO::write_PLY(ply, mesh);
   std::string text = ply.str();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Over which places would the way between two others be shorter than their distance?
+// Counts the vertices that violate the triangle inequality, for spectral and heat distances.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -22,7 +22,8 @@ using Distances = std::vector<double>;
 
 namespace GP = CGAL::Geodesic_processing;
 
-// What a detour takes more than the distance, over that; negative where the triangle inequality fails.
+// Computes the relative detour (d(p, v) + d(v, q)) / d(p, q) - 1 of each vertex v, with d(p, q)
+// averaged over both directions.  Negative values violate the triangle inequality.
 Distances compute_detours(const char* name, const Distances& p, const Distances& q,
                           std::size_t p_index, std::size_t q_index)
 {
@@ -32,7 +33,7 @@ Distances compute_detours(const char* name, const Distances& p, const Distances&
   for(std::size_t v = 0; v < p.size(); ++v)
   {
     result.push_back((p[v] + q[v]) / distance - 1.);
-    number_of_violations += result.back() < -1e-6; // beyond rounding
+    number_of_violations += result.back() < -1e-6; // beyond round-off errors
   }
   std::cout << name << ": over " << number_of_violations << " of " << p.size() << " vertices, by "
             << 100. * (std::max)(0., -*std::min_element(result.begin(), result.end()))
@@ -64,7 +65,8 @@ int main(int argc, char* argv[])
   const Distances by_heat =
       compute_detours("By heat", compute_distances(p, heat), compute_distances(q, heat), p, q);
 
-  // Side by side, turned around; where the way is too short it is as dark as can be.
+  // Writes both results next to each other, the one of the heat method rotated by 180 degrees.  If
+  // the triangle inequality is violated, the value is set to the minimum of the color range.
   Mesh output;
   output.add_property_map<Vertex, double>("v:detour", 0.);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How do distances from a place change from biharmonic over spectral to geodesic ones?
+// Compares distances from one vertex: geodesic, transport with fewer and fewer flows, biharmonic.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -19,7 +19,8 @@ using Vertex = Mesh::Vertex_index;
 
 namespace GP = CGAL::Geodesic_processing;
 
-// A copy more in the row, its distances over the largest of them, so that colours compare.
+// Appends a copy of the mesh to the row and prints its mean distance relative to the geodesic one.
+// Distances are divided by their maximum, so that colors are comparable.
 void append_copy(Mesh& output, const Mesh& mesh, const std::string& name, double step,
                  double geodesic_sum)
 {
@@ -57,7 +58,7 @@ int main(int argc, char* argv[])
   for(Vertex v : mesh.vertices())
     geodesic_sum += map[v];
   append_copy(output, mesh, "Geodesic", step, geodesic_sum);
-  // All there is moves to the place: the potential falls by the distance.
+  // If all mass is transported to one vertex, the potential decreases by the distance to it.
   GP::Earth_movers_solver<Mesh> solver(domain);
   solver.compute(GP::mass_density(uniform), from, GP::parameters::do_normalize(true));
   for(Vertex v : mesh.vertices())

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where do short ways between two places pass: over small detours, or where much flows between blobs?
+// Computes fuzzy geodesics between two vertices, from the length of detours and from a flow.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -30,7 +30,7 @@ int main(int argc, char* argv[])
   const double distance = GP::Geodesic_path_finder<Mesh>(domain)(p, q).length;
   const auto width = GP::parameters::width(0.1 * distance);
 
-  // Side by side.
+  // Writes one copy of the mesh per method, next to each other.
   Mesh output;
   output.add_property_map<Vertex, double>("v:likelihood", 0.);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Of what parts is the cheapest flow: how much is gradient, how much turns, and what goes around handles?
+// Decomposes an optimal flow into its gradient, rotational and harmonic components.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -32,7 +32,7 @@ int main(int argc, char* argv[])
   if(argc < 5 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || is_empty(mesh))
     return std::cerr << "usage: hodge_decomposition MESH FROM TO... RESULT.ply\n", EXIT_FAILURE;
   const Vertex from(Mesh::size_type(std::stoul(argv[2])));
-  std::vector<Vertex> to; // the nearest of these
+  std::vector<Vertex> to; // targets; the mass is transported to the nearest ones
   for(int i = 3; i + 1 < argc; ++i)
     to.emplace_back(Mesh::size_type(std::stoul(argv[i])));
   std::vector<Field> field;
@@ -43,7 +43,8 @@ int main(int argc, char* argv[])
   solver.write_flow(field[0]);
   GP::hodge_decomposition(solver.domain(), field[0], field[1], field[2], field[3]);
 
-  // A copy for each field, with lines along it, as edges between vertices of their own.
+  // Writes one copy of the mesh per field.  The field is drawn by edges between additional
+  // vertices.
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double width = box.xmax() - box.xmin();
   std::vector<Mesh::Point> lines;
@@ -58,13 +59,14 @@ int main(int argc, char* argv[])
       squared_norm += square * CGAL::Polygon_mesh_processing::face_area(f, mesh);
       lengths.push_back(std::sqrt(square));
     }
-    // Lines where it is not weak; one face in fifty has a longest one.
+    // Vectors shorter than 12 % of the 98th percentile are not drawn.  Vectors longer than the 98th
+    // percentile are drawn with the maximum length.  Fields with a relative squared norm of at most
+    // 1e-9 are round-off errors and are not drawn.
     std::vector<double> sorted = lengths;
     std::sort(sorted.begin(), sorted.end());
     const double reference_length = sorted[sorted.size() * 49 / 50];
     total_squared_norm = i == 0 ? squared_norm : total_squared_norm;
-    const std::size_t step =
-        mesh.number_of_faces() / 1000 + 1; // of some faces, and not of rounding
+    const std::size_t step = mesh.number_of_faces() / 1000 + 1; // draws at most 1,000 faces
     for(auto f : mesh.faces())
       if(const double length = lengths[f]; f % step == 0 && length > 0.12 * reference_length &&
                                            squared_norm > 1e-9 * total_squared_norm)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What can be shown where no real models are to be had?
+// Generates models for the gallery: meshes, point clouds and floor plans.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -19,7 +19,7 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-// A tube along a curve that winds around a torus, closed in both directions.
+// Creates a closed tube around a torus knot, with a radius that varies along it.
 Mesh make_tube(int number_along, int number_around)
 {
   Mesh mesh;
@@ -47,7 +47,8 @@ Mesh make_tube(int number_along, int number_around)
 
 using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
-// The cells of a plan that are no wall; each vertex is given two numbers.
+// Writes a triangulated floor plan, two triangles per floor cell, to a PLY file.  `mark` sets the
+// number of people and the capacity of each vertex.
 template <typename Is_floor, typename Mark>
 bool write_plan(const std::string& file, int columns, int rows, const Is_floor& is_floor,
                 const Mark& mark)
@@ -71,7 +72,7 @@ bool write_plan(const std::string& file, int columns, int rows, const Is_floor& 
     for(int i = 0; i < columns; ++i)
       if(is_floor(i, j))
       {
-        // Diagonals in turn, so that no direction is the better one.
+        // Diagonals alternate, so that the triangulation favors no direction.
         const int turn = (i + j) % 2;
         const Mesh::Vertex_index a = at(i + turn, j), b = at(i + 1, j + turn),
                                  c = at(i + 1 - turn, j + 1), d = at(i, j + 1 - turn);
@@ -82,8 +83,8 @@ bool write_plan(const std::string& file, int columns, int rows, const Is_floor& 
   return CGAL::IO::write_PLY(out, mesh);
 }
 
-// A way from each place of a square lattice to each other one, by a random walk that goes back where it
-// cannot go on; passages are three cells wide, walls one.
+// Generates a maze by randomized depth-first search: a spanning tree of a square lattice.  Passages
+// are three cells wide and walls one cell.
 std::vector<bool> make_maze(int size, unsigned seed)
 {
   const int cells = 4 * size + 1;
@@ -125,7 +126,8 @@ bool write_maze(const std::string& file)
 {
   const int size = 9, cells = 4 * size + 1;
   const std::vector<bool> is_floor = make_maze(size, 7);
-  // From two places in the middle to the ends of the first row and of the last one.
+  // People start at two inner vertices.  Exits are at the beginning of the first row and at the end
+  // of the last row.
   return write_plan(
       file, cells, cells, [&](int i, int j) { return is_floor[j * cells + i]; },
       [&](int i, int j, double& people, double& capacity)
@@ -137,8 +139,8 @@ bool write_maze(const std::string& file)
       });
 }
 
-// Rooms on both sides of a corridor with a door at each end, of which the right one has room for a
-// quarter of the people alone; walls and doors of rooms are one cell wide.
+// Writes a floor plan of rooms on both sides of a corridor.  The right door has capacity for a
+// quarter of the people only.  Walls are one cell thick.
 bool write_floor(const std::string& file)
 {
   const int columns = 73, rows = 29;
@@ -171,13 +173,13 @@ int main(int argc, char* argv[])
   std::ofstream cloud(folder + "/scan.xyz"), noisy(folder + "/noisy.xyz");
   const Mesh knot = make_tube(600, 40);
   std::mt19937 random(1);
-  std::normal_distribution<double> noise(0., 0.02); // a third of the distance between points
+  std::normal_distribution<double> noise(0., 0.02); // a third of the point spacing
   for(Mesh::Vertex_index v : knot.vertices())
   {
     cloud << knot.point(v) << '\n';
     noisy << knot.point(v) + Vector(noise(random), noise(random), noise(random)) << '\n';
   }
-  // A sphere, and a pipe with noise, one in twenty of its points four times as much.
+  // A sphere, and a noisy pipe.  The noise of one in twenty points is four times larger.
   std::ofstream sphere(folder + "/sphere.xyz"), pipe(folder + "/pipe.xyz");
   for(int i = 0; i < 10000; ++i)
   {

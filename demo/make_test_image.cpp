@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which picture shows best that samples gather where a picture varies?  Rings, as a grey PNG file.
+// Writes a grayscale PNG image of concentric rings, used as a density image.
 #include <png.h>
 
 #include <cmath>

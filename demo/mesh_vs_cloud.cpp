@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Does a cloud of a mesh's vertices, without its triangles, give the same distances?
+// Compares geodesic distances on a mesh with distances on the point cloud of its vertices.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much do distances change when an animal is noisy, or turns its head?
+// Measures how much distances change if a mesh is perturbed by noise or its head is rotated.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -21,7 +21,8 @@ using Vertex = Mesh::Vertex_index;
 
 namespace GP = CGAL::Geodesic_processing;
 
-// Puts a surface into the row, after the one that it was made of, and says what has changed.
+// Appends a mesh to the row and prints the mean relative change of its distances.  The reference is
+// the first mesh of the row.
 void append(Mesh& output, Mesh mesh, const char* name, Vertex from, double step)
 {
   auto spectral = mesh.add_property_map<Vertex, double>("v:distance", 0.).first;
@@ -76,7 +77,8 @@ int main(int argc, char* argv[])
            step);
   }
 
-  // The top quarter turns by forty degrees, the lower half stays, the rest is as rigid as possible.
+  // The top quarter is rotated by 0.7 radians and the lower half is fixed.  The rest is
+  // deformed as rigidly as possible.
   const Kernel::Point_3 neck(0.5 * (box.xmin() + box.xmax()), box.ymin() + 0.6 * height,
                              0.5 * (box.zmin() + box.zmax()));
   CGAL::Surface_mesh_deformation<Mesh> deformation(mesh);

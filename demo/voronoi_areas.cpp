@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// If some vertices are cities, how large is the land of each?
+// Measures the areas of the geodesic Voronoi cells of 20 vertices.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,7 +38,8 @@ int main(int argc, char* argv[])
   auto nearest = mesh.add_property_map<Vertex, unsigned>("v:label", 20).first;
   GP::geodesic_distances(mesh, cities, distance, GP::parameters::source_label_map(nearest));
 
-  // A third of each triangle belongs to each of its vertices; what no city reaches is the last.
+  // Assigns a third of each triangle's area to each of its vertices.  The last entry is the area
+  // that no source reaches.
   std::vector<double> areas(21, 0.);
   for(Mesh::Face_index f : mesh.faces())
     for(Vertex v : vertices_around_face(mesh.halfedge(f), mesh))

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How many bits does a vertex take, where a base mesh is cut into four, again and again?
+// Measures the error of a semi-regular mesh decoded from 1, 2, 4 and 8 bits per vertex.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
