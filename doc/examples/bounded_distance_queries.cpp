@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A solver prepares once and answers many queries; what a bounded one costs depends on what it
-// reaches, not on the size of the mesh.
+// Precomputes a solver once and runs several queries with a maximum distance.  The cost of such a
+// query depends on the number of vertices that it reaches, not on the size of the mesh.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -42,7 +42,7 @@ int main()
     }
     std::cout << reached << " vertices within " << radius << " of vertex " << center << '\n';
 
-    // The lattice points of a disk of radius 10.5.
+    // 349 integer lattice points lie in a disk of radius 10.5.
     is_correct = is_correct && reached == 349;
     is_correct = is_correct && std::isinf(solver.distance(Vertex(0)));
   }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A domain is built once and shared; the method is a template argument.
+// Builds a domain once and passes it to three methods, each selected by a template argument.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -19,7 +19,8 @@ using Vertex = Mesh::Vertex_index;
 
 namespace GP = CGAL::Geodesic_processing;
 
-// The relative error at the corner opposite to the source, across all the diagonals.
+// Returns the relative error at the corner opposite the source.  The path to it crosses the
+// diagonals of the grid.
 template <typename Method, typename Domain>
 double relative_error(const char* name, const Domain& domain, Mesh& mesh, double truth)
 {

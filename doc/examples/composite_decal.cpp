@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A flag on a globe, moved from place to place, and the sun shining through it.
+// Places decals with an image of a flag at several vertices of a sphere, and a translucent sun on
+// it.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,7 +22,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A side of a cube, blown up to a unit sphere.
+  // Projects one face of a cube to the unit sphere.
   Mesh mesh;
   const auto to_sphere = [](int i, int j)
   {
@@ -32,7 +33,8 @@ int main()
   const auto vertex = [](int i, int j) { return Vertex(i + 61 * j); };
   const auto up = GP::parameters::up_direction(Kernel::Vector_3(0, 1, 0));
 
-  // Images are functions; those of a file are, when they interpolate between its pixels.
+  // An image is a function of decal coordinates.  An image file can be used through a function that
+  // interpolates its pixels.
   const GP::Decal_color blue = {0., 0., 1., 1.}, yellow = {1., 1., 0., 1.};
   const GP::Decal_image flag = [&](const GP::Decal_coordinates& p)
   { return p[1] > 0.5 ? blue : yellow; };
@@ -42,20 +44,21 @@ int main()
     return GP::Decal_color{1., 0., 0., is_inside ? 0.5 : 0.};
   };
 
-  // Prepared once; what a place costs depends on what the image covers there.
+  // The placer precomputes once.  The cost of a placement depends on the number of faces that the
+  // decal covers.
   GP::Decal_placer<Mesh> placer(mesh);
   for(const int column : {15, 30})
     std::cout << "At column " << column << " the flag covers a part of "
               << placer.place(vertex(column, 30), 0.6, 0.4, up).faces.size() << " faces.\n";
 
-  // Colours of vertices.
+  // Composites both decals into vertex colors.
   const auto flag_decal = placer.place(vertex(30, 30), 0.6, 0.4, up),
              sun_decal = placer.place(vertex(35, 35), 0.2, 0.2, up);
   auto color = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color", CGAL::IO::white()).first;
   GP::composite_decal(flag_decal, flag, color);
   GP::composite_decal(sun_decal, sun, color);
 
-  // The same as an image that textures the mesh.
+  // Bakes both decals into a texture image.
   const auto texture = GP::bake_decals<Mesh>({{flag_decal, flag}, {sun_decal, sun}}, 8);
   std::cout << texture.faces.size() << " faces are textured by an image of " << texture.width
             << " by " << texture.height << " texels.\n";

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Samples of a folded sheet: spread evenly, drawn to the crease, driven away from it.
+// Samples a folded sheet uniformly, with samples attracted by its crease, and repelled by it.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -25,7 +25,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 int main()
 {
-  // A sheet with a crease along x = 20.
+  // Creates a sheet with a crease along x = 20.
   Mesh mesh;
   CGAL::make_grid(
       40, 40, mesh, [](int i, int j) { return Point(i, j, std::abs(i - 20)); }, true);

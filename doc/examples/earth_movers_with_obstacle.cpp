@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What it takes to move sand in a yard around a wall.
+// Computes earth mover's distances in a unit square with a wall.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -24,7 +24,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A unit square, and where there is a wall the speed is zero.
+  // Creates a unit square.  The speed is zero inside the wall.
   const int n = 40;
   Mesh yard;
   CGAL::make_grid(
@@ -47,7 +47,8 @@ int main()
       speed[f] = 0.;
   }
 
-  // From place to place it is the length of the shortest path, here around the ends of the wall.
+  // The distance between two unit point masses is the length of the shortest path, here around both
+  // upper corners of the wall.
   GP::Earth_movers_solver<Mesh> solver(yard, GP::parameters::speed_map(speed));
   const auto point_cost = solver.compute(door, gate, GP::parameters::do_bound_from_above(true));
   const double shortest = std::hypot(0.25, 0.6) + 0.05 + std::hypot(0.2, 0.6);
@@ -56,7 +57,7 @@ int main()
   bool is_correct = point_cost.lower < shortest && shortest < point_cost.upper_continuous &&
                     std::abs(point_cost.value - shortest) < 1e-3 * shortest;
 
-  // A heap on the left of the wall, which is spread evenly over the yard.
+  // Transports a Gaussian density on the left of the wall to the uniform density on the square.
   auto heap = yard.add_property_map<Vertex, double>("v:heap", 0.).first;
   auto uniform = yard.add_property_map<Vertex, double>("v:even", 1.).first;
   for(Vertex v : yard.vertices())
@@ -67,7 +68,7 @@ int main()
             << 100. * (heap_cost.upper - heap_cost.lower) / heap_cost.upper << " percent, found in "
             << heap_cost.iterations << " steps.\n";
 
-  // Nothing flows through the wall.
+  // The flow must be zero inside the wall.
   auto flow = yard.add_property_map<Face, Vector>("f:flow").first;
   solver.write_flow(flow);
   for(Face f : yard.faces())

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Between the corners of a cube: how far, along which ways, and in which direction they begin.
+// Computes exact distances between the corners of a cube, the shortest paths, and their initial
+// directions.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -36,7 +37,7 @@ int main()
       to = v;
   }
 
-  // The opposite corner lies on the cut locus: six ways to it are equally short.
+  // The opposite corner is on the cut locus: six paths to it have the same minimum length.
   GP::Geodesic_distance_solver<Mesh, GP::Exact> solver(mesh);
   solver.compute(from);
   const std::vector<GP::Surface_path<Mesh>> paths = solver.shortest_paths(to);
@@ -45,7 +46,7 @@ int main()
   for(const auto& path : paths)
     is_correct = is_correct && std::abs(path.length - std::sqrt(5.)) < 1e-12;
 
-  // Where a location is on the exact logarithmic map: angle and length.
+  // Computes the exact logarithmic map of a neighbor: angle and length of the shortest path.
   const Vertex neighbor = mesh.source(mesh.halfedge(from));
   const auto departure = solver.departure(neighbor);
   std::cout << "to " << mesh.point(neighbor) << " it is " << departure.length
@@ -55,14 +56,16 @@ int main()
   is_correct =
       is_correct && (departure.length * departure.direction - expected).squared_length() < 1e-24;
 
-  // All pairs, on all processors: three corners at 1, three across a face, one opposite.
+  // Computes the distances of all pairs in parallel.  From each corner, three others have distance
+  // 1, three have sqrt(2), and one has sqrt(5).
   const std::vector<Vertex> corners(mesh.vertices().begin(), mesh.vertices().end());
   const Eigen::MatrixXd distances =
       GP::geodesic_distance_matrix<GP::Exact, CGAL::Parallel_tag>(mesh, corners);
   is_correct = is_correct &&
                std::abs(distances.sum() / 8. - (3. + 3. * std::sqrt(2.) + std::sqrt(5.))) < 1e-12;
 
-  // Those alone that are near: each corner itself, and three at 1.
+  // Computes only the distances up to 1.2: from each corner to itself and to three neighbors at
+  // distance 1.
   const auto near_pairs = GP::sparse_geodesic_distance_matrix<GP::Exact>(mesh, corners, 1.2);
   std::cout << near_pairs.nonZeros() << " of " << distances.size() << " pairs are within 1.2\n";
   is_correct = is_correct && near_pairs.nonZeros() == 8 * 4;

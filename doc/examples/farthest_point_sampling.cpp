@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Samples such that no vertex is farther than a given distance from the nearest one.
+// Samples a mesh such that each vertex is within a given distance of its nearest sample.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -24,7 +24,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 int main()
 {
-  // A sheet of 40 by 30.
+  // Creates a planar grid of size 40 by 30.
   Mesh mesh;
   CGAL::make_grid(
       40, 30, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
@@ -39,7 +39,8 @@ int main()
   for(std::size_t i = 0; i < 4; ++i)
     std::cout << PMP::construct_point(samples[i], mesh) << '\n';
 
-  // Farthest from any vertex is a corner; and radii never grow.
+  // The first sample is a corner, because the farthest vertex from any vertex is a corner.  The
+  // covering radii are non-increasing.
   const Point first = PMP::construct_point(samples[0], mesh);
   const bool is_corner =
       (first.x() == 0. || first.x() == 40.) && (first.y() == 0. || first.y() == 30.);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Charts of a ring that are discs, each as a mesh of its own.
+// Segments a torus into charts with disk topology and accesses each chart as a mesh.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -23,7 +23,7 @@ using Face = Mesh::Face_index;
 
 namespace GP = CGAL::Geodesic_processing;
 
-// 60 by 24 vertices, with radii 3 and 1.
+// Returns a torus of 60 by 24 vertices with radii 3 and 1.
 Mesh make_torus()
 {
   Mesh mesh;
@@ -56,7 +56,7 @@ int main()
   std::cout << number_of_charts << " charts, energy " << energies.front() << " to "
             << energies.back() << '\n';
 
-  // Each has the Euler characteristic of a disc.
+  // Each chart must have the Euler characteristic of a disk.
   bool is_correct = number_of_charts >= 12 && energies.back() < energies.front();
   for(std::size_t i = 0; i < number_of_charts; ++i)
   {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The same surface with fewer, and with more, vertices.
+// Remeshes a sheet with fewer and with more vertices than the input has.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -22,7 +22,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 int main()
 {
-  // A sheet of 40 by 30.
+  // Creates a planar grid of size 40 by 30.
   Mesh mesh;
   CGAL::make_grid(
       40, 30, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
@@ -41,7 +41,7 @@ int main()
               << " faces, " << result.added << " more than asked for; the last one lies in face "
               << locations[last].first << '\n';
 
-    // Corners and borders stay.
+    // The area is preserved, because corners and boundary edges are kept.
     is_correct = is_correct && std::abs(PMP::area(output) - 1200.) < 1e-9 &&
                  output.number_of_vertices() == number + result.added;
   }

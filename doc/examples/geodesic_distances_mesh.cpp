@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances to two sources on a flat square, and which of the two is nearer.
+// Computes distances to two sources on a planar mesh, and the nearest source of each vertex.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -26,7 +26,7 @@ int main()
   CGAL::make_grid(
       30, 20, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
 
-  // The second source starts 5 units late, as if the way to it had been that long.
+  // The second source has an offset of 5, which is added to the distances from it.
   const Vertex corner(0);
   const Vertex middle(10 * 31 + 15);
   const std::vector<GP::Source<Mesh>> sources = {GP::Source<Mesh>(corner, 0., 0),
@@ -47,6 +47,6 @@ int main()
   }
   std::cout << "largest error " << largest_error << '\n';
 
-  // On a flat convex surface the default method is exact but for rounding, of about 1e-14 here.
+  // On a planar convex mesh, the default method is exact up to round-off errors, here about 1e-14.
   return largest_error < 1e-9 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

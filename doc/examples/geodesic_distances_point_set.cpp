@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances on surfels that were scattered on a sphere.
+// Computes geodesic distances on a point cloud sampled from a sphere.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Point_set_3.h>
@@ -18,7 +18,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A spiral from pole to pole whose points have about equal areas around them.
+  // Creates points on a spiral from pole to pole, with Voronoi cells of nearly equal area.
   const int n = 5000;
   Cloud cloud(true);
   for(int i = 0; i < n; ++i)
@@ -38,7 +38,7 @@ int main()
     mean_error += std::abs(distance[i] - std::acos(CGAL::to_double(cloud.point(i).z()))) / n;
   std::cout << "mean error " << mean_error << '\n';
 
-  // A chord is shorter than its arc by a 24th of the squared angle, 0.05 radians here; triangles of
-  // a cloud are irregular, for which a hundred times that is allowed.
+  // The relative difference of an arc and its chord is angle^2 / 24, with an angle of 0.05 here.
+  // The triangles of a cloud are irregular, therefore the tolerance is 100 times larger.
   return mean_error < 100. * CGAL_PI * 0.05 * 0.05 / 24. ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A hill laid into the plane, as it is and then without any face turned round.
+// Flattens a hill by geodesic LLE, then minimizes the distortion such that no face is inverted.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The shortest path between opposite corners of a cube, on its surface.
+// Computes the shortest path on the surface of a cube between opposite corners.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -41,6 +41,6 @@ int main()
     std::cout << p << '\n';
   std::cout << "length " << path.length << '\n';
 
-  // Two faces unfold to a rectangle of 1 by 2, whose diagonal is the shortest way.
+  // Two adjacent faces unfold to a rectangle of size 1 by 2.  Its diagonal is the shortest path.
   return std::abs(path.length - std::sqrt(5.)) < 1e-9 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

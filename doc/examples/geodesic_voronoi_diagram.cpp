@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cells of seeds, and the lines between them.
+// Computes geodesic Voronoi cells, their bisector, and the mesh cut along the bisector.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -24,7 +24,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A sheet of 30 by 20, with a seed in the middle of each short side.
+  // Creates a planar grid of size 30 by 20, with seeds at (0, 10) and (30, 10).
   Mesh mesh;
   CGAL::make_grid(
       30, 20, mesh, [](int i, int j) { return Point(i, j, 0.); }, true);
@@ -35,7 +35,7 @@ int main()
   GP::geodesic_voronoi_diagram(mesh, seeds, cell,
                                GP::parameters::bisector_output(std::back_inserter(bisectors)));
 
-  // One line, x = 15, from border to border.
+  // There is one bisector, x = 15, which joins two boundary points.
   bool is_correct = bisectors.size() == 1;
   for(const Point& p : bisectors[0].points)
     is_correct = is_correct && std::abs(p.x() - 15.) < 1e-9;
@@ -45,7 +45,7 @@ int main()
     is_correct =
         is_correct && (mesh.point(v).x() == 15. || cell[v] == (mesh.point(v).x() < 15. ? 0u : 1u));
 
-  // Cut along it, the sheet has two halves.
+  // Cuts the mesh along the bisector into two cells of equal area.
   Mesh cut;
   auto cell_of_face = cut.add_property_map<Mesh::Face_index, std::size_t>("f:cell").first;
   GP::geodesic_voronoi_cells(mesh, seeds, cut, cell_of_face);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The north of a globe on a flat map that keeps directions and distances from the pole.
+// Computes the logarithmic map at the pole of a spherical patch and its distortion.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -22,7 +22,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A side of a cube, blown up to a unit sphere.
+  // Projects one face of a cube to the unit sphere.
   Mesh mesh;
   const auto to_sphere = [](int i, int j)
   {
@@ -33,7 +33,7 @@ int main()
   const Vertex pole(30 + 61 * 30);
 
   auto uv = mesh.add_property_map<Vertex, Point_2>("v:uv").first;
-  // A long stencil, as a globe is smooth all over.
+  // Uses a long stencil, because the sphere is smooth.
   GP::logarithmic_map(mesh, pole, uv,
                       GP::parameters::up_direction(Kernel::Vector_3(0, 1, 0)).stencil_length(0.2));
 
@@ -50,7 +50,7 @@ int main()
   std::cout << "Places on the map are off by " << largest << " at most; angles are stretched by "
             << stretch.mean() << " in the mean and by " << stretch.worst << " at the rim.\n";
 
-  // Circles around the pole are longer on the map, as an angle is than its sine.
+  // Circles around the pole are stretched by angle / sin(angle).
   const double boundary_angle = std::atan(std::sqrt(2.));
   return largest < 2e-3 &&
                  std::abs(stretch.worst - boundary_angle / std::sin(boundary_angle)) < 0.05

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A base of few triangles, where a vertex is on it, and a mesh of the same pattern everywhere.
+// Parameterizes a mesh over a coarse base mesh and computes a semi-regular mesh of the same
+// surface.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -19,7 +20,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A sheet of 40 by 30, with a hill.
+  // Creates a height field of size 40 by 30 with a hill.
   Mesh mesh;
   CGAL::make_grid(
       40, 30, mesh,
@@ -39,7 +40,7 @@ int main()
   std::cout << "each of " << result.base_faces
             << " faces is cut into 64: " << semi_regular.number_of_faces() << '\n';
 
-  // And back.
+  // The base location of a vertex maps back to the vertex.
   const bool is_correct = base.folds() == 0 &&
                           CGAL::squared_distance(base.point(locations[v]), mesh.point(v)) < 1e-12 &&
                           semi_regular.number_of_faces() == 64 * result.base_faces;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A mesh of surfels on a torus, and one whose faces fit them.
+// Reconstructs two meshes from surfels on a torus: one with vertices on the surface, and one with
+// vertices that are moved such that the faces fit the surface.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Point_set_3.h>
@@ -38,7 +39,8 @@ int main()
   GP::geodesic_delaunay_remeshing(cloud, 300, fitted,
                                   GP::parameters::number_of_relaxation_steps(5).do_fit(true));
 
-  // A torus: V - E + F = 0. Faces whose vertices are on it are inside of it for the most part.
+  // A torus has V - E + F = 0, hence F = 2 V.  If the vertices are on the torus, most of the faces
+  // are inside it and the volume is too small.
   const double volume = 2. * CGAL_PI * CGAL_PI * 0.4 * 0.4;
   const double missing = 1. - PMP::volume(interpolated) / volume;
   const double missing_in_fit = 1. - PMP::volume(fitted) / volume;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Principal curvatures of a bent sheet: one around it, none along it.
+// Computes the principal curvatures of half a cylinder: 1/2 around the axis and 0 along it.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -21,7 +21,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // Half a pipe of radius 2 along the y axis.
+  // Creates half a cylinder of radius 2 along the y axis.
   Mesh mesh;
   CGAL::make_grid(
       60, 60, mesh,

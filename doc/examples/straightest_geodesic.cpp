@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Straight ahead from a point that is given by coordinates, until the surface ends.
+// Traces a straightest geodesic from the point nearest to given coordinates until it leaves the
+// mesh.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -20,17 +21,18 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A sheet, 4 wide and 3 deep, folded upwards at x = 2.
+  // Creates a sheet of size 4 by 3, folded upwards at x = 2.
   Mesh mesh;
   const auto fold = [](int i, int j) { return i < 2 ? Point(i, j, 0) : Point(2, j, i - 2); };
   CGAL::make_grid(4, 3, mesh, fold, true);
 
-  // A point above the sheet is moved to the nearest one on it.
+  // Locates the point of the mesh that is nearest to a point above it.
   const auto start = GP::locate_on_surface(mesh, Point(0.5, 0.5, 0.1));
   const auto path = GP::straightest_geodesic(mesh, start, Kernel::Vector_3(2, 1, 0), 100.);
   std::cout << "ended at " << path.points.back() << " after " << path.length << '\n';
 
-  // Unrolled, it runs from (0.5, 0.5) to the border x = 4 in the direction (2, 1).
+  // On the unfolded sheet, the path is the segment from (0.5, 0.5) to the boundary x = 4 in the
+  // direction (2, 1).
   const double expected = 3.5 * std::sqrt(5.) / 2.;
   return std::abs(path.length - expected) < 1e-9 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A sphere with bumps by a tenth of its details, and as a stream of which half is read.
+// Compresses a bumpy sphere: reconstructs it from a tenth of its wavelet coefficients, and from the
+// first half of its progressive stream.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A hemisphere cut into charts side by side in the unit square, and its latitudes painted there.
+// Computes a texture atlas of a spherical patch and bakes bands of latitude into its texture.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where between three houses a well, or water in many places, is the nearest to all.
+// Computes the barycenter of three vertices as a single vertex and as a mass distribution.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -23,7 +23,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A field of 1 by 1.
+  // Creates a unit square.
   const int n = 30;
   Mesh field;
   CGAL::make_grid(
@@ -36,23 +36,24 @@ int main()
   };
   const std::vector<Vertex> houses = {vertex_at(0., 0.), vertex_at(1., 0.), vertex_at(0.5, 0.9)};
 
-  // The point with the least sum of squared distances: the centroid, where the field is open.
+  // The vertex with the minimum sum of squared distances is the centroid, because the square is
+  // convex.
   const auto well = GP::geodesic_barycenter(field, houses);
   std::cout << "The well is at " << field.point(well.vertex) << ", squared distances sum to "
             << well.value << ".\n";
   bool is_correct = CGAL::squared_distance(field.point(well.vertex), Point(0.5, 0.3, 0.)) < 1e-12;
 
-  // Nothing that is spread over many places does better there.
+  // In the plane, no mass distribution has a lower cost than the centroid.
   auto water = field.add_property_map<Vertex, double>("v:water").first;
   const GP::Transport_barycenter_cost cost = GP::transport_barycenter(field, houses, water);
   std::cout << "Water in many places costs " << cost.lower << " to " << cost.upper << ".\n";
   is_correct = is_correct && cost.converged && cost.lower < well.value + 1e-9 &&
                cost.upper > well.value - 1e-9;
 
-  // The third house has as many people as the two others.
+  // The weight of the third house equals the sum of the two others.
   const std::vector<double> people = {1., 1., 2.};
   const auto weighted = GP::geodesic_barycenter(field, houses, GP::parameters::weights(people));
   std::cout << "For all people alike it is at " << field.point(weighted.vertex) << ".\n";
-  const double middle = field.point(weighted.vertex).y(); // 0.45, between two rows
+  const double middle = field.point(weighted.vertex).y(); // exact: 0.45, between two rows
   return is_correct && std::abs(middle - 0.45) < 0.51 / n ? EXIT_SUCCESS : EXIT_FAILURE;
 }

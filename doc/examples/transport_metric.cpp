@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much does a distance bend where two ways around a tube are equally short?
+// Compares how smooth geodesic distances and transport metrics are at the cut locus of a tube.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -20,7 +20,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // An open tube of 41 rings of 40 vertices, with sides of length 1 along each ring.
+  // Creates an open tube of 41 rings with 40 vertices each.  Edges along rings have length 1.
   const int n = 40, rings = 41;
   const double radius = 0.5 / std::sin(CGAL_PI / n);
   Mesh mesh;
@@ -36,7 +36,8 @@ int main()
       mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
 
-  // From a place half way up to the opposite one, and to those beside it: by how much the slope falls.
+  // Returns the negated second difference of the distance around the ring, at the vertex opposite
+  // the source.
   const int middle = rings / 2;
   const Vertex from = at(0, middle), opposite = at(n / 2, middle);
   const auto slope_change = [&](const auto& distance)
@@ -50,9 +51,10 @@ int main()
   const auto geodesic = [&](Vertex v) { return solver.distance(v); };
   std::cout << "geodesic: " << geodesic(opposite) << ", bends by " << slope_change(geodesic)
             << '\n';
-  bool is_correct = std::abs(slope_change(geodesic) - 2.) < 1e-9; // from 1 to -1
+  bool is_correct = std::abs(slope_change(geodesic) - 2.) < 1e-9; // the slope changes from 1 to -1
 
-  // The family of metrics: smooth without functions, nearer to geodesic distances with more of them.
+  // The transport metric is smoothest with basis size 0.  It approaches the geodesic distance as
+  // the basis size grows.
   double previous_distance = 1e9;
   for(const std::size_t k : {0, 20, 100})
   {

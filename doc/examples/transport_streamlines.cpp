@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which grain of a heap goes where?
+// Computes the streamlines of an optimal flow and a fuzzy geodesic on a bent sheet.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -25,7 +25,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A sheet, bent to three quarters of a cylinder: 4.7 by 2, when it is unrolled.
+  // Creates three quarters of a cylinder, which unrolls to a rectangle of size 4.7 by 2.
   const double pi = std::acos(-1.);
   const int n = 40;
   Mesh sheet;
@@ -38,7 +38,7 @@ int main()
       },
       true);
 
-  // A heap of sand at one end, to be spread around a place near the other.
+  // Transports a Gaussian density at p to a wider one at q.
   const Vertex p(Mesh::size_type(10 * (2 * n + 1) + 10)), q(Mesh::size_type(30 * (2 * n + 1) + 65));
   const auto gaussian_mass = [&](Vertex middle, double width)
   {
@@ -53,7 +53,7 @@ int main()
   const GP::Earth_movers_cost cost = solver.compute(gaussian_mass(p, 0.15), gaussian_mass(q, 0.3),
                                                     GP::parameters::do_normalize(true));
 
-  // Two hundred grains: the lines along which they go are straight when the sheet is unrolled.
+  // Traces 200 streamlines.  They are straight on the unrolled sheet.
   std::vector<GP::Streamline<Mesh>> lines;
   solver.streamlines()(200, std::back_inserter(lines));
   double mean_length = 0.;
@@ -62,7 +62,8 @@ int main()
   std::cout << "A grain goes " << mean_length << " in the mean; the least is " << cost.value
             << ".\n";
 
-  // How likely do shortest ways between the two places pass between them?
+  // Computes the likelihood of each vertex to be on a shortest path between neighborhoods of p and
+  // q.
   auto likelihood = sheet.add_property_map<Vertex, double>("v:likelihood").first;
   GP::fuzzy_geodesic(sheet, p, q, likelihood, GP::parameters::width(0.15));
   const Vertex between(Mesh::size_type(20 * (2 * n + 1) + 38)), outside(Mesh::size_type(38));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How those in two rooms leave a building by its two doors.
+// Computes how the people in two rooms leave a building through the nearest of two doors.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -24,7 +24,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A floor of 2 by 1 with a wall in the middle that is open at the upper end.
+  // Creates a floor of size 2 by 1 with a wall at x = 1.  The wall is open for y >= 0.8.
   const int n = 40;
   Mesh floor_plan;
   CGAL::make_grid(
@@ -48,12 +48,12 @@ int main()
         { return CGAL::squared_distance(floor_plan.point(v), Point(x, y, 0.)) < 1e-12; });
   };
 
-  // Doors in the lower left corner and at the lower end of the right side.
+  // The doors are the lower left and the lower right corner.
   const std::vector<Vertex> doors = {vertex_at(0., 0.), vertex_at(2., 0.)};
   const auto speed_parameters = GP::parameters::speed_map(speed);
   GP::Region_transport_solver<Mesh> solver(floor_plan, doors, speed_parameters);
 
-  // Two people: each takes the nearest door.
+  // Two people: each one uses the nearest door.
   const std::vector<Vertex> people = {vertex_at(0.5, 0.), vertex_at(1.25, 0.5)};
   const GP::Earth_movers_cost cost = solver.compute(people);
   const double mean = 0.5 * (0.5 + std::hypot(0.75, 0.5));
@@ -61,7 +61,7 @@ int main()
             << solver.arrival(doors[0]) << " and " << solver.arrival(doors[1]) << ".\n";
   bool is_correct = std::abs(cost.value - mean) < 1e-3 * mean;
 
-  // How far is it from everywhere?
+  // Computes the distance of each vertex to the nearest door.
   auto distance_to_door = floor_plan.add_property_map<Vertex, double>("v:way").first;
   is_correct =
       is_correct &&
@@ -71,7 +71,8 @@ int main()
     if(std::isfinite(distance_to_door[v]))
       longest = std::max(longest, distance_to_door[v]);
   std::cout << "Nobody is farther from a door than " << longest << ".\n";
-  // That is in the middle of the upper side: the root of two, less a part of an edge.
+  // The farthest vertex is (1, 1).  Its exact distance sqrt(2) is underestimated by a fraction of
+  // an edge length.
   return is_correct && longest > 1.4 && longest < std::sqrt(2.) + 1e-9 ? EXIT_SUCCESS
                                                                        : EXIT_FAILURE;
 }

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far two places inside of a ring are from each other, and from many; the way from one to the other.
+// Computes the distance and a path between two points inside a torus, and the distances from one of
+// them to many points.
 #include <CGAL/Geodesic_processing.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -21,7 +22,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 int main()
 {
-  // A tube of radius 0.35 around a circle of radius 1.
+  // Creates a torus with radii 1 and 0.35.
   const int number_along = 48, number_around = 20;
   const double radius = 0.35;
   Mesh torus;
@@ -44,13 +45,13 @@ int main()
       torus.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
 
-  // In the tube, on opposite sides.  Coarse as it is, no triangle is divided.
+  // The points are inside the torus, on opposite sides of its axis.  Triangles are not refined.
   const Point p(1., 0., 0.), q(-1., 0.1, 0.);
   const GP::Volumetric_metric<Mesh> metric(torus, GP::parameters::number_of_refinements(0u));
   const GP::Earth_movers_cost cost = metric.cost(p, q);
   std::cout << "They are " << cost.lower << " to " << cost.upper << " from each other.\n";
 
-  // A path along the tube.
+  // Computes a path inside the torus.
   std::vector<Point> path;
   bool is_correct = metric.write_path(p, q, std::back_inserter(path));
   double path_length = 0., farthest = 0.;
@@ -64,7 +65,7 @@ int main()
             << " from the middle of the tube.\n";
   is_correct = is_correct && path_length > 2.1 && farthest < radius;
 
-  // Many points at once, on the plane of the ring, inside of it and outside.
+  // Computes the distances to 400 points of the plane z = 0, inside and outside the torus.
   std::vector<Point> slice;
   for(int i = 0; i < 20; ++i)
     for(int j = 0; j < 20; ++j)
