@@ -19,11 +19,12 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// measures by biharmonic distances \cgalCite{cgal:lrf-bd-10}, which are smooth everywhere, know the whole
-/// surface, and are no lengths of paths: `Transport_metric` is compared with them.
+/// computes biharmonic distances \cgalCite{cgal:lrf-bd-10}. They are smooth everywhere and depend
+/// on the whole surface, but they are not lengths of paths. They serve as a comparison for
+/// `Transport_metric`.
 ///
-/// Between components distances are infinite.  Copies share everything, and may be asked at the same
-/// time.
+/// Distances between connected components are infinite. Copies share all data, and can be queried
+/// concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -34,9 +35,11 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// prepares the surface; `np` is what `make_domain()` takes.
+  /// precomputes the factorization.
   ///
-  /// \throws Unsupported_surface_error when no triangle has an area
+  /// \param surface the surface
+  /// \param np named parameters of `make_domain()`
+  /// \throws Unsupported_surface_error if no triangle has positive area
   template <typename NamedParameters = internal::Default_parameters>
   explicit Biharmonic_metric(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Biharmonic_metric(Domain(surface, np))
@@ -48,23 +51,24 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// returns the distance between two places, sites or locations.
+  /// returns the distance between two vertices, surfels or locations.
   ///
-  /// \throws Invalid_argument_error when a place is not on the surface
+  /// \throws Invalid_argument_error if a location is not on the surface
   template <typename P, typename Q>
   double distance(const P& p, const Q& q) const
   {
     return pairs({internal::location(m_domain, p), internal::location(m_domain, q)})(0, 1);
   }
 
-  /// writes the distance of each site to a place.  The first call solves a system for each site, the
-  /// next ones two.
+  /// writes the distance from one location to every vertex or surfel. The first call solves one
+  /// linear system per vertex, each later call two systems.
   ///
   /// \tparam Concurrency_tag as for `Transport_metric::write_distances()`
-  /// \param from a site or a location
-  /// \param distance_map receives a `double` for each site; infinity on other components
+  /// \param from a vertex, surfel or location
+  /// \param distance_map receives a `double` for each vertex or surfel; infinity on other
+  ///        components
   /// \param np `threads` as for `geodesic_distance_matrix()`
-  /// \throws Invalid_argument_error when the place is not on the surface
+  /// \throws Invalid_argument_error if the location is not on the surface
   template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
             typename DistanceMap, typename NamedParameters = internal::Default_parameters>
   void write_distances(const Vertex_or_location& from, DistanceMap distance_map,
@@ -77,7 +81,9 @@ public:
     m_domain.write([&](internal::Index vertex) { return t.scale * found[vertex]; }, distance_map);
   }
 
-  /// returns the distances of all pairs of places, a range of sites or of locations.
+  /// returns the distances of all pairs of locations, as a symmetric matrix.
+  ///
+  /// \param locations a range of vertices, surfels or locations
   template <typename Locations>
   Eigen::MatrixXd distance_matrix(const Locations& locations) const
   {

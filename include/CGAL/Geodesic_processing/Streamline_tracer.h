@@ -17,28 +17,31 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// a way along which a flow moves mass.  Its `front_distance` is by how much the potential grows: no path
-/// between its ends is shorter.
+/// stores a path along which a flow transports mass. Its `front_distance` is the increase of the
+/// potential from its start to its end, a lower bound of the length of every path between them.
 template <typename Surface>
 struct Streamline : Surface_path<Surface>
 {
-  bool has_arrived = false; ///< whether mass is missing where it ends
+  bool has_arrived = false; ///< whether it ends at a target mass
 };
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// follows the flow that a solver found: each grain of mass from where it was to where it will be, at the speed
-/// that flow over mass is.  Made by `Transport_solution::streamlines()`.  \cgalCite{cgal:dm-pdejd-90}
+/// traces the streamlines of the flow that a solver computed: the trajectory of each particle of
+/// mass from its source to its target. The velocity is the flow divided by the density of the
+/// mass. A tracer is returned by `Transport_solution::streamlines()`.  \cgalCite{cgal:dm-pdejd-90}
 ///
-/// On a mesh masses are spread over the faces around their vertices, and what leaves a face enters the next
-/// one, so that lines do not cross, and as many arrive as there is mass.  On a cloud the flow goes along arcs.
-/// They begin and end where masses are points.
+/// On a mesh, masses are spread over the faces incident to their vertices, and the flow that leaves
+/// a face enters the adjacent one. Hence streamlines do not cross, and the map from sources to
+/// targets preserves mass. On a cloud, the flow moves along graph edges. Streamlines begin and end
+/// at point masses if the masses are points.
 ///
-/// Lines of the best flow are shortest paths; those that are traced zigzag with the edges, and are pulled
-/// taut.  On a mesh one that is more than a percent longer than the potential proves gives way to the path that
-/// `Geodesic_path_finder` finds between its ends, if that is shorter.
+/// The streamlines of an optimal flow are shortest paths. The traced lines zigzag with the edges,
+/// and are therefore shortened. If a line on a mesh is then more than one percent longer than the
+/// lower bound by the potential, `Geodesic_path_finder` computes a path between its ends. The
+/// shorter of the two is returned.
 ///
-/// It may be used in several threads, and does not depend on the solver any more.
+/// A tracer can be used by several threads, and does not depend on the solver.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -58,11 +61,11 @@ public:
   {}
 #endif
 
-  /// returns the line from a site or a location to where a grain of mass goes from there; from where none
-  /// is, as far as the flow goes.
-  /// \throws Invalid_argument_error when the place is none of the surface's
+  /// traces the streamline from a vertex, surfel or location to the target of the mass there. If
+  /// there is no mass, the line follows the flow to its end.
+  /// \throws Invalid_argument_error if the location is not on the surface
   ///
-  /// O(number of faces, or surfels, passed).
+  /// O(number of crossed faces or surfels).
   template <typename Vertex_or_location>
   Streamline<Surface> operator()(const Vertex_or_location& location) const
   {
@@ -70,8 +73,8 @@ public:
     return line({internal::location(m_domain, location)}, shortener);
   }
 
-  /// writes lines that stand for equal parts of all the mass that moves: on a mesh they begin at places
-  /// that are spread over it.
+  /// writes `number` streamlines, each for an equal fraction of the mass that moves. On a mesh
+  /// they begin at locations that are distributed over this mass.
   template <typename OutputIterator>
   OutputIterator operator()(std::size_t number, OutputIterator out) const
   {
@@ -81,7 +84,8 @@ public:
     return out;
   }
 
-  /// returns where a grain of mass goes: the end of its line, without pulling that taut.
+  /// returns the target of the mass at a location: the end of its streamline. The line is not
+  /// shortened.
   template <typename Vertex_or_location>
   Location destination(const Vertex_or_location& location) const
   {
@@ -89,8 +93,8 @@ public:
         (*m_streamlines)({internal::location(m_domain, location)}).locations.back());
   }
 
-  /// writes an assignment: for equal parts of all the mass a pair of locations, where it was and where it
-  /// will be.
+  /// writes an assignment of sources to targets: a pair of locations for each of `number` equal
+  /// fractions of the mass that moves.
   template <typename OutputIterator>
   OutputIterator assignment(std::size_t number, OutputIterator out) const
   {
@@ -131,7 +135,7 @@ private:
   }
 
   Domain m_domain;
-  std::shared_ptr<const internal::Surface_arrays> m_triangles; // where nothing is closed
+  std::shared_ptr<const internal::Surface_arrays> m_triangles; // twins removed along obstacles
   std::shared_ptr<const internal::Streamlines> m_streamlines;
   std::shared_ptr<const internal::Vector> m_potential;
   bool m_do_straighten;

@@ -22,35 +22,44 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
-/// the flow that a `Transport_metric` begins with.
+/// selects the particular flow of a `Transport_metric`, which `k` eigenfunctions then correct.
 enum class Transport_flow
 {
-  /// the gradient of the solution of Poisson's equation, as in the paper: it balances masses at sites.
+  /// the gradient of the solution of Poisson's equation, as in the paper. It balances masses at
+  /// vertices.
   gradient,
-  /// one that balances masses which are spread over the triangles around their sites, after Raviart and
-  /// Thomas: nearer to geodesic distances for the same basis, rougher without one.  Clouds, and meshes of
-  /// which pieces meet in a vertex alone, have gradients in its place.
+  /// a Raviart-Thomas field, which balances masses that are spread over the triangles incident to
+  /// their vertices. For the same positive `k` the results are closer to geodesic distances; for
+  /// `k` = 0 they are less smooth. It is replaced by `gradient` on clouds, and on meshes with
+  /// pieces that are connected by a single vertex only.
   balanced
 };
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// measures by earth mover's distances among fewer flows, from spectral towards geodesic distances: the
-/// family of metrics \f$ d_k \f$ of \cgalCite{cgal:srgb-emd-14}, between places or any masses.
+/// computes spectral approximations of the earth mover's distance: the metrics \f$ d_k \f$ of
+/// \cgalCite{cgal:srgb-emd-14}, between locations or general mass distributions.
 ///
-/// A distance is the least cost, mass times way, of flows that carry the masses of one side to those of
-/// the other, a unit of mass between places, among those that differ from a fixed one by turned gradients of \f$ k \f$ eigenfunctions of
-/// the Laplacian, and by fields that go around handles and holes.  With \f$ k = 0 \f$ nothing is sought,
-/// those fields neither: the distance is smooth, and known by Green's functions alone.  With a growing
-/// \f$ k \f$ and one `Transport_flow` it never grows, and comes down towards geodesic distances, but not
-/// to them: between points it stays some percent above however large the basis is.
+/// A distance is the minimum cost of a flow that transports one mass distribution to the other.
+/// The cost is the integral of the length of the flow. Locations are unit masses.
 ///
-/// For every \f$ k \f$ this is a metric, as far as it is computed.  `k` is rounded up, such that no group
-/// of eigenfunctions of one eigenvalue is cut: the distance does not depend on their choice.  A place
-/// inside a triangle is a mass shared by its corners.  Between components distances are infinite.
+/// The flow is the sum of a fixed particular flow, which a `Transport_flow` selects, and a
+/// correction. The corrections are spanned by the rotated gradients of \f$ k \f$ eigenfunctions
+/// of the Laplacian and by the harmonic fields, which wind around handles and holes. If
+/// \f$ k = 0 \f$, there is no correction, also not by harmonic fields. The distance is then smooth
+/// and is computed from Green's functions.
 ///
-/// Preparing takes about as long as two and a half `k` solutions of Poisson's equation.  Copies share
-/// everything, and may be asked at the same time.
+/// For a fixed `Transport_flow` the distance does not increase with \f$ k \f$. It approaches the
+/// geodesic distance but does not converge to it: between points it remains some percent above,
+/// for any basis size.
+///
+/// For every \f$ k \f$ this is a metric, up to the gap between the computed bounds. The number
+/// \f$ k \f$ is rounded up to the end of a group of equal eigenvalues. Hence the distance does not
+/// depend on the choice of eigenfunctions. The mass of a location inside a triangle is distributed
+/// to the corners by barycentric coordinates. Distances between connected components are infinite.
+///
+/// Construction takes about as long as 2.5 `k` solutions of Poisson's equation. Copies share all
+/// data, and can be queried concurrently.
 ///
 /// \tparam Surface as for `geodesic_distances()`, not a domain
 template <typename Surface>
@@ -61,10 +70,13 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// prepares the surface with the flow of the least distances, `gradient` for `k` = 0 and `balanced`
-  /// otherwise; `np` is what `make_domain()` takes.
+  /// precomputes the particular flow and the basis. The particular flow is the one with the
+  /// smaller distances: `gradient` if `k` is 0, otherwise `balanced`.
   ///
-  /// \throws Unsupported_surface_error when no triangle has an area
+  /// \param surface the surface
+  /// \param k the number of eigenfunctions, which is rounded up
+  /// \param np named parameters of `make_domain()`
+  /// \throws Unsupported_surface_error if no triangle has positive area
   template <typename NamedParameters = internal::Default_parameters>
   explicit Transport_metric(const Surface& surface, std::size_t k = 0,
                             const NamedParameters& np = NamedParameters())
@@ -84,36 +96,40 @@ public:
   const Domain& domain() const { return m_domain; }
   /// returns the number of eigenfunctions: `k`, rounded up to the next gap between eigenvalues.
   std::size_t basis_size() const { return m_transport->basis_size(); }
-  /// returns what it begins with, which may be another one than was asked for.
+  /// returns the particular flow, which can differ from the requested one.
   Transport_flow flow() const
   {
     return m_transport->kind() == internal::Particular_field::gradient ? Transport_flow::gradient
                                                                        : Transport_flow::balanced;
   }
 
-  /// finds out what it costs to move masses, and bounds of it.
+  /// computes the cost of transporting one mass distribution to another, with bounds.
   ///
-  /// A `balanced` flow moves masses that were spread over triangles; the residual is that of these.
+  /// A `balanced` flow transports masses that were spread over triangles. The residual is then
+  /// computed for the spread masses.
   ///
-  /// \param from, to masses, as `Earth_movers_solver` takes them
+  /// \param from, to mass distributions, as for `Earth_movers_solver`
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{tolerance}
-  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one}
+  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
+  ///       the iteration ends}
   ///     \cgalParamDefault{0.001} \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDefault{5,000} \cgalParamNEnd
   ///   \cgalParamNBegin{do_normalize}
-  ///     \cgalParamDescription{whether to scale both sides so that each sums to one}
+  ///     \cgalParamDescription{whether both distributions are scaled to a total mass of one}
   ///     \cgalParamDefault{false} \cgalParamNEnd
   ///   \cgalParamNBegin{flow_map}
-  ///     \cgalParamDescription{receives for each face, or surfel, the flow: a `Vector_3`; nothing if
-  ///       the cost is infinite} \cgalParamNEnd
+  ///     \cgalParamDescription{receives the flow, a `Vector_3` for each face or surfel. If the cost
+  ///       is infinite, nothing is written} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that gets the fraction of the
-  ///       iterations, and ends them by `false`; bounds hold all the same} \cgalParamNEnd
+  ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction of the
+  ///       maximum number of iterations. If it returns `false`, the iteration ends, and the bounds
+  ///       are still valid} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Invalid_argument_error when a place is not on the surface, a mass not finite, the sums
-  ///         differ, nothing can be scaled, or the tolerance is not positive
+  /// \throws Invalid_argument_error if a location is not on the surface, a mass is not finite, the
+  ///         total masses differ, a total mass cannot be normalized, or the tolerance is not
+  ///         positive
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost cost(const From& from, const To& to,
                          const NamedParameters& np = NamedParameters()) const
@@ -136,26 +152,27 @@ public:
                                 internal::parameter(np, internal_np::flow_map, 0));
     return Earth_movers_cost(found);
   }
-  /// returns the value of `cost()` between two places, or any masses.
+  /// returns the value of `cost()` between two locations or general mass distributions.
   template <typename From, typename To>
   double distance(const From& from, const To& to, double tolerance = 1e-3) const
   {
     return cost(from, to, parameters::tolerance(tolerance)).value;
   }
 
-  /// writes the distance of each site to a place.
+  /// writes the distance from one location to every vertex or surfel.
   ///
-  /// For `k` > 0 these are upper bounds, in the mean within a percent where there are fifty sites for each
-  /// eigenfunction: the flow is sought among mean vectors of groups of triangles, and then measured in
-  /// all triangles.
+  /// For `k` > 0 these are upper bounds. With 50 vertices per eigenfunction they are within one
+  /// percent on average. The correction is optimized on clusters of triangles, with one mean vector
+  /// for each cluster. The length of the resulting flow is then integrated over all triangles.
   ///
-  /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`.  The result is
-  ///         the same to the last bit.
-  /// \param from a site or a location
-  /// \param distance_map receives a `double` for each site; infinity on other components
+  /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`. The
+  ///         results are identical bit by bit.
+  /// \param from a vertex, surfel or location
+  /// \param distance_map receives a `double` for each vertex or surfel; infinity on other
+  ///        components
   /// \param np `threads` and `callback` as for `geodesic_distance_matrix()`
-  /// \returns false if the callback cancelled it; then nothing is written
-  /// \throws Invalid_argument_error when the place is not on the surface
+  /// \returns false if the callback cancelled the computation; then nothing is written
+  /// \throws Invalid_argument_error if the location is not on the surface
   template <typename Concurrency_tag = Sequential_tag, typename Vertex_or_location,
             typename DistanceMap, typename NamedParameters = internal::Default_parameters>
   bool write_distances(const Vertex_or_location& from, DistanceMap distance_map,
@@ -170,15 +187,15 @@ public:
     return true;
   }
 
-  /// returns the distances of all pairs of places, within the tolerance for `k` > 0.
+  /// returns the distances of all pairs of locations, within the tolerance if `k` > 0.
   ///
-  /// It takes 16 bytes per vertex and place for `k` = 0.
+  /// If `k` = 0, this takes 16 bytes per vertex and location.
   ///
   /// \tparam Concurrency_tag as for `write_distances()`
-  /// \param locations a range of sites or of locations
+  /// \param locations a range of vertices, surfels or locations
   /// \param tolerance as for `cost()`
   /// \param np as for `write_distances()`
-  /// \returns a symmetric matrix; an empty one when the callback cancelled it
+  /// \returns a symmetric matrix; an empty one if the callback cancelled the computation
   /// \throws Invalid_argument_error as `cost()`
   template <typename Concurrency_tag = Sequential_tag, typename Locations,
             typename NamedParameters = internal::Default_parameters>

@@ -19,19 +19,22 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// measures between points in space, inside and outside of a closed mesh, such that distances go around
-/// what is in the way.
+/// computes distances between points in space, inside and outside of a closed mesh. The distances
+/// account for the obstacles that the surface forms.
 ///
-/// The mean value coordinates of a point are masses at the vertices; the distance of two points is what it
-/// costs to move those of one to those of the other along the surface.  Between points of the surface
-/// that is what `Earth_movers_solver` finds, up to a part of an edge the geodesic distance; it is never
-/// below the straight one, zero between equal points alone, symmetric, and the triangle inequality
-/// holds within the gaps between bounds.  Where all coordinates are positive, as inside of convex
-/// meshes, it is at most the surface's diameter.  \cgalCite{cgal:srgb-emd-14}, section 6
+/// The mean value coordinates of a point are masses at the vertices. The distance of two points is
+/// the cost of transporting the masses of one point to the masses of the other along the surface.
+/// \cgalCite{cgal:srgb-emd-14}, section 6
 ///
-/// Copies share everything, and may be asked at the same time.
+/// Between points on the surface, the distance is that of `Earth_movers_solver`: the geodesic
+/// distance, up to a fraction of an edge. It is never below the Euclidean distance, and it is zero
+/// only between equal points. It is symmetric. The triangle inequality holds up to the gaps between
+/// the bounds. If all coordinates are positive, as inside convex meshes, the distance is at most
+/// the diameter of the surface.
 ///
-/// \tparam TriangleMesh as for `geodesic_distances()`: a mesh, closed and of one component
+/// Copies share all data, and can be queried concurrently.
+///
+/// \tparam TriangleMesh as for `geodesic_distances()`: a closed mesh with one connected component
 template <typename TriangleMesh>
 class Volumetric_metric
 {
@@ -42,11 +45,13 @@ public:
   using Domain = internal::Domain_of<TriangleMesh>;
   using Point_3 = typename Domain::Point_3;
 
-  /// prepares the mesh, as `Earth_movers_solver` does.
+  /// precomputes the factorizations, as `Earth_movers_solver`.
   ///
-  /// \param np what `make_domain()` takes, and `number_of_refinements` as for `Earth_movers_solver`
+  /// \param mesh the mesh
+  /// \param np named parameters of `make_domain()`, and `number_of_refinements` as for
+  ///        `Earth_movers_solver`
   /// \throws as `Earth_movers_solver`
-  /// \throws Unsupported_surface_error when the mesh has a border or several components
+  /// \throws Unsupported_surface_error if the mesh has a boundary or several components
   template <typename NamedParameters = internal::Default_parameters>
   explicit Volumetric_metric(const TriangleMesh& mesh,
                              const NamedParameters& np = NamedParameters())
@@ -60,33 +65,34 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// finds out how far two points are from each other, and bounds of it.
+  /// computes the distance between two points, with bounds.
   ///
-  /// The residual is relative to all that moves, with its sign.
+  /// The residual is relative to the sum of the absolute values of the masses that are transported.
   ///
   /// \param from, to `Point_3` of any kernel
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{tolerance}
-  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one}
+  ///     \cgalParamDescription{the gap between the bounds, relative to the upper bound, at which
+  ///       the iteration ends}
   ///     \cgalParamDefault{0.001} \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDefault{100} \cgalParamNEnd
   ///   \cgalParamNBegin{do_bound_from_above}
-  ///     \cgalParamDescription{whether to find `Earth_movers_cost::upper_continuous`: a few times as
-  ///       long} \cgalParamDefault{false} \cgalParamNEnd
+  ///     \cgalParamDescription{whether `Earth_movers_cost::upper_continuous` is computed, which
+  ///       takes a few times as long} \cgalParamDefault{false} \cgalParamNEnd
   ///   \cgalParamNBegin{potential_map}
-  ///     \cgalParamDescription{receives for each vertex the function of slope one that proves a lower
-  ///       bound} \cgalParamNEnd
+  ///     \cgalParamDescription{receives for each vertex the value of a function of slope one, which
+  ///       certifies a lower bound} \cgalParamNEnd
   ///   \cgalParamNBegin{flow_map}
-  ///     \cgalParamDescription{receives for each face the flow: a `Vector_3`} \cgalParamNEnd
+  ///     \cgalParamDescription{receives the flow, a `Vector_3` for each face} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and
-  ///       ends by returning false: with the bounds that it has by then} \cgalParamNEnd
+  ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction done. If
+  ///       it returns false, the iteration ends with the bounds so far} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \throws as `mean_value_coordinates()` for a point
-  /// \throws Invalid_argument_error when the tolerance is not positive
+  /// \throws Invalid_argument_error if the tolerance is not positive
   ///
-  /// 5 to 20 iterations of O(n<SUP>1.5</SUP>).
+  /// 5 to 20 iterations of O(n<SUP>1.5</SUP>) each.
   template <typename From, typename To, typename NamedParameters = internal::Default_parameters>
   Earth_movers_cost cost(const From& from, const To& to,
                          const NamedParameters& np = NamedParameters()) const
@@ -103,32 +109,33 @@ public:
     return cost(from, to, parameters::tolerance(tolerance)).value;
   }
 
-  /// returns how far one point is from each of many, for a slice through space: certified within a percent,
-  /// by default, in a tenth of the time that these take one by one.
+  /// returns the distances from one point to many, for example for a slice through space. By
+  /// default they are certified within one percent, in a tenth of the time of separate queries.
   ///
-  /// Potentials and flows found for points nearby are nearly those of a point; a few hundred points,
-  /// whatever their number, are solved on their own.
+  /// Potentials and flows of nearby points approximate those of a point. Only a few hundred points
+  /// are solved separately, for any number of points.
   ///
-  /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`.  The result is
-  ///         the same to the last bit.
+  /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`. The
+  ///         results are identical bit by bit.
   /// \param from a `Point_3` of any kernel
-  /// \param to a range of them
+  /// \param to a range of points as `from`
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{tolerance}
-  ///     \cgalParamDescription{of the gap between the bounds, relative to the upper one: twice the
-  ///       error of the value at most} \cgalParamDefault{0.02} \cgalParamNEnd
+  ///     \cgalParamDescription{the maximum gap between the bounds, relative to the upper bound; the
+  ///       error of the value is at most half of it} \cgalParamDefault{0.02} \cgalParamNEnd
   ///   \cgalParamNBegin{threads} \cgalParamDescription{as for `geodesic_distance_matrix()`}
   ///     \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done, and
-  ///       cancels by returning false} \cgalParamNEnd
+  ///     \cgalParamDescription{a `std::function<bool(double)>` that receives the fraction done. If
+  ///       it returns false, the computation is cancelled} \cgalParamNEnd
   /// \cgalNamedParamsEnd
   /// \returns an `Earth_movers_cost` for each point, in their order, without `residual` and
-  ///          `upper_continuous`; nothing when the callback cancelled it
+  ///          `upper_continuous`; an empty vector if the callback cancelled the computation
   /// \throws as `cost()`
   ///
-  /// It takes about 24 bytes per vertex, refined, for each point that is solved on its own.
+  /// It takes about 24 bytes per vertex of the refined mesh for each point that is solved
+  /// separately.
   template <typename Concurrency_tag = Sequential_tag, typename From, typename Points,
             typename NamedParameters = internal::Default_parameters>
   std::vector<Earth_movers_cost> costs(const From& from, const Points& to,
@@ -157,21 +164,22 @@ public:
     return result;
   }
 
-  /// finds a path by going down the distance to its end, which stays on one side of the surface: it follows
-  /// a bent room in its middle, though not by the shortest way.
+  /// computes a path by gradient descent of the distance to its end. The path does not cross the
+  /// surface. In a bent tube it follows the center line, and it is not the shortest path.
   ///
-  /// No step is longer than part of the way to the surface.
+  /// No step is longer than a fraction of the distance to the surface.
   ///
   /// \param from, to `Point_3` of any kernel, both inside or both outside
   /// \param path an output iterator that receives `Point_3`, from the first to the last
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{maximum_number_of_iterations}
-  ///     \cgalParamDescription{of distances that are found on the way} \cgalParamDefault{1,000}
-  ///     \cgalParamNEnd
+  ///     \cgalParamDescription{the maximum number of distance computations along the path}
+  ///     \cgalParamDefault{1,000} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \returns whether the path arrives at its end
-  /// \throws Invalid_argument_error when a point is on the surface, or they are on different sides of it
+  /// \returns whether the path reaches its end
+  /// \throws Invalid_argument_error if a point is on the surface, or if the surface separates the
+  ///         points
   /// \throws as `mean_value_coordinates()`
   template <typename From, typename To, typename OutputIterator,
             typename NamedParameters = internal::Default_parameters>

@@ -13,21 +13,22 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds distances to a feature, a point, a curve, a border or any set of vertices, as the potential of
-/// a mass that is everywhere and moves to it.
+/// computes the distance to a feature: a point, a curve, the boundary or any set of vertices. It
+/// is minus the potential of a uniform mass that is transported to the feature.
 ///
-/// No distance is above the geodesic one, and between two places it changes by no more than theirs; below
-/// they are by a part of an edge.  One solution has all of them.  The masses at the feature are free: where they are fixed,
-/// as in \cgalCite{cgal:srgb-emd-14}, section 6.2, what is found are distances to points alone.
+/// The distance is never above the geodesic distance, and it is smaller by a fraction of an edge.
+/// The distances of two points differ by at most the geodesic distance between them. A single
+/// solution yields all distances. The distribution of mass at the feature is a variable. If it is
+/// fixed, as in \cgalCite{cgal:srgb-emd-14}, section 6.2, only distances to points are obtained.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface a mesh or a cloud
 /// \param feature as the region of `Region_transport_solver`
-/// \param distance_map receives a `double` for each vertex or surfel; infinity where no way leads to the
-///        feature
-/// \param np what `Region_transport_solver` and its `compute()` take
-/// \returns the integral of the distance over all that has a way to the feature, and its bounds
+/// \param distance_map receives a `double` for each vertex or surfel; infinity if no path leads to
+///        the feature
+/// \param np named parameters of `Region_transport_solver` and its `compute()`
+/// \returns the integral of the distance over all points with a path to the feature, and its bounds
 /// \throws as `Region_transport_solver` and its `compute()`
 ///
 /// 10 to 25 iterations of O(n<SUP>1.5</SUP>) each.
@@ -47,7 +48,7 @@ Earth_movers_cost feature_distance(const Surface& surface, const Feature& featur
   const auto distance = [&](internal::Index i)
   {
     const auto vertex = domain.vertex(i);
-    // Beside a place in a face the potential may be above zero by a little.
+    // Close to a location inside a face, the potential can be slightly positive.
     return solver.is_reachable(vertex) ? std::max(0., -solver.potential(vertex))
                                        : internal::infinity;
   };

@@ -15,7 +15,7 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// A twentieth of the distance, unless named parameters say otherwise.
+// Returns the named parameter `width`; by default a twentieth of the distance.
 template <typename NamedParameters>
 double fuzzy_width(double distance, const NamedParameters& np)
 {
@@ -31,28 +31,32 @@ double fuzzy_width(double distance, const NamedParameters& np)
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds how likely geodesics between the surroundings of two places pass: where much flows from a blob of
-/// mass around the one to a blob around the other.  \cgalCite{cgal:srgb-emd-14}, section 7
+/// computes the likelihood that geodesics between the neighborhoods of two locations pass each
+/// vertex. It is the amount of flow between two mass distributions around these locations.
+/// \cgalCite{cgal:srgb-emd-14}, section 7
 ///
-/// The blobs are Gaussian in distances by `Euclidean_front`, cut off at four widths.  The length of the
-/// flow is blurred by a quarter of the width, as what is finer tells of the triangles, and scaled so that
-/// it is 1 where it is the largest.  Unlike `fuzzy_geodesic_by_distances()` it tells ways
-/// that are equally short from each other by how much mass each takes.
+/// The two distributions are Gaussians of the distances by `Euclidean_front`, truncated at four
+/// times the width. The length of the flow is smoothed with a quarter of the width, since finer
+/// details depend on the triangulation. It is scaled to a maximum of 1. If several paths are
+/// equally short, the result weights them by the mass that each carries, unlike
+/// `fuzzy_geodesic_by_distances()`.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface a mesh or a cloud
-/// \param p, q a site or a location each
+/// \param p, q two vertices, surfels or locations
 /// \param likelihood_map receives a `double` from 0 to 1 for each vertex or surfel
-/// \param np what `Earth_movers_solver`, its `compute()` and `Transport_solution::write_maps()` take, and
+/// \param np named parameters of `Earth_movers_solver`, its `compute()` and
+///        `Transport_solution::write_maps()`, and the following
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{width}
-///     \cgalParamDescription{the standard deviation of the blobs; no less than an edge makes sense}
+///     \cgalParamDescription{the standard deviation of the Gaussians, a length; it should be at
+///       least an edge length}
 ///     \cgalParamDefault{a twentieth of the distance from `p` to `q`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \returns the cost of moving a mass of one
-/// \throws Invalid_argument_error when no way leads from `p` to `q`, or the width is not positive: by
-///         default where they are the same place
+/// \returns the cost of transporting a unit mass
+/// \throws Invalid_argument_error if no path leads from `p` to `q`, or if the width is not
+///         positive. The default width is zero if `p` and `q` are the same location.
 /// \throws as `Earth_movers_solver` and its `compute()`
 template <typename Method = Interior_point, typename Surface, typename P, typename Q,
           typename LikelihoodMap, typename NamedParameters = internal::Default_parameters>
@@ -87,15 +91,15 @@ Earth_movers_cost fuzzy_geodesic(const Surface& surface, const P& p, const Q& q,
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds how little of a detour a way from a place to another by way of each site is:
+/// computes how short the detour from one location to another through each vertex is:
 /// \f$ \exp(-|d(p,x) + d(x,q) - d(p,q)| / \sigma) \f$.  \cgalCite{cgal:scf-fgcsc-10}
 ///
-/// \tparam Method of distances, as for `geodesic_distances()`
+/// \tparam Method the distance method, as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface a mesh or a cloud
-/// \param p, q a site or a location each
+/// \param p, q two vertices, surfels or locations
 /// \param likelihood_map receives a `double` from 0 to 1 for each vertex or surfel
-/// \param np what `Geodesic_distance_solver` takes, and
+/// \param np named parameters of `Geodesic_distance_solver`, and the following
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{width}
 ///     \cgalParamDescription{\f$ \sigma \f$, a length}

@@ -14,21 +14,24 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// splits a field of tangent vectors into three that are orthogonal to each other: one that comes from
-/// sources and goes to sinks, one that turns around places, and one that does neither, but winds around
-/// handles and holes.
+/// computes the Hodge decomposition of a field of tangent vectors: a gradient field, a rotation
+/// field and a harmonic field, which are orthogonal to each other. The gradient field flows from
+/// sources to sinks, and the rotation field consists of vortices. The harmonic field has neither,
+/// and winds around handles and holes.
 ///
-/// The first is the gradient of a function of vertices, the second the quarter turn of the gradient of a
-/// function of edges that is constant along the border; of the third there are, for each component,
-/// 2 genus + max(border loops - 1, 0) independent ones.  \cgalCite{cgal:pp-ivfs-03}
+/// The gradient field is the gradient of a function on vertices. The rotation field is the gradient
+/// of a function on edges, rotated by a right angle; this function is constant along the boundary.
+/// On each component, the harmonic fields have dimension 2 genus + max(boundary loops - 1, 0).
+/// \cgalCite{cgal:pp-ivfs-03}
 ///
-/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; a cloud does not have the edges
-/// \param field a readable map of a `Vector_3` for each face; what is normal to the face is left out
+/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`. A cloud is not supported, because it
+///        lacks the edges.
+/// \param field a readable map of a `Vector_3` for each face; the normal component is ignored
 /// \param gradient_map, rotation_map, harmonic_map receive a `Vector_3` for each face
-/// \param np what `make_domain()` takes
-/// \throws Invalid_argument_error when a vector is not finite
+/// \param np named parameters of `make_domain()`
+/// \throws Invalid_argument_error if a vector is not finite
 ///
-/// Two factorizations.
+/// Takes two factorizations.
 template <typename Mesh, typename Field, typename GradientMap, typename RotationMap,
           typename HarmonicMap, typename NamedParameters = internal::Default_parameters>
 void hodge_decomposition(const Mesh& mesh, Field field, GradientMap gradient_map,

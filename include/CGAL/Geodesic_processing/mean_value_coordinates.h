@@ -22,22 +22,25 @@ Vec3 spatial(const Point& point)
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds the mean value coordinates of a point with respect to a closed mesh: a number for each vertex,
-/// such that they sum to one, and the vertices times their numbers to the point.  \cgalCite{cgal:jsw-mvc-05}
+/// computes the mean value coordinates of a point with respect to a closed mesh: a weight for each
+/// vertex. The weights sum to one, and the weighted sum of the vertices is the point.
+/// \cgalCite{cgal:jsw-mvc-05}
 ///
-/// They are continuous in space, and smooth off the surface; on it they are barycentric coordinates in a
-/// face.  Inside of a convex mesh they are positive, elsewhere some may be negative.  Borders and
-/// components do not matter beyond this: the mesh is closed, and encloses something.
+/// The coordinates are continuous in space, and smooth off the surface. On the surface they are the
+/// barycentric coordinates in a face. Inside convex meshes they are positive; elsewhere some can be
+/// negative. The mesh must be closed and must enclose a volume. It can have any number of
+/// components.
 ///
-/// \param mesh as for `geodesic_distances()`, a mesh and closed, or a domain of one
+/// \param mesh a closed mesh, as for `geodesic_distances()`, or a domain of one
 /// \param point a `Point_3` of any kernel, inside, outside, or on the surface
 /// \param coordinate_map receives a `double` for each vertex
-/// \param np what `make_domain()` takes
-/// \throws Unsupported_surface_error when the mesh has a border or no faces, when it encloses nothing,
-///         or the point is millions of times as far away as it is large
-/// \throws Invalid_argument_error when a coordinate is not finite
+/// \param np named parameters of `make_domain()`
+/// \throws Unsupported_surface_error if the mesh has a boundary or no faces, if it encloses no
+///         volume, or if the point is millions of mesh diameters away
+/// \throws Invalid_argument_error if a coordinate is not finite
 ///
-/// O(n): 1.3 ms for 10,000 vertices.  At a distance of d diameters roundings are d² times as large.
+/// O(n): 1.3 ms for 10,000 vertices. At a distance of d diameters, round-off errors are d² times
+/// as large.
 template <typename Mesh, typename Point, typename CoordinateMap,
           typename NamedParameters = internal::Default_parameters>
 void mean_value_coordinates(const Mesh& mesh, const Point& point, CoordinateMap coordinate_map,

@@ -12,20 +12,23 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds the lines along which masses are moved, once.  `Transport_solution::streamlines()` has those of a
-/// solver's last query.
+/// computes the streamlines along which one mass distribution is transported to another. For the
+/// streamlines of a solver's last query, use `Transport_solution::streamlines()`.
 ///
 /// \tparam Method `Interior_point`, `Alternating_directions` or `Weiszfeld`
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface a mesh or a cloud
-/// \param from, to masses, as `Earth_movers_solver` takes them
-/// \param seeds a number of lines, a `std::size_t`: they stand for equal parts of all the mass; or a range of
-///        sites or of locations from where lines are to go
-/// \param out receives a `Streamline<Surface>` for each
-/// \param np what `Earth_movers_solver`, its `compute()` and `Transport_solution::streamlines()` take
+/// \param from, to mass distributions, as for `Earth_movers_solver`
+/// \param seeds if it is an integer, the number of streamlines, each for an equal fraction of the
+///        mass; otherwise a range of vertices, surfels or locations at which streamlines begin
+/// \param out receives a `Streamline<Surface>` for each seed
+/// \param np named parameters of `Earth_movers_solver`, its `compute()` and
+///        `Transport_solution::streamlines()`
+/// \returns the output iterator past the last streamline
 /// \throws as `Earth_movers_solver` and its `compute()`
 ///
-/// On a mesh about as long again as `earth_movers_distance()`, and for each line O(number of faces passed).
+/// On a mesh this takes about twice as long as `earth_movers_distance()`, and O(number of crossed
+/// faces) for each streamline.
 template <typename Method = Interior_point, typename Surface, typename From, typename To,
           typename Seeds, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>

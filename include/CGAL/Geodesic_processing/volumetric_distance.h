@@ -9,12 +9,12 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// finds out how far two points in space are from each other, inside or outside of a closed mesh, once.
-/// For many points `Volumetric_metric` is prepared only once.
+/// computes the distance between two points in space, inside or outside of a closed mesh. For many
+/// queries, use a `Volumetric_metric`, which is precomputed only once.
 ///
-/// \param mesh as for `Volumetric_metric`, or a domain of it
+/// \param mesh as for `Volumetric_metric`, or a domain of such a mesh
 /// \param from, to `Point_3` of any kernel
-/// \param np what `Volumetric_metric` and its `cost()` take
+/// \param np named parameters of `Volumetric_metric` and its `cost()`
 /// \throws as `Volumetric_metric` and its `cost()`
 template <typename Mesh, typename From, typename To,
           typename NamedParameters = internal::Default_parameters>
