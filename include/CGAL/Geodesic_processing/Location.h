@@ -21,7 +21,8 @@ class Point_set_3;
 namespace Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// a place on a surfel cloud: a surfel and two offsets in its tangent plane, in the cloud's unit.
+/// a location on a surfel cloud: a surfel and an offset in its tangent plane. The two components of
+/// the offset are in the unit of the coordinates.
 template <typename Surfel>
 struct Surfel_location
 {
@@ -31,8 +32,9 @@ struct Surfel_location
 
 namespace internal {
 
-// A range of surfels has a beginning; a FaceGraph has none.  The one place where they are told apart
-// (boost::graph_traits of a Point_set_3 does not compile).
+// Distinguishes clouds from meshes: a range of surfels has begin(), a FaceGraph has not. No other
+// code makes this distinction. The class boost::graph_traits of a Point_set_3 cannot be used,
+// since they do not compile.
 template <typename Surface, typename = void>
 struct Is_cloud : std::false_type
 {};
@@ -41,7 +43,7 @@ struct Is_cloud<Surface, std::void_t<decltype(std::declval<const Surface&>().beg
     : std::true_type
 {};
 
-// What a surface calls its sites, locations and points.
+// The types of the vertices (or surfels), locations, points and vectors of a surface.
 template <typename Surface, bool is_cloud = Is_cloud<Surface>::value>
 struct Surface_traits
 {
@@ -73,8 +75,8 @@ struct Surface_traits<Point_set_3<Point, Vector>, true>
 } // namespace internal
 
 /// \ingroup PkgGeodesicProcessingDomain
-/// a place anywhere on a surface: `Polygon_mesh_processing::Face_location` on a mesh,
-/// `Surfel_location` on a cloud.
+/// a location on a surface: `Polygon_mesh_processing::Face_location` on a mesh, `Surfel_location`
+/// on a cloud.
 template <typename Surface>
 using Location = typename internal::Surface_traits<Surface>::Location;
 

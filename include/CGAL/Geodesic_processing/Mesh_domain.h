@@ -24,7 +24,7 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// Where a member function hides the mesh's own.
+// Calls face() of the mesh in scopes in which a member function of this name hides it.
 template <typename Halfedge, typename TriangleMesh>
 auto face_of(Halfedge h, const TriangleMesh& mesh)
 {
@@ -35,11 +35,13 @@ auto face_of(Halfedge h, const TriangleMesh& mesh)
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// a triangle mesh as all algorithms of this package see it: triangles, how they are glued, how long
-/// their sides are.  Made by `make_domain()`; a copy costs nothing, and shares.
+/// represents a triangle mesh for all algorithms of this package: its triangles, their adjacency
+/// and their edge lengths. It is returned by `make_domain()`. Copies are cheap, since they share
+/// the data.
 ///
-/// It knows the mesh's descriptors, but not the mesh: that may be destroyed, not be changed.
-/// Takes about 175 bytes per vertex.
+/// A domain stores the descriptors of the mesh, but does not refer to the mesh. If the mesh is
+/// destroyed, the domain can still be used. If the mesh is changed, it cannot.
+/// It takes about 175 bytes per vertex.
 ///
 /// \cgalModels `TriangulatedGeodesicDomain`
 template <typename TriangleMesh>
@@ -56,24 +58,26 @@ public:
   using Point_3 = typename Traits::Point_3;
   using Vector_3 = typename Traits::Vector_3;
 
-  /// reads the mesh once: O(n).
+  /// constructs the domain by reading the mesh once. O(n).
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{vertex_point_map} \cgalParamNEnd
   ///   \cgalParamNBegin{vertex_index_map} \cgalParamNEnd
   ///   \cgalParamNBegin{face_index_map} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error when a face is not a triangle, or when there are more than
-  ///         2<SUP>31</SUP> half-edges
-  /// \throws Invalid_argument_error when a coordinate is not finite
+  /// \throws Unsupported_surface_error if a face is not a triangle, or if there are more than
+  ///         2<SUP>31</SUP> halfedges
+  /// \throws Invalid_argument_error if a coordinate is not finite
   template <typename NamedParameters = internal::Default_parameters>
   explicit Mesh_domain(const TriangleMesh& mesh, const NamedParameters& np = NamedParameters());
 
-  /// the number of vertices.
+  /// returns the number of vertices.
   std::size_t number_of_vertices() const { return m_data->vertices.size(); }
 
-  /// writes a value for each vertex: `values` maps the domain's own numbers, below
-  /// `number_of_vertices()`, to them.
+  /// writes a value for each vertex to a property map.
+  ///
+  /// \param values a function that maps an internal index, below `number_of_vertices()`, to a value
+  /// \param map a writable property map of vertices
   template <typename Values, typename PropertyMap>
   void write(const Values& values, PropertyMap map) const
   {
@@ -82,7 +86,7 @@ public:
       put(map, m_data->vertices[i], static_cast<Value>(values(i)));
   }
 
-  /// \name Between the mesh and the kernels
+  /// \name Conversion between the Mesh and the Kernels
   /// @{
   const std::shared_ptr<const internal::Surface_arrays>& triangles() const { return m_triangles; }
   internal::Index index(Vertex v) const { return get(m_data->index_of_vertex, v); }
@@ -104,9 +108,9 @@ private:
   {
     Map<Vertex, dynamic_vertex_property_t<internal::Index>> index_of_vertex;
     Map<Face, dynamic_face_property_t<internal::Index>> triangle_of_face;
-    std::vector<Vertex> vertices; // #sites
+    std::vector<Vertex> vertices; // #vertices
     std::vector<Face> faces;      // #triangles
-    // The least and the greatest descriptors: maps must not be asked about others.
+    // The minimum and maximum descriptors. The maps must not be read outside of these ranges.
     std::pair<Vertex, Vertex> vertex_range;
     std::pair<Face, Face> face_range;
   };

@@ -20,11 +20,11 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingSources
 ///
-/// where distance begins: a site (vertex or surfel), a location, or a polyline on the surface, with
-/// an offset, the distance there, and a label.
+/// represents a source of distances: a vertex or surfel, a location, or a polyline on the surface.
+/// A source also has an offset, which is its own distance, and a label.
 ///
-/// Consecutive locations of a polyline lie in a common face; it is closed when the first one comes
-/// again at the end.
+/// Consecutive locations of a polyline must be in a common face. A polyline is closed if its first
+/// location is repeated at the end.
 template <typename Surface>
 class Source
 {
@@ -33,8 +33,8 @@ public:
   using Location = typename internal::Surface_traits<Surface>::Location;
   using Polyline = std::vector<Location>;
 
-  /// `offset` is in the surface's unit and may be negative.  Without a label a source is known by
-  /// its position in the range of sources.
+  /// constructs a source. The offset is in the unit of the coordinates and can be negative. If no
+  /// label is given, the label is the position in the range of sources.
   Source(Vertex vertex, double offset = 0., std::optional<std::size_t> label = std::nullopt)
       : m_location(vertex), m_offset(offset), m_has_label(label.has_value()),
         m_label(label.value_or(0))
@@ -61,16 +61,17 @@ private:
 
 /// \ingroup PkgGeodesicProcessingSources
 ///
-/// writes one closed polyline for each border loop of a triangle mesh, as `Source`s.  O(n).
+/// writes a `Source` for each boundary cycle of a triangle mesh: a closed polyline. O(n).
 template <typename TriangleMesh, typename OutputIterator>
 OutputIterator border_sources(const TriangleMesh& mesh, OutputIterator out)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> loops;
   Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(loops));
-  // The vertex that a half-edge ends at, in the face behind the half-edge.
+  // Returns the target vertex of a boundary halfedge, as a location in the face of the opposite
+  // halfedge.
   const auto location_at_end = [&](auto h)
   {
-    const auto inner = opposite(h, mesh); // begins at that vertex
+    const auto inner = opposite(h, mesh); // starts at that vertex
     typename Source<TriangleMesh>::Location location;
     location.first = face(inner, mesh);
     auto k = halfedge(location.first, mesh);

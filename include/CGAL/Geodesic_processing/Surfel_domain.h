@@ -22,10 +22,12 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// a surfel cloud as all algorithms of this package see it: a proximity graph, and local triangles
-/// with weights.  Made by `make_domain()`; a copy costs nothing, and shares.
+/// represents a surfel cloud for all algorithms of this package: a proximity graph, and local
+/// triangles with weights. It is returned by `make_domain()`. Copies are cheap, since they share
+/// the data.
 ///
-/// It knows the cloud's indices, but not the cloud.  Takes about 700 bytes per surfel.
+/// A domain stores the indices of the cloud, but does not refer to the cloud. It takes about 700
+/// bytes per surfel.
 ///
 /// \cgalModels `TriangulatedGeodesicDomain`
 template <typename SurfelRange>
@@ -34,34 +36,37 @@ class Surfel_domain
 public:
   using Surface = SurfelRange;
   using Traits = internal::Surface_traits<Surface>;
-  using Vertex = typename Traits::Vertex;     ///< the index of a `Point_set_3`, else `std::size_t`
+  using Vertex = typename Traits::Vertex;     ///< the index of a `Point_set_3`, or `std::size_t`
   using Location = typename Traits::Location; ///< a `Surfel_location`
   using Point_3 = typename Traits::Point_3;
   using Vector_3 = typename Traits::Vector_3;
 
-  /// reads the cloud once: O(n log n).
+  /// constructs the domain by reading the cloud once. O(n log n).
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{point_map} \cgalParamDescription{of the elements of the range}
-  ///     \cgalParamDefault{that of a `Point_set_3`, else the identity} \cgalParamNEnd
-  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{of any positive length}
-  ///     \cgalParamDefault{that of a `Point_set_3`} \cgalParamNEnd
-  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{how far surfels reach}
-  ///     \cgalParamDefault{the distance to the 8th neighbour over the square root of two}
+  ///   \cgalParamNBegin{point_map} \cgalParamDescription{the points of the elements of the range}
+  ///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity}
+  ///     \cgalParamNEnd
+  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{the normals, of any positive length}
+  ///     \cgalParamDefault{the normal map of a `Point_set_3`} \cgalParamNEnd
+  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{the radii of the surfels}
+  ///     \cgalParamDefault{the distance to the 8th neighbor, divided by the square root of two}
   ///     \cgalParamNEnd
   ///   \cgalParamNBegin{threads} \cgalParamDefault{1} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error when there are no normals
-  /// \throws Invalid_argument_error when a coordinate or a radius is not finite, a radius is
+  /// \throws Unsupported_surface_error if there are no normals
+  /// \throws Invalid_argument_error if a coordinate or a radius is not finite, a radius is
   ///         negative, or a normal has no direction
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surfel_domain(const SurfelRange& surfels, const NamedParameters& np = NamedParameters());
 
-  /// the number of surfels.
+  /// returns the number of surfels.
   std::size_t number_of_vertices() const { return m_data->descriptors.size(); }
 
-  /// writes a value for each surfel: `values` maps the domain's own numbers, below
-  /// `number_of_vertices()`, to them.
+  /// writes a value for each surfel to a property map.
+  ///
+  /// \param values a function that maps an internal index, below `number_of_vertices()`, to a value
+  /// \param map a writable property map of surfels
   template <typename Values, typename PropertyMap>
   void write(const Values& values, PropertyMap map) const
   {
@@ -71,7 +76,7 @@ public:
           static_cast<Value>(values(m_data->surfels.internal_vertex[i])));
   }
 
-  /// \name Between the cloud and the kernels
+  /// \name Conversion between the Cloud and the Kernels
   /// @{
   std::shared_ptr<const internal::Surface_arrays> triangles() const
   {

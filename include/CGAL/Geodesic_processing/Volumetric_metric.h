@@ -67,7 +67,8 @@ public:
 
   /// computes the distance between two points, with bounds.
   ///
-  /// The residual is relative to the sum of the absolute values of the masses that are transported.
+  /// The residual is relative to the mass that moves: half the sum of the absolute differences of
+  /// the coordinates.
   ///
   /// \param from, to `Point_3` of any kernel
   /// \param np

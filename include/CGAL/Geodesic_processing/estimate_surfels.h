@@ -19,31 +19,37 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// makes surfels of points: normals of fitted surfaces of second order \cgalCite{cgal:cp-edqpf-05}, oriented
-/// along a minimum spanning tree, and radii such that the disks of neighbours overlap.
+/// estimates the normals and radii of points, so that they become surfels. Normals are those of
+/// fitted quadrics \cgalCite{cgal:cp-edqpf-05}. They are oriented along a minimum spanning tree.
+/// The radii are such that the disks of neighbors overlap.
 ///
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
-///         threads.  The result is the same.
-/// \tparam Points a `Point_set_3`, which gets normals and a property `"radius"`, and loses outliers
-///         (until `collect_garbage()` they can be had back); or any range, with maps to write to
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default), or `CGAL::Parallel_tag` for
+///         several threads. The results are identical.
+/// \tparam Points a `Point_set_3`, or any range with writable property maps. A `Point_set_3` gets
+///         normals and a property `"radius"`, and its outliers are removed. They can be restored
+///         until `collect_garbage()` is called.
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{point_map} \cgalParamDescription{of the elements of the range}
-///     \cgalParamDefault{that of a `Point_set_3`, else the identity} \cgalParamNEnd
+///   \cgalParamNBegin{point_map} \cgalParamDescription{the points of the elements of the range}
+///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity} \cgalParamNEnd
 ///   \cgalParamNBegin{normal_map} \cgalParamDescription{receives unit vectors}
-///     \cgalParamDefault{that of a `Point_set_3`} \cgalParamNEnd
+///     \cgalParamDefault{the normal map of a `Point_set_3`} \cgalParamNEnd
 ///   \cgalParamNBegin{radius_map} \cgalParamDescription{receives radii}
-///     \cgalParamDefault{none, or the property of a `Point_set_3`} \cgalParamNEnd
-///   \cgalParamNBegin{number_of_neighbors} \cgalParamDescription{that a normal is estimated from}
-///     \cgalParamDefault{18} \cgalParamNEnd
-///   \cgalParamNBegin{outlier_percentage} \cgalParamDescription{how many points, those farthest from
-///     their neighbours, are outliers} \cgalParamDefault{0} \cgalParamNEnd
-///   \cgalParamNBegin{threads} \cgalParamDefault{one, or with `Parallel_tag` all} \cgalParamNEnd
+///     \cgalParamDefault{the property `"radius"` of a `Point_set_3`; for a range, radii are not
+///       written} \cgalParamNEnd
+///   \cgalParamNBegin{number_of_neighbors} \cgalParamDescription{the number of neighbors from which
+///     a normal is estimated, at least 6} \cgalParamDefault{18} \cgalParamNEnd
+///   \cgalParamNBegin{outlier_percentage} \cgalParamDescription{the percentage of the points that
+///     are outliers: the points farthest from their neighbors} \cgalParamDefault{0}
+///     \cgalParamNEnd
+///   \cgalParamNBegin{threads} \cgalParamDefault{one; all with `Parallel_tag`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the number of outliers: of a `Point_set_3` they have been removed, in a range they have the
-///          radius 0
-/// \throws Invalid_argument_error when a coordinate is not finite or a number makes no sense, and
-///         Unsupported_surface_error when there are fewer points than neighbours
+/// \returns the number of outliers. They are removed from a `Point_set_3`; in a range, their radius
+///          is 0.
+/// \throws Invalid_argument_error if a coordinate is not finite, the number of neighbors is below
+///         6, or the percentage is not in [0, 100]
+/// \throws Unsupported_surface_error if the number of remaining points does not exceed the number
+///         of neighbors
 template <typename Concurrency_tag = Sequential_tag, typename Points,
           typename NamedParameters = internal::Default_parameters>
 std::size_t estimate_surfels(Points& points, const NamedParameters& np = NamedParameters())

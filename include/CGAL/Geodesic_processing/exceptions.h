@@ -10,16 +10,16 @@ namespace CGAL::Geodesic_processing {
 /// \addtogroup PkgGeodesicProcessingErrors
 /// @{
 
-/// is thrown when an argument cannot be used: an empty range of sources, a negative distance,
-/// a coordinate that is not a number.
+/// is thrown if an argument is invalid, for example an empty range of sources, a negative distance
+/// or a coordinate that is not a number.
 class Invalid_argument_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// is thrown when a surface cannot be treated by the method asked for: faces that are not
-/// triangles, more than 2<SUP>31</SUP> half-edges, a cloud where a manifold is needed.
+/// is thrown if a method cannot process a surface. Examples are faces that are not triangles, more
+/// than 2<SUP>31</SUP> halfedges, or a cloud if a manifold is needed.
 class Unsupported_surface_error : public std::runtime_error
 {
 public:

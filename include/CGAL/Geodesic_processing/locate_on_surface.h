@@ -12,8 +12,8 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// finds for points in space the nearest locations on one surface: by a tree of triangles on a mesh, of
-/// surfels on a cloud.  Copies share the tree.
+/// computes the closest locations on one surface to points in space. It uses a tree of triangles on
+/// a mesh, and of surfels on a cloud. Copies share the tree.
 template <typename Surface>
 class Surface_locator
 {
@@ -21,15 +21,15 @@ public:
   using Domain = internal::Domain_of<Surface>;
   using Location = typename Domain::Location;
 
-  /// O(n log n) on a mesh; on a cloud the domain has the tree.
+  /// constructs the tree in O(n log n) time on a mesh. On a cloud it uses the tree of the domain.
   explicit Surface_locator(const Domain& domain) : m_domain(domain), m_tree(tree(domain)) {}
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surface_locator(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Surface_locator(Domain(surface, np))
   {}
 
-  /// returns the location nearest to a point.  O(log n) on most inputs.
-  /// \throws Invalid_argument_error when a coordinate is not finite or the surface is empty
+  /// returns the location that is closest to a point. O(log n) on most inputs.
+  /// \throws Invalid_argument_error if a coordinate is not finite or the surface is empty
   template <typename Point>
   Location operator()(const Point& point) const
   {
@@ -65,12 +65,13 @@ private:
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// returns the location on a surface that is nearest to a point in space; for many points use a
+/// returns the location on a surface that is closest to a point in space. For many points, use a
 /// `Surface_locator`.
 ///
 /// \param surface as for `geodesic_distances()`
 /// \param point a `Point_3` of any kernel
-/// \throws Invalid_argument_error when a coordinate is not finite or the surface is empty
+/// \param np named parameters of `make_domain()`
+/// \throws Invalid_argument_error if a coordinate is not finite or the surface is empty
 template <typename Surface, typename Point, typename NamedParameters = internal::Default_parameters>
 auto locate_on_surface(const Surface& surface, const Point& point,
                        const NamedParameters& np = NamedParameters())

@@ -20,11 +20,13 @@ using Domain_of =
 
 /// \ingroup PkgGeodesicProcessingDomain
 ///
-/// prepares a surface for any number of calls: every function of this package takes the domain in
-/// place of the surface that it was made of.
+/// constructs a domain: the preprocessed form of a surface, for any number of calls. Every
+/// function of this package accepts a domain instead of its surface.
 ///
-/// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, or of `SurfelRange`
-/// \param np what `Mesh_domain` and `Surfel_domain` take
+/// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, or of
+///         `SurfelRange`
+/// \param surface a mesh or a cloud
+/// \param np named parameters of `Mesh_domain` or `Surfel_domain`
 /// \returns a `Mesh_domain` or a `Surfel_domain`
 template <typename Surface, typename NamedParameters = internal::Default_parameters>
 auto make_domain(const Surface& surface, const NamedParameters& np = NamedParameters())

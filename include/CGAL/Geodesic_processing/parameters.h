@@ -10,7 +10,8 @@
 
 namespace CGAL::Geodesic_processing {
 
-// The names of our parameters: each has a tag, and is a link of chains.
+// The names of the parameters of this package. For each name there is a tag, and a function that
+// extends a chain of parameters.
 #define CGAL_GEODESIC_PROCESSING_OWN_NAMES(NAME)                                                   \
   NAME(maximum_distance)                                                                           \
   NAME(targets)                                                                                    \
@@ -92,13 +93,13 @@ CGAL_GEODESIC_PROCESSING_OWN_NAMES(CGAL_GEODESIC_PROCESSING_TAG)
 
 } // namespace internal_np
 
-/// The named parameters of this package, chained with the ones of \cgal in any order.
+/// The named parameters of this package, chained with the named parameters of \cgal in any order.
 namespace parameters {
 
 using namespace CGAL::parameters;
 
-/// a chain of named parameters: one of \cgal to every function that reads it, with our names as
-/// further links.
+/// represents a chain of named parameters. Functions of \cgal can read it as one of their own
+/// chains. In addition, it can be extended by the names of this package.
 template <typename NamedParameters>
 struct Chain : NamedParameters
 {
@@ -107,7 +108,8 @@ struct Chain : NamedParameters
 
   const NamedParameters& plain() const { return *this; }
 
-// Links to the names of ours, and to those of CGAL that have other tags.
+// Generates the functions for the names of this package, and for names of CGAL. The tags of the
+// latter differ from the names.
 #define CGAL_GEODESIC_PROCESSING_LINKS                                                             \
   CGAL_GEODESIC_PROCESSING_OWN_NAMES(CGAL_GEODESIC_PROCESSING_OWN_LINK)                            \
   CGAL_GEODESIC_PROCESSING_LINK(CGAL::internal_np::edge_is_constrained_t, edge_is_constrained_map) \
@@ -122,7 +124,7 @@ struct Chain : NamedParameters
 #define CGAL_GEODESIC_PROCESSING_OWN_LINK(X)                                                       \
   CGAL_GEODESIC_PROCESSING_LINK(Geodesic_processing::internal_np::X##_t, X)
 
-// A further link of a chain.
+// The functions that extend a chain.
 #define CGAL_GEODESIC_PROCESSING_LINK(TAG, X)                                                      \
   template <typename T>                                                                            \
   auto X(const T& value) const                                                                     \
@@ -134,7 +136,7 @@ struct Chain : NamedParameters
 #undef CGAL_GEODESIC_PROCESSING_LINK
 };
 
-// The first one.
+// The functions that begin a chain.
 #define CGAL_GEODESIC_PROCESSING_LINK(TAG, X)                                                      \
   template <typename T>                                                                            \
   auto X(const T& value)                                                                           \
@@ -154,7 +156,8 @@ namespace internal {
 
 using Default_parameters = CGAL::parameters::Default_named_parameters;
 
-// A chain as CGAL knows it: its functions deduce their own class, not one derived from it.
+// Converts a chain to the type of CGAL, since functions of CGAL deduce this type and not a derived
+// one.
 template <typename NamedParameters>
 const NamedParameters& plain(const NamedParameters& np)
 {
@@ -166,7 +169,7 @@ const NamedParameters& plain(const parameters::Chain<NamedParameters>& np)
   return np.plain();
 }
 
-// The same parameters, ready for our own links.
+// Converts parameters to a chain that can be extended by the names of this package.
 template <typename NamedParameters>
 auto chain(const NamedParameters& np)
 {

@@ -16,72 +16,76 @@ using internal::Surfel_search;
 #else
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// which surfels of a cloud are joined by arcs, from which a path starts.
+/// selects the edges of the proximity graph of a cloud. A path is initialized by a graph path.
 enum class Surfel_graph
 {
-  /// those whose spheres, of their radii, meet, and whose normals agree: near sheets stay apart.
-  /// \cgalCite{cgal:rdsk-asg-06}
+  /// joins two surfels if their spheres, of the surfels' radii, intersect and their normals agree.
+  /// Hence nearby sheets are not joined.  \cgalCite{cgal:rdsk-asg-06}
   extended_spheres,
-  /// those whose spheres of influence meet, as large as the distance to the nearest surfel
+  /// joins two surfels if their spheres of influence intersect. The radius of such a sphere is the
+  /// distance to the nearest surfel.
   spheres,
-  /// each and its nearest ones \cgalCite{cgal:kz-pcsg-04}
+  /// joins each surfel to its nearest surfels \cgalCite{cgal:kz-pcsg-04}
   nearest
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// how a short chain of arcs between two surfels is found.  Dijkstra's search, from both ends, and A* find
-/// chains of one length, the least: the same chain where no other is as short.  `coarse_to_fine` is another
-/// search, which need not find a shortest chain; a path is never longer than the chain that it started from,
-/// whichever found it.
+/// selects the search for a short graph path between two surfels. Dijkstra's algorithm,
+/// bidirectional search and A* find shortest graph paths. They find the same one if it is unique.
+/// `coarse_to_fine` does not always find a shortest graph path. With every search, the resulting
+/// path is never longer than the graph path that initialized it.
 enum class Surfel_search
 {
-  /// A* below 50,000 surfels; above, a chain of regions first, then a short chain in these and their
-  /// neighbours: the fastest by far.  It is a few tenths of a percent longer than the shortest, or over
-  /// hundreds of surfels one or two percent.
+  /// A* for at most 50,000 surfels. For larger clouds, the search first finds a path of regions.
+  /// Then it finds a short graph path in these regions and their neighbors. This is by far the
+  /// fastest search. The graph path is some tenths of a percent longer than the shortest one. If it
+  /// has hundreds of surfels, it can be one or two percent longer.
   coarse_to_fine,
-  a_star,        ///< towards the goal, bounded below by the distance in space
-  bidirectional, ///< from both ends
-  dijkstra       ///< in all directions
+  a_star,        ///< A* with the Euclidean distance to the target as lower bound
+  bidirectional, ///< Dijkstra's algorithm from both ends
+  dijkstra       ///< Dijkstra's algorithm from one end
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// what a path on a cloud is held on, or drawn to.
+/// selects the fitted surface that attracts a path on a cloud, and whether the path is projected
+/// onto it.
 enum class Surfel_path_method
 {
-  /// held on surfaces of second order over algebraic spheres, fitted to the surfels and their normals
+  /// projects the path onto quadrics over algebraic spheres, which are fitted to the surfels and
+  /// their normals
   projected_quadrics,
-  /// held on the algebraic spheres alone \cgalCite{cgal:ggg-dpsas-08}
+  /// projects the path onto algebraic spheres without quadrics \cgalCite{cgal:ggg-dpsas-08}
   projected_spheres,
-  /// held on fitted planes \cgalCite{cgal:hp-emss-04}
+  /// projects the path onto fitted planes \cgalCite{cgal:hp-emss-04}
   projected_planes,
-  /// drawn to algebraic spheres by the energy
+  /// attracts the path to algebraic spheres by the energy
   spheres,
-  /// the same with robust weights: surfels far off their neighbours do not count.  For outliers that
-  /// `Surfel_noise::kept` leaves, or that are too few to be found as noise
+  /// as `spheres`, with robust weights: surfels far from their neighbors are ignored. Use it for
+  /// outliers that remain with `Surfel_noise::kept`, or that are too few to be detected as noise.
   robust_spheres,
-  /// drawn to fitted planes by the energy
+  /// attracts the path to fitted planes by the energy
   planes,
-  /// drawn to the disks of the surfels by the energy \cgalCite{cgal:rdsk-asg-06}
+  /// attracts the path to the disks of the surfels by the energy \cgalCite{cgal:rdsk-asg-06}
   disks
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// whether surfels are moved to the surface that they suggest before paths are sought.
+/// selects whether surfels are denoised before paths are computed: moved to an estimated surface.
 enum class Surfel_noise
 {
-  removed_when_found, ///< where neighbours rise over each other by more than 2 % of the spacing
-  removed,
-  kept
+  removed_when_found, ///< denoises if the noise level is at least 2 % of the spacing
+  removed,            ///< always denoises
+  kept                ///< never denoises
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// how the energy of a path went down with equally many control points.
+/// stores the decrease of the energy of a path on one level, with a fixed number of control points.
 struct Path_energy_level
 {
   std::size_t number_of_control_points = 0;
   std::size_t number_of_iterations = 0;
-  double first_energy = 0.; ///< in squares of the surface's unit
-  double last_energy = 0.;  ///< never higher
+  double first_energy = 0.; ///< before minimization, in squares of the surface's unit
+  double last_energy = 0.;  ///< after minimization; at most `first_energy`
 };
 
 #endif // DOXYGEN_RUNNING

@@ -6,50 +6,57 @@
 namespace CGAL::Geodesic_processing {
 
 /// \addtogroup PkgGeodesicProcessingMethods
-/// How a distance is found: the first template argument of `geodesic_distances()`.
+/// Methods for distances: the first template argument of `geodesic_distances()`.
 /// @{
 
-/// chooses the length of the shortest chain of edges, or of arcs between surfels. \cgalCite{cgal:d-ntpcg-59}
+/// selects Dijkstra's algorithm: the length of the shortest path along edges, or along graph edges
+/// between surfels. \cgalCite{cgal:d-ntpcg-59}
 ///
-/// Never shorter than the distance on the surface, and not getting closer to it under refinement:
-/// along the diagonals of a regular grid it stays 41 percent too long.
+/// The result is never shorter than the distance on the surface. It does not converge to this
+/// distance under refinement: along the diagonals of a regular grid it remains 41 percent too long.
 struct Dijkstra
 {};
 
-/// chooses a front that crosses each triangle as a straight line, with obtuse triangles split by
-/// unfolding. \cgalCite{cgal:ks-cgpm-98}
+/// selects fast marching: the front crosses each triangle as a straight line. Obtuse triangles are
+/// split by unfolding. \cgalCite{cgal:ks-cgpm-98}
 ///
-/// The error falls with the power 0.7 to 0.8 of the length of the edges; about 1 percent on common
-/// meshes.  Admits speeds.
+/// The error is proportional to the edge length to the power of 0.7 to 0.8. It is about 1 percent
+/// on common meshes. Speeds can be used.
 struct Fast_marching
 {};
 
-/// chooses a front that crosses each triangle as a circle around an unfolded source, of which each
-/// vertex knows the direction.
+/// selects a circular front: it crosses each triangle as a circle around an unfolded source. Each
+/// vertex stores the direction to its source.
 ///
-/// Exact to rounding where the surface between the source and a vertex unfolds to a plane, also through
-/// needles (among hundreds of thousands of them a few vertices may be off by a thousandth); elsewhere of second order, with errors of some hundredths of a percent on common meshes, up
-/// to a few tenths on rough scans.  After Reimers's idea of circular fronts \cgalCite{cgal:r-tvs-04},
-/// with the curvature of the circle fitted to a direction and two distances instead of assumed.  With
-/// a speed the front is that of `Fast_marching`.
+/// If the surface between the source and a vertex unfolds to a plane, the distance is exact up to
+/// round-off errors. This also holds across needles, but among hundreds of thousands of needles a
+/// few vertices can have relative errors of 0.001. Elsewhere the method is of second order. Errors
+/// are some hundredths of a percent on common meshes, and up to some tenths on rough scans.
+///
+/// Circular fronts are due to Reimers \cgalCite{cgal:r-tvs-04}. Here the curvature of the circle is
+/// not assumed, but fitted to a direction and two distances. If a speed is given, the front is that
+/// of `Fast_marching`.
 struct Euclidean_front
 {};
 
-/// chooses the exact distance on the polyhedron, on meshes only: windows are propagated over edges.
-/// \cgalCite{cgal:mmp-dgp-87}
+/// selects the exact distance on the polyhedron, on meshes only. Windows are propagated across
+/// edges. \cgalCite{cgal:mmp-dgp-87}
 ///
-/// Right to rounding on every mesh, with saddles, borders and needles; paths are shortest ones, and
-/// distances are exact in faces too, each at the cost of a search from there.  Where the mesh is flat
-/// it takes a few times as long as `Euclidean_front`; on curved ones the windows grow as
-/// O(n<SUP>1.5</SUP>).  Windows of neighbouring edges cross a face together, after Qin et al.
-/// \cgalCite{cgal:qhyyz-fedgc-16}
+/// The distance is exact up to round-off errors on every mesh, including saddles, boundaries and
+/// needles. Paths are shortest paths. Distances inside faces are exact as well, and each takes a
+/// separate search from there.
+///
+/// On flat regions this takes a few times as long as `Euclidean_front`. On curved meshes the
+/// number of windows grows as O(n<SUP>1.5</SUP>). The windows of adjacent edges cross a face
+/// together, as proposed by Qin et al. \cgalCite{cgal:qhyyz-fedgc-16}
 struct Exact
 {};
 
-/// chooses the heat method: one linear system for the direction of the flow of heat, one for the
-/// distance. \cgalCite{cgal:cww-ghnac-13}
+/// selects the heat method. One linear system determines the direction of the heat flow, and
+/// another one the distance. \cgalCite{cgal:cww-ghnac-13}
 ///
-/// A smooth approximation, with errors of 0.4 to 3 percent; a solver prepares the factorizations.
+/// The result is a smooth approximation with errors of 0.4 to 3 percent. A solver precomputes the
+/// factorizations.
 struct Heat
 {};
 
