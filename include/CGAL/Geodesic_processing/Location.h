@@ -32,9 +32,9 @@ struct Surfel_location
 
 namespace internal {
 
-// Distinguishes clouds from meshes: a range of surfels has begin(), a FaceGraph has not. No other
-// code makes this distinction. The class boost::graph_traits of a Point_set_3 cannot be used,
-// since they do not compile.
+// Distinguishes clouds from meshes: a range of surfels has begin(), a FaceGraph does not. No other
+// code makes this distinction. The class boost::graph_traits<Point_set_3> cannot be used, since
+// it does not compile.
 template <typename Surface, typename = void>
 struct Is_cloud : std::false_type
 {};

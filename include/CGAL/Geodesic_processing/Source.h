@@ -67,7 +67,7 @@ OutputIterator border_sources(const TriangleMesh& mesh, OutputIterator out)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> loops;
   Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(loops));
-  // Returns the target vertex of a boundary halfedge, as a location in the face of the opposite
+  // Returns the location of the target vertex of a boundary halfedge, in the face of the opposite
   // halfedge.
   const auto location_at_end = [&](auto h)
   {

@@ -18,7 +18,7 @@ namespace CGAL::Geodesic_processing {
 /// \ingroup PkgGeodesicProcessingTransport
 ///
 /// stores a path along which a flow transports mass. Its `front_distance` is the increase of the
-/// potential from its start to its end, a lower bound of the length of every path between them.
+/// potential from its start to its end. No path between these ends is shorter.
 template <typename Surface>
 struct Streamline : Surface_path<Surface>
 {
@@ -37,9 +37,9 @@ struct Streamline : Surface_path<Surface>
 /// at point masses if the masses are points.
 ///
 /// The streamlines of an optimal flow are shortest paths. The traced lines zigzag with the edges,
-/// and are therefore shortened. If a line on a mesh is then more than one percent longer than the
-/// lower bound by the potential, `Geodesic_path_finder` computes a path between its ends. The
-/// shorter of the two is returned.
+/// and are therefore shortened. The potential gives a lower bound of their length. If a shortened
+/// line on a mesh is more than one percent longer than this bound, `Geodesic_path_finder` computes
+/// a path between its ends. The shorter of the two is returned.
 ///
 /// A tracer can be used by several threads, and does not depend on the solver.
 ///

@@ -166,7 +166,7 @@ public:
   }
 
   /// computes a path by gradient descent of the distance to its end. The path does not cross the
-  /// surface. In a bent tube it follows the center line, and it is not the shortest path.
+  /// surface. In a bent cavity it follows the center line, and it is not the shortest path.
   ///
   /// No step is longer than a fraction of the distance to the surface.
   ///

@@ -14,10 +14,10 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingTransport
 ///
-/// computes the Hodge decomposition of a field of tangent vectors: a gradient field, a rotation
-/// field and a harmonic field, which are orthogonal to each other. The gradient field flows from
-/// sources to sinks, and the rotation field consists of vortices. The harmonic field has neither,
-/// and winds around handles and holes.
+/// computes the Hodge decomposition of a field of tangent vectors. The components are a gradient
+/// field, a rotation field and a harmonic field, which are orthogonal to each other. The gradient
+/// field flows from sources to sinks, and the rotation field consists of vortices. The harmonic
+/// field has neither, and winds around handles and holes.
 ///
 /// The gradient field is the gradient of a function on vertices. The rotation field is the gradient
 /// of a function on edges, rotated by a right angle; this function is constant along the boundary.

@@ -93,7 +93,8 @@ CGAL_GEODESIC_PROCESSING_OWN_NAMES(CGAL_GEODESIC_PROCESSING_TAG)
 
 } // namespace internal_np
 
-/// The named parameters of this package, chained with the named parameters of \cgal in any order.
+/// The named parameters of this package, which can be chained with named parameters of \cgal in
+/// any order.
 namespace parameters {
 
 using namespace CGAL::parameters;

@@ -70,7 +70,8 @@ enum class Surfel_path_method
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// selects whether surfels are denoised before paths are computed: moved to an estimated surface.
+/// selects whether surfels are denoised before paths are computed. Denoising moves the surfels to
+/// an estimated surface.
 enum class Surfel_noise
 {
   removed_when_found, ///< denoises if the noise level is at least 2 % of the spacing

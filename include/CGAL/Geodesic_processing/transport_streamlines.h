@@ -19,8 +19,9 @@ namespace CGAL::Geodesic_processing {
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface a mesh or a cloud
 /// \param from, to mass distributions, as for `Earth_movers_solver`
-/// \param seeds if it is an integer, the number of streamlines, each for an equal fraction of the
-///        mass; otherwise a range of vertices, surfels or locations at which streamlines begin
+/// \param seeds an integer or a range. An integer is the number of streamlines, each for an equal
+///        fraction of the mass. A range contains the vertices, surfels or locations at which
+///        streamlines begin.
 /// \param out receives a `Streamline<Surface>` for each seed
 /// \param np named parameters of `Earth_movers_solver`, its `compute()` and
 ///        `Transport_solution::streamlines()`
