@@ -30,7 +30,7 @@ struct Element_type<std::vector<Value>>
 
 using Function = const std::function<void(const std::string&)>;
 
-// Refuses a negative number, of which a count would become a large one.
+// Rejects negative numbers, because a conversion to an unsigned count would make them large.
 CLI::Validator non_negative()
 {
   return CLI::Validator([](const std::string& text)

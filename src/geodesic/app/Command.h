@@ -27,24 +27,25 @@ private:
   CLI::Option* m_option;
 };
 
-// A command of the program and what may stand behind it.  Nothing but this class, whose header does without
-// it, compiles the parser: it is larger than the commands.
+// A subcommand with its options. This class is the only code that compiles the CLI parser. The
+// parser takes longer to compile than the commands, so this header only declares its types.
 class Command
 {
 public:
   Command(CLI::App& program, const std::string& name, const std::string& description);
 
-  // An option, where its value goes, what stands for that in the help, and what it is.  Lists receive one
-  // value each time that the option is given, counts are not negative, functions throw Usage_error.
+  // Adds an option that stores its argument in `value`. The help text shows `placeholder` for the
+  // argument and `description`. A list receives one element each time that the option is given.
+  // Negative counts are rejected. Functions throw Usage_error.
   //
-  // Value: std::string, double, unsigned or std::size_t, optional or lists of some of them, or
-  // const std::function<void(const std::string&)>.
+  // Value: std::string, double, unsigned or std::size_t, std::optional or std::vector of some of
+  // them, or const std::function<void(const std::string&)>.
   template <typename Value>
   Option add(const std::string& names, Value& value, const std::string& placeholder,
              const std::string& description);
   void add_flag(const std::string& name, bool& value, const std::string& description);
 
-  // Another sentence for an option that is there.
+  // Replaces the description of an existing option.
   void describe(const std::string& name, const std::string& description);
 
   void set_callback(const std::function<void()>& run);

@@ -115,7 +115,7 @@ std::function<bool(double)> Job::progress_callback(const std::string& title)
   return [title, start, last_percent = -1](double fraction) mutable
   {
     const int percent = static_cast<int>(100. * std::clamp(fraction, 0., 1.));
-    // Work that ends within a second needs no bar.
+    // Runs shorter than one second show no progress bar.
     if(percent != last_percent &&
        std::chrono::steady_clock::now() - start > std::chrono::seconds(1))
     {
@@ -174,7 +174,7 @@ void Job::finish()
   {
     for(const char* name : {"read", "prepare", "query", "write"})
       (*m_result)["seconds"][name] = m_seconds[name];
-    // A file name may hold any bytes; JSON holds UTF-8.
+    // A file name may contain arbitrary bytes, but JSON must be UTF-8.
     const std::string text =
         m_result->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     std::printf("%s\n", text.c_str());

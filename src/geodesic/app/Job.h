@@ -20,14 +20,15 @@ namespace program {
 class Command;
 class Display;
 
-// A number for JSON, which has no infinity: null instead.
+// A number for JSON. Infinity and NaN are written as null, because JSON cannot represent them.
 struct Json_number
 {
   double value;
 };
 inline Json_number json_number(double value) { return {value}; }
 
-// A value of an object for JSON.  Assignments are compiled once, as the JSON library takes long.
+// A reference to a value of a JSON object. The assignments are compiled in one source file,
+// because the JSON library is slow to compile.
 class Json_entry
 {
 public:
@@ -71,40 +72,43 @@ private:
   nlohmann::ordered_json& m_object;
 };
 
-// One call of the program: what all commands share.
+// One run of a command: its common options, input, timing and results.
 class Job
 {
 public:
-  // Adds INPUT and the common options to a command.
+  // Adds the INPUT argument and the common options to a command.
   explicit Job(Command& command);
   ~Job();
 
-  // Says what cannot be done before anything is computed, and reads the input.
-  // The kinds of -o that hold the command's result are checked against its file name.
+  // Rejects invalid options before any computation, and reads the input. The extension of the -o
+  // file must be one of `extensions`, the formats that can store the command's result.
   const Surface& read(const std::vector<std::string>& extensions = {"ply", "off", "obj", "vtp"});
   const Surface& surface() const { return m_surface; }
 
-  // The seconds from now on count for this stage: read, prepare, query or write.
+  // Starts a timed stage: read, prepare, query or write. The time until the next stage is added to
+  // it.
   void begin_stage(const std::string& name);
 
-  // What the command has found, for --json in this order.
+  // Returns the object that collects the results for --json, in the order of insertion.
   Json_object result() { return Json_object(*m_result); }
 
-  // Finds a number: for --json under its name, and for people in a line.
+  // Adds a number to the JSON result as `name`, and prints it in a line on standard output.
   void report(const std::string& name, double value);
   void report(const std::string& name, std::size_t value);
 
-  // Shows how far the work is, when it is long and somebody watches.  Never cancels.
+  // Returns a callback that draws a progress bar on standard error. The bar appears after one
+  // second if standard error is a terminal. The callback never cancels the computation.
   std::function<bool(double)> progress_callback(const std::string& title);
 
-  // A line for people on standard output, one about the input on standard error.
+  // Prints a line on standard output (results) or standard error (warnings about the input).
   void print_line(const std::string& line) const;
   void print_warning(const std::string& line) const;
 
-  // Composes the lines of --values where they are asked for, and writes them.
+  // Writes the --values file if it is requested. `text` composes the lines and is called only
+  // then.
   void write_values(const std::function<std::string()>& text) const;
 
-  // Prints the JSON.
+  // Prints the JSON result.
   void finish();
 
   const std::string& input() const { return m_input; }
@@ -112,7 +116,7 @@ public:
   const std::string& values() const { return m_values; }
   const std::string& picture() const { return m_picture; }
   bool json() const { return m_json; }
-  unsigned threads() const; // at least one
+  unsigned threads() const; // at least 1
   unsigned seed() const { return m_seed; }
 
 private:
@@ -130,16 +134,16 @@ private:
   std::unique_ptr<Display> m_display;
 };
 
-// A number for people: six digits.
+// Formats a number for standard output, with six significant digits.
 std::string rounded_text(double value);
 
-// Reads "3,17,4"; throws Usage_error naming the option.
+// Parses "3,17,4". Throws Usage_error that names the option.
 std::vector<std::size_t> parse_indices(const std::string& text, const std::string& option);
-// Numbers with commas between; nothing for other texts.
+// Parses numbers that are separated by commas. Returns std::nullopt if the text is anything else.
 std::optional<std::vector<double>> parse_numbers(const std::string& text);
 Point parse_point(const std::string& text, const std::string& option);
 
-// Throws Input_error when the surface has no such vertex.
+// Throws Input_error if the surface does not contain the vertex.
 void check_vertex(const Surface& surface, std::size_t vertex);
 
 } // namespace program

@@ -9,8 +9,8 @@ class App;
 
 namespace program {
 
-// Each adds a command with its options to the program, and runs it when the command line asks for
-// it.  What goes wrong is thrown as one of the errors of errors.h or of the library.
+// Each function adds one subcommand with its options. The subcommand runs if the command line
+// selects it. Failures are thrown as the errors of errors.h or of the library.
 void add_info(CLI::App& program);
 void add_distance(CLI::App& program);
 void add_path(CLI::App& program);

@@ -20,14 +20,14 @@ namespace {
 
 int fail(Exit_code code, std::string message)
 {
-  // One line, whatever a library put into its message.
+  // Library messages may contain line breaks; an error is printed as one line.
   for(char& c : message)
     c = c == '\n' || c == '\r' ? ' ' : c;
   std::fprintf(stderr, "geodesic: %s\n", message.c_str());
   return code;
 }
 
-// The input named on the command line, for errors that do not name it themselves.
+// Returns a prefix with the input's file name, for errors that do not contain it.
 std::string input_prefix(const CLI::App& program)
 {
   for(const CLI::App* command : program.get_subcommands())
@@ -40,7 +40,8 @@ std::string input_prefix(const CLI::App& program)
 
 int run(int argc, char** argv)
 {
-  // A reader that stops listening is an error of writing, not a reason to die.
+  // If the reader of a pipe exits, the write must fail with an error instead of ending the
+  // process.
   std::signal(SIGPIPE, SIG_IGN);
 
   CLI::App program("Geodesics on triangle meshes and point clouds.", "geodesic");

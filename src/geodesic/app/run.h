@@ -5,7 +5,7 @@
 
 namespace program {
 
-// The whole program: its exit code for a command line.
+// Runs the program on a command line and returns its exit code.
 int run(int argc, char** argv);
 
 } // namespace program

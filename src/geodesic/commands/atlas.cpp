@@ -31,11 +31,11 @@ struct Result
   Image texture;
 };
 
-// The colour of a place on the surface, by the weights of a face's corners.
+// Computes the color of a point on the surface from a face and barycentric coordinates.
 class Surface_painter
 {
 public:
-  // image  or none of no width
+  // If image.width is 0, no image is projected.
   Surface_painter(const Surface_file& file, const Result& result, const Image& image)
       : m_file(file), m_result(result), m_image(image)
   {
@@ -79,7 +79,7 @@ private:
     return result;
   }
 
-  // The image covers the bounding box, as it is seen against the third axis.
+  // Samples the image, which is projected along the z axis and spans the bounding box in x and y.
   Color projected_image_color(std::size_t face, const std::array<double, 3>& barycentric) const
   {
     UV uv;
@@ -94,7 +94,7 @@ private:
     return m_image.at(uv[0], uv[1]);
   }
 
-  // Of the texture, in a colour of the chart.
+  // Returns a checkerboard in UV space, tinted with the color of the chart.
   Color checkerboard_color(std::size_t face, const std::array<double, 3>& barycentric) const
   {
     UV uv;
@@ -115,7 +115,7 @@ private:
   Point m_low, m_high;
 };
 
-// The library's part.
+// Computes the charts, the UV coordinates and the texture.
 Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& image, Job& job)
 {
   job.begin_stage("query");
@@ -158,7 +158,7 @@ Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& i
       mesh, corner_uv, options.texels,
       [&](const auto& location)
       {
-        // Its shares begin where the face's half-edge does.
+        // The location's barycentric coordinates begin at the source of the face's halfedge.
         const auto h = mesh.halfedge(location.first);
         const std::size_t face(location.first);
         std::array<double, 3> barycentric = {0., 0., 0.};
@@ -180,7 +180,7 @@ Result make_atlas(const Mesh& mesh, const Atlas_options& options, const Image& i
   return result;
 }
 
-// Each triangle where it lies in the texture.
+// Returns the triangles at their UV coordinates, in the plane z = 0.
 Surface_file to_texture_plane(const Surface_file& file, const std::vector<UV>& corner_uv)
 {
   Surface_file result;

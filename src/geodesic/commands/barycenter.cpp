@@ -24,14 +24,16 @@ struct Barycenter_result
 {
   GP::Transport_barycenter_cost cost;
   std::vector<double> masses, density; // #vertices
-  std::optional<std::size_t> point;    // of points alone: the one of least squared distances
+  std::optional<std::size_t>
+      point; // if the inputs are points: minimizer of the weighted squared distances
   double point_value = 0.;
-  std::vector<double> objective;              // #vertices: those squares, of points alone
-  std::vector<std::vector<Point>> paths = {}; // from that point to all, for a picture
+  std::vector<double> objective; // #vertices: weighted squared distances, if the inputs are points
+  std::vector<std::vector<Point>> paths = {}; // from the minimizer to all points, for a picture
   std::vector<std::uint32_t> triangles;       // of a cloud
 };
 
-// The library's part.
+// Computes the barycenter of the mass distributions and, if all are points, the barycenter of
+// these points.
 template <typename Surface_type>
 Barycenter_result find_barycenter(const Surface_type& surface, const std::vector<Masses>& masses,
                                   const std::vector<std::size_t>& points,
@@ -146,7 +148,7 @@ void run_barycenter(Job& job, const Barycenter_options& options)
     picture.polylines = result.paths;
     picture.markers = marker_points;
     picture.triangles = result.triangles;
-    // To be seen: from the highest mass on, as far as half of it.
+    // The camera must show the vertices of largest mass that contain half of the mass.
     std::vector<std::size_t> order(result.masses.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(),

@@ -23,10 +23,10 @@ struct Base_options : Remeshing_options
   std::string coordinates = "heron";
   bool is_divided = false;
 
-  // Of semi-regular meshes
+  // Options of the semi-regular mesh
   unsigned levels = 3;
   bool use_quads = false;
-  double max_deviation = 0.; // of none is asked for
+  double max_deviation = 0.; // 0: unlimited
 };
 
 const Surface& read_mesh(Job& job, const char* command_name)
@@ -54,7 +54,7 @@ auto base_parameters(const Base_options& options, Job& job)
       .base_coordinates(parse_coordinates(options.coordinates));
 }
 
-// What both commands report.
+// Reports the results that both commands have in common.
 void report(Job& job, std::size_t vertices, std::size_t faces, std::size_t folds)
 {
   job.result()["vertices_out"] = vertices;
@@ -86,7 +86,8 @@ Surface_file base_file(const GP::internal::Base_mesh& base)
   return result;
 }
 
-// The input, divided by the edges of the base.
+// Returns the input mesh subdivided along the edges of the base mesh. The face number "base_face"
+// stores the base face of each triangle.
 Surface_file divided_file(const GP::internal::Base_mesh& base)
 {
   Surface_file result;
@@ -99,13 +100,15 @@ Surface_file divided_file(const GP::internal::Base_mesh& base)
   return result;
 }
 
-// Base faces in their colours: each has points of its own, as colours are of points.
+// Draws each base face in its own color. Vertices are duplicated per base face, because colors are
+// stored at vertices.
 void draw(const std::string& filename, const GP::internal::Base_mesh& base, bool show_edges)
 {
   Surface_file regions;
   Picture picture{&regions};
   picture.show_edges = show_edges;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> vertex_index; // of face and site
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
+      vertex_index; // by base face and vertex
   for(std::size_t corner = 0; corner < base.fine.corner.size(); ++corner)
   {
     const auto face = base.region[corner / 3], vertex = base.fine.corner[corner];
@@ -212,7 +215,7 @@ void run_semiregular(Job& job, const Base_options& options)
   job.write_values([&] { return text; });
   if(!job.picture().empty())
   {
-    // Pictures have triangles: the sides of quadrilaterals are drawn by themselves.
+    // Pictures need triangles, so the edges of quadrilaterals are drawn separately.
     Surface_file triangles;
     triangles.points = file.points;
     Picture picture{&triangles};

@@ -9,7 +9,7 @@ namespace program {
 
 using Path_finder = GP::Surfel_path_finder<Cloud>;
 
-// How the surfels of a cloud are joined, and what noise is done about.
+// Options that connect surfels to a graph and remove noise.
 struct Surfel_options
 {
   GP::Surfel_graph graph = GP::Surfel_graph::extended_spheres;
@@ -18,7 +18,7 @@ struct Surfel_options
 
 void add_surfel_options(Command& command, Surfel_options& options);
 
-// What holds a path on a cloud.
+// Options of paths on a cloud: the surface approximation and the number of control points.
 struct Cloud_path_options
 {
   Surfel_options surfels;
@@ -28,10 +28,10 @@ struct Cloud_path_options
 
 void add_cloud_path_options(Command& command, Cloud_path_options& options);
 
-// With the radii of the file's property "radius" where it has one.
+// Creates a path finder. Uses the property "radius" of the file as surfel radii if it exists.
 Path_finder make_path_finder(const Cloud& cloud, const Cloud_path_options& options, const Job& job);
 
-// The surfels of a cloud as paths see them.
+// Returns the points and normals of the surfels after noise removal by the path finder.
 Surface_file denoised_surfels(const Cloud& cloud, const Path_finder& finder);
 
 } // namespace program

@@ -52,8 +52,9 @@ void check_method(const std::string& method, const Surface& surface)
 std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels)
 {
   const GP::internal::Surface_arrays& t = surfels.arrays;
-  // A cloud's triangles overlap where its surfels disagree.  Those that most of them found come
-  // first, and each side is taken once in each direction.
+  // The triangles of a cloud overlap if the one-rings of its surfels disagree. Triangles of
+  // largest weight (found by the most surfels) are accepted first. Each directed halfedge is used
+  // once.
   std::vector<std::uint32_t> order(t.number_of_triangles());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),

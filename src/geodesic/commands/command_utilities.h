@@ -17,13 +17,12 @@
 #include <variant>
 #include <vector>
 
-// What the commands that measure along the surface share: from words on the command line to the
-// library's types.
+// Utilities shared by the commands: conversion from command-line text to types of the library.
 namespace program {
 
 namespace GP = CGAL::Geodesic_processing;
 
-// Calls f with the mesh or the cloud that a surface is.
+// Calls f with the mesh or the cloud that the surface contains.
 template <typename Function>
 void visit_surface(const Surface& surface, Function f)
 {
@@ -36,7 +35,7 @@ void visit_surface(const Surface& surface, Function f)
 template <typename Surface_type>
 inline constexpr bool is_mesh = std::is_same_v<Surface_type, Mesh>;
 
-// The vertex or surfel with a number.
+// Returns the descriptor of a vertex or surfel with the given index.
 template <typename Surface_type>
 typename GP::Source<Surface_type>::Vertex vertex_at(std::size_t number)
 {
@@ -46,31 +45,32 @@ typename GP::Source<Surface_type>::Vertex vertex_at(std::size_t number)
     return Cloud::Index(number);
 }
 
-// The method of a word; throws Usage_error with a sentence for other words, and Input_error where the
-// surface is not what the method needs.
+// Checks the name of a method. Throws Usage_error if it is unknown, and Input_error if the surface
+// does not support the method.
 void check_method(const std::string& method);
 void check_method(const std::string& method, const Surface& surface);
 
-// The method of a word that passed the check.
+// Converts the name of a method that passed check_method().
 GP::internal::Distance_method to_method(const std::string& method);
 
-// Solvers whose method is chosen at run time: commands are compiled once for all methods.
+// Solver whose method is selected at run time, so that each command is compiled once for all
+// methods.
 template <typename Surface_type>
 using Distance_solver = GP::Geodesic_distance_solver<Surface_type, GP::internal::Runtime_method>;
 
-// What all commands measure on.
+// Domains of all commands that compute distances
 using Mesh_domain = GP::Mesh_domain<Mesh>;
 using Cloud_domain = GP::Surfel_domain<Cloud>;
 Mesh_domain make_domain(const Mesh& mesh, const Job& job);
 Cloud_domain make_domain(const Cloud& cloud, const Job& job);
 
-// Distances by transport of masses, and the one that they are compared with.
+// Returns whether a method is one of the optimal transport or comparison metrics.
 bool is_metric(const std::string& method);
 
-// Throws Usage_error where the method has no basis.
+// Throws Usage_error if a basis size is given and the method has no basis.
 void check_basis(const std::string& method, const std::optional<std::size_t>& basis_size);
 
-// Calls f with the metric of a word.
+// Calls f with the metric that the name selects.
 template <typename Surface_type, typename Domain, typename Function>
 void with_metric(const Domain& domain, const std::string& method,
                  const std::optional<std::size_t>& basis_size, Job& job, Function f)
@@ -89,15 +89,17 @@ inline Kernel::Point_3 parse_point_3(const std::string& text, const std::string&
   return {p[0], p[1], p[2]};
 }
 
-// The place on the surface nearest to a point "x,y,z".
+// Returns the location on the surface that is closest to the point "x,y,z".
 template <typename Domain>
 typename Domain::Location locate(const Domain& domain, const std::string& text,
                                  const std::string& option);
 
-// Corners of the triangles that a picture of a cloud draws lines on: as many as fit side by side.
+// Returns the corners of triangles on which a picture of a cloud draws lines. The triangles are a
+// subset in which each directed halfedge occurs at most once.
 std::vector<std::uint32_t> picture_triangles(const GP::internal::Surfel_arrays& surfels);
 
-// The same of a domain, where a picture is wanted; nothing of a mesh, which has its own.
+// Returns the same triangles for a domain, if a picture is requested. Returns an empty array for
+// meshes, because pictures use their faces.
 template <typename Domain>
 std::vector<std::uint32_t> picture_triangles([[maybe_unused]] const Domain& domain,
                                              [[maybe_unused]] const Job& job)
@@ -108,7 +110,7 @@ std::vector<std::uint32_t> picture_triangles([[maybe_unused]] const Domain& doma
   return {};
 }
 
-// One value for each vertex, read like a map of the library.
+// Readable property map: one value for each vertex.
 template <typename Key, typename Value = double>
 struct Property_map
 {
@@ -124,7 +126,7 @@ struct Property_map
   }
 };
 
-// Values of vertices, faces or surfels, read and written like a map of the library.
+// Read-write property map of values at vertices, faces or surfels.
 template <typename Key, typename Value = double>
 struct Value_map
 {
@@ -144,7 +146,8 @@ struct Value_map
   }
 };
 
-// The speeds of the vertices as a map of the library; none where they are 1 everywhere.
+// Returns the speeds of the vertices as a property map, or std::nullopt if `speeds` is empty
+// (speed 1 everywhere).
 template <typename Vertex>
 std::optional<Property_map<Vertex>> speed_map(const std::vector<double>& speeds)
 {
@@ -153,13 +156,13 @@ std::optional<Property_map<Vertex>> speed_map(const std::vector<double>& speeds)
   return Property_map<Vertex>{&speeds};
 }
 
-// Tells how many have the label -1.
+// Reports the number of labels that equal -1.
 void report_unreached(Job& job, const std::vector<long long>& labels);
 
-// A line for each label.
+// Returns the labels as text, one per line.
 std::string labels_text(const std::vector<long long>& labels);
 
-// Labels as the library writes them, at vertices, faces or surfels by their numbers.
+// Writable property map of labels at vertices, faces or surfels, by index.
 template <typename Key>
 struct Label_map
 {
@@ -169,23 +172,24 @@ struct Label_map
   using category = boost::writable_property_map_tag;
 
   std::vector<long long>* labels;
-  // The largest number, which stands for no label, becomes -1.
+  // The largest label value, which the library uses for "no label", becomes -1.
   friend void put(const Label_map& map, const Key& key, std::size_t label)
   {
     (*map.labels)[static_cast<std::size_t>(key)] = static_cast<long long>(label);
   }
 };
 
-// Vertices that lie in a triangle, or surfels, each as far as can be from those before it.  Fewer than
-// asked for when no vertex is left at a distance.
+// Returns farthest point samples: each vertex is as far as possible from the previous ones.
+// Candidates are vertices with an incident triangle, or surfels. Returns fewer than `number`
+// vertices if no vertex has a positive distance to the others.
 template <typename Domain>
 std::vector<std::size_t> farthest_vertices(const Domain& domain, std::size_t number, Job& job,
                                            const std::vector<double>& speeds = {});
 
-// A line of coordinates for each point.
+// Returns the coordinates as text, one point per line.
 std::string points_text(const std::vector<Point>& points);
 
-// A surfel by its place in the file; a place in a triangle by its vertices and their shares.
+// Formats a location: the index of a surfel, or a face's vertices with barycentric coordinates.
 template <typename Surface_type, typename Location>
 std::string location_text([[maybe_unused]] const Surface_type& surface, const Location& location)
 {
@@ -203,14 +207,17 @@ std::string location_text([[maybe_unused]] const Surface_type& surface, const Lo
     return std::to_string(std::size_t(location.surfel));
 }
 
-// Throws Input_error, with the names that there are, when the file has no such property.
+// Returns a vertex property of the file. If it does not exist, throws Input_error that lists the
+// existing properties.
 const std::vector<double>& property(const Surface& surface, const std::string& name);
 
-// Says how large distances are, and how many are infinite; returns the largest of the others.
+// Reports the largest finite distance and the number of infinite ones. Returns the largest finite
+// distance.
 double report_distances(Job& job, const std::vector<double>& distances);
 
-// Writes the input with one value for each vertex, as the kind of file allows: a property; in OBJ a
-// texture coordinate u = value / size; in OFF a colour.
+// Writes the input with one value per vertex, in a form that the file format supports. Formats
+// other than OBJ and OFF store a property. OBJ stores the texture coordinate u = value / size,
+// clamped to [0, 1], and OFF stores a color.
 void write_result(const Job& job, const std::string& name, const std::vector<double>& values,
                   double size);
 

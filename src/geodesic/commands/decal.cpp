@@ -18,19 +18,19 @@ namespace {
 
 struct Decal_options
 {
-  std::vector<std::string> base_vertices, base_points; // one of them: "V,V,...", and "x,y,z"
-  // One for all places, one for each, or none.
+  std::vector<std::string> base_vertices, base_points; // use one of them: "V,V,..." or "x,y,z" each
+  // One value for all decals, one for each, or none.
   std::vector<std::string> images, up_vectors;
   std::vector<double> widths, heights;
   std::string method = "gradient";
-  std::size_t texels = 0; // 0: as many as the images have
+  std::size_t texels = 0; // 0: derived from the images' resolution
 };
 
-// What a decal is made of.
+// A decal's location, orientation, image and size.
 struct Decal_placement
 {
   std::size_t vertex = 0;
-  std::string point; // a point; empty: the vertex
+  std::string point; // "x,y,z"; if empty, `vertex` is used
   std::string up;
   Image image;
   double width = 0., height = 0.;
@@ -39,15 +39,16 @@ struct Decal_placement
 struct Result
 {
   std::vector<Color> colors;     // #vertices
-  std::size_t faces = 0;         // that are covered
-  std::set<std::size_t> covered; // vertices
+  std::size_t faces = 0;         // number of covered faces
+  std::set<std::size_t> covered; // covered vertices
   std::vector<Point> centers, normals;
   Image texture; // of a mesh
   std::vector<std::array<double, 2>> corner_uv;
 };
 
-// So many steps from texel to texel along the sides of faces that they are twice as many as the pixels of an
-// image, which interpolation then does not blur, but no more than 2^24 altogether.
+// Returns the number of texel intervals along each face edge. The texture gets twice as many
+// texels as an image has pixels, so that interpolation does not blur it. The total is limited to
+// about 2^24 texels.
 std::size_t choose_number_of_segments(const std::vector<GP::Decal_layer<Mesh>>& layers,
                                       const std::vector<Decal_placement>& placements)
 {
@@ -56,7 +57,7 @@ std::size_t choose_number_of_segments(const std::vector<GP::Decal_layer<Mesh>>& 
   {
     const double pixels = double(placements[i].image.width) * double(placements[i].image.height),
                  covered = double(std::max<std::size_t>(layers[i].decal.faces.size(), 1));
-    // A face has half of the texels of a square.
+    // A face uses half of the texels of a square.
     max_segments = std::max(max_segments, std::sqrt(2. * 2. * pixels / covered));
     faces += covered;
   }
@@ -125,7 +126,7 @@ Result place_decals(const GP::internal::Domain_of<Surface_type>& domain,
   return result;
 }
 
-// The library's part.
+// Computes the decals and the resulting vertex colors and texture.
 template <typename Surface_type>
 Result find_decals(const Surface_type& surface, const std::vector<Decal_placement>& placements,
                    const Decal_options& options, Job& job)
@@ -172,14 +173,15 @@ void check(const Decal_options& options)
                       ": the methods are gradient and exact.");
 }
 
-// The one for all, or that of a place.
+// Returns the only value (for all decals), the value of one decal, or the default if the list is
+// empty.
 template <typename T>
 T value_at(const std::vector<T>& list, std::size_t place, const T& default_value)
 {
   return list.empty() ? default_value : list[std::min(place, list.size() - 1)];
 }
 
-// A quarter of the longest side of the bounding box.
+// Returns a quarter of the longest side of the bounding box.
 double default_width(const std::vector<Point>& points)
 {
   double result = 0.;
@@ -217,7 +219,7 @@ std::vector<Decal_placement> make_placements(const Surface& surface, const Decal
   return placements;
 }
 
-// In bytes, as files have colours.
+// Converts a color channel from [0, 1] to a byte value, as files store it.
 double to_byte(double channel) { return std::round(255. * std::clamp(channel, 0., 1.)); }
 
 void write_output(const std::string& filename, const Surface& surface, const Result& result)

@@ -30,11 +30,11 @@ struct Result
 {
   std::vector<double> values; // #vertices
   // For the picture:
-  std::vector<Point> sources;           // where they are; none for borders
+  std::vector<Point> sources;           // positions of the sources; empty for boundaries
   std::vector<std::uint32_t> triangles; // of a cloud
 };
 
-// Of all vertices, from the one source that such a distance has.
+// Returns the distances of all vertices from the single source that these metrics support.
 template <typename Surface_type, typename Domain>
 std::vector<double> metric_distances(const Domain& domain, const Distance_options& options,
                                      Job& job)
@@ -58,7 +58,7 @@ std::vector<double> metric_distances(const Domain& domain, const Distance_option
   return result;
 }
 
-// The library's part: distances of all vertices.
+// Computes the distance of each vertex.
 template <typename Surface_type>
 Result compute_distances(const Surface_type& surface, const Distance_options& options, Job& job)
 {

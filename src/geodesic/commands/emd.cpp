@@ -38,7 +38,7 @@ void check(const Emd_options& options, const Job& job)
         "are for the complete one.");
 }
 
-// The library's part.
+// Computes the earth mover's distance and the optimal flow.
 template <typename Surface_type>
 Transport_result compute_transport(const Surface_type& surface, const Masses& from,
                                    const Masses& to, const Emd_options& options, Job& job)

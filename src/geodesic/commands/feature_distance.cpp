@@ -14,7 +14,7 @@ struct Feature_options : Transport_options
   Region_options region;
 };
 
-// The library's part: distances of all vertices.
+// Computes the distance of each vertex by optimal transport.
 template <typename Surface_type>
 Transport_result compute_distances(const Surface_type& surface,
                                    const std::vector<std::size_t>& vertices,

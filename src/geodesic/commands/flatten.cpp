@@ -27,7 +27,7 @@ struct Flatten_options
   bool is_injective = false, draws_plane = false;
 };
 
-// The library's part: the map, and on a mesh what it does to faces.
+// Computes the UV coordinates and, on a mesh, the distortion of faces.
 template <typename Surface_type>
 void flatten_surface(const Surface_type& surface, const Flatten_options& options, Job& job,
                      std::vector<UV>& uv)
@@ -82,7 +82,8 @@ void check(const Flatten_options& options)
                       ": the methods are glle, mds, lscm, authalic and arap.");
 }
 
-// Where the smallest square around the image is the unit square.
+// Translates and scales the UV coordinates: their smallest enclosing square becomes the unit
+// square. Vertices without coordinates become (0, 0).
 std::vector<UV> scale_to_unit_square(const std::vector<UV>& uv)
 {
   UV low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -102,7 +103,7 @@ std::vector<UV> scale_to_unit_square(const std::vector<UV>& uv)
   return result;
 }
 
-// The input, or what lies in the plane, with squares on it.
+// Draws a surface (the input or the flattened surface) with a checkerboard in UV space.
 void draw_map(const Job& job, const Surface_file& surface, const std::vector<UV>& unit_uv)
 {
   Surface_file file = surface;

@@ -24,7 +24,7 @@ std::size_t parse_vertex(const std::string& text, const std::string& option)
   return vertices[0];
 }
 
-// The library's part: likelihoods of all vertices.
+// Computes the likelihood of each vertex.
 template <typename Surface_type>
 Transport_result compute_likelihoods(const Surface_type& surface, std::size_t from, std::size_t to,
                                      const Fuzzy_options& options, Job& job)

@@ -22,7 +22,7 @@ namespace internal = GP::internal;
 struct Mesh_quality
 {
   double area = 0.;                        // in the file's unit squared
-  double min_angle = 180., max_angle = 0.; // degrees, of triangles with an area
+  double min_angle = 180., max_angle = 0.; // degrees, of triangles with positive area
 };
 
 Point difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
@@ -61,7 +61,8 @@ Mesh_quality compute_quality(const internal::Surface_arrays& triangles)
   return quality;
 }
 
-// The component of each vertex, whose place among the domain's sites is given.
+// Returns the connected component of each vertex. vertex[i] is the internal index of vertex i of
+// the file.
 std::vector<long long> component_labels(const internal::Surface_arrays& triangles,
                                         const std::vector<internal::Index>& vertex)
 {
@@ -72,7 +73,7 @@ std::vector<long long> component_labels(const internal::Surface_arrays& triangle
   return result;
 }
 
-// The regions of the picture.
+// Regions that the picture shows in different colors
 struct Picture_regions
 {
   std::vector<long long> labels;
@@ -114,7 +115,8 @@ Picture_regions report_mesh(Job& job)
   return {component_labels(mesh.arrays, mesh.internal_vertex), {}};
 }
 
-// Surfels are joined by arcs: those that no arcs join do not reach each other.
+// Reports connected components of the surfel graph: surfels without a connecting path are
+// unreachable.
 Picture_regions report_cloud(Job& job)
 {
   const Surface_file& file = job.surface().file;

@@ -25,7 +25,7 @@ struct Logmap_options
 
 struct Result
 {
-  std::vector<std::array<double, 2>> uv; // #vertices, not numbers outside
+  std::vector<std::array<double, 2>> uv; // #vertices, NaN outside of the map
   Point base, normal;
   std::size_t reached = 0, cut = 0, folded = 0;
   std::vector<std::size_t> cut_faces; // of a mesh
@@ -63,7 +63,7 @@ Result compute_map(const GP::internal::Domain_of<Surface_type>& domain,
   return result;
 }
 
-// The library's part.
+// Computes the logarithmic map.
 template <typename Surface_type>
 Result find_map(const Surface_type& surface, const Logmap_options& options, Job& job)
 {
@@ -104,7 +104,8 @@ double largest_radius(const std::vector<std::array<double, 2>>& uv)
   return result;
 }
 
-// The disk in the middle of a picture; its corner is outside.
+// Maps UV coordinates to the image of a polar grid, whose disk touches the sides of the unit
+// square. Vertices outside of the map are sent to (0, 0), which is transparent.
 std::array<double, 2> to_picture_uv(const std::array<double, 2>& uv, double size)
 {
   if(!std::isfinite(uv[0]) || !(size > 0.))
@@ -112,7 +113,8 @@ std::array<double, 2> to_picture_uv(const std::array<double, 2>& uv, double size
   return {0.5 + 0.5 * uv[0] / size, 0.5 + 0.5 * uv[1] / size};
 }
 
-// Rings and rays around the base; on a mesh across the faces that are inside and not cut.
+// Draws circles and rays around the base point. On a mesh, only faces that are inside of the map
+// and not cut are textured.
 void draw_map(const Job& job, const Result& result)
 {
   Surface_file file = job.surface().file;

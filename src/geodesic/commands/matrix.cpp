@@ -34,16 +34,17 @@ using Sparse_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 struct Result
 {
-  std::vector<std::size_t> vertices; // of the rows, and of the columns
-  Eigen::MatrixXd dense;             // one of the two is empty
+  std::vector<std::size_t> vertices; // of the rows and columns
+  Eigen::MatrixXd dense;             // either `dense` or `sparse` is used
   Sparse_matrix sparse;
-  std::size_t entries = 0; // pairs that a path joins, within the limit
+  std::size_t entries = 0; // number of pairs that a path within the limit connects
   // For the picture:
   std::vector<double> values;           // #vertices
   std::vector<std::uint32_t> triangles; // of a cloud
 };
 
-// What a picture shows: how far the vertices of the rows are, or, where all are, how many are near.
+// Returns the picture's values: distances from the row vertices. If all vertices are rows, returns
+// the number of entries of each row.
 template <typename Domain>
 std::vector<double> picture_values(const Domain& domain,
                                    const std::vector<typename Domain::Vertex>& descriptors,
@@ -66,7 +67,7 @@ std::vector<double> picture_values(const Domain& domain,
   return values;
 }
 
-// The library's part: the vertices of the rows, and the distances between them.
+// Selects the row vertices and computes the distances between them.
 template <typename Surface_type>
 Result compute_matrix(const Surface_type& surface, const Matrix_options& options, Job& job)
 {
@@ -94,7 +95,7 @@ Result compute_matrix(const Surface_type& surface, const Matrix_options& options
     with_metric<Surface_type>(domain, options.method, options.basis_size, job,
                               [&](const auto& metric)
                               { result.dense = metric.distance_matrix(descriptors); });
-    if(!job.picture().empty()) // of lengths
+    if(!job.picture().empty()) // a picture shows path lengths
       result.values =
           picture_values(domain, descriptors, GP::internal::Distance_method::euclidean_front,
                          result, options, job);
@@ -118,7 +119,7 @@ Result compute_matrix(const Surface_type& surface, const Matrix_options& options
   return result;
 }
 
-// A line for each entry: row, column, distance.
+// Appends one line per entry: row, column, distance.
 void append_entries(std::string& text, const Sparse_matrix& matrix, Eigen::Index index_base)
 {
   for(Eigen::Index row = 0; row < matrix.rows(); ++row)
@@ -131,7 +132,7 @@ void append_entries(std::string& text, const Sparse_matrix& matrix, Eigen::Index
     }
 }
 
-// A line for each row, or for each entry of a sparse matrix.
+// Returns one line per row, or per entry of a sparse matrix.
 std::string values_text(const Result& result)
 {
   std::string text;
@@ -145,8 +146,9 @@ std::string values_text(const Result& result)
   return text;
 }
 
-// Matrix Market: "coordinate" counts from 1, "array" holds columns one after another.  The distances
-// of most methods are not symmetric to the last digit, so the matrix is "general".
+// Returns the matrix in Matrix Market format. "coordinate" uses 1-based indices, "array" is
+// column-major. The distances of most methods are not symmetric to the last digit, so the matrix
+// is "general".
 std::string to_matrix_market(const Result& result, bool is_sparse)
 {
   std::string text = "%%MatrixMarket matrix ";
@@ -163,7 +165,7 @@ std::string to_matrix_market(const Result& result, bool is_sparse)
   return text;
 }
 
-// Throws Usage_error.
+// Throws Usage_error if the options are inconsistent.
 void check(const Matrix_options& options)
 {
   if(!options.sources.empty() && options.number)
