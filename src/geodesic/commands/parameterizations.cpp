@@ -22,7 +22,7 @@ std::vector<std::array<double, 2>> parameterization(const Surface& surface,
   const auto boundary = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   if(boundary == Mesh::null_halfedge())
     throw Input_error(surface.name + ": it has no border.");
-  // CGAL leaves out vertices that the border does not reach.
+  // CGAL assigns no coordinates to vertices that are not connected to the boundary.
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto uv =
       mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", {nan, nan}).first;

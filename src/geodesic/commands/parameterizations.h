@@ -11,8 +11,8 @@
 
 namespace program {
 
-// Where CGAL's parameterization of a name, lscm, authalic or arap, puts the vertices of a mesh.  Throws
-// Input_error with its own sentence where it cannot.
+// Computes the UV coordinates of the vertices by CGAL's parameterization lscm, authalic or arap.
+// Throws Input_error with CGAL's message if the parameterization fails.
 std::vector<std::array<double, 2>> parameterization(const Surface& surface,
                                                     const std::string& method);
 

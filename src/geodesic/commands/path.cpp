@@ -12,7 +12,7 @@ namespace program {
 
 namespace {
 
-// An end of the path: a vertex or a point, as given.
+// An endpoint of the path: either a vertex or a point, as text.
 struct Path_end
 {
   std::string vertex, point;
@@ -22,9 +22,9 @@ struct Path_end
 struct Path_options
 {
   Path_end from = {"", "", "--from", "--from-at"}, to = {"", "", "--to", "--to-at"};
-  std::string method; // whose distances the path follows; none: a search for this one path
+  std::string method; // the path follows this method's distances; empty: search for a single path
   Cloud_path_options cloud;
-  bool start = false; // the chain of arcs as well
+  bool start = false; // also output the initial path in the surfel graph
 };
 
 struct Result
@@ -34,7 +34,7 @@ struct Result
   // On a cloud:
   std::vector<Point> start;
   double start_length = 0.;
-  Surface_file surfels; // where a picture is wanted
+  Surface_file surfels; // set if a picture is requested
 };
 
 std::size_t parse_vertex(const Path_end& end)
@@ -54,7 +54,7 @@ void copy_path(const Path& path, Result& result)
   result.front_distance = path.front_distance;
 }
 
-// The library's part: the path between two ends.
+// Computes the path between two endpoints.
 template <typename Surface_type>
 Result find_path(const Surface_type& surface, const Path_options& options, Job& job)
 {
@@ -85,7 +85,7 @@ Result find_path(const Surface_type& surface, const Path_options& options, Job& 
   return result;
 }
 
-// On a cloud the path of least energy.
+// Computes the path of minimum energy on a cloud.
 Result find_cloud_path(const Cloud& cloud, const Path_options& options, Job& job)
 {
   Path_finder finder = make_path_finder(cloud, options.cloud, job);

@@ -15,7 +15,8 @@ struct Plan_options : Transport_options
   Region_options region;
 };
 
-// One for each vertex of the region, and for what is beside them; empty without a limit.
+// Returns one capacity per vertex of the region and per other source (location or path). Returns
+// an empty array if no capacities are given.
 std::vector<double> capacities(const std::string& text, const std::vector<std::size_t>& region,
                                std::size_t number_of_other_sources, const Surface& surface)
 {
@@ -42,7 +43,7 @@ std::vector<double> capacities(const std::string& text, const std::vector<std::s
   return result;
 }
 
-// The library's part.
+// Computes the optimal transport from the masses to the region.
 template <typename Surface_type>
 Transport_result
 compute_plan(const Surface_type& surface, const Masses& from, const std::vector<std::size_t>& to,

@@ -25,18 +25,18 @@ struct Remesh_options : Remeshing_options
   double max_deviation = std::numeric_limits<double>::infinity();
   bool does_fit = false;
   bool allow_self_intersections = false;
-  std::optional<std::size_t> max_hole_edges; // how many a hole may have to be filled
+  std::optional<std::size_t> max_hole_edges; // longest hole to be filled
   Speed_options speed_options;
 };
 
 struct Result
 {
   Surface_file file;
-  std::string text; // where each vertex is: the lines of --values
+  std::string text; // location of each vertex: the lines of --values
   GP::Remeshing_result found;
 };
 
-// All holes where no number is given.
+// Returns the maximum number of edges of a hole. If the text is empty, the number is unlimited.
 std::size_t parse_hole_edges(const std::string& text)
 {
   if(text.empty())
@@ -48,7 +48,7 @@ std::size_t parse_hole_edges(const std::string& text)
   return static_cast<std::size_t>(*number);
 }
 
-// Says what became of the holes.
+// Fills holes and reports how many were filled and how many are left open.
 void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
 {
   const Hole_filling_result holes = fill_holes(mesh, max_edges);
@@ -62,7 +62,7 @@ void fill_and_report(Mesh& mesh, std::size_t max_edges, Job& job)
                       " too long, or no triangles fit between their vertices");
 }
 
-// The library's part: the mesh, and where its vertices lie.
+// Computes the mesh and the locations of its vertices.
 template <typename Surface_type>
 Result find_mesh(const Surface_type& surface, const Remesh_options& options, Job& job)
 {

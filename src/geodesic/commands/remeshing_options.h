@@ -10,7 +10,7 @@
 
 namespace program {
 
-// What the commands that make a mesh of samples share.
+// Options of all commands that create a mesh from samples.
 struct Remeshing_options
 {
   std::size_t number = 0;
@@ -18,7 +18,8 @@ struct Remeshing_options
   double sharp_angle = 180.;
 };
 
-// vertices, edges: what these are called in sentences.
+// Adds the options to a command. The help texts use vertex_term and edge_term for vertices and
+// edges.
 inline void add_remeshing_options(Command& command, Remeshing_options& options,
                                   const std::string& vertex_term, const std::string& edge_term)
 {

@@ -23,13 +23,13 @@ struct Sample_options
 struct Result
 {
   std::vector<Point> points;
-  std::vector<Point> normals;           // of a cloud's
-  std::vector<double> covering_radii;   // the covering radius after each
-  std::string text;                     // where each is: the lines of --values
+  std::vector<Point> normals;           // of samples of a cloud
+  std::vector<double> covering_radii;   // covering radius after each sample
+  std::string text;                     // location of each sample: the lines of --values
   std::vector<std::uint32_t> triangles; // of a cloud, for the picture
 };
 
-// The library's part: the samples.
+// Computes the samples.
 template <typename Surface_type>
 Result find_samples(const Surface_type& surface, const Sample_options& options, Job& job)
 {

@@ -24,13 +24,13 @@ struct Segment_options
 
 struct Result
 {
-  std::vector<long long> labels; // #polygons, of a cloud #points
+  std::vector<long long> labels; // #polygons of a mesh, #points of a cloud
   std::vector<Point> centers;
   std::vector<double> energies;
   std::vector<std::uint32_t> triangles; // of a cloud, for the picture
 };
 
-// The library's part: the cells.
+// Computes the cells.
 template <typename Surface_type>
 Result find_cells(const Surface_type& surface, const Segment_options& options, Job& job)
 {
@@ -65,7 +65,8 @@ Result find_cells(const Surface_type& surface, const Segment_options& options, J
   return result;
 }
 
-// The mesh cut along the borders of its patches, with their labels at the vertices.
+// Returns the mesh cut along the boundaries of its patches, with the labels as a vertex property.
+// Vertices are duplicated per label.
 Surface_file split_along_boundaries(const Surface_file& mesh, const std::vector<long long>& labels)
 {
   Surface_file result;

@@ -21,7 +21,7 @@ bool is_computed_speed(const std::string& speed)
          speed == "curvature-repulsive" || speed == "colours";
 }
 
-// Columns of the file by their names; empty when one is missing.
+// Returns the properties with the given names, or an empty array if one is missing.
 std::vector<const std::vector<double>*> find_properties(const Surface_file& file,
                                                         const std::vector<std::string>& names)
 {
@@ -36,8 +36,8 @@ std::vector<const std::vector<double>*> find_properties(const Surface_file& file
   return result;
 }
 
-// Where an image is seen: by texture coordinates where the file has them, else it is spread over the
-// bounding box, seen along its shortest side.
+// Returns the coordinates at which the image is sampled. If the file has no texture coordinates,
+// the image covers the bounding box. It is then projected along the shortest axis of the box.
 std::vector<std::array<double, 2>> image_coordinates(const Surface_file& file)
 {
   if(!file.uv.empty())

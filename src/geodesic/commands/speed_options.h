@@ -10,11 +10,11 @@
 
 namespace program {
 
-// How fast fronts are, and so how dense samples: what the commands that take speeds share.
+// Options of all commands that use speeds, which also determine the sampling density.
 struct Speed_options
 {
-  std::string speed; // a word, or the name of a property
-  std::string image; // the name of a file
+  std::string speed; // the name of a predefined speed or of a property
+  std::string image; // the file name
   std::optional<double> strength;
 
   bool is_given() const { return !speed.empty() || !image.empty(); }
@@ -22,16 +22,17 @@ struct Speed_options
 
 void add_speed_options(Command& command, Speed_options& options);
 
-// Throws Usage_error.
+// Throws Usage_error if the options are inconsistent.
 void check(const Speed_options& options);
 
-// The V of a speed "curvature-like-V".
+// Returns V if the speed is "curvature-like-V".
 std::optional<std::size_t> similar_vertex(const Speed_options& options);
 
-// #vertices: the colours of the vertices, or those of an image where it is seen.  Throws Input_error.
+// Returns the colors of the vertices: those of the file, or the image sampled at each vertex.
+// Throws Input_error. Size: #vertices.
 std::vector<Color> vertex_colors(const Surface& surface, const Speed_options& options);
 
-// #vertices: the speeds that are asked for; empty where they are 1 everywhere.
+// Returns the speed of each vertex, or an empty array if the speed is 1 everywhere.
 template <typename Domain>
 std::vector<double> compute_speeds(const Domain& domain, const Speed_options& options,
                                    const Job& job);

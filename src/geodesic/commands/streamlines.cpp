@@ -22,12 +22,12 @@ struct Streamline_result
   GP::Earth_movers_cost cost;
   std::vector<std::vector<Point>> lines;
   std::vector<double> potential; // #vertices
-  double length = 0.;            // of all
+  double length = 0.;            // total length of the streamlines
   std::size_t arrived = 0;
   std::vector<std::uint32_t> triangles; // of a cloud
 };
 
-// The library's part.
+// Computes streamlines of the optimal flow.
 template <typename Surface_type>
 Streamline_result compute_streamlines(const Surface_type& surface, const Masses& from,
                                       const Masses& to, const std::vector<std::size_t>& seeds,

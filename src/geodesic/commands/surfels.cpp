@@ -22,7 +22,7 @@ struct Surfels_options
   Surfel_options surfels;
 };
 
-// Estimates normals where that is asked for, and removes outliers; the number of these.
+// Estimates normals if requested, and removes outliers. Returns the number of outliers.
 std::size_t prepare_cloud(Cloud& cloud, const Surfels_options& options, const Job& job)
 {
   const Cloud original = cloud;
@@ -54,7 +54,7 @@ void run_surfels(Job& job, const Surfels_options& options)
   const Path_finder finder = make_path_finder(cloud, {options.surfels}, job);
   job.begin_stage("query");
   Surface_file file = denoised_surfels(cloud, finder);
-  std::vector<std::uint32_t> position; // of surfels, without outliers
+  std::vector<std::uint32_t> position; // output indices of surfels, without outliers
   std::vector<double>&radius = file.properties["radius"], &component = file.properties["component"];
   for(const Cloud::Index& surfel : cloud)
   {

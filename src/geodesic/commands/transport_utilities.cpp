@@ -11,7 +11,7 @@ namespace program {
 
 namespace {
 
-// One number a line.
+// Reads a file with one number per line.
 std::vector<double> read_masses_file(const std::string& name, std::size_t number)
 {
   const std::string bytes = read_bytes(name);
@@ -31,7 +31,8 @@ std::vector<double> read_masses_file(const std::string& name, std::size_t number
 
 double norm(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
 
-// Lines along the flow, at some of the places, longer where it is stronger.
+// Returns segments along the flow at up to about 4,000 faces or surfels. Their length increases
+// with the strength of the flow, up to a maximum.
 std::vector<std::vector<Point>> flow_arrows(const Surface_file& file,
                                             const std::vector<Point>& flow)
 {
@@ -50,7 +51,7 @@ std::vector<std::vector<Point>> flow_arrows(const Surface_file& file,
   std::vector<double> sorted = strength;
   std::sort(sorted.begin(), sorted.end());
   const double reference_strength =
-      sorted[sorted.size() - 1 - sorted.size() / 50]; // one in fifty is stronger
+      sorted[sorted.size() - 1 - sorted.size() / 50]; // 2 % of the vectors are stronger
   std::vector<std::vector<Point>> result;
   const std::size_t step = std::max<std::size_t>(1, flow.size() / max_arrows);
   for(std::size_t i = 0; i < flow.size(); i += step)

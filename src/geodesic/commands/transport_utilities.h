@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What the commands that move masses share.
+// Utilities shared by the commands that transport mass
 
 namespace program {
 
@@ -28,20 +28,20 @@ struct Transport_options
 };
 
 void add_options(Command& command, Transport_options& options);
-// Those that say what is asked alone, without speeds.
+// Adds only the options of a query, without those of the solver and without speeds.
 void add_query_options(Command& command, Transport_options& options);
 
-// Throws Usage_error.
+// Throws Usage_error if an option is invalid.
 void check(const Transport_options& options);
-// Throws Input_error.
+// Throws Input_error if an option is not supported for this surface.
 void check(const Transport_options& options, const Surface& surface);
 
-// What one side has: at vertices, or per area.
+// A mass distribution: masses of vertices, or mass per area.
 struct Masses
 {
   std::vector<double> values; // #vertices
   bool is_density = false;
-  std::vector<std::size_t> vertices; // where it is at these alone
+  std::vector<std::size_t> vertices; // if not empty, the only vertices with mass
 };
 
 struct Transport_result
@@ -49,26 +49,28 @@ struct Transport_result
   GP::Earth_movers_cost cost;
   std::vector<double> potential;                     // #vertices, or empty
   std::vector<double> arrivals;                      // #vertices, or empty
-  std::vector<std::vector<Point>> feature_polylines; // of a region, or places
-  std::map<std::string, std::vector<Point>> fields;  // of a mesh #faces, of a cloud #vertices
+  std::vector<std::vector<Point>> feature_polylines; // of a region: polylines, or single points
+  std::map<std::string, std::vector<Point>> fields;  // #faces of a mesh, #vertices of a cloud
   std::vector<std::uint32_t> triangles;              // of a cloud
 };
 
-// Puts the curves and places of a region into a picture.
+// Adds the region's polylines and points to a picture.
 void add_feature_polylines(const Transport_result& result, Picture& picture);
 
-// Whether a text is a list of vertices.
+// Returns whether the text is a list of vertices.
 bool is_vertex_list(const std::string& text);
 
-// Vertices that share a unit, a property or a file.  Throws Input_error.
+// Reads a mass distribution: vertices that share mass 1 equally, a property, or a file. Throws
+// Input_error.
 Masses read_masses(const std::string& text, const std::string& option,
                    const Transport_options& options, const Surface& surface);
 
-// A list of vertices, or those at which a property is positive.  Throws Input_error.
+// Returns the listed vertices, or the vertices with a positive value of a property. Throws
+// Input_error.
 std::vector<std::size_t> region_vertices(const std::string& text, const std::string& option,
                                          const Surface& surface);
 
-// What a region is made of beside vertices: places nearest to points, and shortest paths.
+// Sources of a region in addition to vertices: locations closest to points, and shortest paths.
 struct Region_options
 {
   std::vector<std::string> at;    // "x,y,z" each
@@ -79,18 +81,19 @@ struct Region_options
 };
 
 void add_region_options(Command& command, Region_options& options, const std::string& prefix);
-// Throws Usage_error, and Input_error for vertices that are not there or a cloud.
+// The first overload throws Usage_error. The second throws Input_error if a vertex does not exist
+// or the surface is a cloud.
 void check(const Region_options& options);
 void check(const Region_options& options, const Surface& surface);
 
-// Appends a source for each, and to the result their points in space.  Throws Input_error where no path
-// leads.
+// Appends one source per point and path to the region, and their polylines to the result. Throws
+// Input_error if no path connects two vertices.
 template <typename Domain>
 void add_sources(const Domain& domain, const Region_options& options, const Surface& surface,
                  std::vector<GP::Source<typename Domain::Surface>>& region,
                  Transport_result& result);
 
-// A vector for each face or surfel, written like a map of the library.
+// Writable property map: one vector for each face or surfel.
 template <typename Key>
 struct Vector_map
 {
@@ -111,7 +114,7 @@ struct Vector_map
   }
 };
 
-// A map for the library of vectors in faces, or of surfels.
+// Returns a property map of vectors for faces of a mesh or surfels.
 template <typename Surface_type>
 auto vector_map(std::vector<Point>& vectors, const Surface_type& surface)
 {
@@ -127,11 +130,11 @@ auto vector_map(std::vector<Point>& vectors, const Surface_type& surface)
   }
 }
 
-// Masses as the library's kernels know them.
+// Converts masses or densities to a Mass_distribution.
 template <typename Domain>
 GP::internal::Mass_distribution distribution(const Domain& domain, const Masses& masses);
 
-// What options say about the preparation of a solver, with speeds.
+// Returns the named parameters of a solver's constructor: refinements and speeds.
 template <typename Domain>
 auto preparation(const Domain& domain, const Transport_options& options,
                  const std::vector<double>& speeds)
@@ -143,7 +146,7 @@ auto preparation(const Domain& domain, const Transport_options& options,
       .speed_map(speed_map<typename Domain::Vertex>(speeds));
 }
 
-// What options say about a query.
+// Returns the named parameters of a query.
 inline auto query_parameters(const Transport_options& options, Job& job)
 {
   return GP::parameters::tolerance(options.tolerance)
@@ -152,25 +155,26 @@ inline auto query_parameters(const Transport_options& options, Job& job)
       .callback(job.progress_callback("transport"));
 }
 
-// The method of a word.
+// Converts the name of a method.
 GP::internal::Transport_method to_transport_method(const std::string& method);
 
-// What the last query of a solver found.
+// Copies the solution of a solver's last query to the result.
 template <typename Surface_type>
 void copy_solution(const GP::Transport_solution<Surface_type>& solution,
                    const Surface_type& surface, const Job& job, Transport_result& result);
 
-// The parts of the flow on request.
+// Adds the gradient, rotation and harmonic part of the flow if the decomposition is requested.
 template <typename Domain, typename Surface_type>
 void add_hodge_decomposition(const Domain& domain, const Surface_type& surface,
                              const Transport_options& options, Transport_result& result);
 
-// Says what was found, in the JSON and to a reader.
+// Reports the cost in the JSON result and on standard output.
 void report(Job& job, const Transport_options& options, const GP::Earth_movers_cost& cost,
             const std::string& title);
 
-// Writes potential and flow where that is asked for: vectors of faces, or of surfels by three numbers each;
-// in the picture with marked vertices.  Throws Output_error.
+// Writes the potential and the flow to the outputs that are requested. Vectors are stored per
+// face, or per surfel as three properties. The picture also shows the marked vertices. Throws
+// Output_error.
 void write_transport(const Job& job, const Transport_result& result,
                      const std::vector<std::size_t>& marked_vertices);
 

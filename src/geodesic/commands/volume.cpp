@@ -22,7 +22,7 @@ struct Volume_options : Transport_options
   std::optional<double> user_tolerance;
 };
 
-// A plane across an axis.
+// A plane orthogonal to a coordinate axis
 struct Slice
 {
   std::size_t axis;
@@ -37,7 +37,8 @@ Slice parse_slice(const std::string& text)
   return {axis, parse_point("0,0," + text.substr(2), "--slice")[2]};
 }
 
-// Points in squares on planes, somewhat beyond the surface, two triangles in each square.
+// Returns a grid of points on each plane, 10 % larger than the bounding box on each side. Each
+// grid cell is divided into two triangles.
 Surface_file slice_grid(const std::vector<Slice>& slices, const Surface_file& file,
                         std::size_t resolution)
 {
@@ -80,7 +81,7 @@ Surface_file slice_grid(const std::vector<Slice>& slices, const Surface_file& fi
   return result;
 }
 
-// Where planes cut the surface, piece by piece.
+// Returns the intersection of the planes with the surface, as one segment per triangle.
 std::vector<std::vector<Point>> slice_outlines(const std::vector<Slice>& slices,
                                                const Surface_file& file)
 {

@@ -20,13 +20,13 @@ struct Voronoi_options
 struct Result
 {
   std::vector<std::size_t> seeds;
-  std::vector<long long> labels; // #vertices: the place of the nearest seed, -1 where none reaches
+  std::vector<long long> labels; // #vertices: index of the nearest seed, or -1 if unreached
   // For the picture:
   std::vector<std::vector<Point>> bisectors; // between the cells of a mesh
   std::vector<std::uint32_t> triangles;      // of a cloud
 };
 
-// The library's part: seeds, the nearest one of each vertex, and the lines between.
+// Computes the seeds, the nearest seed of each vertex and the bisectors.
 template <typename Surface_type>
 Result find_cells(const Surface_type& surface, const Voronoi_options& options, Job& job)
 {

@@ -54,7 +54,8 @@ struct Result
   std::vector<std::uint8_t> stream;
 };
 
-// What is left of the mesh with some of its details, and where bits are counted, as a stream tells them.
+// Approximates the mesh by its largest wavelet coefficients. If a bit rate is given, the vertices
+// are decoded from the truncated stream.
 Result approximate(Mesh mesh, const Wavelet_options& options, Job& job)
 {
   const auto prediction = options.predictor == "linear" ? GP::Wavelet_prediction::linear

@@ -19,7 +19,7 @@ namespace program {
 
 namespace {
 
-// The two pixels around a coordinate in [0, 1], and the share of the second one.
+// The two pixels adjacent to a coordinate in [0, 1], and the weight of the upper one.
 struct Interpolation
 {
   std::size_t lower, upper;
@@ -37,7 +37,7 @@ struct Interpolation
   }
 };
 
-// Calls f(pixel, share) for the four pixels around a place.
+// Calls f(pixel, weight) for the four pixels of a bilinear interpolation.
 template <typename Function>
 void for_each_adjacent_pixel(const Image& image, double u, double v, Function f)
 {
@@ -110,7 +110,7 @@ Image read_image(const std::string& filename)
   std::vector<png_byte> values(PNG_IMAGE_SIZE(png));
   if(png_image_finish_read(&png, nullptr, values.data(), 0, nullptr) == 0)
     fail(filename, error_message);
-  // The file begins with the highest row; what is transparent has a colour as well.
+  // Rows are stored from top to bottom in the file. Transparent pixels have a color as well.
   image.pixels.resize(image.width * image.height);
   image.opacity.resize(image.pixels.size());
   for(std::size_t row = 0; row < image.height; ++row)
@@ -138,7 +138,7 @@ std::string to_png(const std::string& filename, const Image& image)
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  // The size is asked for first.
+  // The first call computes the size of the encoded file.
   png_alloc_size_t size = 0;
   std::string bytes;
   if(png_image_write_to_memory(&png, nullptr, &size, 0, values.data(), 0, nullptr) != 0)

@@ -11,30 +11,32 @@
 
 namespace program {
 
-// Rows of pixels from the lowest one up.
+// An image; rows are stored from bottom to top.
 struct Image
 {
   std::size_t width = 0, height = 0;
   std::vector<Color> pixels;        // width * height, at least one
-  std::vector<double> opacity = {}; // the same number in [0, 1], or none: all are opaque
+  std::vector<double> opacity = {}; // width * height values in [0, 1]; empty: opaque
 
-  // Between the middles of four pixels; (0, 0) is the lower left corner and (1, 1) the upper right
-  // one.  Outside the image repeats.
+  // Returns the color by bilinear interpolation between pixel centers. (0, 0) is the lower left
+  // corner and (1, 1) is the upper right corner. The image repeats outside of the unit square.
   Color at(double u, double v) const;
-  // With its opacity; what is transparent lends nothing of its colour.
+  // Returns the color and opacity. Colors are weighted by opacity, so transparent pixels have no
+  // effect.
   std::array<double, 4> rgba_at(double u, double v) const;
 };
 
-// Throws Usage_error where PNG files can be neither read nor written: this is not built in.
+// Throws Usage_error that names the file if the program was built without PNG support.
 void check_png_support(const std::string& filename);
 
-// Reads a PNG file.  Throws Input_error, and Usage_error where this is not built in.
+// Reads a PNG file. Throws Input_error, or Usage_error without PNG support.
 Image read_image(const std::string& filename);
 
-// The bytes of a PNG file without opacity; `filename` stands for it in sentences.  Throws as write_image().
+// Returns the image as a PNG file without opacity. `filename` is used in error messages. Throws
+// the exceptions of write_image().
 std::string to_png(const std::string& filename, const Image& image);
 
-// Writes a PNG file without opacity.  Throws Output_error, and Usage_error where this is not built in.
+// Writes a PNG file without opacity. Throws Output_error, or Usage_error without PNG support.
 void write_image(const std::string& filename, const Image& image);
 
 } // namespace program

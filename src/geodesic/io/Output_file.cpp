@@ -25,7 +25,8 @@ namespace {
   throw Output_error(filename + ": it cannot be written, " + std::strerror(error) + ".");
 }
 
-// Closes and, unless told otherwise, removes a file that was not finished.
+// A file descriptor. The destructor closes the file and deletes a temporary file that was not
+// committed.
 class Descriptor
 {
 public:
@@ -47,7 +48,7 @@ public:
 
   bool is_open() const { return m_descriptor >= 0; }
 
-  // 0 or the number of an error.
+  // Writes all bytes. Returns 0 or the value of errno.
   int write(std::string_view bytes)
   {
     while(!bytes.empty())
@@ -81,7 +82,7 @@ private:
   bool m_is_closed = false;
 };
 
-// Where a chain of links ends; so a link stays a link.
+// Returns the target of symbolic links, so that writing replaces the target and keeps the link.
 fs::path resolve_links(const std::string& filename)
 {
   std::error_code error;

@@ -9,24 +9,26 @@
 
 namespace program {
 
-// Writes a file completely or leaves what was there: the bytes go to a file beside it, which is
-// renamed when it is safe.  What is not a regular file (a pipe, /dev/stdout) is written directly.
-// Throws Output_error.
+// Writes a file completely or leaves an existing file unchanged. The bytes are written to a
+// temporary file in the same directory, which is then renamed. Files that are not regular (a pipe,
+// /dev/stdout) are written directly. Throws Output_error.
 void write_file(const std::string& filename, std::string_view bytes);
 
-// A name beside `filename` that no other process uses, for writers that need a file of their own.
+// Returns an unused file name in the directory of `filename`, for writers that create their own
+// file.
 std::string temporary_filename(const std::string& filename);
 
-// Renames `from`, which lies beside `filename`, to it; throws Output_error.
+// Renames `temporary`, which must be in the same directory, to `filename`. Throws Output_error.
 void replace_file(const std::string& temporary, const std::string& filename);
 
-// Throws Output_error when the folder of the file is missing: said before any computing.
+// Throws Output_error if the directory of the file does not exist. Called before any computation.
 void check_directory(const std::string& filename);
 
-// The shortest text that reads back as the same number; inf and nan in these letters.
+// Appends the shortest text from which the same number is read; infinity and NaN are "inf" and
+// "nan".
 void append_number(std::string& text, double value);
 std::string number_text(double value);
-// One number a line.
+// Returns the numbers as text, one per line.
 std::string number_lines(const std::vector<double>& values);
 
 } // namespace program

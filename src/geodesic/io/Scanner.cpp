@@ -100,7 +100,7 @@ std::optional<double> to_number(std::string_view word)
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if(word.empty() || stop != end || error == std::errc::invalid_argument)
     return std::nullopt;
-  // from_chars does not say whether the number was too large or too small.
+  // std::from_chars does not distinguish overflow from underflow.
   if(error == std::errc::result_out_of_range)
     value = std::strtod(std::string(word).c_str(), nullptr);
   return value;

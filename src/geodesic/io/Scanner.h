@@ -12,25 +12,26 @@
 
 namespace program {
 
-// Walks over text line by line and over the words of a line; knows where it is.
+// Iterates over the lines of a text and over the words of a line. Error messages contain the line
+// number.
 class Scanner
 {
 public:
-  // comment_mark: what follows it on a line is skipped; 0 where the format has no comments.
+  // The rest of a line after comment_mark is skipped. If it is 0, the format has no comments.
   Scanner(std::string_view bytes, std::string name, char comment_mark)
       : m_rest(bytes), m_name(std::move(name)), m_comment_mark(comment_mark)
   {}
 
-  // Goes to the next line that holds a word; false at the end of the text.
-  // Lines end with a line feed, a carriage return, or both.
+  // Advances to the next line that contains a word. Returns false at the end of the text. Lines
+  // end with a line feed, a carriage return, or both.
   bool next_line();
 
-  // The next word of the line, empty at its end.  Blanks and tabs separate words, and commas and
-  // semicolons where `commas` is set.
+  // Returns the next word of the line, or an empty word at its end. Words are separated by blanks
+  // and tabs and, if `splits_at_commas` is set, by commas and semicolons.
   std::string_view word();
   bool splits_at_commas = false;
 
-  // The next word anywhere, empty at the end of the text.
+  // Returns the next word of this or a later line, or an empty word at the end of the text.
   std::string_view next_word();
 
   std::string_view rest_of_line() const { return m_line; }
@@ -39,9 +40,9 @@ public:
   // Throws Input_error: "NAME, line N: REASON."
   [[noreturn]] void fail(const std::string& reason) const;
 
-  double parse_number(std::string_view word) const;     // fails when it is not a number
-  double parse_coordinate(std::string_view word) const; // fails when it is not finite either
-  long long parse_integer(std::string_view word) const; // fails when it is not an integer
+  double parse_number(std::string_view word) const;     // fails if it is not a number
+  double parse_coordinate(std::string_view word) const; // fails if it is not finite
+  long long parse_integer(std::string_view word) const; // fails if it is not an integer
 
 private:
   void skip_separators();
@@ -53,14 +54,14 @@ private:
   std::size_t m_number = 0;
 };
 
-// The whole of `word` as a number, locale or not; accepts nan and inf, a leading +, and numbers
-// beyond the range of double, which become 0 or inf.
+// Converts the whole word to a number, independent of the locale. Accepts nan, inf and a leading
+// +. Numbers that exceed the range of double become 0 or infinite.
 std::optional<double> to_number(std::string_view word);
 std::optional<long long> to_integer(std::string_view word);
 
 [[noreturn]] void fail(const std::string& name, const std::string& reason);
 
-// At most 30 printable characters of a word, for sentences.
+// Returns at most 30 printable characters of a word, for error messages.
 std::string printable(std::string_view word);
 
 } // namespace program

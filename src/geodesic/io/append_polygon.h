@@ -9,7 +9,8 @@
 
 namespace program {
 
-// A negative index, or one beyond 32 bits, becomes the largest index, which no vertex has.
+// Converts to an index. Negative and too large values become the maximum index, which is never
+// valid.
 inline std::uint32_t to_index(double index)
 {
   constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
@@ -26,8 +27,8 @@ inline void end_polygon(Surface_file& surface)
   surface.polygon_begin.push_back(surface.corners.size());
 }
 
-// The triangles of a strip: every second one is turned round, so that all face the same side.
-// A negative index ends a strip and begins the next.
+// Appends the triangles of a strip. Every second triangle is reversed for a consistent
+// orientation. A negative index ends a strip and starts the next one.
 template <typename Indices>
 void append_strip(Surface_file& surface, const Indices& indices)
 {

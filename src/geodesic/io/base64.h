@@ -11,8 +11,8 @@ namespace program {
 
 std::string to_base64(std::string_view bytes);
 
-// Nothing where the text is not base64.  Blanks are skipped; padding may stand within, as between
-// the header and the data of VTK's arrays.
+// Decodes base64. Returns std::nullopt if the text is invalid. Blanks are skipped. Padding may
+// occur inside the text, because VTK encodes the header and the data of an array separately.
 std::optional<std::string> from_base64(std::string_view text);
 
 } // namespace program

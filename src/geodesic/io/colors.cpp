@@ -26,8 +26,8 @@ Color color_of_label(long long label)
 {
   if(label < 0)
     return gray;
-  // Hues a golden section of the circle apart stay far from one another however many follow;
-  // saturation and value in turn, so that neighbours among many differ in more than the hue.
+  // Hues at multiples of the golden ratio stay well separated for any number of labels. Saturation
+  // and value alternate, so that similar hues still differ in color.
   const double hue = 6. * std::fmod(0.08 + 0.6180339887498949 * static_cast<double>(label), 1.);
   const double value = label % 3 == 2 ? 0.72 : 0.93, saturation = label % 2 == 1 ? 0.45 : 0.65;
   Color color;

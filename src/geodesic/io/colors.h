@@ -10,19 +10,20 @@ namespace program {
 
 using Color = std::array<double, 3>; // red, green, blue in [0, 1]
 
-// Of surfaces.
+// Color of surfaces
 inline constexpr Color default_color = {0.80, 0.82, 0.85};
 
-// Where nothing is known: unreached, unlabelled.
+// Color of missing data: unreached or unlabeled vertices
 inline constexpr Color gray = {0.72, 0.72, 0.72};
 
-// From dark violet (0) over green to yellow (1): five points of the map viridis.
+// Color map viridis by five control points: dark violet (0), green, yellow (1).
 Color viridis(double t);
 
-// Colours that differ from one another for any number of labels; grey for negative ones.
+// Returns a color that is distinct for any number of labels. Negative labels are gray.
 Color color_of_label(long long label);
 
-// viridis over a range, or over that of the finite values; grey for those that are not finite.
+// Applies viridis to the range [low, high], or to the range of finite values. Other values are
+// gray.
 std::vector<Color> colors_of(const std::vector<double>& values, double low, double high);
 std::vector<Color> colors_of(const std::vector<double>& values);
 

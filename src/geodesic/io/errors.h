@@ -7,7 +7,7 @@
 
 namespace program {
 
-// The program's exit codes.  Each of the errors below carries one sentence for standard error.
+// Exit codes of the program. Each exception below contains one sentence for standard error.
 enum Exit_code
 {
   success = 0,

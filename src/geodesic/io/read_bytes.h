@@ -7,7 +7,7 @@
 
 namespace program {
 
-// All bytes of a regular file.  Throws Input_error.
+// Reads all bytes of a regular file. Throws Input_error.
 std::string read_bytes(const std::string& filename);
 
 } // namespace program

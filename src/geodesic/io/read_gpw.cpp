@@ -12,7 +12,8 @@ namespace program {
 
 namespace {
 
-// A few bytes can ask for any number of vertices; in earnest coarse meshes are cut five or six times.
+// Bounds the number of vertices, because a few bytes can encode a mesh of any size. In practice,
+// base meshes are subdivided five or six times.
 std::size_t max_number_of_vertices(std::size_t bytes)
 {
   return std::min<std::size_t>(65536 + 1024 * bytes, std::size_t(1) << 21);

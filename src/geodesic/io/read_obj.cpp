@@ -13,8 +13,9 @@ namespace program {
 
 namespace {
 
-// The place in an image that a corner "v/vt" or "v/vt/vn" names, counted from 0 or, below it, from the
-// end of those so far; the largest number when there is none.
+// Returns the 0-based texture index of a corner "v/vt" or "v/vt/vn". Negative indices count from
+// the end of the coordinates read so far. Returns the maximum value if the corner has no valid
+// index.
 std::size_t texture_index(std::string_view word, std::size_t count)
 {
   const std::size_t slash = std::min(word.find('/'), word.size() - 1);
@@ -27,7 +28,7 @@ std::size_t texture_index(std::string_view word, std::size_t count)
                                                   : static_cast<long long>(count) + index);
 }
 
-// What stands after the coordinates of a vertex: three numbers are its colour.
+// Reads the optional vertex color: three numbers after the coordinates.
 std::optional<std::array<double, 3>> read_color(Scanner& scanner)
 {
   std::array<double, 3> color;
@@ -41,7 +42,7 @@ std::optional<std::array<double, 3>> read_color(Scanner& scanner)
   return color;
 }
 
-// As bytes, like those of other files: most programs write parts of one.
+// Stores the colors as bytes, like other formats. Most programs write color channels in [0, 1].
 void set_colors(const std::vector<std::array<double, 3>>& colors, Surface_file& surface)
 {
   double largest = 0.;
@@ -61,10 +62,11 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
 {
   Surface_file surface;
   std::vector<std::array<double, 2>> texture_coordinates; // in an image
-  std::vector<std::size_t> corner_texture_index; // #corners: one of these, or a number beyond them
+  std::vector<std::size_t> corner_texture_index; // #corners: index of these; the maximum: none
   std::vector<std::array<double, 3>> colors;
   Scanner scanner(bytes, name, '#');
-  // A face may name vertices that follow it, so that ranges are checked when all are known.
+  // A face may refer to vertices that follow it, so indices are checked after all vertices are
+  // read.
   while(scanner.next_line())
   {
     const std::string_view keyword = scanner.word();
@@ -85,7 +87,7 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
     {
       for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
       {
-        // A backslash at the end of a line: the face goes on.
+        // A backslash at the end of a line continues the face on the next line.
         if(word == "\\")
         {
           if(!scanner.next_line())
@@ -102,7 +104,8 @@ Surface_file read_obj(std::string_view bytes, const std::string& name)
       end_polygon(surface);
     }
   }
-  // A vertex has the place that its first face gives it; where one has none, the file has no places.
+  // A vertex gets the texture coordinates of its first corner. If any corner has none, all are
+  // discarded.
   if(!corner_texture_index.empty() &&
      *std::max_element(corner_texture_index.begin(), corner_texture_index.end()) <
          texture_coordinates.size())

@@ -8,7 +8,7 @@ namespace program {
 
 namespace {
 
-// What the keyword before the counts says: [ST][C][N][4][n]OFF.
+// Variant of the format, given by the keyword before the counts: [ST][C][N][4][n]OFF.
 struct Variant
 {
   bool normals = false;
@@ -49,12 +49,12 @@ Surface_file read_off(std::string_view bytes, const std::string& name)
   if(word == "BINARY")
     fail(name, "it is a binary OFF file, only text is read");
 
-  // The number of edges is often missing or wrong, and nobody needs it.
+  // The number of edges is ignored, because it is often missing or wrong.
   const long long vertices = scanner.parse_integer(word);
   const long long faces = scanner.parse_integer(scanner.next_word());
   if(vertices < 0 || faces < 0)
     scanner.fail("a count is negative");
-  // A vertex takes at least six characters, a face two.
+  // A vertex needs at least six characters, a face two.
   if(static_cast<double>(vertices) * 6. + static_cast<double>(faces) * 2. >
      static_cast<double>(bytes.size()) + 1.)
     scanner.fail("it promises " + std::to_string(vertices) + " vertices and " +
