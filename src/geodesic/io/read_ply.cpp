@@ -44,7 +44,7 @@ struct Header
 {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
-  std::size_t size = 0; // bytes, up to and with the line feed of end_header
+  std::size_t size = 0; // bytes, including the line feed after end_header
 };
 
 std::optional<Type> parse_type(std::string_view word)
@@ -133,7 +133,7 @@ Header read_header(std::string_view bytes, const std::string& name)
   return header;
 }
 
-// Gives the values of the body one after another, whatever their encoding.
+// Reads the values of the body one by one, independent of the encoding.
 class Body
 {
 public:
@@ -141,8 +141,8 @@ public:
       : m_bytes(bytes), m_encoding(encoding), m_name(name), m_text(bytes, name, 0)
   {}
 
-  // Throws unless `count` items of at least these sizes can follow: so that nobody reserves memory
-  // for a number in a header.  A value in text takes a byte and a separator.
+  // Throws if the body is too short for the number of items in the header. This bounds the memory
+  // that a header can request. A value in text needs at least one character and a separator.
   void expect(const Element& element)
   {
     double min_size = 0.;
@@ -212,7 +212,7 @@ public:
   }
 
 private:
-  std::string_view m_bytes; // in text: all of it, as a bound
+  std::string_view m_bytes; // with the ascii encoding: the whole file, as an upper bound
   Encoding m_encoding;
   std::string m_name;
   Scanner m_text;
@@ -223,7 +223,7 @@ void read_vertices(Body& body, const Element& element, const std::string& name,
 {
   surface.points.resize(element.count);
 
-  // Where each property goes: three coordinates, three parts of the normal, or a column of its own.
+  // Destination of each property: a coordinate, a component of the normal, or a separate property.
   std::vector<double*> property_values(element.properties.size(), nullptr);
   std::vector<int> coordinate(element.properties.size(), -1),
       normal_component(element.properties.size(), -1);
@@ -274,7 +274,7 @@ void read_vertices(Body& body, const Element& element, const std::string& name,
     }
 }
 
-// Edges without one of their ends are none.
+// Reads the edges. An edge with a missing endpoint is skipped.
 void read_edges(Body& body, const Element& element, Surface_file& surface)
 {
   std::vector<double> ignored;
@@ -331,7 +331,7 @@ Surface_file read_ply(std::string_view bytes, const std::string& name)
   bool has_vertices = false;
   for(const Element& element : header.elements)
   {
-    // Items without properties take no bytes, so that their number could not be checked.
+    // Items without properties occupy no bytes, so their number cannot be validated.
     if(element.properties.empty())
       continue;
     body.expect(element);

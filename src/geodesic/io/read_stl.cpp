@@ -21,7 +21,7 @@ struct Point_hash
     {
       std::uint64_t bits;
       std::memcpy(&bits, &x, sizeof bits);
-      // A round of splitmix64: coordinates on a grid differ in few bits.
+      // One step of splitmix64, because coordinates on a grid differ in few bits.
       result += bits + 0x9e3779b97f4a7c15u;
       result = (result ^ (result >> 30)) * 0xbf58476d1ce4e5b9u;
       result = (result ^ (result >> 27)) * 0x94d049bb133111ebu;
@@ -31,7 +31,8 @@ struct Point_hash
   }
 };
 
-// STL repeats its vertices: those with the same coordinates are one, numbered as they first appear.
+// Merges vertices with equal coordinates, because STL repeats them in each facet. Vertices are
+// numbered in the order of their first occurrence.
 class Welder
 {
 public:
@@ -40,7 +41,7 @@ public:
   void add(Point point)
   {
     for(double& x : point)
-      x += 0.; // -0 and 0 are the same place
+      x += 0.; // -0 becomes 0
     const auto [entry, is_new] = m_index.try_emplace(point, m_surface.points.size());
     if(is_new)
       m_surface.points.push_back(point);
@@ -74,7 +75,7 @@ Surface_file read_binary(std::string_view bytes, const std::string& name)
         const std::uint32_t bits = little_endian(bytes.substr(12 + 12 * k + 4 * c));
         float x;
         std::memcpy(&x, &bits, sizeof x);
-        // Not a number is equal to nothing: it must not reach the table.
+        // NaN is not equal to itself, so it must not be used as a key of the hash table.
         if(!std::isfinite(x))
           fail(name, "a coordinate of facet " + std::to_string(surface.number_of_polygons()) +
                          " is not finite");
@@ -94,7 +95,8 @@ Surface_file read_text(std::string_view bytes, const std::string& name)
   Scanner scanner(bytes, name, 0);
   std::size_t corners_in_loop = 0;
   while(scanner.next_line())
-    // Line by line, because a solid's name may be any text; several words of a facet may share one.
+    // Lines are parsed separately, because the name of a solid is arbitrary text. A line may
+    // contain several keywords of a facet.
     for(std::string_view word = scanner.word(); !word.empty(); word = scanner.word())
     {
       if(word == "solid" || word == "endsolid")
@@ -124,7 +126,7 @@ Surface_file read_text(std::string_view bytes, const std::string& name)
 
 Surface_file read_stl(std::string_view bytes, const std::string& name)
 {
-  // Many binary files begin with "solid" too; their size gives them away.
+  // Many binary files also begin with "solid", so they are detected by their size.
   if(bytes.size() >= 84 && bytes.size() == 84 + 50 * std::size_t{little_endian(bytes.substr(80))})
     return read_binary(bytes, name);
   Scanner scanner(bytes, name, 0);

@@ -14,7 +14,7 @@ namespace {
 
 struct Tag
 {
-  std::string_view name; // with its slash where it closes
+  std::string_view name; // with a slash if it is a closing tag
   std::map<std::string_view, std::string_view> attributes;
   bool is_self_closing = false; // <Tag/>
 
@@ -27,13 +27,14 @@ struct Tag
 
 constexpr std::string_view whitespace = " \t\r\n";
 
-// As much of XML as VTK writes: tags with quoted attributes, and text between them.
+// A parser for the subset of XML that VTK writes: tags with quoted attributes, and text between
+// them.
 class Xml
 {
 public:
   Xml(std::string_view bytes, const std::string& name) : m_rest(bytes), m_name(name) {}
 
-  // The next tag; what stands before it is text().  Nothing at the end.
+  // Returns the next tag, or std::nullopt at the end. text() returns the text before the tag.
   std::optional<Tag> next()
   {
     for(;;)
@@ -92,12 +93,12 @@ private:
   std::string m_name;
 };
 
-// How the arrays of a file are stored.
+// Encoding of the data arrays of a file.
 struct Storage
 {
   bool big_endian = false;
   std::size_t header_size = 4;
-  std::string_view appended; // what follows its underscore
+  std::string_view appended; // the bytes after the underscore
   bool is_appended_raw = true;
 };
 
@@ -149,7 +150,7 @@ std::vector<double> decode_numbers(std::string_view bytes, std::string_view type
   return numbers;
 }
 
-// A block: its length in bytes, then as many bytes.
+// Returns the data of a block, which is preceded by its length in bytes.
 std::string_view read_block(std::string_view bytes, const Storage& storage, const std::string& name)
 {
   if(bytes.empty())
@@ -163,7 +164,8 @@ std::string_view read_block(std::string_view bytes, const Storage& storage, cons
   return bytes.substr(0, static_cast<std::size_t>(length));
 }
 
-// VTK encodes the length of a block together with its data, or before it and padded.
+// Decodes a base64 block. VTK encodes the length together with the data, or separately with
+// padding.
 std::vector<double> numbers_in_base64(std::string_view text, std::string_view type,
                                       const Storage& storage, const std::string& name)
 {
@@ -200,7 +202,7 @@ std::vector<double> read_array(const Tag& tag, std::string_view text, const Stor
   const std::string_view bytes = storage.appended.substr(static_cast<std::size_t>(*offset));
   if(storage.is_appended_raw)
     return decode_numbers(read_block(bytes, storage, name), type, storage, name);
-  // Encoded blocks follow one another; the first digits hold the length of this one.
+  // Encoded blocks are concatenated, so the length of this block is decoded first.
   const std::size_t digits = (storage.header_size + 2) / 3 * 4;
   const std::optional<std::string> header = from_base64(bytes.substr(0, digits));
   if(!header || header->size() < storage.header_size)
@@ -263,7 +265,7 @@ std::vector<Point> to_points(const std::vector<double>& numbers)
 Surface_file read_vtp(std::string_view bytes, const std::string& name)
 {
   Storage storage;
-  // Appended bytes may look like tags: cut them off first.
+  // Appended bytes may contain text that resembles tags, so they are removed first.
   if(const std::size_t begin = bytes.find("<AppendedData"); begin != std::string_view::npos)
   {
     Xml appended(bytes.substr(begin), name);

@@ -7,10 +7,10 @@ namespace program {
 
 namespace {
 
-// Lines of numbers, all of one length.
+// Rows of numbers, all with the same number of columns.
 struct Table
 {
-  std::optional<double> count; // a number alone on the first line
+  std::optional<double> count; // a single number on the first line
   std::size_t columns = 0;
   std::vector<double> values;
   std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
@@ -67,7 +67,7 @@ Surface_file from_table(const Table& table, std::size_t number_of_points, bool n
 
 } // namespace
 
-// Lines of x y z, or of x y z nx ny nz; further columns are skipped.  A count may stand before.
+// Reads rows of x y z or x y z nx ny nz, optionally after a count. Additional columns are skipped.
 Surface_file read_xyz(std::string_view bytes, const std::string& name)
 {
   const Table table = read_table(bytes, name);
@@ -77,7 +77,8 @@ Surface_file read_xyz(std::string_view bytes, const std::string& name)
   return from_table(table, table.rows(), false);
 }
 
-// The same with normals; or, after a count, first all points and then all normals.
+// Reads rows with normals. If a count precedes them, the file contains all points and then all
+// normals.
 Surface_file read_pwn(std::string_view bytes, const std::string& name)
 {
   const Table table = read_table(bytes, name);

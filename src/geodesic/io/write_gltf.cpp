@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers of the format.
+// Constants of glTF
 constexpr int component_float = 5126, component_unsigned_int = 5125, target_array_buffer = 34962,
               target_element_array_buffer = 34963, filter_linear = 9729,
               filter_linear_mipmap_linear = 9987, wrap_clamp_to_edge = 33071;
@@ -34,7 +34,8 @@ void append_float(std::string& bytes, double value)
   append_little_endian(bytes, bits);
 }
 
-// Unit vectors; those of points without area around them are up.
+// Returns unit normals weighted by face area. If a vertex has no incident face of positive area,
+// its normal is (0, 0, 1).
 std::vector<Point> vertex_normals(const Surface_file& surface)
 {
   std::vector<Point> result(surface.points.size(), Point{0., 0., 0.});
@@ -63,7 +64,7 @@ std::vector<Point> vertex_normals(const Surface_file& surface)
   return result;
 }
 
-// The JSON, and its buffer.
+// The JSON document and its binary buffer.
 struct Gltf
 {
   Json json;
@@ -71,7 +72,8 @@ struct Gltf
 
   Gltf(const std::string& filename, const Surface_file& surface, const std::string& png)
   {
-    // A vertex has one place in the texture: one for each pair of both.
+    // A vertex has one texture coordinate in glTF, so each pair of point and texture coordinate
+    // becomes a vertex.
     struct Hash
     {
       std::size_t operator()(const std::pair<std::uint32_t, std::array<double, 2>>& key) const
@@ -81,7 +83,7 @@ struct Gltf
     };
     std::unordered_map<std::pair<std::uint32_t, std::array<double, 2>>, std::uint32_t, Hash>
         vertex_index;
-    std::vector<std::size_t> first_corner; // corner of each vertex
+    std::vector<std::size_t> first_corner; // a corner of each vertex
     std::string indices;
     for(std::size_t c = 0; c < surface.corners.size(); ++c)
     {
@@ -110,7 +112,7 @@ struct Gltf
         append_float(positions, coordinate);
         append_float(normals, normal[point][k]);
       }
-      // From the upper left corner.
+      // The origin of texture coordinates is the upper left corner in glTF.
       append_float(texture_coordinates, surface.corner_uv[c][0]);
       append_float(texture_coordinates, 1. - surface.corner_uv[c][1]);
     }

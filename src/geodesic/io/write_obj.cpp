@@ -22,7 +22,7 @@ std::string to_obj(const Surface_file& surface)
     append_numbers(text, numbers);
     text += '\n';
   };
-  // Many programs multiply a texture by them.
+  // Colors are omitted if there are texture coordinates, because many programs multiply both.
   const bool colors =
       !uv && std::all_of(color_names.begin(), color_names.end(),
                          [&](auto name) { return surface.properties.count(name) > 0; });
@@ -40,7 +40,7 @@ std::string to_obj(const Surface_file& surface)
   for(const std::vector<Point>& polyline : surface.polylines)
     for(const Point& point : polyline)
       write_vertex(point, [](const char*) { return 0.; });
-  // Of corners' places, each written once.
+  // Each distinct texture coordinate of the corners is written once.
   std::unordered_map<std::array<double, 2>, std::size_t, boost::hash<std::array<double, 2>>>
       texture_index;
   for(const std::array<double, 2>& coordinates : corner_uv ? surface.corner_uv : surface.uv)

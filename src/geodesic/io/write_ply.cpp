@@ -10,7 +10,8 @@ namespace program {
 
 namespace {
 
-// Whether a property is a part of a colour as most programs write it, a byte.
+// Returns whether a property is a color channel with integer values in [0, 255], which is written
+// as bytes.
 bool is_byte_color(const std::pair<const std::string, std::vector<double>>& property)
 {
   const auto& [name, values] = property;
@@ -29,7 +30,7 @@ std::string to_ply(const Surface_file& surface)
     polyline_points += polyline.size();
     edges += polyline.empty() ? 0 : polyline.size() - 1;
   }
-  // Only faces of 255 or fewer corners, which all readers take; the program writes triangles.
+  // The number of corners is a byte, which all readers accept. The program writes only triangles.
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                       std::to_string(surface.points.size() + polyline_points) +
                       "\nproperty double x\nproperty double y\nproperty double z\n";

@@ -14,7 +14,8 @@ namespace {
 void write_textured_obj(const std::string& filename, const Surface_file& surface,
                         const Image& texture)
 {
-  // Beside it; NAME.png may be the name of the picture.
+  // Returns a path in the same directory. NAME.png is avoided, because it may be the --picture
+  // file.
   const auto sibling = [&](const char* end)
   { return std::filesystem::path(filename).replace_extension().string() + end; };
   const auto name = [](const std::string& path)

@@ -10,13 +10,15 @@
 
 namespace program {
 
-// Writes triangles with their corner_uv and an image on them: NAME.obj with NAME.mtl and NAME_texture.png beside
-// it, or all in one file, as NAME.gltf or as NAME.glb.  Each file completely or not at all.
-// Throws Output_error, and Usage_error where images cannot be written.
+// Writes triangles with their corner_uv and a texture. NAME.obj is written with NAME.mtl and
+// NAME_texture.png in the same directory. NAME.gltf and NAME.glb contain everything in one file.
+// Each file is written completely or not at all. Throws Output_error, and Usage_error without PNG
+// support.
 void write_textured(const std::string& filename, const Surface_file& surface, const Image& texture);
 
-// glTF 2.0 with a buffer, and in it the bytes of a PNG file: as text, and as bytes.  Single precision.
-// Throws Output_error where a coordinate is beyond that; `filename` stands for the file in the sentence.
+// Returns glTF 2.0 as text or as binary (GLB), in single precision. The buffer contains the PNG
+// file. Throws Output_error if a coordinate exceeds the range of float; `filename` is used in the
+// message.
 std::string to_gltf(const std::string& filename, const Surface_file& surface,
                     const std::string& png);
 std::string to_glb(const std::string& filename, const Surface_file& surface,

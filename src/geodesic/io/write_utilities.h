@@ -10,7 +10,7 @@
 
 namespace program {
 
-// The bytes of a value, the least significant one first.
+// Appends the bytes of a value in little-endian order.
 template <typename Value>
 void append_little_endian(std::string& bytes, Value value)
 {
@@ -37,7 +37,7 @@ void append_numbers(std::string& text, const std::array<double, N>& numbers)
   }
 }
 
-// A property's name as one word.
+// Converts the name of a property to a single word.
 inline std::string to_identifier(std::string name)
 {
   for(char& c : name)

@@ -7,7 +7,7 @@ namespace program {
 
 namespace {
 
-// An array in base64, after its length in bytes.
+// Returns a data array in base64, preceded by its length in bytes.
 template <typename Value>
 std::string data_array(const std::string& name, const char* type, std::size_t components,
                        const std::vector<Value>& values)
@@ -55,7 +55,7 @@ std::string to_vtp(const Surface_file& surface)
     }
     line_offsets.push_back(static_cast<std::int64_t>(lines.size()));
   }
-  // Points alone are shown by most viewers only when each is a cell.
+  // Most viewers show points without polygons only if each point is a cell.
   if(surface.number_of_polygons() == 0)
     for(std::size_t i = 0; i < surface.points.size(); ++i)
     {
@@ -94,7 +94,7 @@ std::string to_vtp(const Surface_file& surface)
   text += "      </PointData>\n";
   if(!surface.vectors.empty() || !surface.face_numbers.empty())
   {
-    // Cells are numbered through: points and lines come before faces.
+    // Cell data begin with the point and line cells, which precede the polygons.
     text += "      <CellData>\n";
     for(const auto& [name, vectors] : surface.vectors)
     {

@@ -25,7 +25,7 @@ Surface repair(Surface_file file, const std::string& filename, unsigned threads)
   surface.is_repaired = triangulate(surface.file, filename);
   if(!surface.is_mesh())
     fail(filename, "none of its faces has three different corners");
-  // Four bytes name a side.
+  // Halfedge indices have 32 bits.
   if(surface.file.corners.size() >= (std::size_t{1} << 31))
     fail(filename, "it has more than 2^31 half-edges");
   surface.connectivity = orient(surface.file);
@@ -65,8 +65,8 @@ Mesh make_mesh(const Surface& surface)
     mesh.set_halfedge(vertex(corner[next(h)]), halfedge[h]);
   }
 
-  // The border of a fan enters its vertex opposite to a side that leaves it, and goes on along the
-  // border of the next fan there, so that circulators see all of them.
+  // At a vertex with several fans, the boundary halfedges of all fans are linked to one cycle.
+  // Circulators around the vertex therefore visit all fans.
   std::vector<Halfedge> first_boundary_halfedge(surface.file.points.size());
   for(std::uint32_t h = 0; h < corner.size(); ++h)
   {
@@ -87,7 +87,7 @@ Mesh make_mesh(const Surface& surface)
       mesh.set_next(incoming, mesh.next(first_incoming));
       mesh.set_next(first_incoming, outgoing);
     }
-    // CGAL wants a border half-edge at a border vertex.
+    // CGAL requires that the halfedge of a boundary vertex is a boundary halfedge.
     mesh.set_halfedge(vertex(corner[h]), incoming);
   }
   return mesh;

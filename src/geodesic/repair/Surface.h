@@ -16,19 +16,19 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Cloud = CGAL::Point_set_3<Kernel::Point_3>;
 
-// Of a point or a vector.
+// Returns the coordinates of a point or a vector.
 template <typename Point_or_vector>
 Point coordinates(const Point_or_vector& p)
 {
   return {p.x(), p.y(), p.z()};
 }
 
-// An input after repair: a mesh of triangles where the file has faces, else a cloud with normals.
-// Vertices keep the numbers that they have in the file; none is added or removed.
+// An input after repair: a triangle mesh if the file has faces, otherwise a cloud with normals.
+// Vertices keep their index in the file; none is added or removed.
 struct Surface
 {
   std::string name;
-  Surface_file file;         // triangles, oriented; or points with unit normals
+  Surface_file file;         // oriented triangles, or points with unit normals
   Connectivity connectivity; // of a mesh
   bool is_repaired = false;
 
@@ -37,14 +37,16 @@ struct Surface
 
 Surface read_surface(const std::string& filename, unsigned threads = 1);
 
-// The policy alone: checks coordinates and indices, then repairs.  Throws Input_error.
+// Checks coordinates and indices, then repairs the surface. Throws Input_error. Does not access
+// files.
 Surface repair(Surface_file file, const std::string& name, unsigned threads = 1);
 
-// Vertex i of the result is vertex i of the file.  Vertices where several fans meet stay one
-// vertex, so that a front passes from fan to fan.
+// Returns the mesh. Vertex i of the mesh is vertex i of the file. A vertex with several fans
+// remains one vertex, so that fronts propagate from fan to fan.
 Mesh make_mesh(const Surface& surface);
 
-// With normals, and the file's property "radius" where it has one; surfel i is point i of the file.
+// Returns the cloud with normals and, if the file has it, the property "radius". Surfel i is point
+// i of the file.
 Cloud make_cloud(const Surface& surface);
 
 } // namespace program

@@ -24,7 +24,7 @@ using CGAL::Geodesic_processing::internal::unit_frame;
 
 constexpr unsigned number_of_neighbors = 16;
 
-// Of unit length, or zero where there is none.  Neither overflows nor underflows.
+// Returns the unit vector, or zero if v is zero or not finite. Avoids overflow and underflow.
 Point unit(Point v)
 {
   double size = 0.;
@@ -46,7 +46,8 @@ Point unit(Point v)
 
 bool is_zero(const Point& v) { return v[0] == 0. && v[1] == 0. && v[2] == 0.; }
 
-// Replaces normals that are missing, on the side of the nearest one given.
+// Replaces missing normals by estimated ones, oriented like the normal of the nearest point that
+// has one.
 void fill_missing_normals(std::vector<Point> points, const std::vector<Point>& estimated,
                           std::vector<Point>& normals)
 {

@@ -18,19 +18,19 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Halfedge = Mesh::Halfedge_index;
 using Vertex = Mesh::Vertex_index;
 
-// The search among all triangles takes the cube of the number of edges: 0.1 s for so many.
+// The search over all triangulations takes cubic time: 0.1 s for 200 edges.
 constexpr std::size_t max_edges_for_cubic_search = 200;
-// Some rims have Delaunay triangulations as large as the square.
+// The Delaunay triangulation of some boundary cycles has quadratic size.
 constexpr std::size_t max_edges_for_delaunay = 1000;
-// What writes the triangles calls itself as often.
+// The recursion depth of the function that creates the triangles equals the number of edges.
 constexpr std::size_t max_edges_for_planar = 5000;
 
 struct Out_of_steps
 {};
 
-// Ends the searches when together they take too long.  A step is some 0.1 microseconds, and an
-// edge of the Delaunay triangulation counts as a hundred: a usual rim has four for each of its edges,
-// others half the square of their number.
+// Stops the search if all holes together exceed a limit of steps. A step takes about 0.1
+// microseconds. An edge of the Delaunay triangulation counts as 100 steps. A typical boundary
+// cycle of n edges has 4 n Delaunay edges; the maximum is about n^2 / 2.
 struct Step_limit_visitor : PMP::Hole_filling::Default_visitor
 {
   double* steps_left;
@@ -54,7 +54,7 @@ struct Hole
   std::size_t number_of_edges = 0;
 };
 
-// What follows on a border in the same fan of triangles.
+// Returns the next boundary halfedge in the same fan of triangles.
 Halfedge next_in_fan(const Mesh& mesh, Halfedge h)
 {
   do
@@ -63,14 +63,16 @@ Halfedge next_in_fan(const Mesh& mesh, Halfedge h)
   return mesh.opposite(h);
 }
 
-// The borders, each of which is made to pass its vertices once.  At vertices where several fans meet
-// each keeps to its fan, so that parts that only touch are not joined; where a border comes to a
-// vertex again, what lies between becomes a border of its own.
+// Splits the boundary into cycles that visit each vertex at most once, and returns them as holes.
+// At vertices with several fans, each cycle stays in its fan, so that parts that only touch are
+// not connected. If a cycle revisits a vertex, the halfedges between the two visits become a
+// separate cycle.
 std::vector<Hole> split_boundaries(Mesh& mesh)
 {
   std::vector<Hole> holes;
   std::vector<bool> is_visited(mesh.num_halfedges(), false);
-  std::vector<std::size_t> position(mesh.num_vertices(), 0); // in `border`, from 1
+  std::vector<std::size_t> position(mesh.num_vertices(),
+                                    0); // in `boundary`, 1-based; 0: not visited
   std::vector<Halfedge> boundary;
   for(const Halfedge begin : mesh.halfedges())
   {
@@ -106,7 +108,7 @@ std::vector<Hole> split_boundaries(Mesh& mesh)
   return holes;
 }
 
-// The outside of a triangle that has no neighbours.
+// Returns whether the hole is the boundary of an isolated triangle.
 bool is_component_of_one_triangle(const Mesh& mesh, const Hole& hole)
 {
   const Halfedge inner = mesh.opposite(hole.last);
@@ -114,8 +116,9 @@ bool is_component_of_one_triangle(const Mesh& mesh, const Hole& hole)
          mesh.is_border(mesh.opposite(mesh.prev(inner)));
 }
 
-// An edge of the hole that has a length: the search must start there, as it takes a rim whose first
-// and last points are equal for one that repeats its first vertex.  None where all lie in one place.
+// Returns an edge of positive length, or the null halfedge if all vertices coincide. The search
+// must start there. If the first and last points are equal, it assumes that the first vertex is
+// repeated.
 template <typename Points>
 Halfedge find_nondegenerate_edge(const Mesh& mesh, const Points& points, const Hole& hole)
 {
@@ -126,7 +129,7 @@ Halfedge find_nondegenerate_edge(const Mesh& mesh, const Points& points, const H
   return Mesh::null_halfedge();
 }
 
-// The points divided by a power of two, so that no product of coordinates overflows.
+// Returns the points divided by a power of two, so that products of coordinates do not overflow.
 Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
 {
   double largest = 0.;
@@ -150,12 +153,12 @@ Mesh::Property_map<Vertex, Kernel::Point_3> scaled_points(Mesh& mesh)
 Hole_filling_result fill_holes(Mesh& mesh, std::size_t max_edges)
 {
   std::vector<Hole> holes = split_boundaries(mesh);
-  // Small ones first, lest a large one takes their time.
+  // Small holes are filled first, so that a large hole does not exhaust their steps.
   std::stable_sort(holes.begin(), holes.end(),
                    [](const Hole& a, const Hole& b)
                    { return a.number_of_edges < b.number_of_edges; });
   auto points = scaled_points(mesh);
-  // Enough where half of the vertices lie on usual rims.
+  // Sufficient if half of the vertices are on typical boundary cycles.
   double steps = 1e7 + 500. * static_cast<double>(mesh.number_of_vertices());
   const Step_limit_visitor step_visitor(steps);
   Hole_filling_result result;

@@ -15,16 +15,16 @@ struct Hole_filling_result
   std::size_t number_of_filled = 0, number_of_left = 0;
 };
 
-// Closes the holes of a mesh that have at most so many edges by triangles between the vertices of
-// their rims.  No vertex is added or moved, so that each keeps its number; which triangles is
-// decided by how little they bend, and then by how small they are.  A border that passes a vertex
-// several times is as many holes; parts that only touch at a vertex have their own borders.
+// Fills holes that have at most max_edges edges, with triangles between the vertices of their
+// boundary cycles. No vertex is added or moved, so vertex indices are preserved. The triangulation
+// minimizes the dihedral angles first and the area second. A boundary that visits a vertex several
+// times counts as several holes. Parts that only touch at a vertex have separate boundaries.
 //
-// A hole is left as it is around a single triangle, where triangles would have no area or an edge
-// that the mesh has already, and where looking for them takes too long: holes of more than 200 edges
-// are filled when a plane or their Delaunay triangulation shows how, those of more than 1,000 when a
-// plane does, and those of more than 5,000 never.  Small holes come first; together they may take
-// some seconds.
+// A hole is not filled if it is the boundary of an isolated triangle. It is not filled either if
+// the triangles would be degenerate or contain an existing edge, or if the search takes too long.
+// Holes of more than 200 edges are filled only by a planar or Delaunay triangulation. Those of
+// more than 1,000 edges are filled only by a planar one, and those of more than 5,000 edges never.
+// Small holes are filled first. The total time may be several seconds.
 Hole_filling_result fill_holes(Mesh& mesh,
                                std::size_t max_edges = std::numeric_limits<std::size_t>::max());
 

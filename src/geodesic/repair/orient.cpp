@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::uint32_t next_halfedge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
-// #sides: the only other side that joins the same two vertices, whichever way it runs.
-// Counts the edges with more than two sides in `crowded`.
+// Returns, for each halfedge, the other halfedge between the same two vertices, in either
+// direction. The result is no_halfedge unless exactly two halfedges exist. Counts edges with more
+// than two halfedges. Size: #halfedges.
 std::vector<std::uint32_t> opposite_halfedges(const std::vector<std::uint32_t>& corners,
                                               std::size_t& number_of_nonmanifold_edges)
 {
@@ -39,7 +40,8 @@ std::vector<std::uint32_t> opposite_halfedges(const std::vector<std::uint32_t>& 
   return result;
 }
 
-// Which triangles to turn round.  Leaves open the edges where that contradicts itself.
+// Returns which triangles to flip for a consistent orientation. If no consistent orientation
+// exists, the contradicting edges are cut.
 std::vector<bool> choose_flips(const std::vector<std::uint32_t>& corners,
                                Connectivity& connectivity)
 {
@@ -64,7 +66,8 @@ std::vector<bool> choose_flips(const std::vector<std::uint32_t>& corners,
         if(t == no_halfedge)
           continue;
         const std::uint32_t g = t / 3;
-        // Sides that start at the same vertex run the same way: one triangle must turn.
+        // Halfedges with the same source have the same direction, so one of the two triangles must
+        // be flipped.
         const bool should_flip = flip[f] != (corners[h] == corners[t]);
         if(!seen[g])
         {
@@ -97,7 +100,8 @@ void count_fans(const std::vector<std::uint32_t>& corners, std::size_t number_of
   {
     if(seen[c])
       continue;
-    // Clockwise to the border or once around, then counterclockwise over the whole fan.
+    // Circulates clockwise to the boundary or once around, then counterclockwise over the whole
+    // fan.
     std::uint32_t start = c;
     while(connectivity.twins[start] != no_halfedge && next_halfedge(connectivity.twins[start]) != c)
       start = next_halfedge(connectivity.twins[start]);
@@ -158,7 +162,7 @@ Connectivity orient(Surface_file& surface)
   connectivity.twins = opposite_halfedges(corners, connectivity.number_of_cut_edges);
   const std::vector<bool> flip = choose_flips(corners, connectivity);
 
-  // Exchanging the last two corners exchanges the first and the last side.
+  // Swapping the last two corners swaps the first and the last halfedge.
   const auto new_index = [&flip](std::uint32_t h)
   { return h == no_halfedge || !flip[h / 3] ? h : 3 * (h / 3) + (2 - h % 3); };
   std::vector<std::uint32_t> twins(corners.size());

@@ -18,14 +18,14 @@ double signed_area(const Planar_point& a, const Planar_point& b, const Planar_po
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// The corners of a polygon in the plane that fits it best, of size about one.  Empty where it spans
-// no plane.
+// Projects a polygon to a coordinate plane and scales it to about unit size. Returns an empty
+// array if the polygon spans no plane.
 std::vector<Planar_point> project_to_plane(const std::vector<Point>& corners)
 {
   const Point origin = corners[0];
   double size = 0.;
   std::vector<Point> p = corners;
-  // Half the coordinates: the difference of two huge ones must not overflow.
+  // Coordinates are halved, so that differences of huge values do not overflow.
   for(Point& x : p)
     for(std::size_t c = 0; c < 3; ++c)
     {
@@ -38,7 +38,7 @@ std::vector<Planar_point> project_to_plane(const std::vector<Point>& corners)
     for(double& c : x)
       c /= size;
 
-  // Newell's normal: right for concave polygons and for those that are not planar.
+  // Newell's normal, which is correct for concave and nonplanar polygons.
   Point normal = {0., 0., 0.};
   for(std::size_t i = 0; i < p.size(); ++i)
   {
@@ -52,7 +52,8 @@ std::vector<Planar_point> project_to_plane(const std::vector<Point>& corners)
       axis = c;
   if(normal[axis] == 0.)
     return {};
-  // Along the axis nearest to the normal: signs of areas are kept, and no rounding is added.
+  // The polygon is projected along the axis that is closest to its normal. This preserves the
+  // signs of areas and adds no round-off errors.
   const double sign = normal[axis] > 0. ? 1. : -1.;
   std::vector<Planar_point> projected(p.size());
   for(std::size_t i = 0; i < p.size(); ++i)
@@ -74,8 +75,8 @@ bool is_in_triangle(const Planar_point& a, const Planar_point& b, const Planar_p
 
 using Triangle = std::array<std::size_t, 3>;
 
-// Cuts ears off, one after another.  Always ends with n - 2 triangles: where no corner is an ear,
-// as in a polygon that crosses itself, the most convex one goes.
+// Triangulates a polygon by ear clipping. Always returns n - 2 triangles. If there is no ear, as
+// in a self-intersecting polygon, the most convex corner is cut off.
 std::vector<Triangle> clip_ears(const std::vector<Planar_point>& p)
 {
   std::vector<Triangle> triangles;
@@ -95,8 +96,8 @@ std::vector<Triangle> clip_ears(const std::vector<Planar_point>& p)
       if(area(i) <= 0.)
         reflex.push_back(remaining[i]);
 
-    // Of a quadrilateral's two ears the one with the shorter cut; else the first after the last
-    // cut, so that a round polygon does not become a fan.
+    // In a quadrilateral, the ear with the shorter diagonal is cut off. In larger polygons, it is
+    // the first ear after the previous one, which avoids a fan of triangles in round polygons.
     std::size_t ear = n, most_convex = 0;
     double shortest = INFINITY;
     for(std::size_t k = 0; k < n; ++k)
@@ -142,8 +143,9 @@ struct Triangle_hash
   }
 };
 
-// Keeps the first of triangles with the same corners in the same order.  Two that face opposite
-// ways may be a closed surface and stay.
+// Removes triangles with the same corners in the same cyclic order as an earlier one. Two
+// triangles of opposite orientation are kept, because they may be a closed surface. Returns
+// whether any was removed.
 bool remove_duplicate_triangles(Surface_file& surface)
 {
   std::unordered_set<std::array<std::uint32_t, 3>, Triangle_hash> seen;
@@ -169,7 +171,7 @@ bool remove_duplicate_triangles(Surface_file& surface)
 
 bool triangulate(Surface_file& surface, const std::string& name)
 {
-  // Ears are searched in quadratic time: 10,000 corners take about a second.
+  // The search for ears takes quadratic time: about one second for 10,000 corners.
   constexpr std::size_t max_corners = 10000;
   bool changed = false;
   std::vector<std::uint32_t> corners, face;
