@@ -24,13 +24,14 @@ namespace program {
 
 namespace {
 
-// The number that Xvfb writes when it is ready; empty when it does not start.
+// Returns the display number that Xvfb writes when it is ready, or an empty text if it does not
+// start.
 std::string read_number(int pipe)
 {
   std::string number;
   for(;;)
   {
-    // It is ready in a tenth of a second, on a busy machine in a few.
+    // Xvfb starts in about 0.1 s, on a busy machine in a few seconds.
     ::pollfd ready = {pipe, POLLIN, 0};
     char c;
     if(::poll(&ready, 1, 20000) <= 0 || ::read(pipe, &c, 1) != 1)
@@ -41,7 +42,7 @@ std::string read_number(int pipe)
   }
 }
 
-// VTK ends the process when it cannot open a display: ask before.
+// VTK terminates the process if it cannot open a display, so this is checked first.
 bool can_open_display()
 {
   if(std::getenv("DISPLAY") == nullptr)
@@ -78,14 +79,14 @@ Display::Display()
   if(m_server == 0)
   {
 #  ifdef __linux__
-    // Ends with us, also when we crash.
+    // The server is terminated when this process ends or crashes.
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if(::getppid() != parent)
       ::_exit(1);
 #  else
     (void)parent;
 #  endif
-    // An interrupt from the keyboard is for the program, not for its server.
+    // A separate process group: a keyboard interrupt must reach the program but not the server.
     ::setpgid(0, 0);
     ::close(pipe_ends[0]);
     const int null_device = ::open("/dev/null", O_RDWR);

@@ -7,10 +7,10 @@
 
 namespace program {
 
-// Something to draw on.  Uses the X server that the environment variable GEODESIC_DISPLAY names, so
-// that several runs share one.  Otherwise it starts Xvfb, a server without a screen, and ends it with
-// its own life.  If Xvfb does not start, it uses the display that DISPLAY names.
-// Throws Usage_error with a sentence that says what is missing.
+// An X display for off-screen rendering. Uses the X server that the environment variable
+// GEODESIC_DISPLAY names, so that several runs can share one. Otherwise, starts Xvfb (a server
+// without a screen) and terminates it in the destructor. If Xvfb does not start, uses the display
+// that DISPLAY names. Throws Usage_error that names the missing component.
 class Display
 {
 public:
@@ -20,7 +20,7 @@ public:
   Display& operator=(const Display&) = delete;
 
 private:
-  [[maybe_unused]] ::pid_t m_server = -1; // unused without pictures
+  [[maybe_unused]] ::pid_t m_server = -1; // unused if built without pictures
 };
 
 } // namespace program

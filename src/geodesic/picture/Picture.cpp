@@ -67,7 +67,7 @@ namespace {
 
 constexpr int width = 1600, height = 1200;
 constexpr Color line_color = {0.08, 0.08, 0.12}, marker_color = {0.86, 0.11, 0.12};
-// Radii, in units of half the longest side of the bounding box.
+// Radii in units of half the longest side of the bounding box
 constexpr double thin_radius = 0.0022, thick_radius = 0.011, marker_radius = 0.024;
 
 Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -81,7 +81,7 @@ Point cross(const Point& a, const Point& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Graphics cards count in single precision: everything is drawn in a box from -1 to 1.
+// Maps points to the box [-1, 1]^3, because graphics hardware uses single precision.
 class Unit_box_transform
 {
 public:
@@ -122,11 +122,11 @@ private:
   double m_size = 0.;
 };
 
-// Points and triangles that VTK is given, with one value or one colour for each point.
+// Points and triangles for VTK, with one color per point or triangle
 struct Render_mesh
 {
   std::vector<Point> points;
-  std::vector<Point> normals; // empty: VTK finds them, with creases
+  std::vector<Point> normals; // if empty, VTK computes them and splits creases
   std::vector<std::uint32_t> corners;
   std::vector<Color> colors; // #points or #triangles
 };
@@ -161,7 +161,7 @@ vtkSmartPointer<vtkPolyData> to_polyline_data(const std::vector<std::vector<Poin
   vtkNew<vtkCellArray> cells;
   for(const std::vector<Point>& polyline : polylines)
   {
-    // The tube filter stumbles over points that coincide.
+    // The tube filter fails for consecutive points that coincide.
     std::vector<vtkIdType> ids;
     for(const Point& p : polyline)
       if(ids.empty() || length(p - points.back()) > 1e-6)
@@ -178,7 +178,7 @@ vtkSmartPointer<vtkPolyData> to_polyline_data(const std::vector<std::vector<Poin
   return result;
 }
 
-// The sides of triangles, those that two share once.
+// Returns the edges of the triangles; shared edges occur once.
 std::vector<std::vector<Point>> unique_edges(const std::vector<Point>& points,
                                              const std::vector<std::uint32_t>& corners)
 {
@@ -196,7 +196,8 @@ void set_color(vtkActor* actor, const Color& color)
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
 }
 
-// Nothing where there are no lines.
+// Renders lines as tubes and returns their actor. If there are no lines, the actor is empty and
+// not rendered.
 vtkSmartPointer<vtkActor> add_tubes(vtkRenderer* renderer, vtkPolyData* lines, double radius,
                                     const Color& color)
 {
@@ -236,7 +237,7 @@ void add_sphere(vtkRenderer* renderer, const Point& center, double radius, const
   renderer->AddActor(actor);
 }
 
-// With normals, and points where creases end once on each side of them.
+// Computes normals. Points on creases are duplicated, one copy for each side.
 vtkSmartPointer<vtkPolyData> compute_normals(vtkPolyData* triangles)
 {
   vtkNew<vtkPolyDataNormals> normals;
@@ -247,7 +248,7 @@ vtkSmartPointer<vtkPolyData> compute_normals(vtkPolyData* triangles)
   return normals->GetOutput();
 }
 
-// How skins shine.
+// Sets the reflection properties of surfaces.
 void set_material(vtkActor* actor)
 {
   actor->GetProperty()->SetAmbient(0.12);
@@ -291,11 +292,12 @@ void add_mesh(vtkRenderer* renderer, const Render_mesh& mesh, double opacity = 1
   renderer->AddActor(actor);
 }
 
-// A skin with a picture on it.
+// Adds a mesh with a texture.
 void add_textured_mesh(vtkRenderer* renderer, const std::vector<Point>& points,
                        const Surface_file& surface, const Image& image)
 {
-  // Normals first, with creases: then each corner is a point, as places in the picture are its own.
+  // Normals are computed first and creases are split. Afterwards each corner becomes a separate
+  // point, because it has its own texture coordinates.
   const vtkSmartPointer<vtkPolyData> smooth =
       compute_normals(to_poly_data(points, surface.corners));
   std::vector<Point> corners;
@@ -359,7 +361,8 @@ Range finite_range(const std::vector<double>& values)
   return range;
 }
 
-// Between 12 and 25 lines, at multiples of 1, 2, 2.5 or 5 times a power of ten.
+// Returns the distance between isolines: 1, 2, 2.5 or 5 times a power of ten. It results in 12 to
+// 25 isolines.
 double isoline_step(const Range& range)
 {
   const double min_step = (range.high - range.low) / 25.;
@@ -370,7 +373,7 @@ double isoline_step(const Range& range)
   return min_step;
 }
 
-// Lines of equal value on the triangles whose corners all have one.
+// Adds isolines on the triangles whose three values are finite.
 vtkSmartPointer<vtkActor> add_isolines(vtkRenderer* renderer, const std::vector<Point>& points,
                                        const std::vector<std::uint32_t>& corners,
                                        const std::vector<double>& values, const Range& range)
@@ -381,7 +384,8 @@ vtkSmartPointer<vtkActor> add_isolines(vtkRenderer* renderer, const std::vector<
        std::isfinite(values[corners[i + 2]]))
       finite.insert(finite.end(), {corners[i], corners[i + 1], corners[i + 2]});
   const vtkSmartPointer<vtkPolyData> data = to_poly_data(points, finite);
-  // In single precision and from 0 to 1: values may be as large or small as a double can be.
+  // Values are scaled to [0, 1] in single precision, because they may be as large or small as
+  // double allows.
   vtkNew<vtkFloatArray> scalars;
   scalars->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
   const double size = range.high - range.low;
@@ -417,7 +421,7 @@ void add_color_bar(vtkRenderer* renderer, const Range& range, const std::string&
   bar->SetLookupTable(table);
   bar->SetTitle(title.c_str());
   bar->SetNumberOfLabels(5);
-  // Three digits, without an exponent where that is short.
+  // Labels have three digits, without an exponent if that is short.
   const double digits = std::floor(std::log10(std::max(std::abs(range.low), range.high)));
   const std::string format =
       digits >= -3. && digits < 6.
@@ -442,7 +446,7 @@ void add_color_bar(vtkRenderer* renderer, const Range& range, const std::string&
   renderer->AddViewProp(bar);
 }
 
-// Cuts the triangles where several labels meet, so that each piece has one.
+// Splits triangles with several labels, so that each piece has a single label.
 class Label_regions
 {
 public:
@@ -491,7 +495,7 @@ private:
       m_center_corners.push_back(p);
       return;
     }
-    // One corner differs from the two others: turn it to the front.
+    // One corner differs from the other two; rotate it to the front.
     while(label(1) != label(2))
       std::rotate(c.begin(), c.begin() + 1, c.end());
     const std::uint32_t p = edge_point(c[0], c[1]), q = edge_point(c[2], c[0]);
@@ -507,7 +511,7 @@ private:
     m_mesh.colors.push_back(color_of_label(label));
   }
 
-  // The point that cuts a side, first in its middle.
+  // Returns the point at which an edge is cut, initially its midpoint.
   std::uint32_t edge_point(std::uint32_t a, std::uint32_t b)
   {
     const auto [low, high] = std::minmax(a, b);
@@ -528,8 +532,8 @@ private:
         (1. / 3.) * (m_mesh.points[p[0]] + m_mesh.points[p[1]] + m_mesh.points[p[2]]);
   }
 
-  // Borders that go from middle to middle of sides are ragged.  Each cut slides along its side
-  // towards the middle of its neighbours on the border.
+  // Boundaries through edge midpoints are jagged. Each cut point is therefore moved along its
+  // edge, to the projection of the average of its neighbors on the boundary.
   void smooth_boundaries()
   {
     const std::size_t number_of_cuts = m_point_edges.size();
@@ -552,7 +556,7 @@ private:
                     &b = m_mesh.points[m_point_edges[i][1]];
         const Point edge = b - a, offset = (1. / std::max(count[i], 1.)) * sum[i] - a;
         const double squared_length = edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2];
-        // Ends of borders stay, and middles move with their cuts.
+        // Boundary endpoints are fixed, and centers follow the cut points around them.
         if(count[i] < 2. || squared_length == 0.)
           continue;
         const double t =
@@ -564,16 +568,17 @@ private:
     }
   }
 
-  std::size_t m_number_of_points; // of the points given; cuts and middles follow
+  std::size_t m_number_of_points; // number of input points; cut points and centers follow
   Render_mesh m_mesh;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_edge_points;
-  std::vector<std::array<std::uint32_t, 2>> m_point_edges; // #cuts and middles: what a cut lies on
+  std::vector<std::array<std::uint32_t, 2>> m_point_edges; // #cut points and centers: the edge that is cut
   std::vector<std::pair<std::uint32_t, std::uint32_t>> m_boundaries;
   std::vector<std::uint32_t> m_centers;
-  std::vector<Triangle> m_center_corners; // #middles: the cuts around each
+  std::vector<Triangle> m_center_corners; // #centers: the cut points around each
 };
 
-// A disk for each point, across its normal, wide enough to meet its neighbours'.
+// Returns a disk for each point, orthogonal to its normal. The radius is chosen so that adjacent
+// disks overlap.
 Render_mesh make_splats(const std::vector<Point>& points, const std::vector<Point>& normals,
                         const std::vector<Color>& colors)
 {
@@ -595,7 +600,7 @@ Render_mesh make_splats(const std::vector<Point>& points, const std::vector<Poin
       max_squared_distance = std::max(max_squared_distance, neighbor.second);
     radius[i] = 0.75 * std::sqrt(max_squared_distance);
   }
-  // Lone points must neither vanish nor cover the others.
+  // Disks of isolated points must neither vanish nor cover other points.
   std::vector<double> sorted = radius;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
                    sorted.end());
@@ -626,7 +631,7 @@ Render_mesh make_splats(const std::vector<Point>& points, const std::vector<Poin
   return mesh;
 }
 
-// Points spread over the surface, always the same ones.
+// Returns points distributed over the surface. The result is deterministic.
 std::vector<Point> sample_points(const std::vector<Point>& points,
                                  const std::vector<std::uint32_t>& corners)
 {
@@ -660,7 +665,7 @@ std::vector<Point> sample_points(const std::vector<Point>& points,
     samples.push_back(a + s * (points[corners[3 * f + 1]] - a) +
                       t * (points[corners[3 * f + 2]] - a));
   }
-  // Corners too: the outermost ones decide how near the camera may come.
+  // Corners are included, because the outermost ones limit the distance of the camera.
   const std::size_t stride = corners.size() / 100000 + 1;
   for(std::size_t i = 0; i < corners.size(); i += stride)
     samples.push_back(points[corners[i]]);
@@ -671,7 +676,7 @@ View set_camera(vtkRenderer* renderer, const std::vector<Point>& samples,
                 const std::vector<Point>& visible_points, const std::vector<Point>& normals,
                 bool has_color_bar)
 {
-  // The bar takes a strip at the right.
+  // The color bar occupies a strip on the right.
   const double free_fraction = has_color_bar ? 0.86 : 1.;
   const View view = choose_view(samples, visible_points, free_fraction * width / height, normals);
   const Point position = view.center + view.distance * view.back;
@@ -703,7 +708,7 @@ void write_png(vtkRenderWindow* window, const std::string& filename)
 
 void draw(const std::string& filename, const Picture& picture)
 {
-  // Its warnings go to standard error, which belongs to our sentences.
+  // VTK's warnings would be mixed with the program's own messages on standard error.
   vtkObject::GlobalWarningDisplayOff();
   const Surface_file& surface = *picture.surface;
   const bool is_mesh = surface.number_of_polygons() > 0;
@@ -718,7 +723,8 @@ void draw(const std::string& filename, const Picture& picture)
   };
   const std::vector<std::vector<Point>> polylines = to_unit_boxes(picture.polylines);
   Range range = picture.labels.empty() ? finite_range(picture.values) : Range();
-  // Distances begin at zero, also where no vertex is a source.
+  // A range with a small positive minimum starts at zero, because distances start at zero even if
+  // no vertex is a source.
   if(range.low > 0. && range.low < 0.2 * range.high)
     range.low = 0.;
 
@@ -771,7 +777,8 @@ void draw(const std::string& filename, const Picture& picture)
       visible_points.push_back(polyline[i]);
   const View view = set_camera(renderer, sample_points(points, surface.corners), visible_points,
                                picture.normals, !range.empty());
-  // Splats stick out of the triangles that carry a cloud's lines: bring the lines to the front.
+  // Splats extend beyond the triangles that carry a cloud's lines, so the lines are moved to the
+  // front.
   if(!is_mesh && lines != nullptr)
   {
     const Point shift = 0.012 * view.back;

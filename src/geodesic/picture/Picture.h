@@ -11,27 +11,27 @@
 
 namespace program {
 
-// What a picture shows; empty arrays are not shown.
+// Content of a picture. Empty arrays are not drawn.
 struct Picture
 {
   const Surface_file* surface = nullptr; // triangles, or points with unit normals
-  std::vector<double> values = {};       // #points: colours and lines of equal value
-  std::string title = {};                // of the values
-  std::vector<long long> labels = {};    // #points: coloured regions, grey where negative
+  std::vector<double> values = {};       // #points: colors and isolines
+  std::string title = {};                // of the color bar
+  std::vector<long long> labels = {};    // #points: colored regions, gray if negative
   std::vector<std::vector<Point>> polylines = {};
-  std::vector<Point> markers = {};           // sources, seeds, ends of paths
-  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners of those that carry its lines
-  bool show_edges = false;                   // of a mesh's triangles
-  bool show_isolines = true;                 // of equal value; of a narrow ridge they hide it
-  bool is_transparent = false;               // a mesh through which lines are seen
-  std::vector<std::vector<Point>> thin_polylines = {}; // thinner than polylines
+  std::vector<Point> markers = {};           // sources, seeds, path endpoints
+  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners of the triangles that carry its lines
+  bool show_edges = false;                   // edges of a mesh's triangles
+  bool show_isolines = true;                 // isolines of `values`; they would hide a narrow ridge
+  bool is_transparent = false;               // whether lines behind the mesh are visible
+  std::vector<std::vector<Point>> thin_polylines = {}; // thinner than `polylines`
   std::vector<Color> colors = {};                      // #points
-  const Image* texture = nullptr;                      // of a mesh, seen through its corner_uv
-  std::vector<Point> visible_points = {};              // to be seen, like markers and polylines
-  std::vector<Point> normals = {};                     // unit vectors out of the sides to be seen
+  const Image* texture = nullptr;                      // of a mesh, with its corner_uv
+  std::vector<Point> visible_points = {};              // preferred to be visible, like markers and polylines
+  std::vector<Point> normals = {};                     // unit vectors; the camera prefers sides that they point to
 };
 
-// Draws a PNG file off screen.  A Display must exist.  Throws Output_error.
+// Renders a PNG file off screen. Requires an existing Display. Throws Output_error.
 void draw(const std::string& filename, const Picture& picture);
 
 } // namespace program
