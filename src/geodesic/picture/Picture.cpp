@@ -571,7 +571,8 @@ private:
   std::size_t m_number_of_points; // number of input points; cut points and centers follow
   Render_mesh m_mesh;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_edge_points;
-  std::vector<std::array<std::uint32_t, 2>> m_point_edges; // #cut points and centers: the edge that is cut
+  std::vector<std::array<std::uint32_t, 2>>
+      m_point_edges; // #cut points and centers: the edge that is cut
   std::vector<std::pair<std::uint32_t, std::uint32_t>> m_boundaries;
   std::vector<std::uint32_t> m_centers;
   std::vector<Triangle> m_center_corners; // #centers: the cut points around each

@@ -19,16 +19,17 @@ struct Picture
   std::string title = {};                // of the color bar
   std::vector<long long> labels = {};    // #points: colored regions, gray if negative
   std::vector<std::vector<Point>> polylines = {};
-  std::vector<Point> markers = {};           // sources, seeds, path endpoints
-  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners of the triangles that carry its lines
-  bool show_edges = false;                   // edges of a mesh's triangles
-  bool show_isolines = true;                 // isolines of `values`; they would hide a narrow ridge
-  bool is_transparent = false;               // whether lines behind the mesh are visible
+  std::vector<Point> markers = {}; // sources, seeds, path endpoints
+  std::vector<std::uint32_t> triangles =
+      {};                      // of a cloud: corners of the triangles that carry its lines
+  bool show_edges = false;     // edges of a mesh's triangles
+  bool show_isolines = true;   // isolines of `values`; they would hide a narrow ridge
+  bool is_transparent = false; // whether lines behind the mesh are visible
   std::vector<std::vector<Point>> thin_polylines = {}; // thinner than `polylines`
   std::vector<Color> colors = {};                      // #points
   const Image* texture = nullptr;                      // of a mesh, with its corner_uv
-  std::vector<Point> visible_points = {};              // preferred to be visible, like markers and polylines
-  std::vector<Point> normals = {};                     // unit vectors; the camera prefers sides that they point to
+  std::vector<Point> visible_points = {}; // preferred to be visible, like markers and polylines
+  std::vector<Point> normals = {}; // unit vectors; the camera prefers sides that they point to
 };
 
 // Renders a PNG file off screen. Requires an existing Display. Throws Output_error.

@@ -18,10 +18,11 @@ Point cross(const Point& a, const Point& b)
 
 constexpr double radians_per_degree = 0.017453292519943295;
 
-// The camera turns by `azimuth` about the up axis from the front and rises by `elevation`.
+// Returns the view from a direction: `azimuth` about the up axis from the front, and `elevation`
+// above it.
 View view_from(std::size_t up_axis, double azimuth, double elevation)
 {
-  // With y up the front is +z, with z up it is -y.
+  // The front is +z if y is up, and -y if z is up.
   Point up = {0., 0., 0.}, front = {0., 0., 0.};
   up[up_axis] = 1.;
   if(up_axis == 1)
@@ -44,11 +45,11 @@ View view_from(std::size_t up_axis, double azimuth, double elevation)
   return view;
 }
 
-// What is seen from a view: a coarse picture of depths.
+// Visibility from a view, estimated by a coarse depth buffer.
 struct Visibility
 {
-  double area;             // of the outline
-  double visible_fraction; // of the places that nothing hides
+  double area;             // of the silhouette
+  double visible_fraction; // of `visible_points` that are not hidden
 };
 
 Visibility evaluate_view(const View& view, const std::vector<Point>& samples,
@@ -66,7 +67,8 @@ Visibility evaluate_view(const View& view, const std::vector<Point>& samples,
     depth[pixel(p)] = std::max(depth[pixel(p)], dot(p, view.back));
   const auto number_of_covered_pixels =
       std::count_if(depth.begin(), depth.end(), [](double d) { return std::isfinite(d); });
-  // A pixel is as deep as wide, and a surface seen obliquely is deeper.
+  // Depth tolerance: a pixel's width, larger because the depth varies within a pixel on oblique
+  // surfaces.
   constexpr double tolerance = 3. * 3.6 / size;
   const auto number_of_visible = std::count_if(
       visible_points.begin(), visible_points.end(),
@@ -81,8 +83,8 @@ void fit_distance(View& view, const std::vector<Point>& samples, double aspect)
 {
   const double slope_up = std::tan(view_angle / 2. * radians_per_degree),
                slope_right = slope_up * aspect;
-  // The middle of what is seen depends on the distance, and that on the middle: after a few rounds
-  // both stand still.
+  // The center of the projection and the distance depend on each other. Both converge in a few
+  // iterations.
   view.distance = 1.;
   for(int iteration = 0; iteration < 8; ++iteration)
   {
@@ -122,7 +124,8 @@ View choose_view(const std::vector<Point>& samples, const std::vector<Point>& vi
       high[c] = std::max(high[c], p[c]);
     }
   const double extent = std::max(high[0] - low[0], high[1] - low[1]), thickness = high[2] - low[2];
-  // What lies flat in x and y is a landscape or a plane figure; most other models have y up.
+  // A surface that is thin in z is a terrain or a planar figure with z up. Most other models have
+  // y up.
   const bool is_flat = thickness < 0.35 * extent;
   const bool is_planar = thickness < 0.02 * extent;
 
@@ -130,7 +133,7 @@ View choose_view(const std::vector<Point>& samples, const std::vector<Point>& vi
   double best_score = -INFINITY;
   for(int step = -6; step < 6; ++step)
   {
-    // Not straight from the front: two sides show more of a shape than one.
+    // The view is not exactly from the front: two visible sides show more of the shape than one.
     const double azimuth = is_planar ? 0. : 15. + 30. * step, elevation = is_planar ? 89.9
                                                                           : is_flat ? 40.
                                                                                     : 20.;

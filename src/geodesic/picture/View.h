@@ -9,20 +9,22 @@
 
 namespace program {
 
-// Where a camera stands.
+// Position and orientation of a camera
 struct View
 {
   Point right, up, back; // orthonormal; the camera looks along -back
-  Point center;          // of what it looks at
-  double distance = 1.;  // from the center
+  Point center;          // the point that the camera looks at
+  double distance = 1.;  // from `center`
 };
 
 inline constexpr double view_angle = 20.; // degrees, vertical
 
-// A view from which much of the surface and most of the given places are seen, right way up as far
-// as that can be told, and which fills a picture of width : height = aspect.
-// samples: points spread evenly over the surface, in a box of size about one.
-// normals: unit vectors; the camera sees the sides to which they point.
+// Returns a view that shows much of the surface and many of the given points. The up direction is
+// estimated from the bounding box. The surface fills an image whose width : height equals
+// `aspect`.
+// samples: points that cover the surface uniformly, in a box of about unit size.
+// visible_points: points that the view should show.
+// normals: unit vectors; views that face them are preferred.
 View choose_view(const std::vector<Point>& samples, const std::vector<Point>& visible_points,
                  double aspect, const std::vector<Point>& normals = {});
 

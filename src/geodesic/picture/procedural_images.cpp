@@ -12,7 +12,7 @@ namespace {
 constexpr Color paper = {0.98, 0.96, 0.88}, ink = {0.10, 0.18, 0.36}, red = {0.86, 0.11, 0.12},
                 sea = {0.30, 0.50, 0.72};
 
-// Of a place from (-1, -1) to (1, 1); nothing outside of the ring.
+// Returns the color at (x, y) in [-1, 1]^2, or std::nullopt outside of the outer circle.
 std::optional<Color> compass_rose_color(double x, double y)
 {
   const double radius = std::hypot(x, y);
@@ -20,8 +20,9 @@ std::optional<Color> compass_rose_color(double x, double y)
     return std::nullopt;
   if(radius > 0.94 || (radius > 0.86 && radius < 0.88))
     return ink;
-  // Rays a quarter of a turn apart, and shorter ones between them.  A ray is a kite: on either side of
-  // its axis a line from its tip to where it leaves the middle.
+  // Long rays at multiples of 90 degrees, and shorter ones between them. Each ray is a kite: on
+  // each side of its axis, one edge connects the tip to the point at which the ray leaves the
+  // center.
   const double quarter_turn = std::acos(0.), quarter_turns = std::atan2(y, x) / quarter_turn;
   for(const double offset : {0., 0.5})
   {
@@ -45,11 +46,12 @@ std::optional<Color> polar_grid_color(double x, double y)
   return cell < 0 ? std::nullopt : std::optional<Color>(cell > 0 ? sea : paper);
 }
 
-// A square image; a pixel is the mean of what a function has in it.
+// Returns a square image. Each pixel is the average of 16 samples of color_at; its opacity is the
+// fraction of samples with a color.
 template <typename Function>
 Image rasterize(std::size_t size, Function color_at)
 {
-  constexpr std::size_t samples_per_side = 4; // along the sides of a pixel
+  constexpr std::size_t samples_per_side = 4; // along each side of a pixel
   Image image;
   image.width = image.height = size;
   for(std::size_t row = 0; row < size; ++row)

@@ -7,22 +7,22 @@
 
 namespace program {
 
-// Round pictures that the program makes itself.
+// Circular images and a checkerboard that the program generates
 
-// Tells where up is: a star of eight rays, the upper one red, in a ring.
+// Returns a compass rose with eight rays in a ring. It shows orientation: the upper ray is red.
 Image compass_rose();
 
-// Tells distances from its middle and directions: dark and light cells between twenty rings and
-// twenty-four rays.
+// Returns a polar grid that shows distances from the center and directions. It has dark and light
+// cells between 20 circles and 24 rays.
 Image polar_grid();
 
-// Dark and light squares, twenty along each side; and of a place in the unit square, whether its square is dark,
-// 1, or light, 0.
+// Returns a checkerboard with 20 squares along each side. checkerboard_cell() returns 1 if the
+// square at `uv` in the unit square is dark, or 0 if it is light.
 Image checkerboard();
 int checkerboard_cell(const std::array<double, 2>& uv);
 
-// Of a place from (-1, -1) to (1, 1), whether its cell between so many rings and twenty-four rays is dark, 1,
-// or light, 0; -1 outside of the rings.
+// Returns the cell color of a polar grid at (x, y) in [-1, 1]^2, with number_of_rings circles and
+// 24 rays. The value is 1 (dark), 0 (light), or -1 outside of the grid.
 int polar_grid_cell(double x, double y, int number_of_rings);
 
 } // namespace program
