@@ -85,27 +85,26 @@ public:
   const Surface& read(const std::vector<std::string>& extensions = {"ply", "off", "obj", "vtp"});
   const Surface& surface() const { return m_surface; }
 
-  // Starts a timed stage: read, prepare, query or write. The time until the next stage is added to
-  // it.
+  // Starts a timed stage: read, prepare, query or write. It lasts until the next stage starts.
   void begin_stage(const std::string& name);
 
-  // Returns the object that collects the results for --json, in the order of insertion.
+  // Returns the object that collects the results for --json, in order of insertion.
   Json_object result() { return Json_object(*m_result); }
 
   // Adds a number to the JSON result as `name`, and prints it in a line on standard output.
   void report(const std::string& name, double value);
   void report(const std::string& name, std::size_t value);
 
-  // Returns a callback that draws a progress bar on standard error. The bar appears after one
-  // second if standard error is a terminal. The callback never cancels the computation.
+  // Returns a callback that draws a progress bar on standard error after one second. If --quiet is
+  // given or standard error is not a terminal, the callback is empty. It never cancels.
   std::function<bool(double)> progress_callback(const std::string& title);
 
   // Prints a line on standard output (results) or standard error (warnings about the input).
+  // --quiet suppresses both.
   void print_line(const std::string& line) const;
   void print_warning(const std::string& line) const;
 
-  // Writes the --values file if it is requested. `text` composes the lines and is called only
-  // then.
+  // If --values is given, writes its file. `text` composes the lines and is called only then.
   void write_values(const std::function<std::string()>& text) const;
 
   // Prints the JSON result.

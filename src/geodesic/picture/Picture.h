@@ -19,11 +19,10 @@ struct Picture
   std::string title = {};                // of the color bar
   std::vector<long long> labels = {};    // #points: colored regions, gray if negative
   std::vector<std::vector<Point>> polylines = {};
-  std::vector<Point> markers = {}; // sources, seeds, path endpoints
-  std::vector<std::uint32_t> triangles =
-      {};                      // of a cloud: corners of the triangles that carry its lines
-  bool show_edges = false;     // edges of a mesh's triangles
-  bool show_isolines = true;   // isolines of `values`; they would hide a narrow ridge
+  std::vector<Point> markers = {};           // sources, seeds, path endpoints
+  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners below its lines
+  bool show_edges = false;                   // edges of a mesh's triangles
+  bool show_isolines = true;   // isolines of `values`; false if they hide narrow ridges
   bool is_transparent = false; // whether lines behind the mesh are visible
   std::vector<std::vector<Point>> thin_polylines = {}; // thinner than `polylines`
   std::vector<Color> colors = {};                      // #points
