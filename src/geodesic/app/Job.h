@@ -86,6 +86,7 @@ public:
   const Surface& surface() const { return m_surface; }
 
   // Starts a timed stage: read, prepare, query or write. It lasts until the next stage starts.
+  // If a stage is started several times, its times are added.
   void begin_stage(const std::string& name);
 
   // Returns the object that collects the results for --json, in order of insertion.
@@ -100,7 +101,7 @@ public:
   std::function<bool(double)> progress_callback(const std::string& title);
 
   // Prints a line on standard output (results) or standard error (warnings about the input).
-  // --quiet suppresses both.
+  // --quiet suppresses both, and --json the first.
   void print_line(const std::string& line) const;
   void print_warning(const std::string& line) const;
 

@@ -20,7 +20,7 @@ struct Picture
   std::vector<long long> labels = {};    // #points: colored regions, gray if negative
   std::vector<std::vector<Point>> polylines = {};
   std::vector<Point> markers = {};           // sources, seeds, path endpoints
-  std::vector<std::uint32_t> triangles = {}; // of a cloud: corners below its lines
+  std::vector<std::uint32_t> triangles = {}; // of a cloud: triangles that carry its lines
   bool show_edges = false;                   // edges of a mesh's triangles
   bool show_isolines = true;   // isolines of `values`; false if they hide narrow ridges
   bool is_transparent = false; // whether lines behind the mesh are visible
