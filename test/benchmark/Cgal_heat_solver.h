@@ -11,7 +11,8 @@
 
 namespace benchmarks {
 
-// CGAL's heat method on the intrinsic Delaunay triangulation, factored once.
+// Computes distances by CGAL's heat method on the intrinsic Delaunay triangulation. The
+// factorization is computed once in the constructor.
 class Cgal_heat_solver
 {
 public:
@@ -25,7 +26,8 @@ public:
     m_solver.add_source(source);
     m_solver.estimate_geodesic_distances(m_distance);
   }
-  // Infinite where it left what it began with.
+  // Returns the distance of `vertex`, or infinity if CGAL's solve left its initial value (the
+  // largest double) unchanged.
   double distance(Vertex vertex) const
   {
     const double value = m_distance[vertex];

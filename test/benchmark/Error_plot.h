@@ -20,22 +20,22 @@ namespace benchmarks {
 struct Series
 {
   std::string name;
-  std::size_t style; // one colour and one mark for each method
+  std::size_t style; // index of the color and marker
   double order;
-  std::vector<std::array<double, 2>> points; // length of the edges, or seconds; relative error
+  std::vector<std::array<double, 2>> points; // edge length or seconds; relative error
 };
 
 struct Panel
 {
-  std::string title, axis; // what the errors stand over
+  std::string title, axis; // label of the horizontal axis
   std::vector<Series> series;
 };
 
-// Draws errors over something else, both logarithmic, panels side by side, as SVG.
-// False when the file cannot be written.
+// Writes an SVG file with one panel per element of `panels`, in a row. Each panel plots errors over
+// a second quantity, both on logarithmic axes. Returns false if the file cannot be written.
 inline bool write_error_plot(const std::string& file, const std::vector<Panel>& panels)
 {
-  // Colours that also those who see few of them can tell apart (Okabe and Ito 2008).
+  // Palette for readers with color vision deficiency (Okabe and Ito 2008).
   constexpr std::array<const char*, 7> colors = {"#888888", "#D55E00", "#0072B2", "#009E73",
                                                  "#CC79A7", "#E69F00", "#56B4E9"};
   constexpr double width = 400., height = 380., left = 70., right = 14., top = 30., bottom = 44.;
@@ -135,7 +135,7 @@ inline bool write_error_plot(const std::string& file, const std::vector<Panel>& 
         if(x < x0 || x > x1)
           continue;
         draw_line(to_x(x), top, to_x(x), height - bottom, "stroke=\"#ddd\"");
-        // Over many decades there is room for one number each.
+        // If the axis spans two decades or more, only powers of ten fit as labels.
         if(digit == 1. || x1 - x0 < 2.)
           draw_label(to_x(x), height - bottom + 16., "middle",
                      format_significant(std::pow(10., x)));

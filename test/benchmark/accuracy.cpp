@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far from the truth are the methods, and how fast does the error fall?
+// Measures the relative errors of the distance methods, and their convergence orders.
 #include <CGAL/Geodesic_processing.h>
 
 #include "Error_plot.h"
@@ -20,7 +20,7 @@ namespace {
 using namespace benchmarks;
 namespace GP = CGAL::Geodesic_processing;
 
-// Above this many vertices the factorizations of the heat methods take minutes.
+// With more vertices, the factorizations of the heat methods take minutes.
 constexpr std::size_t max_vertices_for_heat = 200000;
 
 const std::vector<std::string> methods = {"Dijkstra", "Fast_marching", "Euclidean_front", "Heat",
@@ -39,8 +39,9 @@ struct Errors
   double mean = std::nan(""), maximum = std::nan(""); // relative
 };
 
-// Over vertices whose distance is known and at least 5 % of the largest one: nearer to the source
-// a relative error says more about the first triangle than about the method.
+// Computes the mean and maximum relative error over the vertices with at least 5 % of the largest
+// distance. Closer to the source, relative errors depend on the first triangle rather than on the
+// method.
 template <typename Distance>
 Errors errors(const std::vector<double>& reference, Distance distance)
 {
@@ -60,7 +61,7 @@ Errors errors(const std::vector<double>& reference, Distance distance)
   return result;
 }
 
-// All methods, prepared on one mesh.
+// Solvers of all methods on one mesh.
 class Prepared_solvers
 {
 public:
@@ -75,7 +76,8 @@ public:
     }
   }
 
-  // By method.
+  // Returns the errors of the distances from `source`, in the order of `methods`. If a solver is
+  // absent, its errors are nan.
   std::vector<Errors> errors(Vertex source, const std::vector<double>& reference)
   {
     std::vector<Errors> result;
@@ -115,7 +117,8 @@ std::string percent(const Errors& e)
              : format_significant(100. * e.mean) + " / " + format_significant(100. * e.maximum);
 }
 
-// What a table of errors collects: a row for each source, and the means over the sources.
+// Table of errors with one row per source. add() returns the errors of each method over the
+// sources: the mean of the means, the maximum of the maxima.
 class Accuracy_table
 {
 public:
@@ -156,7 +159,7 @@ private:
   Table m_table;
 };
 
-// Errors of each method at several sizes of the edges.
+// Mean errors of each method for several edge lengths.
 class Convergence
 {
 public:
@@ -167,7 +170,8 @@ public:
         m_points[m].push_back({edge, means[m].mean});
   }
 
-  // The slope of log error over log edge: the least-squares line through the finest three sizes.
+  // Returns the slope of the least-squares line of log error over log edge length, for the last
+  // three edge lengths that were added. Returns nan if there are fewer than three.
   double order(std::size_t method) const
   {
     const auto found = m_points.find(method);
@@ -292,7 +296,7 @@ int main(int argc, char* argv[])
     const auto means = table.add(name, *mesh, sources, reference);
     if(name != names.front())
       continue;
-    // Cut into smaller faces, the surface is the same, and so are its distances.
+    // Refinement changes neither the surface nor its distances. The reference is therefore reused.
     on_scan.add(mean_edge_length(*mesh), means);
     Mesh finer = *mesh;
     for(const std::string suffix : {" once", " twice"})

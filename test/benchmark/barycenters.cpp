@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Barycenters of masses at points: what they cost after 250 steps, where those of two points lie, and
-// those of some in the plane.  One thread.  --quick: meshes of some thousand vertices.
+// Measures barycenters of point masses: the cost after 250 steps, the location of the barycenter of
+// two points, and the cost of barycenters in the plane. Uses one thread. --quick: meshes with some
+// thousand vertices.
 #include "models.h"
 #include "report.h"
 
@@ -40,7 +41,8 @@ std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number, unsign
 
 std::string percent(double ratio, int decimals) { return format_fixed(100. * ratio, decimals); }
 
-// After 250 steps, and after 4,000; then as long as to a gap of one percent.
+// Compares the cost after 250 steps with the cost after 4,000 steps. Then measures the steps and
+// seconds to a gap of one percent.
 void print_250_steps(const std::vector<Model>& models)
 {
   Table table({"points on", "vertices", "number", "set-up, s", "250 steps, s", "above, %", "gap, %",
@@ -82,7 +84,8 @@ void print_250_steps(const std::vector<Model>& models)
   table.print();
 }
 
-// At a distance d: half of its square, in the middle of the geodesic.
+// Compares barycenters of two points at distance d with the exact cost, half of d squared. The
+// exact barycenter can be placed at the midpoint of the geodesic.
 void print_two_points(const std::vector<Model>& models)
 {
   Table table({"two points on", "vertices", "edges apart", "cost / (d^2/2) - 1, %",
@@ -128,7 +131,7 @@ void print_two_points(const std::vector<Model>& models)
   table.print();
 }
 
-// Of a convex domain: the squared distances from the centroid.
+// In a convex planar domain, the exact cost is the sum of squared distances from the centroid.
 void print_planar_points(std::size_t n)
 {
   const Mesh mesh = jittered_square(n);

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How do base meshes distort, by areas of geodesic distances and by mean values, how many triangles would
-// fold, how near are semi-regular meshes, and what does all that cost?
+// Measures the distortion, the inverted triangles and the time of base mesh coordinates, for areas
+// from geodesic distances and for mean values. Also measures the distance of semi-regular meshes to
+// the input.
 #include <CGAL/Geodesic_processing/semi_regular_remeshing.h>
 
 #include <CGAL/Geodesic_processing/internal/spatial_search/Triangle_tree.h>
@@ -35,8 +36,8 @@ const std::vector<std::string> model_names = {
     "fandisk_6k5",     "nefertiti_35k",       "knot1_3k",         "eight_5k",
     "plane_holes_8k5", "mech_holes_shark_5k", "bunny_zipper_36k", "retinal_3k6"};
 
-// Of angles, of areas, and the symmetric Dirichlet energy: means over some of the base triangles, each laid
-// out with the lengths of its edges.
+// Angle distortion, area distortion and symmetric Dirichlet energy: means over the base triangles
+// that are not excluded. Each base triangle is laid out with its edge lengths.
 struct Distortion
 {
   double angles = 0., areas = 0., dirichlet = 0.;
@@ -113,7 +114,8 @@ double diagonal(const Surface_arrays& t)
   return norm(high - low);
 }
 
-// The farthest that one of 10,000 random places comes back from itself, as a part of the diagonal.
+// Returns the largest distance of 10,000 random points to their images under the map and its
+// inverse, divided by the bounding box diagonal.
 double round_trip(const Base_map& map, const Surface_arrays& t)
 {
   std::mt19937 random(1);
@@ -131,7 +133,8 @@ double round_trip(const Base_map& map, const Surface_arrays& t)
   return max_error / diagonal(t);
 }
 
-// #base triangles: those whose coordinates have been repaired.
+// Returns flags of the base triangles whose coordinates have been repaired (shape: #base
+// triangles).
 std::vector<bool> repaired_regions(const Base_map& unrepaired_map, const Base_map& map)
 {
   std::vector<bool> result(map.base().triangles.size(), false);
@@ -141,7 +144,7 @@ std::vector<bool> repaired_regions(const Base_map& unrepaired_map, const Base_ma
   return result;
 }
 
-// The largest difference between the shares of base vertices on both sides of base edges.
+// Returns the largest difference between the barycentric coordinates on both sides of a base edge.
 double largest_jump(const Base_map& map)
 {
   const Base_mesh& base = map.base();

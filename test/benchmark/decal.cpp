@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long does it take to place an image on a large mesh?
+// Measures the time to place an image on a large mesh.
 #include <CGAL/Geodesic_processing.h>
 
 #include "models.h"
@@ -21,7 +21,7 @@ namespace GP = CGAL::Geodesic_processing;
 
 constexpr std::size_t target_faces = 2000;
 
-// The side of a square of so many faces of the mean area.
+// Returns the edge length of a square with the area of `number` faces of mean area.
 double square_side(const Mesh& mesh, std::size_t number)
 {
   double area = 0.;
@@ -42,7 +42,8 @@ void add_row(Table& table, const std::string& name, const std::string& method, c
   std::mt19937 random(1);
   const auto random_vertex = [&] { return Vertex(Mesh::size_type(random() % num_vertices(mesh))); };
 
-  // The first image of a placer touches its memory for the first time.
+  // Times new placers separately, because the first image of a placer also touches its memory for
+  // the first time.
   std::vector<double> prepare, first_times, times, per_face, faces;
   for(int i = 0; i < 5; ++i)
   {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What do exact distances cost, beside CGAL's and beside approximate ones?
+// Compares the cost of exact distances with CGAL's exact algorithm and with approximate methods.
 #include <CGAL/Geodesic_processing.h>
 
 #include "Error_plot.h"
@@ -23,8 +23,8 @@ namespace GP = CGAL::Geodesic_processing;
 template <typename Method>
 using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
 
-// CGAL's exact algorithm takes seconds on models of 40,000 vertices, and minutes with gigabytes on
-// larger meshes.
+// Selects if CGAL's exact algorithm is run. It takes seconds on models of 40,000 vertices. On
+// larger meshes it takes minutes and gigabytes.
 enum class Cgal_comparison
 {
   always,
@@ -47,7 +47,8 @@ std::optional<Mesh> subdivided_model(const std::string& name, unsigned times)
   return mesh;
 }
 
-// A sphere pressed flat: triangles up to eight times as long as wide.
+// Returns a sphere scaled to an eighth along the z-axis. Its triangles are up to eight times as
+// long as wide.
 Mesh flattened_sphere(unsigned level)
 {
   auto surface = CGAL::Geodesic_processing::test::icosphere(level);
@@ -68,10 +69,10 @@ std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number)
 struct Cost
 {
   std::vector<double> times;
-  double peak = 0.; // bytes above what there was
+  double peak = 0.; // growth in bytes
 };
 
-// Calls f, and keeps what it costs.
+// Calls f and records its processor time and its peak memory.
 template <typename Function>
 void measure(Cost& cost, Function f)
 {
@@ -81,7 +82,8 @@ void measure(Cost& cost, Function f)
   cost.peak = std::max(cost.peak, peak_memory() - before);
 }
 
-// One source, from the mesh to the distances of all vertices, set-up included.
+// Measures the total cost of one source, from the mesh to the distances of all vertices, including
+// set-up.
 class Single_source_table
 {
 public:
@@ -89,7 +91,7 @@ public:
   {
     Cost front, exact, cgal;
     double difference = with_cgal ? 0. : std::nan("");
-    // In turns, so that whatever else the machine does falls on all alike.
+    // Methods take turns, so that other load on the machine affects all of them equally.
     for(const Vertex source : three_sources(num_vertices(mesh)))
     {
       measure(front, [&] { Solver<GP::Euclidean_front>(mesh).compute(source); });
@@ -129,7 +131,7 @@ private:
                  "Exact/Euclidean", "CGAL/Exact", "Exact [MB]", "CGAL [MB]", "largest difference"}};
 };
 
-// Many sources, by one thread and by two.
+// Measures the speed-up of a distance matrix with two threads.
 template <typename Method>
 void add_parallel(Table& table, const std::string& name, const Mesh& mesh, std::size_t sources,
                   bool to_all)
@@ -149,7 +151,7 @@ void add_parallel(Table& table, const std::string& name, const Mesh& mesh, std::
                 GP::geodesic_distance_matrix<Method, CGAL::Parallel_tag>(
                     domain, source_vertices, GP::parameters::threads(threads).targets(targets));
               }));
-  // The shortest times: the others had less of the machine.
+  // The minimum is the run with the least interference by other processes.
   const double one_thread_time =
       *std::min_element(one_thread_times.begin(), one_thread_times.end());
   const double two_thread_time =
@@ -159,7 +161,8 @@ void add_parallel(Table& table, const std::string& name, const Mesh& mesh, std::
              format_fixed(one_thread_time / two_thread_time, 2)});
 }
 
-// Sources of which each reaches what is nearer than 18 edges: about a thousand vertices of a plane.
+// Measures queries with a maximum distance of 18 mean edge lengths. In the plane this contains
+// about a thousand vertices.
 void add_bounded(Table& table, const std::string& name, const Mesh& mesh)
 {
   const auto domain = GP::make_domain(mesh);
@@ -181,7 +184,8 @@ void add_bounded(Table& table, const std::string& name, const Mesh& mesh)
              format_fixed(1000. * *std::max_element(exact_times.begin(), exact_times.end()), 2)});
 }
 
-// Errors of the methods over their times: that of a query, and that of the first with its set-up.
+// Plots the mean error of each method over its time: of a query, and of the first query with
+// set-up.
 class Error_time_trade_off
 {
 public:
@@ -215,7 +219,7 @@ public:
   }
 
 private:
-  // A logarithmic axis has no place for zero: what is exact is drawn here.
+  // Zero cannot be drawn on a logarithmic axis. Exact methods are drawn at this error.
   static constexpr double error_floor = 1e-6;
 
   template <typename Method>
@@ -235,7 +239,7 @@ private:
     std::vector<double> times;
     double sum = 0.;
     std::size_t count = 0;
-    for(int round = 0; round < 2; ++round) // the first warms up
+    for(int round = 0; round < 2; ++round) // the first round warms up
       for(std::size_t s = 0; s < m_sources.size(); ++s)
       {
         times.push_back(cpu_seconds([&] { compute(m_sources[s]); }));
@@ -310,7 +314,7 @@ int main(int argc, char* argv[])
                             (patient && named.cgal == Cgal_comparison::if_patient));
   single_source.print();
 
-  // A model, or a sphere where there is none.
+  // Uses a sphere if the model is missing.
   const auto model_or_sphere = [&]
   {
     auto mesh = load_model(quick ? "elephant_2k8" : "bunny_37k");

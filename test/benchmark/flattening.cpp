@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How do flattenings distort, and what do they cost?  Beside CGAL's conformal, authalic and
-// as-rigid-as-possible maps.  And texture atlases.
+// Measures the distortion and the time of flattenings, compared with CGAL's conformal, authalic and
+// as-rigid-as-possible maps. Also measures texture atlases.
 #include <CGAL/Geodesic_processing.h>
 
 #include "models.h"
@@ -41,7 +41,8 @@ bool parameterize(Mesh& mesh, UV_map uv, Parameterizer parameterizer)
   return SMP::parameterize(mesh, parameterizer, border, uv) == SMP::OK;
 }
 
-// The integral of the absolute Gaussian curvature, as a part of 2 pi.
+// Returns the integral of the absolute Gaussian curvature over the interior vertices, divided by 2
+// pi.
 double total_curvature(const Mesh& mesh)
 {
   double result = 0.;
@@ -173,7 +174,8 @@ void print_distortion(bool is_quick)
       number_settled, number_settled_injective);
 }
 
-// is_patient: CGAL's as-rigid-as-possible map of large patches too, which takes many minutes.
+// Measures times. If is_patient is set, CGAL's as-rigid-as-possible map is also run on large
+// patches, which takes many minutes.
 void print_times(bool is_quick, bool is_patient)
 {
   std::printf("Seconds, from the mesh to the map\n\n");
@@ -216,7 +218,7 @@ void print_times(bool is_quick, bool is_patient)
       "others at 600,000.\n\n");
 }
 
-// How many middles of texels lie inside of two faces or more.
+// Returns the number of texels whose center lies in two or more faces.
 std::size_t count_overlapping_texels(const Mesh& mesh, const std::vector<UV>& uv, std::size_t size)
 {
   std::vector<unsigned char> cover_count(size * size, 0);

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines of flows: how much longer they are than the shortest way between their ends, as they are traced and
-// pulled taut, and what the assignment of their ends costs beside the earth mover's distance; and the
-// distance from a point to a ball that shrinks.  Masses are points, or Gaussians of a tenth of the distance
-// between them.  --quick: fewer lines and models.
+// Compares streamlines with shortest paths between their endpoints, both as traced and after
+// shortening. Compares the cost of the assignment of their endpoints with the earth mover's
+// distance. Also measures the distance from a point to shrinking balls. Masses are points, or
+// Gaussians with a width of a tenth of the distance between them. --quick: fewer lines and models.
 #include "Array_surface.h"
 #include "clouds.h"
 #include "models.h"
@@ -30,7 +30,7 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-// A density that falls off from a place, in the distances given.
+// Returns a Gaussian density with standard deviation `width`, from the distances to its center.
 Mass_distribution gaussian_mass(const std::vector<double>& distance, const Array_surface& surface,
                                 double width)
 {
@@ -61,8 +61,8 @@ double potential(const Transport_result& found, const Surface_arrays& t,
   return result;
 }
 
-// Lines, and what they are beside the shortest ways between their ends: distance(from, to), in the
-// caller's unit.
+// Traces and shortens streamlines, and compares their lengths with distance(from, to) between their
+// endpoints, in the caller's unit.
 template <typename Distance>
 void measure_lines(const std::string& name, const std::shared_ptr<const Surface_arrays>& triangles,
                    const Multilevel_transport_solver& solver, const Mass_distribution& before,

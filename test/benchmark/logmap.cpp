@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far from the truth are normal coordinates, and is what theory says about them true?
+// Measures the errors of normal coordinates, and verifies theoretical properties of them.
 #include <CGAL/Geodesic_processing.h>
 
 #include "clouds.h"
@@ -35,7 +35,8 @@ constexpr double half_pi = CGAL_PI / 2.;
 
 // ------------------------------------------------------------------------------------------ spheres
 
-// Random points of the unit sphere and their Delaunay triangles.
+// Returns random points on the unit sphere, triangulated by their convex hull (their Delaunay
+// triangulation on the sphere).
 Mesh random_sphere(std::size_t n)
 {
   std::mt19937 random(1);
@@ -51,7 +52,7 @@ Mesh random_sphere(std::size_t n)
   return mesh;
 }
 
-// Means over bases, in percent.
+// Returns the mean error of tangent vectors over several bases, in percent.
 template <typename Method>
 double mean_error(const Mesh& mesh, double stencil_length)
 {
@@ -68,7 +69,8 @@ double mean_error(const Mesh& mesh, double stencil_length)
   return result;
 }
 
-// A row for each method, a column for each mesh; each has four times the vertices of the one before.
+// Table with a row for each method and a column for each mesh. Each mesh has four times as many
+// vertices as the previous one.
 class Error_table
 {
 public:
@@ -104,7 +106,7 @@ public:
   }
 
 private:
-  // The exponent of the length of the edges, between the first and the last.
+  // Returns the exponent of the edge length, between the first and the last error.
   static std::string order(const std::vector<double>& errors)
   {
     if(errors.size() < 2)
@@ -187,7 +189,8 @@ void compare_on_clouds(std::size_t n)
 
 // ------------------------------------------------------------------------------------------ others
 
-// The largest difference of two maps in what both reach, relative to the largest distance.
+// Returns the largest difference between a map and the true vectors over the reached vertices. It
+// is relative to the largest true distance.
 template <typename Map, typename Truth>
 double largest_error(const Map& map, Truth truth)
 {
@@ -225,7 +228,8 @@ void compare_on_developables(std::size_t n)
           return std::array<double, 2>{offset.x(), offset.y()};
         };
       });
-  // It is flat: triangles on sides of a polygon, whose third corners lie a bit farther out.
+  // The cylinder is developable: its triangles stand on the sides of a polygon, and their third
+  // corners lie slightly farther outside.
   const Mesh cylinder = mesh_of(test::cylinder(n, n / 2, 1., 6.));
   const Vertex base(Size(n * (n / 4)));
   const double side = 2. * std::sin(CGAL_PI / double(n)), step = 6. / double(n / 2),
@@ -256,7 +260,7 @@ double diagonal(const Mesh& mesh)
                                     Kernel::Point_3(box.xmax(), box.ymax(), box.zmax())));
 }
 
-// How far from the base a map is one to one: up to where it is cut first.
+// Returns the radius around the base in which the map is injective: the distance to the first cut.
 double injectivity_radius(const Mesh& mesh, const GP::Logarithmic_map<Mesh, GP::Exact>& map)
 {
   double radius = std::numeric_limits<double>::infinity();
@@ -279,7 +283,7 @@ std::vector<Vertex> random_vertices(const Mesh& mesh, std::size_t number)
   return result;
 }
 
-// Below which a part of the values is.
+// Returns the quantile of `values` at `fraction`, or nan if there are no values.
 double quantile(std::vector<double> values, double fraction)
 {
   std::sort(values.begin(), values.end());
@@ -291,7 +295,8 @@ double angle_between(const std::array<double, 2>& a, const std::array<double, 2>
   return std::fabs(std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
 }
 
-// Angles against the exact map, in degrees, around some vertices up to a radius.
+// Returns the angles in degrees between a map and the exact map, around eight vertices up to a
+// radius.
 template <typename Method>
 std::vector<double> angles_against_exact(const Mesh& mesh, double radius)
 {
@@ -342,21 +347,22 @@ void compare_on_models(const std::vector<std::string>& names)
   table.print();
 }
 
-// The angle at which a path leaves a vertex towards a point of a face at it, as a share of all angles.
+// Returns the angle at `base` from its first halfedge to the direction of `target_point`, a point
+// of an incident face. The angle is divided by the total angle at the vertex.
 double normalized_angle(const Mesh& mesh, Vertex base, const Kernel::Point_3& target_point)
 {
   const auto angle = [](const Kernel::Vector_3& a, const Kernel::Vector_3& b)
   { return std::atan2(std::sqrt(cross_product(a, b).squared_length()), a * b); };
   const Kernel::Point_3& o = mesh.point(base);
   double accumulated_angle = 0., min_excess = std::numeric_limits<double>::infinity(), result = 0.;
-  auto h = mesh.opposite(mesh.halfedge(base)); // leaves the base
+  auto h = mesh.opposite(mesh.halfedge(base)); // its source is the base
   const auto first = h;
   do
   {
     const auto next = mesh.opposite(mesh.prev(h));
     const auto a = mesh.point(mesh.target(h)) - o, b = mesh.point(mesh.target(next)) - o;
     const double face_angle = angle(a, b), angle_to_direction = angle(a, target_point - o);
-    // How far the direction is from this face.
+    // The excess is zero if the direction lies in this face.
     const double excess = angle_to_direction + angle(target_point - o, b) - face_angle;
     if(excess < min_excess)
     {
@@ -369,7 +375,8 @@ double normalized_angle(const Mesh& mesh, Vertex base, const Kernel::Point_3& ta
   return result / accumulated_angle;
 }
 
-// Directions of shortest paths by CGAL's exact algorithm.
+// Compares the exact map with the directions and lengths of shortest paths from CGAL's exact
+// algorithm.
 void compare_with_cgal(const std::string& name, const Mesh& mesh)
 {
   using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
@@ -406,8 +413,8 @@ void compare_with_cgal(const std::string& name, const Mesh& mesh)
 
 // ------------------------------------------------------------------------------------------- theory
 
-// A longer stencil, of a length that does not shrink with the edges: with the default one errors of
-// neighbours differ, in parts of an edge, as much on finer meshes.
+// A stencil length that does not shrink with the edges. With the default stencil, the errors of
+// neighbors differ by the same fraction of an edge on finer meshes.
 constexpr double theory_stencil_length = 0.2;
 
 template <typename Method>
@@ -450,7 +457,7 @@ void compare_with_theory(bool quick)
       theory_stencil_length);
 }
 
-// The part of a sphere around its first vertex, which stays the first.
+// Returns the part of a sphere within `radius` of its first vertex, which keeps index 0.
 test::Triangulation spherical_cap(unsigned level, double radius)
 {
   const test::Triangulation sphere = test::icosphere(level);
@@ -474,7 +481,8 @@ test::Triangulation spherical_cap(unsigned level, double radius)
   return result;
 }
 
-// The least squares conformal map, moved and scaled to agree with normal coordinates at the base.
+// Returns the least squares conformal map. It is translated and scaled to agree with normal
+// coordinates at the base.
 std::vector<std::array<double, 2>> conformal_map(Mesh mesh, Vertex base)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -563,8 +571,8 @@ void compare_on_cylinder()
 
 // -------------------------------------------------------------------------------------------- noise
 
-// Root mean squares of angles, in degrees: against the exact map of the same surface; and against the sphere
-// below the noise, after the best rotation.
+// Root mean squares of angles in degrees: against the exact map of the same mesh, and against the
+// noise-free sphere after the best rotation.
 struct Noise_errors
 {
   double exact, sphere;
@@ -635,7 +643,7 @@ void compare_noise(unsigned level)
   const std::vector<double> rings = {0., 1., 2., 3.};
   for(const double noise : {0., 0.01, 0.05})
   {
-    // As much as an even distribution spreads.
+    // The factor sqrt(3) gives the uniform displacement a standard deviation of `noise` edges.
     const Mesh mesh = mesh_of(
         test::jittered(test::icosphere(level), std::sqrt(3.) * noise * mean_edge_length(clean)));
     add_noise_row<GP::Gradient<GP::Dijkstra>>(table, "Gradient<Dijkstra>", noise, mesh, rings);

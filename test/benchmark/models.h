@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// The meshes of the benchmarks, and the distances on them that are known.
+// Meshes of the benchmarks, and reference distances on them.
 
 namespace benchmarks {
 
@@ -40,7 +40,7 @@ inline Mesh mesh_of(const CGAL::Geodesic_processing::test::Triangulation& surfac
   return mesh;
 }
 
-// A sphere of 10 * 4^level + 2 vertices.
+// Returns the vertices and faces of a triangle mesh as arrays.
 inline CGAL::Geodesic_processing::test::Triangulation triangulation_of(const Mesh& mesh)
 {
   CGAL::Geodesic_processing::test::Triangulation result;
@@ -52,19 +52,21 @@ inline CGAL::Geodesic_processing::test::Triangulation triangulation_of(const Mes
   return result;
 }
 
+// Returns a unit sphere with 10 * 4^level + 2 vertices.
 inline Mesh icosphere(unsigned level)
 {
   return mesh_of(CGAL::Geodesic_processing::test::icosphere(level));
 }
 
-// The unit square of n times n vertices, each moved by up to a quarter of a step, and a random
-// diagonal in each cell: up to there no triangle can turn over.
+// Returns the unit square with n x n vertices and a random diagonal in each cell. Each vertex is
+// displaced by up to a quarter of a step, the largest displacement that cannot invert a triangle.
 inline Mesh jittered_square(std::size_t n)
 {
   return mesh_of(CGAL::Geodesic_processing::test::square(n - 1, 0.25));
 }
 
-// Each face cut into four, the surface unchanged; the vertices of the mesh come first.
+// Returns `mesh` with each face split into four at the edge midpoints. The surface is unchanged,
+// and the vertices of `mesh` keep their indices.
 inline Mesh refined(const Mesh& mesh)
 {
   Mesh result;
@@ -77,7 +79,7 @@ inline Mesh refined(const Mesh& mesh)
     result.add_vertex(midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
   for(const Face f : mesh.faces())
   {
-    std::array<Vertex, 3> corner, middle; // middle[i] follows corner[i]
+    std::array<Vertex, 3> corner, middle; // middle[i] follows corner[i] on the boundary
     auto h = mesh.halfedge(f);
     for(int i = 0; i < 3; ++i, h = mesh.next(h))
     {
@@ -91,7 +93,7 @@ inline Mesh refined(const Mesh& mesh)
   return result;
 }
 
-// A mesh of the data folder, if that is there.
+// Returns the mesh `name` of the data folder, or nothing if it cannot be read.
 inline std::optional<Mesh> load_model(const std::string& name)
 {
   const std::filesystem::path data_folder = GEODESIC_PROCESSING_DATA;
@@ -115,7 +117,7 @@ inline double mean_edge_length(const Mesh& mesh)
   return sum / double(num_edges(mesh));
 }
 
-// The part of the faces that have an angle above a right one.
+// Returns the fraction of obtuse faces.
 inline double obtuse_face_ratio(const Mesh& mesh)
 {
   std::size_t number = 0;
@@ -136,7 +138,8 @@ inline std::vector<Vertex> three_sources(std::size_t number_of_vertices)
   return {Vertex(0), Vertex(n / 3), Vertex(Mesh::size_type(2 * std::size_t(n) / 3))};
 }
 
-// By closed forms, and by CGAL's exact algorithm; one number a vertex.
+// Reference distances from `source`, one per vertex. They are computed by closed forms on the
+// sphere and the square, and by CGAL's exact algorithm on other meshes.
 
 inline std::vector<double> great_circle_distances(const Mesh& sphere, Vertex source)
 {

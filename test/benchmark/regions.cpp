@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Masses that choose where to go: how far off exits of mazes, small exits, features and refracted rays are,
-// and how long they take, with everything that is prepared.  One thread.  --quick: small meshes.
+// Measures the errors and times of transport to regions: exits of mazes, exits with limited
+// capacity, features, and refracted rays. Times include all set-up. Uses one thread. --quick: small
+// meshes.
 #include "models.h"
 #include "report.h"
 
@@ -28,8 +29,8 @@ namespace GP = CGAL::Geodesic_processing;
 using namespace benchmarks;
 using Distances = Mesh::Property_map<Vertex, double>;
 
-// The unit square with a wall in every fifth column of cells, with a gap of two cells in each; diagonals in
-// turn.
+// Returns the unit square with a wall in every fifth column of cells. Each wall has a gap of two
+// cells. Diagonals alternate.
 Mesh maze(int cells, std::mt19937& random)
 {
   Mesh mesh;
@@ -105,7 +106,8 @@ void print_mazes(bool is_quick)
     nearest_table.add({name, std::to_string(mesh.number_of_vertices()), format_fixed(error, 7),
                        format_fixed(gap, 7), std::to_string(iterations)});
 
-    // From everywhere; exits that take one part in `exits` and a fifth of it more.
+    // Transports the masses of all vertices. Each exit has a capacity of 1.2 / `exits`, a fifth
+    // more than an equal fraction.
     for(const std::size_t exits : {3, 10})
       for(const double tolerance : {1e-2, 1e-3})
       {
@@ -159,7 +161,8 @@ void print_features(bool is_quick)
                "above exact", "iterations", "s"});
   const auto measure = [&](const std::string& name, Mesh mesh, const std::vector<Vertex>& feature)
   {
-    // With the edges between its vertices: chains of them are the curves.
+    // The edges between feature vertices are sources too, so that a chain of vertices represents a
+    // curve.
     using Source = GP::Source<Mesh>;
     std::vector<Source> sources(feature.begin(), feature.end());
     for(const auto h : mesh.halfedges())
@@ -192,7 +195,7 @@ void print_features(bool is_quick)
       largest = std::max(largest, std::abs(found[v] - exact[v]));
       above = std::max(above, found[v] - exact[v]);
     }
-    // The paper's way: what arrives is even over the feature.
+    // As in the paper, the arriving mass is distributed uniformly over the feature.
     GP::Earth_movers_solver<Mesh> solver(mesh);
     const auto uniform_density =
         boost::make_function_property_map<Vertex>([](Vertex) { return 1.; });
@@ -217,7 +220,7 @@ void print_features(bool is_quick)
     const auto mesh = load_model(name);
     if(!mesh)
       continue;
-    // A chain of edges from the first vertex to the farthest one.
+    // The curve is a chain of edges from the first vertex to the farthest one.
     Mesh copy = *mesh;
     const Distances map = copy.add_property_map<Vertex, double>("v:d").first;
     GP::geodesic_distances<GP::Dijkstra>(copy, Vertex(0), map);
@@ -274,7 +277,7 @@ void print_refraction()
       if(!(p.y() < 0.4 && q.y() > 0.6))
         continue;
       ++i;
-      double low = 0., high = 1.; // where the ray crosses, by the slope of its time
+      double low = 0., high = 1.; // bisects the slope of the travel time
       for(int step = 0; step < 60; ++step)
       {
         const double x = 0.5 * (low + high);

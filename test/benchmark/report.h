@@ -17,11 +17,12 @@
 #  include <malloc.h>
 #endif
 
-// What is measured, and tables of it.
+// Measures time and memory, and prints tables.
 
 namespace benchmarks {
 
-// Processor time, which on a busy machine tells more than a watch does.
+// Returns the processor time of f() in seconds, summed over all threads. On a busy machine it is
+// more reliable than wall-clock time.
 template <typename Function>
 double cpu_seconds(Function f)
 {
@@ -30,7 +31,7 @@ double cpu_seconds(Function f)
   return double(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-// The time on a watch, which is what threads shorten.
+// Returns the wall-clock time of f() in seconds. Use it to measure the speed-up by threads.
 template <typename Function>
 double wall_seconds(Function f)
 {
@@ -48,7 +49,7 @@ inline double median(std::vector<double> values)
   return *middle;
 }
 
-// Bytes allocated now, or nan where nobody counts them.
+// Returns the number of currently allocated bytes, or nan if the C library does not report it.
 inline double allocated_bytes()
 {
 #if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
@@ -59,7 +60,8 @@ inline double allocated_bytes()
 #endif
 }
 
-// Bytes resident at most since the last reset_peak_memory(), where the system tells (Linux).
+// Returns the maximum resident memory since the last reset_peak_memory(), in bytes. Returns nan if
+// the system does not report it (Linux only).
 inline double peak_memory()
 {
   std::ifstream status("/proc/self/status");
@@ -74,7 +76,8 @@ inline double peak_memory()
   return std::nan("");
 }
 
-// Memory that is free but not given back would hide what comes next.
+// Resets the peak memory. Freed memory is first returned to the system; otherwise its reuse would
+// hide later allocations.
 inline void reset_peak_memory()
 {
 #if defined(__GLIBC__)
@@ -90,12 +93,12 @@ inline std::string format_fixed(double value, int decimals)
   if(std::isinf(value))
     return "inf";
   char text[64];
-  const double rounding = 0.5 * std::pow(10., -decimals); // no "-0.00"
+  const double rounding = 0.5 * std::pow(10., -decimals); // avoids "-0.00"
   std::snprintf(text, sizeof(text), "%.*f", decimals, std::fabs(value) < rounding ? 0. : value);
   return text;
 }
 
-// Three digits that matter, however small.
+// Formats `value` with three significant digits.
 inline std::string format_significant(double value)
 {
   if(std::isnan(value))
@@ -106,7 +109,7 @@ inline std::string format_significant(double value)
   return text;
 }
 
-// The mean of what is added, and the largest of it.
+// Accumulates the mean and the maximum of the added values.
 struct Mean_and_max
 {
   double mean = 0., largest = 0.;
@@ -123,7 +126,8 @@ struct Mean_and_max
   }
 };
 
-// A table whose columns are as wide as they must be: the first to the left, others to the right.
+// Prints a table with minimal column widths. The first column is left-aligned, the others are
+// right-aligned.
 class Table
 {
 public:

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What do farthest points cost, in fronts over the whole mesh?
+// Measures the cost of farthest point sampling in units of one front over the whole mesh.
 #include <CGAL/Geodesic_processing.h>
 
 #include "models.h"
@@ -49,7 +49,7 @@ void add(Table& table, const std::string& name, const Mesh& mesh, std::size_t nu
         domain, number, std::back_inserter(samples),
         GP::parameters::covering_radius_output(std::back_inserter(radii)));
   };
-  // In turns, so that whatever else the machine does falls on all alike.
+  // Fronts and samplings take turns, so that other load on the machine affects both equally.
   for(int round = 0; round < 3; ++round)
   {
     fronts_alone.push_back(cpu_seconds([&] { Solver(domain).compute(sources[round]); }));
@@ -61,7 +61,7 @@ void add(Table& table, const std::string& name, const Mesh& mesh, std::size_t nu
     samplings.push_back(cpu_seconds([&] { sample(number_of_samples); }));
   }
   const double front = median(fronts), all = median(samplings), tenth = median(tenths);
-  const double samples_per_tenth = double(number_of_samples) / 10.; // of the first tenth
+  const double samples_per_tenth = double(number_of_samples) / 10.; // number in the first tenth
   table.add({name, std::to_string(num_vertices(mesh)), method, std::to_string(samples.size()),
              format_fixed(1000. * front, 1), format_fixed(all, 3), format_fixed(all / front, 1),
              format_fixed(median(samplings_alone) / median(fronts_alone), 1),

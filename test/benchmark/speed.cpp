@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long does a query take, beside one of CGAL's heat method on the same mesh?
+// Measures the time of queries, compared with CGAL's heat method on the same mesh.
 #include <CGAL/Geodesic_processing.h>
 
 #include "Heat_peer.h"
@@ -22,8 +22,8 @@ using Domain = GP::Mesh_domain<Mesh>;
 template <typename Method>
 using Solver = GP::Geodesic_distance_solver<Mesh, Method>;
 
-// CGAL's factorization takes minutes and gigabytes on large meshes as regular as icospheres and
-// grids, where it has the most to fill in.
+// Selects if CGAL's heat method is run. On large regular meshes (icospheres, grids) its
+// factorization takes minutes and gigabytes, because the fill-in is largest.
 enum class Cgal_comparison
 {
   always,
@@ -51,7 +51,7 @@ std::vector<Vertex> random_vertices(std::size_t number_of_vertices, std::size_t 
   return result;
 }
 
-// Whole queries.
+// Queries over the whole mesh.
 
 class Query_tables
 {
@@ -61,7 +61,7 @@ public:
     const std::size_t n = num_vertices(mesh);
     const int repetitions = n < 200000 ? 9 : 5;
 
-    // What the domain takes, and how much is needed while it is made.
+    // Measures the memory of the domain, and the peak while it is created.
     reset_peak_memory();
     const double peak_before = peak_memory(), before = allocated_bytes();
     std::optional<Domain> domain;
@@ -70,7 +70,7 @@ public:
     const double peak = peak_memory() - peak_before;
     for(int i = 1; i < repetitions; ++i)
     {
-      std::optional<Domain> new_domain; // destroyed outside the measure
+      std::optional<Domain> new_domain; // destroyed outside the measurement
       domain_times.push_back(cpu_seconds([&] { new_domain = GP::make_domain(mesh); }));
     }
 
@@ -93,7 +93,7 @@ public:
             ? cpu_seconds([&] { cgal_heat = std::make_unique<Cgal_heat_solver>(mesh); })
             : std::nan("");
 
-    // In turns, so that whatever else the machine does falls on all alike.
+    // Methods take turns, so that other load on the machine affects all of them equally.
     const auto map = mesh.add_property_map<Vertex, double>("v:benchmark", 0.).first;
     std::vector<double> dijkstra_times, marching_times, front_times, write_times, cgal_times;
     for(int i = 0; i < repetitions; ++i)
@@ -153,7 +153,8 @@ private:
 
 // Queries that stop after about a thousand vertices.
 
-// The distance from the source within which `wanted` vertices are, or nan in a component of fewer.
+// Returns the distance within which the `count` vertices closest to the source lie. Returns nan if
+// the component of the source has fewer vertices.
 double radius_of_count(Solver<GP::Euclidean_front>& front, Vertex source, std::size_t count,
                        double first_guess)
 {
@@ -183,7 +184,7 @@ void measure_bounded(const std::string& name, const Mesh& mesh)
   Solver<GP::Euclidean_front> front(domain);
 
   const double first_guess =
-      20. * mean_edge_length(mesh); // a thousand vertices of a plane, and some
+      20. * mean_edge_length(mesh); // in the plane, slightly more than a thousand vertices
   std::vector<double> marching_times, front_times, reached;
   for(const Vertex source : random_vertices(num_vertices(mesh), 201))
   {
@@ -215,7 +216,8 @@ struct Path_method
   std::function<double(Vertex, Vertex)> length;
 };
 
-// `coarse` is the same surface, whose vertices come first; exact distances are found there.
+// Measures paths on `mesh`, a refinement of `coarse` whose first vertices are those of `coarse`.
+// The exact distances are computed on `coarse`.
 void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse)
 {
   const auto domain = GP::make_domain(mesh);
@@ -243,7 +245,8 @@ void measure_paths(const std::string& name, const Mesh& mesh, const Mesh& coarse
                        [path_finder](Vertex p, Vertex q) { return (*path_finder)(p, q).length; }});
   }
 
-  // Every way takes the pairs twice: what the first round finds out and keeps is told apart.
+  // Each method runs on the pairs twice. The first round is reported separately, because it fills
+  // caches.
   constexpr std::size_t number_of_pairs = 200;
   const auto endpoints = random_vertices(num_vertices(mesh), 2 * number_of_pairs);
 
@@ -323,7 +326,7 @@ int main(int argc, char* argv[])
       queries.add(named.name, *mesh, named.cgal_heat);
   queries.print();
 
-  // The last mesh that there is: the largest model, else the largest made here.
+  // Uses the last mesh that is available: the largest model, otherwise the largest generated mesh.
   for(auto named = meshes.rbegin(); named != meshes.rend(); ++named)
     if(const auto mesh = named->make())
     {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far from the truth are geodesics on point set surfaces, clean and noisy, beside the tables of
-// Ruggeri, Darom, Saupe and Kiryati 2006?
+// Measures the errors of geodesics on clean and noisy point set surfaces, compared with the tables
+// of Ruggeri, Darom, Saupe and Kiryati 2006.
 #include <CGAL/Geodesic_processing/internal/paths/Cloud_path_finder.h>
 #include <CGAL/Geodesic_processing/internal/surfels/surfel_estimation.h>
 
@@ -37,10 +37,11 @@ struct Geodesic
   double length;
 };
 
-// The geodesics between two places of a surface: one, or those on both ways round, shortest first.
+// Returns the geodesics between two points of a surface, shortest first. On the cylinder there are
+// two, one in each direction.
 using Geodesics = std::function<std::vector<Geodesic>(const Vec3&, const Vec3&)>;
 
-constexpr int curve_resolution = 2000; // points of a true curve
+constexpr int curve_resolution = 2000; // segments of a reference curve
 
 std::vector<Geodesic> straight_segment(const Vec3& p, const Vec3& q)
 {
@@ -82,7 +83,7 @@ std::vector<Geodesic> helices(const Vec3& p, const Vec3& q)
   return result;
 }
 
-// The root of the mean squared distance of the points of one curve to the other.
+// Returns the root mean squared distance of the vertices of `points` to the polyline.
 double rms_distance(const Curve& points, const Curve& polyline)
 {
   double sum = 0.;
@@ -102,7 +103,7 @@ double rms_distance(const Curve& points, const Curve& polyline)
   return std::sqrt(sum / double(points.size()));
 }
 
-// Root mean squares over the pairs, relative.
+// Relative length and path errors, root mean squares over the pairs. `control_points` is a mean.
 struct Errors
 {
   double length = 0., path = 0., control_points = 0.;
@@ -115,8 +116,8 @@ struct Surface
   Geodesics geodesics;
 };
 
-// Pairs nearer to each other than a twentieth of the diagonal are drawn again: their relative errors
-// say more about the noise of two surfels than about a path.
+// Returns random pairs of surfels. Pairs closer than a twentieth of the bounding box diagonal are
+// drawn again. Their relative errors measure the noise of two surfels rather than the path.
 std::vector<std::pair<Index, Index>> random_pairs(const Cloud& cloud)
 {
   Vec3 low = cloud.points[0], high = low;
@@ -154,7 +155,7 @@ Errors errors(const Surface& surface, const Cloud& cloud, const Cloud_path_optio
     const auto truths = surface.geodesics(surface.clean.points[a], surface.clean.points[b]);
     const double truth = truths.front().length;
     const double e = c.frame.scale * found.path.length / truth - 1.;
-    // A geodesic the other way round is as good where it is as long.
+    // If another geodesic is at most 2 % longer, the path may follow it.
     double d = infinity;
     for(const auto& [curve, length] : truths)
       if(length <= (1. + 0.02) * truth)
@@ -297,7 +298,7 @@ void print_noisy(std::vector<Surface>& surfaces)
   weights.print();
 }
 
-// A surface where a function is zero.
+// The zero level set of a function.
 class Implicit_surface : public Path_surface
 {
 public:
@@ -343,7 +344,8 @@ double ellipsoid(const Vec3& p, Vec3& gradient)
   return value;
 }
 
-// The geodesic on the surface itself that is nearest to a path has a thousand control points.
+// Measures the convergence order of lengths. The reference is the geodesic on the implicit surface,
+// obtained by shortening the path with a thousand control points.
 void print_orders()
 {
   std::printf(
@@ -387,7 +389,8 @@ void print_orders()
   std::printf("wanted: 4 times smaller with 4 times as many surfels\n\n");
 }
 
-// On one core, once the cloud is prepared; the paper's model of 134,345 surfels is an ellipsoid here.
+// Measures the time of 100 paths on prepared clouds, on one core. The paper's model of 134,345
+// surfels is replaced by an ellipsoid.
 void print_path_times(const std::vector<Surface>& surfaces)
 {
   std::printf("Table 2, seconds for 100 paths (the paper's: Pentium 4, 2.8 GHz)\n");
@@ -431,7 +434,7 @@ void print_path_times(const std::vector<Surface>& surfaces)
   std::printf("wanted: 1 s on the ellipsoid\n\n");
 }
 
-// An ellipsoid of as many surfels as the paper's models have.
+// Measures times on ellipsoids with the numbers of surfels of the paper's models.
 void print_times(bool is_quick)
 {
   std::printf(
@@ -500,7 +503,7 @@ void print_times(bool is_quick)
               "hundred thousand\n\n");
 }
 
-// A cloud of the data folder, with its own normals or those of estimate_surfels().
+// Reads a cloud with its normals. If it has none, they are computed by estimate_surfels().
 Cloud load_scan(const std::filesystem::path& file)
 {
   CGAL::Point_set_3<CGAL::Simple_cartesian<double>::Point_3> points;
@@ -516,23 +519,26 @@ Cloud load_scan(const std::filesystem::path& file)
   return cloud;
 }
 
-// How paths on a scan keep to its surfels.
+// Statistics of paths on a scan.
 struct Path_adherence
 {
   std::size_t pairs = 0, points = 0, number_beyond = 0, crossings = 0, longer = 0;
-  double farthest = 0.; // in the largest distances that are not beyond
+  double farthest = 0.; // largest distance divided by the local spacing
 };
 
-// A point of a path is beyond where the nearest surfel is farther than the 95th percentile of the spacing
-// there: among the 60 surfels nearest to it, that of the distances to their sixth neighbours.
+// Counts path points beyond the surfels, and path steps that cross between sheets.
 //
-// Sheets are separate by their normals where no short chain of surfels joins them each of which agrees with
-// the next: by Agree, their normals differ by less than 100 degrees, and their chord does not rise above
-// them by more than these differ.  A path crosses where this is so for the surfels of two consecutive
-// points, and short is twice the way and three radii of each.  Surfels are those that paths see, without
-// noise, and joined to neighbours by their normals whatever graph the path comes from: so paths that start
-// in a graph that knows no normals tell whether a cloud has such sheets at all.  Where normals are chance,
-// as between trees, chains go around nearly everything but gaps and walls.
+// A point is beyond if its nearest surfel is farther than the local spacing. The local spacing is
+// the 95th percentile, over the 60 nearest surfels, of the distance to the sixth neighbor.
+//
+// Two surfels agree if their normals differ by less than 100 degrees and their chord rises above
+// neither of them by more than the normals differ (Agree). Two surfels are on separate sheets if no
+// short chain of agreeing surfels connects them. A step crosses if this holds for the surfels of
+// its two endpoints. A chain is short if its length is at most twice the step plus three radii of
+// each surfel. The surfels are the smoothed ones of the path finder. Their neighbors are selected
+// by normals, regardless of the graph of the path. Therefore paths that start in a graph without
+// normals reveal if the cloud has such sheets. If normals are random, as between trees, chains lead
+// around nearly everything but gaps and walls.
 Path_adherence measure_adherence(const Cloud& cloud, std::size_t max_pairs, unsigned seed,
                                  Surfel_graph graph)
 {
@@ -573,7 +579,7 @@ Path_adherence measure_adherence(const Cloud& cloud, std::size_t max_pairs, unsi
     ++result.pairs;
     const Cloud_path found = finder({a, {0., 0.}}, {b, {0., 0.}});
     const std::vector<Projection>& points = found.path.points;
-    result.longer += found.path.length > found.start_length * (1. + 1e-12); // rounding of sums
+    result.longer += found.path.length > found.start_length * (1. + 1e-12); // round-off error
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       tree.nearest(cloud_points, c.frame.origin + c.frame.scale * points[i].point,

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seconds and iterations of earth mover's distances, between two points and between two smooth
-// densities, to several gaps.  Set-up apart; one thread.  --quick: meshes of ten thousand vertices.
+// Measures seconds and iterations of earth mover's distances for several gaps, between two points
+// and between two smooth densities. Set-up is timed separately. Uses one thread. --quick: meshes of
+// ten thousand vertices.
 #include "Array_surface.h"
 #include "models.h"
 #include "report.h"
@@ -24,7 +25,8 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-// Of total mass one, falling off from a point within a tenth of `width`.
+// Returns a density of total mass one. It decays with the squared distance from `center` as exp(-(d
+// / (0.1 width))^2).
 Vector gaussian_density(const Array_surface& surface, const Vector& areas, Index center,
                         double width)
 {

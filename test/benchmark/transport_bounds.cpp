@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Earth mover's distances between random pairs of vertices of all models of 2,500 to 40,000 vertices beside
-// exact distances, and between surfels of a sphere beside great circles.  --quick: a pair each; --refine N: on
-// surfaces refined so often, otherwise as often as usual.
+// Compares earth mover's distances with exact distances between random pairs of vertices, on all
+// models of 2,500 to 40,000 vertices. Between surfels of a sphere, compares them with great
+// circles. --quick: one pair per model; --refine N: refine surfaces N times instead of by default.
 #include "Array_surface.h"
 #include "clouds.h"
 #include "models.h"
@@ -67,7 +67,7 @@ Cloud random_sphere(std::size_t n)
   return result;
 }
 
-// Between random pairs of surfels that are at least 0.3 apart.
+// Measures random pairs of surfels at a distance of at least 0.3.
 void measure_cloud(const std::string& name, const Cloud& clean, double noise, std::size_t pairs,
                    std::optional<unsigned> refinements, Table& table)
 {
@@ -102,7 +102,7 @@ void measure_cloud(const std::string& name, const Cloud& clean, double noise, st
 
 int main(int argc, char* argv[])
 {
-  std::size_t pairs = 40; // of 25 models: a thousand
+  std::size_t pairs = 40; // on 25 models: a thousand in total
   std::optional<unsigned> refinements;
   for(int i = 1; i < argc; ++i)
     if(std::string(argv[i]) == "--quick")
@@ -141,7 +141,7 @@ int main(int argc, char* argv[])
       before.at_locations = {{surface.at(from), 1.}};
       after.at_locations = {{surface.at(to), 1.}};
       const Transport_result found = solver.solve(before, after, options);
-      number_above += found.lower > exact * (1. + 1e-9); // rounding
+      number_above += found.lower > exact * (1. + 1e-9); // round-off errors
       number_below += found.upper_continuous < exact * (1. - 1e-9);
       relative_loss.add(1. - found.value / exact);
       error.add(std::abs(found.estimate / exact - 1.));

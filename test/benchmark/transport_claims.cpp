@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What Solomon, Rustamov, Guibas and Butscher 2014 say of earth mover's distances, measured: their tables of
-// seconds, and that distances only fall with k, are metrics where those by heat are none, bear noise, bending
-// and other triangles, are even and the same in all directions.  --quick: small meshes only; table-1, table-2,
-// fall, metrics, stability, evenness, isotropy or discs: this alone.
+// Measures the claims of Solomon, Rustamov, Guibas and Butscher 2014 on earth mover's distances.
+// The tables compare times. Further tables verify that distances decrease with k and that they are
+// metrics, unlike heat distances. Others measure stability under noise, bending and remeshing,
+// evenness and isotropy. --quick: small meshes only. The arguments table-1, table-2, fall, metrics,
+// stability, evenness, isotropy and discs run one table only.
 #include <CGAL/Geodesic_processing.h>
 
 #include "models.h"
@@ -43,7 +44,7 @@ using Domain = GP::Mesh_domain<Mesh>;
 using Triangles = std::shared_ptr<const Surface_arrays>;
 using Pair = std::array<Surface_location, 2>;
 
-constexpr double tolerance = 1e-3; // between the bounds
+constexpr double tolerance = 1e-3; // gap between the bounds
 
 Surface_location vertex_location(Index vertex) { return {none, vertex, {}}; }
 
@@ -63,7 +64,8 @@ std::string mean_and_largest(const std::vector<double>& values, int decimals)
          format_fixed(*std::max_element(values.begin(), values.end()), decimals);
 }
 
-// The heat method with a time step of so many squares of the mean length of a side.
+// Computes distances by the heat method with a time step of `squares` times the squared mean edge
+// length.
 class Heat
 {
 public:
@@ -83,7 +85,7 @@ public:
     laplacian.pin(poisson);
     m_poisson = std::make_unique<Sparse_solver>(poisson);
   }
-  // Of all sites.
+  // Returns the distances of all vertices, relative to `from`.
   Vector distances(const Surface_location& from) const
   {
     const Vector start = masses_at(*m_triangles, {from}).col(0);
@@ -100,7 +102,7 @@ private:
   std::unique_ptr<Sparse_solver> m_heat, m_poisson;
 };
 
-// Distances of pairs of places, in the caller's unit.
+// Computes bounds of the distances of pairs of locations, in the caller's unit.
 struct Distance_method
 {
   std::string name;
@@ -115,7 +117,7 @@ struct Distance_method
   }
 };
 
-// From what finds the distances of all pairs one by one.
+// Returns a method that calls distance(pair) for each pair, with equal lower and upper bounds.
 template <typename Function>
 Distance_method from_pairwise(const std::string& name, Function distance)
 {
@@ -184,7 +186,7 @@ Distance_method family(const Triangles& t, std::size_t k, Particular_field kind)
           }};
 }
 
-// As Transport_metric chooses.
+// Selects the flow as Transport_metric does: gradient if k is zero, otherwise Raviart-Thomas.
 Distance_method family(const Triangles& t, std::size_t k)
 {
   return family(t, k, k == 0 ? Particular_field::gradient : Particular_field::raviart_thomas);
@@ -230,11 +232,11 @@ void for_each_model(const std::vector<std::string>& names,
       visit(name, *mesh);
 }
 
-// Table 1: seconds of the distances of all vertices to one, with everything that is prepared.
+// Table 1: total seconds of the distances of all vertices to one vertex, including set-up.
 
 struct One_to_all
 {
-  std::string paper; // its model, of about as many vertices
+  std::string paper; // the paper's model and number of vertices
   double fronts, heat, biharmonic, spectral, basis_100_time;
   std::string ours;
 };
@@ -280,7 +282,8 @@ void print_one_to_all(bool is_quick)
               [&] {
                 Spectral_transport(t, 100, Particular_field::raviart_thomas).one_to_all(from, {});
               });
-          // All there is moves to the source: the potential is the distance to it.
+          // The uniform distribution is transported to the source. The potential is then the
+          // distance to it.
           Vector potential;
           const double complete_time = cpu_seconds(
               [&]
@@ -300,12 +303,12 @@ void print_one_to_all(bool is_quick)
   table.print();
 }
 
-// Table 2: seconds of the distances of all pairs of samples, likewise.
+// Table 2: total seconds of the distances of all pairs of samples, including set-up.
 
 struct All_pairs
 {
-  std::string paper;                                               // so many vertices
-  std::array<double, 2> marching, heat, biharmonic_time, spectral; // of 2 and of 100 samples
+  std::string paper;                                               // number of vertices
+  std::array<double, 2> marching, heat, biharmonic_time, spectral; // for 2 and 100 samples
   std::string ours;
   unsigned refinements;
 };
@@ -392,7 +395,7 @@ void print_all_pairs(bool is_quick)
   table.print();
 }
 
-// Distances never grow with k, and come down towards geodesic ones.
+// Verifies that distances never increase with k, and measures their excess over geodesic distances.
 void print_fall(bool is_quick)
 {
   const std::vector<std::size_t> basis_sizes = {0, 10, 30, 100};
@@ -409,7 +412,7 @@ void print_fall(bool is_quick)
         std::vector<Mesh::Halfedge_index> borders;
         CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
         const std::size_t n = domain.number_of_vertices();
-        // A thousand in all.
+        // The sum over the five models is a thousand pairs.
         const std::size_t number_of_pairs = is_quick   ? 20
                                             : n < 1000 ? 400
                                             : n < 3000 ? 200
@@ -446,8 +449,9 @@ void print_fall(bool is_quick)
             std::vector<double> values;
             for(std::size_t j = 0; j < bounds.size(); ++j)
             {
-              number_grown += bounds[j].lower > previous_bounds[j].upper * (1. + 1e-9); // rounding
-              // The complete flows are more than those of any k.
+              number_grown += bounds[j].lower > previous_bounds[j].upper * (1. + 1e-9); // round-off
+              // The complete flows contain the gradients of every k. Their distance must therefore
+              // not be longer.
               number_grown += is_gradient && k == basis_sizes.back() &&
                               complete_bounds[j].lower > bounds[j].upper;
               values.push_back(0.5 * (bounds[j].lower + bounds[j].upper));
@@ -464,7 +468,8 @@ void print_fall(bool is_quick)
   table.print();
 }
 
-// Figure 9: triangle inequality and symmetry, on random triples and for one pair with every vertex.
+// Figure 9: verifies the triangle inequality and symmetry on random triples. The detour over every
+// vertex is tested for five pairs.
 void print_metrics(bool is_quick)
 {
   Table table({"of 1,000 triples", "model", "longer than a detour", "by more than the gaps",
@@ -503,7 +508,7 @@ void print_metrics(bool is_quick)
           for(const auto& [p, q, r] : triples)
           {
             const double detour = value(p, q) + value(q, r);
-            // By more than rounding.
+            // The factor admits round-off errors.
             number_longer += value(p, r) > detour * (1. + 1e-9);
             number_certain +=
                 found[p * samples + r].lower >
@@ -520,7 +525,7 @@ void print_metrics(bool is_quick)
               const Vector p = all(locations[i]), q = all(locations[i + 5]);
               const double d = 0.5 * (p[locations[i + 5].vertex] + q[locations[i].vertex]);
               for(Index s = 0; s < p.size(); ++s)
-                number_shorter += p[s] + q[s] < d * (1. - 1e-6); // one to all sums in floats
+                number_shorter += p[s] + q[s] < d * (1. - 1e-6); // sums are single precision
             }
             between_text = format_fixed(
                 100. * double(number_shorter) / (5. * double(domain.number_of_vertices())), 1);
@@ -549,7 +554,7 @@ void print_metrics(bool is_quick)
   table.print();
 }
 
-// Figure 8.
+// Figure 8: stability under noise, bending, refinement and remeshing.
 
 Mesh with_noise(Mesh mesh, double edges)
 {
@@ -563,8 +568,8 @@ Mesh with_noise(Mesh mesh, double edges)
   return mesh;
 }
 
-// A sheet of three by one of quads in planes, which bend where columns meet: lengths are the same, up to
-// rounding, on the way to a roll of so many radians.
+// Returns a sheet of 3 x 1, bent to a roll of `angle` radians. Each column of quads is planar, so
+// that edge lengths are independent of the angle up to round-off errors.
 Mesh sheet(int rows, double angle)
 {
   Mesh mesh;
@@ -580,8 +585,8 @@ Mesh sheet(int rows, double angle)
   return mesh;
 }
 
-// What is within a tenth of the longest extent at one end of it, turned against the other half by
-// forty degrees, and all between as rigid as possible.
+// Bends `mesh`. The first tenth along the longest axis is rotated by forty degrees relative to the
+// far half. The part between deforms as rigidly as possible.
 Mesh bend(Mesh mesh)
 {
   std::array<double, 3> low, high;
@@ -628,7 +633,8 @@ Mesh bend(Mesh mesh)
   return mesh;
 }
 
-// By how much pairs change from one surface to another, mean and largest, in percent.
+// Adds a row with the relative changes of distances from one surface to another, mean and largest,
+// in percent.
 void add_change_row(Table& table, const std::string& name, const Triangles& one,
                     const std::vector<Pair>& pairs, const Triangles& other,
                     const std::vector<Pair>& same_pairs)
@@ -657,7 +663,7 @@ void print_stability(bool is_quick)
   const std::size_t number_of_pairs = is_quick ? 5 : 30;
   Table table({"change %, mean / largest", "vertices", "exact", "heat", "biharmonic", "k = 0",
                "k = 100", "complete"});
-  // Pairs of vertices that two meshes share.
+  // Adds a row for random pairs of vertices that exist in both meshes.
   const auto add = [&](const std::string& name, const Mesh& one, const Mesh& other)
   {
     const Domain a(one), b(other);
@@ -679,7 +685,7 @@ void print_stability(bool is_quick)
         add(name + ", noise of 0.1 edges", mesh, with_noise(mesh, 0.1));
         add(name + ", noise of 0.3 edges", mesh, with_noise(mesh, 0.3));
         add(name + ", bent", mesh, bend(mesh));
-        if(num_vertices(mesh) < 2800) // that is slow
+        if(num_vertices(mesh) < 2800) // otherwise slow
           add(name + ", faces cut in four", mesh, refined(mesh));
         const Domain domain(mesh);
         for(const std::size_t vertices : {num_vertices(mesh) / 4, num_vertices(mesh) / 2})
@@ -702,8 +708,8 @@ void print_stability(bool is_quick)
   table.print();
 }
 
-// How even level sets are: the coefficient of variation of the slope, a twentieth of the largest distance
-// away from the source.
+// Measures the evenness of level sets by the coefficient of variation of the gradient norm. Faces
+// closer to the source than a twentieth of the largest distance are excluded.
 void print_evenness(bool is_quick)
 {
   Table table({"unevenness", "vertices", "exact", "heat", "biharmonic", "k = 0", "k = 10",
@@ -764,9 +770,9 @@ void print_evenness(bool is_quick)
   table.print();
 }
 
-// Whether distances depend on the direction: on a sphere those of vertices at about the same great circle
-// from a pole, less what falls linearly within the band; on a square those of places that its
-// symmetries take to each other.
+// Measures the dependence of distances on the direction. On a sphere, vertices at about the same
+// great circle distance from a pole are compared, after subtraction of a linear fit in each band.
+// On a square, points that its symmetries map to each other are compared.
 void print_isotropy(bool is_quick)
 {
   Table table({"differing with the direction %", "vertices", "biharmonic", "k = 0", "k = 5",
@@ -839,7 +845,8 @@ void print_isotropy(bool is_quick)
   table.print();
 }
 
-// Proposition 2: a mass that is spread over a disc is as far as its middle, up to the radius and the gap.
+// Proposition 2: the distance to a uniform mass on a disk differs from the distance to its center
+// by at most the radius plus the gap.
 void print_disks(bool is_quick)
 {
   Table table({"radius / distance", "model", "error / (radius + gap), mean / largest"});

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seconds of the distances d_k between spectral and geodesic ones: of all pairs of samples without a
-// basis, of one place to all with and without; what the quick ways lose; how even they are.  Processor
-// time of one thread but where a watch is named.  --quick: without the meshes above ten thousand vertices.
+// Measures the distances d_k between spectral and geodesic ones. Times all pairs of samples without
+// a basis, and one vertex to all others with and without a basis. Also measures the error of the
+// fast methods and the evenness of level sets. Times are processor times of one thread unless the
+// column names two threads. --quick: omits meshes above ten thousand vertices.
 #include "Array_surface.h"
 #include "models.h"
 #include "report.h"
@@ -67,7 +68,8 @@ void measure_pairs(const std::string& name, const Array_surface& surface, Table&
   }
 }
 
-// The coefficient of variation of the slope, a twentieth of the largest distance away from the source.
+// Returns the coefficient of variation of the gradient norm. Faces closer to the source than a
+// twentieth of the largest distance are excluded.
 double unevenness(const Operators& operators, const Vector& function,
                   const std::vector<double>& exact)
 {

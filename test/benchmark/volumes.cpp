@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances between points in space: how precise coordinates are, what slices take and how wrong they are, and
-// whether paths stay inside.  --quick: small slices.
+// Measures distances between points in space: the precision of coordinates, the time and error of
+// slices, and if paths stay inside. --quick: small slices.
 #include "Array_surface.h"
 #include "report.h"
 
@@ -27,7 +27,7 @@ using namespace CGAL::Geodesic_processing::internal;
 using namespace CGAL::Geodesic_processing::test;
 using namespace benchmarks;
 
-// Empty when the model is not there.
+// Reads a model of the data folder. Returns an empty triangulation if the file is missing.
 Triangulation load_model(const std::string& name)
 {
   return read_off(
@@ -56,7 +56,8 @@ struct Box
       result[c] = low[c] + uniform(random) * (high[c] - low[c]);
     return result;
   }
-  // So many times so many on the plane in the middle across the last axis, some outside.
+  // Returns an n x n grid of points on the middle plane across the last axis. The grid exceeds the
+  // box, so that some points are outside.
   std::vector<Vec3> slice(int n) const
   {
     std::vector<Vec3> result;
@@ -161,7 +162,7 @@ std::size_t count_crossings(const std::vector<Vec3>& path, const Triangulation& 
   return result;
 }
 
-// Between random pairs of points inside.
+// Measures paths between random pairs of points inside the shape.
 void add_path_row(const std::string& name, const Triangulation& shape, int pairs, Table& table)
 {
   const Array_surface surface(shape);

@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far is a mesh from what few of its details, or few bits for each vertex, make of it?
+// Measures the error of a mesh that is reconstructed from few wavelet coefficients, or from few
+// bits per vertex.
 //
-// The meshes are semi-regular remeshings of models, with 250 relaxed vertices in the base, and "smooth" ones: a coarse mesh of 250 vertices
-// that was cut into four and laid on the model at each level, then smoothed along it.  Errors are root mean squares over
-// vertices, in ten thousandths of the diagonal.
+// The meshes are semi-regular remeshings of models with 250 relaxed base vertices, and "smooth"
+// meshes. For the latter, a coarse mesh of 250 vertices is refined by splitting each face into
+// four. At each level it is projected to the model and smoothed along it. Errors are root mean
+// squares over vertices, in ten thousandths of the diagonal.
 #include <CGAL/Geodesic_processing.h>
 
 #include "Error_plot.h"
@@ -53,7 +55,7 @@ Mesh build_semi_regular_mesh(const Mesh& input, unsigned levels)
   return result;
 }
 
-// What a parameterization without kinks between base faces would give.
+// Returns a subdivision that approximates a parameterization without kinks between base faces.
 Mesh projected_subdivision(const Mesh& input, unsigned levels)
 {
   Tree tree(faces(input).first, faces(input).second, input);
@@ -104,7 +106,7 @@ Errors errors(const Mesh& mesh, const Tree& tree, const std::vector<Kernel::Poin
   return {std::sqrt(result.vertices / n) / unit, std::sqrt(result.surface / n) / unit};
 }
 
-// Points of the vertices, in the order of the mesh.
+// Decodes `bytes` and returns the positions of the vertices in the order of the input mesh.
 std::vector<Kernel::Point_3> decode(const Wavelet& wavelet, const Bytes& bytes)
 {
   Mesh mesh;
@@ -125,7 +127,8 @@ std::vector<Kernel::Point_3> with_details(const Wavelet& wavelet, const Mesh& me
   return {copy.points().begin(), copy.points().end()};
 }
 
-// As many vertices, in the order of levels; all others in the middle of their parents.
+// Keeps the first `percent` of the vertices in the order of levels. Each other vertex is the
+// midpoint of its parents.
 std::vector<Kernel::Point_3> samples(const Wavelet& wavelet, const Mesh& mesh, double percent)
 {
   std::vector<Kernel::Point_3> result(mesh.points().begin(), mesh.points().end());
