@@ -218,7 +218,7 @@ void print_times(bool is_quick, bool is_patient)
       "others at 600,000.\n\n");
 }
 
-// Returns the number of texels whose center lies in two or more faces.
+// Returns the number of texels whose center is inside two or more faces.
 std::size_t count_overlapping_texels(const Mesh& mesh, const std::vector<UV>& uv, std::size_t size)
 {
   std::vector<unsigned char> cover_count(size * size, 0);

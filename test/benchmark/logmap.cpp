@@ -228,8 +228,8 @@ void compare_on_developables(std::size_t n)
           return std::array<double, 2>{offset.x(), offset.y()};
         };
       });
-  // The cylinder is developable: its triangles stand on the sides of a polygon, and their third
-  // corners lie slightly farther outside.
+  // The mesh is developable. Each triangle has one edge on the regular polygon of a ring, and its
+  // third corner is slightly farther from the axis than the midpoint of that edge.
   const Mesh cylinder = mesh_of(test::cylinder(n, n / 2, 1., 6.));
   const Vertex base(Size(n * (n / 4)));
   const double side = 2. * std::sin(CGAL_PI / double(n)), step = 6. / double(n / 2),

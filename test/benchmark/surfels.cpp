@@ -531,14 +531,14 @@ struct Path_adherence
 // A point is beyond if its nearest surfel is farther than the local spacing. The local spacing is
 // the 95th percentile, over the 60 nearest surfels, of the distance to the sixth neighbor.
 //
-// Two surfels agree if their normals differ by less than 100 degrees and their chord rises above
-// neither of them by more than the normals differ (Agree). Two surfels are on separate sheets if no
-// short chain of agreeing surfels connects them. A step crosses if this holds for the surfels of
-// its two endpoints. A chain is short if its length is at most twice the step plus three radii of
-// each surfel. The surfels are the smoothed ones of the path finder. Their neighbors are selected
-// by normals, regardless of the graph of the path. Therefore paths that start in a graph without
-// normals reveal if the cloud has such sheets. If normals are random, as between trees, chains lead
-// around nearly everything but gaps and walls.
+// Two surfels agree if their normals differ by less than 100 degrees, and if their chord rises
+// above neither of them by more than that difference. Two surfels are on separate sheets if no
+// short chain connects them in which each surfel agrees with the next. A chain is short if its
+// length is at most twice the step plus three radii of each surfel. A step of a path crosses if its
+// two surfels are on separate sheets. The surfels are the smoothed ones of the path finder. Their
+// neighbors are selected by normals, regardless of the graph of the path. Therefore paths that
+// start in a graph without normals reveal if the cloud has such sheets. If normals are random, as
+// between trees, chains lead around nearly everything but gaps and walls.
 Path_adherence measure_adherence(const Cloud& cloud, std::size_t max_pairs, unsigned seed,
                                  Surfel_graph graph)
 {
