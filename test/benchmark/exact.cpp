@@ -5,7 +5,7 @@
 #include <CGAL/Geodesic_processing.h>
 
 #include "Error_plot.h"
-#include "Heat_peer.h"
+#include "Cgal_heat_solver.h"
 #include "models.h"
 #include "report.h"
 

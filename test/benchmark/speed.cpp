@@ -4,7 +4,7 @@
 // Measures the time of queries, compared with CGAL's heat method on the same mesh.
 #include <CGAL/Geodesic_processing.h>
 
-#include "Heat_peer.h"
+#include "Cgal_heat_solver.h"
 #include "models.h"
 #include "report.h"
 
