@@ -21,28 +21,30 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingAtlas
 ///
-/// paints the texture of a mesh that has texture coordinates: the middle of each texel gets the colour of the
-/// place that it shows.
+/// Computes the texture of a mesh with texture coordinates: the color of each texel is evaluated at
+/// the location on the mesh that its center shows.
 ///
-/// Texels next to a chart, as far as half of the gutter, get the colour of the chart's nearest place. So no
-/// background is seen where a texel is interpolated with those around it.
+/// Texels outside of a chart, up to half of the gutter away, get the color of the closest location
+/// on the chart. The background is therefore not visible if adjacent texels are interpolated.
 ///
 /// \param mesh a triangle mesh
-/// \param corner_uv_map of halfedges: as `texture_atlas()` writes it
-/// \param size texels along a side of the texture, up to 2<SUP>14</SUP>
-/// \param color called with a `Polygon_mesh_processing::Face_location`, returns a `Decal_color`
-/// \param np
+/// \param corner_uv_map texture coordinates of halfedges, as `texture_atlas()` writes them
+/// \param size the number of texels along each edge of the texture, at most 2<SUP>14</SUP>
+/// \param color a function that is called with a `Polygon_mesh_processing::Face_location` and
+///        returns a `Decal_color`
+/// \param np optional named parameters:
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{gutter_width} \cgalParamDescription{texels} \cgalParamDefault{4} \cgalParamNEnd
+///   \cgalParamNBegin{gutter_width} \cgalParamDescription{the width of the gutter in texels}
+///     \cgalParamDefault{4} \cgalParamNEnd
 ///   \cgalParamNBegin{background} \cgalParamDescription{the `Decal_color` of all other texels}
 ///     \cgalParamDefault{white and transparent} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \returns size * size texels, rows from the lowest one up
-/// \throws Unsupported_surface_error when a face is no triangle
-/// \throws Invalid_argument_error when the size is zero or too large
+/// \returns the colors of `size * size` texels, in rows from bottom to top
+/// \throws Unsupported_surface_error if a face is not a triangle
+/// \throws Invalid_argument_error if the size is zero or too large
 ///
-/// O(number of texels and of faces)
+/// Takes linear time in the number of texels and of faces.
 template <typename TriangleMesh, typename UVMap, typename Color,
           typename NamedParameters = internal::Default_parameters>
 std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_map, std::size_t size,
@@ -56,12 +58,12 @@ std::vector<Decal_color> bake_atlas(const TriangleMesh& mesh, UVMap corner_uv_ma
   for(const auto face : faces(mesh))
   {
     all_faces.push_back(face);
-    // A half-edge points to the corner after the one where it begins.
+    // Corner k is the source of halfedge k and the target of the previous halfedge.
     const auto h = halfedge(face, mesh);
     for(const auto to : {prev(h, mesh), h, next(h, mesh)})
       coordinates.push_back(internal::image_of(to, mesh, corner_uv_map));
   }
-  // Bilinear lookup goes as far as a diagonal neighbour, whatever the gutter.
+  // Bilinear lookup reads diagonal neighbors, so the margin is at least 1.5 texels for any gutter.
   const double gutter = double(internal::parameter(np, internal_np::gutter_width, std::size_t(4)));
   const internal::Texel_map texels =
       internal::rasterize_texels(coordinates, size, (std::max)(gutter / 2., 1.5));

@@ -20,54 +20,60 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingLogMap
-/// how a map of a mesh to the plane stretches a face, as the other way round, from the plane to the
-/// face: the singular values of its Jacobian.
+/// The distortion of one face by a map of a mesh to the plane.
+///
+/// It is described by the singular values of the Jacobian of the inverse map, from the plane to the
+/// face.
 struct Face_distortion
 {
   double sigma_1 = 1.,
-         sigma_2 = 1.;    ///< \f$ \sigma_1 \geq \sigma_2 \f$; infinite where the image has no area
-  bool is_folded = false; ///< the image is turned round
-  double area = 0.;       ///< of the face
+         sigma_2 = 1.;    ///< \f$ \sigma_1 \geq \sigma_2 \f$; infinite if the image has no area
+  bool is_folded = false; ///< true if the image is clockwise (inverted)
+  double area = 0.;       ///< the area of the face on the surface
 
   /// \name Measures
-  /// of the literature, all of them least where \f$ \sigma_1 = \sigma_2 = 1 \f$ or, for those of angles
-  /// alone, where both are equal.
+  /// Distortion measures of the literature.
+  ///
+  /// `mips()`, `symmetric_mips()` and `conformal()` measure angles: they are minimal if
+  /// \f$ \sigma_1 = \sigma_2 \f$. `dirichlet()`, `l2_stretch()` and `linf_stretch()` increase with
+  /// the singular values. The others are minimal if \f$ \sigma_1 = \sigma_2 = 1 \f$.
   /// @{
 
-  /// \f$ \sigma_1 / \sigma_2 \f$ (Hormann and Greiner 2000, without the other way round).
+  /// Returns \f$ \sigma_1 / \sigma_2 \f$ (Hormann and Greiner 2000, without the reciprocal term).
   double mips() const { return sigma_1 / sigma_2; }
-  /// \f$ \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$.
+  /// Returns \f$ \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$.
   double symmetric_mips() const { return sigma_1 / sigma_2 + sigma_2 / sigma_1; }
-  /// \f$ (\sigma_1 - \sigma_2)^2 / 2 \f$, the energy of conformal maps.
+  /// Returns the conformal energy \f$ (\sigma_1 - \sigma_2)^2 / 2 \f$.
   double conformal() const { return 0.5 * (sigma_1 - sigma_2) * (sigma_1 - sigma_2); }
-  /// \f$ (\sigma_1^2 - 1)^2 + (\sigma_2^2 - 1)^2 \f$.
+  /// Returns \f$ (\sigma_1^2 - 1)^2 + (\sigma_2^2 - 1)^2 \f$.
   double green_lagrange() const
   {
     const double a = sigma_1 * sigma_1 - 1., b = sigma_2 * sigma_2 - 1.;
     return a * a + b * b;
   }
-  /// angles and areas: \f$ (\sigma_1/\sigma_2 + \sigma_2/\sigma_1)
+  /// Returns a measure of angles and areas: \f$ (\sigma_1/\sigma_2 + \sigma_2/\sigma_1)
   /// (\sigma_1 \sigma_2 + 1/(\sigma_1 \sigma_2))^\theta \f$ (Degener, Meseth and Klein 2003).
   double combined(double theta) const
   {
     const double area = sigma_1 * sigma_2;
     return symmetric_mips() * std::pow(area + 1. / area, theta);
   }
-  /// \f$ (\sigma_1^2 + \sigma_2^2) / 2 \f$.
+  /// Returns \f$ (\sigma_1^2 + \sigma_2^2) / 2 \f$.
   double dirichlet() const { return 0.5 * (sigma_1 * sigma_1 + sigma_2 * sigma_2); }
-  /// the root of `dirichlet()` (Sander, Snyder, Gortler and Hoppe 2001).
+  /// Returns the square root of `dirichlet()` (Sander, Snyder, Gortler and Hoppe 2001).
   double l2_stretch() const { return std::sqrt(dirichlet()); }
-  /// \f$ \sigma_1 \f$.
+  /// Returns \f$ \sigma_1 \f$.
   double linf_stretch() const { return sigma_1; }
-  /// \f$ \max(\sigma_1, 1/\sigma_2) \f$ (Sorkine and others 2002).
+  /// Returns \f$ \max(\sigma_1, 1/\sigma_2) \f$ (Sorkine and others 2002).
   double symmetric_stretch() const { return (std::max)(sigma_1, 1. / sigma_2); }
-  /// \f$ \sigma_1^2 + \sigma_2^2 + 1/\sigma_1^2 + 1/\sigma_2^2 \f$ (Smith and Schaefer 2015).
+  /// Returns \f$ \sigma_1^2 + \sigma_2^2 + 1/\sigma_1^2 + 1/\sigma_2^2 \f$ (Smith and Schaefer
+  /// 2015).
   double symmetric_dirichlet() const
   {
     return sigma_1 * sigma_1 + sigma_2 * sigma_2 + 1. / (sigma_1 * sigma_1) +
            1. / (sigma_2 * sigma_2);
   }
-  /// the distance of the metric from that of the plane:
+  /// Returns the distance between the metric of the face and the metric of its image:
   /// \f$ 2 \sqrt{\log^2 \sigma_1 + \log^2 \sigma_2} \f$.
   double riemannian() const { return 2. * std::hypot(std::log(sigma_1), std::log(sigma_2)); }
   /// @}
@@ -75,7 +81,8 @@ struct Face_distortion
 
 namespace internal {
 
-// The image of the corner of a face that a halfedge points to: of a map of vertices, or of halfedges.
+// Returns the image of the corner that a halfedge points to. The keys of the map are vertices or
+// halfedges.
 template <typename Mesh, typename UVMap>
 Vec2 image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const Mesh& mesh,
               const UVMap& uv_map)
@@ -94,11 +101,12 @@ Vec2 image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const M
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// returns how a map to the plane distorts a face.
+/// Computes the distortion of a face by a map to the plane.
 ///
 /// \param face a triangle of `mesh`
-/// \param uv_map of vertices, or of halfedges: of the corner that a halfedge of the face points to.
-///        Values are `Point_2` or arrays.
+/// \param mesh a model of `FaceListGraph`
+/// \param uv_map the map to the plane: a property map of vertices, or of halfedges, which gives the
+///        image of the corner that the halfedge points to. Values are `Point_2` or arrays.
 /// \param np `vertex_point_map`
 template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
 Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descriptor face,
@@ -112,7 +120,7 @@ Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descrip
   auto h = halfedge(face, mesh);
   for(std::size_t k = 0; k < 3; ++k, h = next(h, mesh))
   {
-    // Side k leads from the corner that h points to, to the next one.
+    // Edge k begins at the corner that h points to and ends at the next corner.
     image[k] = internal::image_of(h, mesh, uv_map);
     const auto& p = get(points, target(h, mesh));
     const auto& q = get(points, target(next(h, mesh), mesh));
@@ -125,29 +133,31 @@ Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descrip
 }
 
 /// \ingroup PkgGeodesicProcessingLogMap
-/// a measure of distortion over all faces that a map knows.
+/// A distortion measure, summarized over all faces that have an image.
 template <typename Mesh>
 struct Mesh_distortion
 {
   using Face = typename boost::graph_traits<Mesh>::face_descriptor;
 
-  double integral = 0.; ///< over the area of the faces
-  double area = 0.;     ///< of these
-  double worst = 0.;    ///< the largest value
+  double integral = 0.; ///< the integral of the measure over the area of the faces
+  double area = 0.;     ///< the total area of these faces
+  double worst = 0.;    ///< the largest value of the measure
   Face worst_face = boost::graph_traits<Mesh>::null_face();
   std::size_t number_of_faces = 0;
   std::size_t number_of_folded_faces = 0;
 
+  /// Returns the mean of the measure, weighted by area.
   double mean() const { return integral / area; }
 };
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// measures how a map to the plane distorts a mesh, integrated and at its worst.
+/// Computes the integral, the mean and the maximum of a distortion measure over a mesh.
 ///
-/// \param uv_map as for `face_distortion()`.  Faces with a corner that is not a number are left out: those
-///        outside of a logarithmic map.
-/// \param measure a function of a `Face_distortion`, as `&Face_distortion::conformal`
+/// \param mesh a triangle mesh
+/// \param uv_map as for `face_distortion()`. If a corner of a face has NaN coordinates, the face is
+///        ignored. These are the faces outside of the domain of a logarithmic map.
+/// \param measure a function of a `Face_distortion`, such as `&Face_distortion::conformal`
 /// \param np `vertex_point_map`
 ///
 /// O(n).
@@ -176,30 +186,36 @@ Mesh_distortion<Mesh> mesh_distortion(const Mesh& mesh, UVMap uv_map, Measure me
 }
 
 /// \ingroup PkgGeodesicProcessingLogMap
-/// how a map to the plane distorts a mesh, in the numbers by which flattenings are compared, where both have
-/// the same area.  Means are by the area of the faces.
+/// The distortion of a mesh by a map to the plane, in the usual measures for comparing flattenings.
+///
+/// All values refer to the map scaled to the area of the mesh. Means are weighted by the area of
+/// the faces.
 struct Flattening_distortion
 {
-  /// of angles: the root of the mean of \f$ \sigma_1/\sigma_2 + \sigma_2/\sigma_1 - 2 \f$, 0 of a conformal map.
+  /// The distortion of angles: the square root of the mean of
+  /// \f$ \sigma_1/\sigma_2 + \sigma_2/\sigma_1 - 2 \f$. It is 0 for a conformal map.
   double conformal = 0.;
-  /// of areas: the root of the mean of \f$ \sigma_1 \sigma_2 + 1/(\sigma_1 \sigma_2) - 2 \f$, 0 where areas
-  /// are kept.
+  /// The distortion of areas: the square root of the mean of
+  /// \f$ \sigma_1 \sigma_2 + 1/(\sigma_1 \sigma_2) - 2 \f$. It is 0 if areas are preserved.
   double authalic = 0.;
   double symmetric_dirichlet =
-      0.;                   ///< the mean of `Face_distortion::symmetric_dirichlet()`, 4 at least
-  double l2_stretch = 0.;   ///< the root of the mean of `Face_distortion::dirichlet()`
-  double linf_stretch = 0.; ///< the largest `Face_distortion::linf_stretch()`
-  /// of faces whose image is turned round or has no area, though they have one.
+      0.;                   ///< the mean of `Face_distortion::symmetric_dirichlet()`, at least 4
+  double l2_stretch = 0.;   ///< the square root of the mean of `Face_distortion::dirichlet()`
+  double linf_stretch = 0.; ///< the maximum of `Face_distortion::linf_stretch()`
+  /// The number of faces of positive area whose image is inverted or has no area.
   std::size_t number_of_flips = 0;
+  /// The number of faces of positive area that have an image.
   std::size_t number_of_faces = 0;
 };
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// measures how a map to the plane distorts a mesh, whatever its scale.
+/// Computes the distortion of a mesh by a map to the plane, independently of the map's scale.
 ///
-/// Faces that have no area themselves do not count; the others whose image has none make means infinite.
+/// Faces without area are ignored. If the image of any other face has no area, the means are
+/// infinite.
 ///
+/// \param mesh a triangle mesh
 /// \param uv_map as for `mesh_distortion()`
 /// \param np `vertex_point_map`
 ///
@@ -235,7 +251,8 @@ Flattening_distortion flattening_distortion(const Mesh& mesh, UVMap uv_map,
         face.sigma_1 *= scale;
         face.sigma_2 *= scale;
         const double area_fraction = face.area / area;
-        // As squares: what is left of 1 + 1 - 2 would be rounding.
+        // Computed as squares: near an isometry, the sum 1 + 1 - 2 would cancel to round-off
+        // errors.
         const double product = std::sqrt(face.sigma_1 * face.sigma_2);
         const bool is_flat = std::isinf(face.sigma_1);
         const double angle = is_flat ? face.sigma_1 : (face.sigma_1 - face.sigma_2) / product,

@@ -13,53 +13,64 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingFlattening
 ///
-/// flattens a patch by geodesic locally linear embedding: as little as can be is done to distances between
-/// neighbours, at the price of angles and of areas alike. \cgalCite{cgal:pc-grfgm-05}
+/// Flattens a patch by geodesic locally linear embedding. \cgalCite{cgal:pc-grfgm-05} It changes
+/// distances between neighbors as little as possible; angles and areas are both distorted in
+/// return.
 ///
-/// A few <em>base points</em> are spread over the patch.  Each is a mean of its neighbours along the surface, with
-/// weights that come from distances alone; the plane is where they have the same weights, and about the same
-/// distances.  Every other site goes to the mean of the base points around it, with weights of the same kind,
-/// which fade out smoothly towards those that it does not see: the map is continuous, and smooth between few base
-/// points.
+/// A few <em>base points</em> are distributed over the patch. Each is a weighted mean of its
+/// neighbors on the surface; the weights are computed from distances only. In the plane, base
+/// points have the same weights and about the same distances.
 ///
-/// Where faces flip, up to a thousand about them are moved such that none does and, but for what is around them,
-/// the symmetric Dirichlet energy is least.  Larger groups, as there are on patches that bend much, stay, and so do
-/// those beyond three thousand faces: no face is promised not to flip, see `minimize_distortion()`.
+/// Every other vertex or surfel is mapped to a weighted mean of the base points around it. These
+/// weights are of the same kind and decrease smoothly to zero toward base points that are not used.
+/// The map is therefore continuous, and varies smoothly between sparse base points.
+///
+/// If faces are inverted, up to 1,000 faces around them are moved until all are oriented correctly. The rest
+/// of the map is fixed, and the symmetric Dirichlet energy of the moved faces is minimized. Larger
+/// groups, which occur on patches of high curvature, are not changed, nor are groups beyond a total
+/// of 3,000 faces. It is therefore not guaranteed that no face is inverted; see
+/// `minimize_distortion()`.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
-/// \param surface as for `geodesic_distances()`: one piece, which may have holes
-/// \param uv_map receives where vertices or surfels go: values are `Point_2` or arrays of two numbers, which are
-///        not numbers for vertices without faces and surfels without neighbors.  Lengths are the surface's; most faces
-///        keep their side up.
-/// \param np what `make_domain()` takes, and
+/// \param surface as for `geodesic_distances()`: connected, possibly with holes
+/// \param uv_map receives the image of each vertex or surfel: a `Point_2` or an array of two
+///        numbers, in the unit of the surface. Vertices without faces and surfels without neighbors
+///        get NaN. Most faces are mapped counterclockwise.
+/// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_base_points}
-///     \cgalParamDescription{from 3 to 1,000, as many as there are sites where these are fewer}
-///     \cgalParamDefault{200, and up to 1,000 on a mesh so narrow that those would be farther apart than it is wide
-///       in the mean, which is twice its area over the length of its border} \cgalParamNEnd
+///     \cgalParamDescription{from 3 to 1,000; if there are fewer vertices or surfels, all of them
+///       are base points}
+///     \cgalParamDefault{200; up to 1,000 on a mesh that is so narrow that 200 base points would
+///       have a spacing above its mean width, which is twice its area divided by the length of its
+///       boundary}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{base_points}
-///     \cgalParamDescription{a range of sites, each once: instead of farthest ones; such as those of
-///       `farthest_vertex_sampling()` with `curvature_speeds()`, which are denser where the surface bends}
+///     \cgalParamDescription{a range of different vertices or surfels that replace the farthest
+///       point samples. An example is the output of `farthest_vertex_sampling()` with
+///       `curvature_speeds()`, which is denser in regions of high curvature}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_neighbors}
-///     \cgalParamDescription{how many base points are around each; 3 or more. It is raised, by a quarter at most, where
-///       groups of base points would know only themselves}
+///     \cgalParamDescription{the number of neighbors of each base point, at least 3. If base points
+///       would form disconnected groups, it is increased by at most a quarter}
 ///     \cgalParamDefault{10} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{as for `farthest_vertex_sampling()`} \cgalParamDefault{0} \cgalParamNEnd
+///     \cgalParamDescription{as for `farthest_vertex_sampling()`} \cgalParamDefault{0}
+///       \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels by
-///       returning false: then nothing is written} \cgalParamNEnd
+///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
+///       If it returns false, the computation is cancelled and nothing is written} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the base points, or none when the callback cancelled it
-/// \throws Unsupported_surface_error when the surface is not one piece
-/// \throws Invalid_argument_error when there are less than three base points, or groups of them have no neighbors
-///         in each other, or a number is out of range
+/// \returns the base points; empty if the callback cancelled
+/// \throws Unsupported_surface_error if the surface is not connected
+/// \throws Invalid_argument_error if there are fewer than three base points, if groups of them have
+///         no neighbors in each other, or if a number is out of range
 ///
-/// The fronts of base points end where their neighbours' neighbours are: together they visit each site less than
-/// twenty times for ten neighbours, whatever the number of base points.
+/// The front of each base point ends at the neighbors of its neighbors. With ten neighbors, all
+/// fronts together visit each vertex fewer than twenty times, independently of the number of base
+/// points.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
 auto geodesic_lle(const Surface& surface, UVMap uv_map,

@@ -12,17 +12,20 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingFlattening
 ///
-/// flattens a patch by multidimensional scaling: the distances of all pairs of base points are kept as well as they
-/// can be, far ones most of all. \cgalCite{cgal:zkk-tmmds-02}
+/// Flattens a patch by multidimensional scaling of the distances between all pairs of base points.
+/// \cgalCite{cgal:zkk-tmmds-02}
 ///
-/// Every other site goes where its squared distances to all base points ask for \cgalCite{cgal:st-smsulp-04}; with
-/// all sites as base points this is classical scaling.  Where paths go around holes or
-/// notches, distances are not those of a plane, and the map bends; `geodesic_lle()` sees neighbours alone, and
-/// bends less.
+/// Distances are approximated as well as possible; long distances have the largest influence. Every
+/// other vertex or surfel is embedded by its squared distances to all base points.
+/// \cgalCite{cgal:st-smsulp-04} If all vertices are base points, this is classical scaling.
 ///
-/// Parameters, result and errors are those of `geodesic_lle()`, without neighbours, and with 200 base points by default.
+/// If shortest paths pass around holes or notches, distances differ from distances in the plane,
+/// and the map is bent. `geodesic_lle()` uses distances between neighbors only and bends less.
 ///
-/// Twice as many fronts over the whole surface as there are base points.
+/// Parameters, result and exceptions are the same as for `geodesic_lle()`, but
+/// `number_of_neighbors` is not used. The default number of base points is 200.
+///
+/// Propagates two fronts over the whole surface for each base point.
 template <typename Method = Euclidean_front, typename Surface, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
 auto geodesic_mds(const Surface& surface, UVMap uv_map,

@@ -23,44 +23,52 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingFlattening
-/// what `minimize_distortion()` has done.
+/// The summary of a call of `minimize_distortion()`.
 struct Distortion_minimum
 {
-  std::size_t number_of_flips_before = 0; ///< in the map that was given
-  std::size_t number_of_flips = 0;        ///< in the one that was made
-  std::size_t number_of_steps = 0;
-  double symmetric_dirichlet = 0.; ///< its mean, 4 at least
-  bool is_complete = true;         ///< false: the callback cancelled it
+  std::size_t number_of_flips_before = 0; ///< inverted faces of the given map
+  std::size_t number_of_flips = 0;        ///< inverted faces of the resulting map
+  std::size_t number_of_steps = 0;        ///< steps of Newton's method
+  double symmetric_dirichlet = 0.;        ///< the final mean energy per area, at least 4
+  bool is_complete = true;                ///< false if the callback cancelled
 };
 
 /// \ingroup PkgGeodesicProcessingFlattening
 ///
-/// moves a map of a mesh to the plane to where its symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15} is
-/// least, without flips.
+/// Minimizes the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15} of a map of a mesh to the
+/// plane without inverting faces.
 ///
-/// The energy is infinite where a face loses its area, so that none is turned round on the way: Newton's method
-/// stops short of that.  Flips of the map that is given are turned back where they are few, for which the energy is
-/// made finite there \cgalCite{cgal:gkkprs-ffm-21}.  A map that has more is replaced by Tutte's
-/// \cgalCite{cgal:t-hdg-63}, which has none but for rounding on needles, and the way starts from there;
-/// `Distortion_minimum::number_of_flips` counts those.  Lengths along the mesh are kept as well as they can; the image may still
-/// overlap itself, where the border meets itself.
+/// The energy is infinite if a face has no area, and each Newton step stops before the first
+/// inversion. If the given map has few inverted faces, they are unflipped first by minimizing a
+/// regularized energy, which is finite for inverted faces. \cgalCite{cgal:gkkprs-ffm-21} If this
+/// fails, the map is replaced by Tutte's map. \cgalCite{cgal:t-hdg-63} It has no inverted faces,
+/// except due to round-off errors on thin triangles; `Distortion_minimum::number_of_flips` counts
+/// these.
 ///
-/// \param mesh a triangle mesh, or its domain: a disk, maybe with holes
-/// \param uv_map of vertices, read and written: values are `Point_2` or arrays
-/// \param np what `make_domain()` takes, and
+/// Lengths on the mesh are preserved as well as possible. The image may still overlap itself if the
+/// images of boundary edges intersect.
+///
+/// \param mesh a triangle mesh or its domain: a topological disk, possibly with holes
+/// \param uv_map a property map of vertices that is read and written: values are `Point_2` or
+///        arrays
+/// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDescription{steps of Newton's method}
+///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDescription{maximum number of Newton
+///     steps}
 ///     \cgalParamDefault{200} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels by
-///       returning false: what was found until then has no flips either} \cgalParamNEnd
+///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
+///       If it returns false, the computation is cancelled; the map computed until then is written
+///       and has no inverted faces either} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Unsupported_surface_error when the mesh is not one piece, has no border, or has handles,
-///         or touches itself at a vertex
-/// \throws Invalid_argument_error when a value of the map is not finite
+/// \returns the numbers of inverted faces and of steps, and the energy
+/// \throws Unsupported_surface_error if the mesh is not connected, has no boundary, has handles, or
+///         touches itself at a vertex
+/// \throws Invalid_argument_error if a value of the map is not finite
 ///
-/// Each step factorizes a matrix of two unknowns a vertex; some ten of them, up to a hundred from Tutte's map.
+/// Each step factorizes a matrix with two unknowns per vertex. About ten steps are needed, and up
+/// to a hundred if the iteration starts at Tutte's map.
 template <typename Surface, typename UVMap, typename NamedParameters = internal::Default_parameters>
 Distortion_minimum minimize_distortion(const Surface& mesh, UVMap uv_map,
                                        const NamedParameters& np = NamedParameters())

@@ -17,67 +17,77 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingAtlas
-/// what `texture_atlas()` has made.
+/// The summary of an atlas that `texture_atlas()` computed.
 struct Texture_atlas
 {
   std::size_t number_of_charts = 0;
-  std::size_t number_of_flips = 0;    ///< faces whose image does not turn counterclockwise
-  std::size_t number_of_overlaps = 0; ///< charts whose border meets itself
-  double coverage = 0.;               ///< the part of the unit square that charts cover
-  double texels_per_length = 0.;      ///< about, anywhere on the mesh
-  bool is_complete = true;            ///< false: the callback cancelled it, and nothing is written
+  std::size_t number_of_flips = 0;    ///< faces whose image is not counterclockwise
+  std::size_t number_of_overlaps = 0; ///< charts whose boundary intersects itself
+  double coverage = 0.;               ///< the fraction of the unit square that charts cover
+  double texels_per_length = 0.;      ///< approximate; equal for all charts
+  bool is_complete = true;            ///< false if the callback cancelled; nothing is written then
 
-  /// whether no two places inside of charts have the same texture coordinates. This is a certificate, as what
-  /// it is made of is computed exactly from the coordinates that are written: of a disc whose faces all turn
-  /// counterclockwise and whose border becomes a simple polygon, each place has an image of its own.
+  /// Returns whether no two locations inside charts have the same texture coordinates.
+  ///
+  /// This is a certificate: both numbers are computed exactly from the coordinates that are
+  /// written. If all faces of a disk are counterclockwise and its boundary is mapped to a simple
+  /// polygon, the map is injective.
   bool is_injective() const { return number_of_flips == 0 && number_of_overlaps == 0; }
 };
 
 /// \ingroup PkgGeodesicProcessingAtlas
 ///
-/// lays a mesh into the unit square, cut into charts of about equal size, for a texture. \cgalCite{cgal:pc-grfgm-05}
+/// Computes a texture atlas: cuts a mesh into charts of about equal size, flattens them, and packs
+/// them into the unit square. \cgalCite{cgal:pc-grfgm-05}
 ///
-/// Charts are the discs of `geodesic_centroidal_tessellation()`. Each is flattened like by `geodesic_lle()` and
-/// `minimize_distortion()`, so that no face is turned round. One whose border then meets itself is cut in two
-/// between the places that do. All have the same scale, and are packed as large as room is found.
+/// Charts are the disks of `geodesic_centroidal_tessellation()`. Each is flattened as by
+/// `geodesic_lle()` and `minimize_distortion()`, so no face is inverted. If the boundary of its
+/// image intersects itself, the chart is split in two between the locations that intersect. All
+/// charts have the same scale, and are packed as large as the packing allows.
 ///
-/// Corners of faces have coordinates each, as those of a vertex differ where charts meet in it.
+/// Each corner of a face has its own coordinates, because the coordinates of a vertex differ
+/// between the charts that meet in it.
 ///
-/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`: of the tessellation
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several charts at a
-///         time, with the same result
-/// \param mesh a triangle mesh of any topology, with any number of components and borders
-/// \param number of charts to begin with; there are more where cells are no discs, where charts would overlap
-///        themselves or stretch lengths by two in the mean, and of components that no chart is left for
-/// \param corner_uv_map receives for each halfedge of a face the texture coordinates of the corner that it points
-///        to, `Point_2` or arrays of two numbers in the unit square
-/// \param np what `make_domain()` takes, and
+/// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`, used for the
+///         tessellation
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, which
+///         processes several charts at a time, with the same result
+/// \param mesh a triangle mesh of any topology, with any number of components and boundary cycles
+/// \param number the initial number of charts. More are created if cells are not disks, if charts
+///        would overlap themselves or stretch lengths by a factor of two in the mean, and for
+///        components without a chart
+/// \param corner_uv_map receives for each halfedge of a face the texture coordinates of the corner
+///        that it points to: `Point_2` or arrays of two numbers, in the unit square
+/// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{texture_size} \cgalParamDescription{texels along a side of the texture, 16 or more: what the
-///     gutter is measured in} \cgalParamDefault{1024} \cgalParamNEnd
-///   \cgalParamNBegin{gutter_width} \cgalParamDescription{texels between two charts along one of the axes, at
-///     least, and half as many at the border; bilinear lookup needs three}
+///   \cgalParamNBegin{texture_size} \cgalParamDescription{texels along each edge of the texture, at
+///     least 16; the unit of the gutter} \cgalParamDefault{1024} \cgalParamNEnd
+///   \cgalParamNBegin{gutter_width} \cgalParamDescription{minimum number of texels between two
+///     charts along one of the axes; half as many are kept at the boundary of the texture. Bilinear
+///     lookup needs three}
 ///     \cgalParamDefault{4} \cgalParamNEnd
-///   \cgalParamNBegin{chart_map} \cgalParamDescription{a property map that receives the chart of each face, from 0
-///     on} \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDescription{steps of the tessellation at most}
+///   \cgalParamNBegin{chart_map} \cgalParamDescription{a property map that receives the index of
+///     the chart of each face, starting at 0} \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_iterations} \cgalParamDescription{maximum number of steps
+///     of the tessellation}
 ///     \cgalParamDefault{5} \cgalParamNEnd
-///   \cgalParamNBegin{speed_map} \cgalParamDescription{as for `geodesic_distances()`: charts are smaller where the
-///     speed is lower} \cgalParamDefault{1 everywhere} \cgalParamNEnd
+///   \cgalParamNBegin{speed_map} \cgalParamDescription{as for `geodesic_distances()`: charts are
+///     smaller in regions of lower speed} \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed} \cgalParamDescription{as for `farthest_point_sampling()`}
 ///     \cgalParamDefault{0} \cgalParamNEnd
-///   \cgalParamNBegin{threads} \cgalParamDescription{with `CGAL::Parallel_tag`}
-///     \cgalParamDefault{as many as the machine has} \cgalParamNEnd
+///   \cgalParamNBegin{threads} \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
+///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels by
-///       returning false} \cgalParamNEnd
+///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
+///       If it returns false, the computation is cancelled} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error when a number is zero or out of range, a speed is not usable, or there is no
-///         room for so many charts in so few texels
+/// \returns a summary with the certificate of injectivity
+/// \throws Invalid_argument_error if a number is zero or out of range, if a speed is not usable, or
+///         if the texture has too few texels for the charts
 ///
-/// The tessellation and Newton's method take about half of the time each. The latter factorizes a sparse matrix of
-/// two unknowns for each vertex of a chart, 20 times at most.
+/// The tessellation and Newton's method each take about half of the time. Newton's method
+/// factorizes a sparse matrix with two unknowns per vertex of a chart, at most 20 times.
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
           typename TriangleMesh, typename UVMap,
           typename NamedParameters = internal::Default_parameters>
@@ -112,7 +122,7 @@ Texture_atlas texture_atlas(const TriangleMesh& mesh, std::size_t number, UVMap 
     return result;
   for(internal::Index f = 0; f < found.chart.size(); ++f)
   {
-    // Corner k is where half-edge k begins, and where the one before it points to.
+    // Halfedge k begins at corner k, so it points to corner k + 1.
     auto h = halfedge(domain.face(f), mesh);
     for(internal::Index k = 0; k < 3; ++k, h = next(h, mesh))
     {
