@@ -17,40 +17,45 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
-/// is where the weighted sum of squared distances is the least, and that sum.
+/// The vertex or surfel that minimizes a weighted sum of squared distances, and the minimum.
 template <typename Vertex>
 struct Geodesic_barycenter
 {
-  Vertex vertex;
-  double value;
+  Vertex vertex; ///< the vertex descriptor, or the index of the surfel
+  double value;  ///< the weighted sum of squared distances there
 };
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// finds the barycenter of points: the site at which the weighted sum of squared distances to them is the
-/// least.
+/// Computes the geodesic barycenter of locations: the vertex or surfel that minimizes the weighted
+/// sum of squared distances to them.
 ///
-/// Between sites it may be less: where the surface is flat by the sum of weights times the square of the
-/// distance from there to the site at most.  For the barycenter of masses see `transport_barycenter()`.
+/// Between vertices the sum can be smaller. On a flat surface the difference is at most the sum of
+/// the weights times the squared distance from the minimizer to the vertex. For the barycenter of
+/// mass distributions see `transport_barycenter()`.
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Surface as for `geodesic_distances()`
-/// \param surface where distances are measured
-/// \param locations a range of vertices, locations or `Source`s; not empty
-/// \param np what `make_domain()` takes, `speed_map` as for `Geodesic_distance_solver::compute()`, and
+/// \param surface the surface on which distances are measured
+/// \param locations a nonempty range of vertices (or surfels), locations or `Source`s
+/// \param np parameters of `make_domain()`, `speed_map` as for `Geodesic_distance_solver::compute()`,
+///        and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{weights}
-///     \cgalParamDescription{a range of numbers, one for each place: not negative, not all zero}
+///     \cgalParamDescription{a range of nonnegative numbers, one for each location, not all zero}
 ///     \cgalParamDefault{1 each} \cgalParamNEnd
 ///   \cgalParamNBegin{objective_map}
-///     \cgalParamDescription{receives for each site the weighted sum of squared distances: a `double`,
-///       +infinity where a place of positive weight does not reach} \cgalParamNEnd
+///     \cgalParamDescription{receives for each vertex or surfel the weighted sum of squared
+///       distances: a `double`, +infinity if a location of positive weight does not reach it}
+///       \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error as `Geodesic_distance_solver::compute()`, when there is no place, a
-///         weight is negative or not finite, all are zero, or no site is reached by all places
+/// \returns a `Geodesic_barycenter`
+/// \throws Invalid_argument_error as `Geodesic_distance_solver::compute()`; also if there is no
+///         location, if a weight is negative or not finite, if all weights are zero, or if no
+///         vertex is reached from all locations
 ///
-/// As many computations of distances as there are places.
+/// Takes one distance computation for each location.
 template <typename Method = Euclidean_front, typename Surface, typename Locations,
           typename NamedParameters = internal::Default_parameters>
 auto geodesic_barycenter(const Surface& surface, const Locations& locations,
