@@ -23,16 +23,18 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// how places inside of a base face get their coordinates; on its edges they divide these by length.
+/// The kind of barycentric coordinates inside a base face. Base edges are parameterized by arc
+/// length.
 ///
-/// `heron`: the areas of the planar triangles whose sides are geodesic distances to the corners and the
-/// edges' lengths, \cgalCite{cgal:pc-grfp-03} which keep distances where the surface is flat.  `mean_value`:
-/// Floater's convex combinations (2003).  `uniform`: the mean of the neighbours (Tutte 1963).
+/// `heron`: areas of planar triangles whose edge lengths are the lengths of the base edges and the
+/// geodesic distances to the corners. \cgalCite{cgal:pc-grfp-03} They preserve distances if the
+/// surface is flat. `mean_value`: Floater's convex combinations (2003). `uniform`: the mean of the
+/// neighbors (Tutte 1963).
 using Base_coordinates = internal::Base_coordinates;
 
 namespace internal {
 
-// What named parameters ask of a base mesh.
+// Converts the named parameters of a base mesh to options.
 template <typename Surface, typename Domain, typename NamedParameters>
 Remeshing_options base_mesh_options(const Surface& surface, const Domain& domain,
                                     std::size_t number, const NamedParameters& np)
@@ -46,25 +48,27 @@ Remeshing_options base_mesh_options(const Surface& surface, const Domain& domain
 } // namespace internal
 
 /// \ingroup PkgGeodesicProcessingRemeshing
-/// a place on a base mesh.
+/// A location on a base mesh.
 struct Base_location
 {
-  std::size_t face = 0;                             ///< its number
-  std::array<double, 3> barycentric = {1., 0., 0.}; ///< the shares of its corners
+  std::size_t face = 0;                             ///< index of the base face
+  std::array<double, 3> barycentric = {1., 0., 0.}; ///< weights of its corners
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// A mesh and a base of few triangles, which are mapped onto each other: continuous, and one to one.
+/// A continuous, one-to-one map between a mesh and a base mesh with few triangles.
 /// \cgalCite{cgal:pc-grfp-03}
 ///
-/// The base is the geodesic Delaunay triangulation of samples; its edges are drawn on the mesh as
-/// `geodesic_base_mesh()` tells.  Where coordinates fold a triangle, which Heron's do where the surface bends
-/// much within a base face, the whole face gets mean value coordinates, and where rounding folds these,
-/// uniform ones: these are convex combinations and do not fold, for the same boundary (Tutte 1963, Floater
-/// 1997).
+/// The base mesh is the geodesic Delaunay triangulation of samples. Its edges are paths on the
+/// mesh; see `geodesic_base_mesh()`.
 ///
-/// Knows the mesh's descriptors, as a `Mesh_domain`, but not the mesh.
+/// Heron coordinates can fold triangles of the mesh if the curvature within a base face is high. If
+/// coordinates fold a triangle, the whole base face gets mean value coordinates. If round-off
+/// errors fold triangles of these, it gets uniform coordinates. Both are convex combinations, which
+/// do not fold triangles and have the same boundary values (Tutte 1963, Floater 1997).
+///
+/// The object stores the descriptors of the mesh, as a `Mesh_domain` does, but not the mesh.
 template <typename TriangleMesh>
 class Base_parameterization
 {
@@ -75,26 +79,27 @@ public:
   using Location = typename Domain::Location; ///< `Polygon_mesh_processing::Face_location`
   using Point_3 = typename Domain::Point_3;
 
-  /// finds the base, and the map.
+  /// Computes the base mesh and the map.
   ///
-  /// \param mesh all of whose faces are triangles
-  /// \param number of base vertices; more come where it takes them
-  /// \param np what `make_domain()` takes, `random_seed`, `number_of_relaxation_steps`, `first_samples`,
-  ///        `speed_map`, `sharp_angle`, `edge_is_constrained_map`, `curve_spacing`, `edge_spacing_map` and
-  ///        `callback` as for `geodesic_delaunay_remeshing()`: base edges follow borders, sharp and
-  ///        constrained edges exactly; and
+  /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+  /// \param number the number of base vertices; more are added if the topology requires them
+  /// \param np parameters of `make_domain()`; `random_seed`, `number_of_relaxation_steps`,
+  ///        `first_samples`, `speed_map`, `sharp_angle`, `edge_is_constrained_map`,
+  ///        `curve_spacing`, `edge_spacing_map` and `callback` as for
+  ///        `geodesic_delaunay_remeshing()`. Base edges follow the boundary, sharp edges and
+  ///        constrained edges exactly. In addition:
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{base_coordinates}
   ///     \cgalParamDescription{a `Base_coordinates`} \cgalParamDefault{`Base_coordinates::heron`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error when edges cannot be drawn, which rounding alone could cause, or
-  ///         triangles of the mesh cannot be remeshed
-  /// \throws Invalid_argument_error as `geodesic_delaunay_remeshing()`, and when the callback cancels
+  /// \throws Unsupported_surface_error if edges cannot be traced on the mesh, which only round-off
+  ///         errors could cause, or if the triangles of the mesh cannot be remeshed
+  /// \throws Invalid_argument_error as `geodesic_delaunay_remeshing()`, and if the callback cancels
   ///
-  /// Near-linear in the mesh and the length of the edges, in its sides; exact distances visit each vertex
-  /// three times.
+  /// Takes near-linear time in the size of the mesh and in the length of the base edges, measured
+  /// in edges of the mesh. Exact distances visit each vertex three times.
   template <typename NamedParameters = internal::Default_parameters>
   Base_parameterization(const TriangleMesh& mesh, std::size_t number,
                         const NamedParameters& np = NamedParameters())
@@ -109,16 +114,19 @@ public:
         internal::parameter(np, internal_np::base_coordinates, Base_coordinates::heron));
   }
 
+  /// Returns the number of vertices of the base mesh.
   std::size_t number_of_base_vertices() const { return m_map->base().samples.size(); }
+  /// Returns the number of faces of the base mesh.
   std::size_t number_of_base_faces() const { return m_map->base().triangles.size(); }
-  /// the numbers of the corners of a base face, counterclockwise, to which coordinates belong.
+  /// Returns the indices of the base vertices at the corners of a base face, counterclockwise.
+  /// Barycentric coordinates are in the same order.
   std::array<std::size_t, 3> base_face(std::size_t face) const
   {
     check_face(face);
     const auto& f = m_map->base().triangles[face];
     return {f[0], f[1], f[2]};
   }
-  /// where a base vertex is.
+  /// Returns the location of a base vertex on the mesh.
   Location base_vertex(std::size_t vertex) const
   {
     if(vertex >= number_of_base_vertices())
@@ -126,28 +134,32 @@ public:
     return m_domain.outer(m_map->base().samples[vertex]);
   }
 
-  /// the number of triangles that are folded: zero, but where rounding folds uniform coordinates.
+  /// Returns the number of folded triangles. It is zero unless round-off errors fold triangles with
+  /// uniform coordinates.
   std::size_t folds() const { return m_map->folds(); }
-  /// the number of base faces whose coordinates are not those asked for.
+  /// Returns the number of base faces whose coordinates were replaced by another kind.
   std::size_t repaired_faces() const { return m_map->number_of_repaired_regions(); }
 
-  /// returns where a place of the mesh is on the base.  Proportional to the parts of its face.
+  /// Maps a location of the mesh to the base mesh. Takes time proportional to the number of parts
+  /// into which base edges divide its face.
   Base_location operator()(const Location& location) const
   {
     return locate(internal::canonical(*m_domain.triangles(), m_domain.inner(location)));
   }
-  /// the same for a vertex; one that has no face throws `Invalid_argument_error`.
+  /// Maps a vertex of the mesh to the base mesh. Throws `Invalid_argument_error` if the vertex has
+  /// no face.
   Base_location operator()(typename Domain::Vertex vertex) const
   {
     return locate(
         internal::vertex_location(*m_domain.triangles(), m_domain.inner_vertex(vertex).vertex));
   }
-  /// returns what place of the mesh is at a place of the base.  Proportional to the faces of its base face.
+  /// Maps a location of the base mesh to the mesh. Takes time proportional to the number of faces
+  /// of the divided mesh in its base face.
   Location inverse(const Base_location& location) const { return m_domain.outer(inner(location)); }
-  /// the same as a point.
+  /// Maps a location of the base mesh to the point on the mesh.
   Point_3 point(const Base_location& location) const { return m_domain.point(inner(location)); }
 
-  /// \name For other functions of this package
+  /// \name Access for other functions of this package
   /// @{
   const Domain& domain() const { return m_domain; }
   const internal::Base_map& map() const { return *m_map; }
@@ -170,7 +182,7 @@ private:
   {
     check_face(location.face);
     const auto& b = location.barycentric;
-    // 1e-6 is what rounding can do to the sum of three.
+    // The tolerance of 1e-6 admits round-off errors in the sum of three coordinates.
     if(!((std::min)({b[0], b[1], b[2]}) > -1e-6) || !(std::abs(b[0] + b[1] + b[2] - 1.) < 1e-6))
       throw Invalid_argument_error("Barycentric coordinates are negative or do not sum to one.");
     return m_map->inverse({internal::Index(location.face), b});

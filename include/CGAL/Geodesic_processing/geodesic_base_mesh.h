@@ -14,20 +14,22 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// makes a base mesh, the geodesic Delaunay triangulation of few samples, and divides a copy of the mesh
-/// along its edges: each base face is exactly a set of faces of that copy, a disc between its three edges.
-/// \cgalCite{cgal:pc-grfp-03}
+/// Computes a base mesh, the geodesic Delaunay triangulation of few samples, and splits a copy of
+/// the mesh along its edges. \cgalCite{cgal:pc-grfp-03}
 ///
-/// Edges are locally shortest, but keep off vertices and one another by about a two-hundredth of an edge of
-/// the mesh, so that they meet in base vertices only.  Genus, borders and components are the mesh's.
+/// Each base face is the union of a set of faces of that copy: a disk bounded by its three base
+/// edges. Base edges are locally shortest. They keep a distance of about 1/200 of a mesh edge from
+/// vertices and from each other, so they meet in base vertices only. The genus, boundary cycles and
+/// connected components are the same as those of the mesh.
 ///
 /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
-/// \param number of base vertices; 0 asks for as few as it takes
-/// \param base any model of `MutableFaceGraph`, to which base vertices and faces are added
-/// \param divided likewise: the mesh, divided
-/// \param base_face_map receives for each face of `divided` the face of `base` that it is a part of
+/// \param number the number of base vertices; 0 requests the minimum that the topology requires
+/// \param base a model of `MutableFaceGraph`, to which base vertices and faces are added
+/// \param divided a model of `MutableFaceGraph`, to which the vertices and faces of the split mesh
+///        are added
+/// \param base_face_map receives for each face of `divided` the face of `base` that contains it
 /// \param np as for `Base_parameterization`
-/// \returns what became of it; where the callback cancelled it nothing is added
+/// \returns a summary of the result; if the callback cancelled, nothing is added to the meshes
 /// \throws as `Base_parameterization`
 template <typename TriangleMesh, typename BaseMesh, typename DividedMesh, typename BaseFaceMap,
           typename NamedParameters = internal::Default_parameters>
@@ -55,7 +57,7 @@ Remeshing_result geodesic_base_mesh(const TriangleMesh& mesh, std::size_t number
     base_points.push_back(position(vertex));
   const auto base_faces = internal::add_faces(base_points, found.triangles, base);
 
-  // Without sites that have no triangle.
+  // Vertices without triangles are omitted.
   std::vector<internal::Index> vertex_index(fine.number_of_vertices(), internal::none);
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<internal::Index, 3>> triangles(fine.number_of_triangles());

@@ -11,12 +11,14 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// maps the vertices of a mesh to a base of few triangles, as `Base_parameterization`, which is returned and
-/// answers for all other places.
+/// Maps the vertices of a mesh to a base mesh with few triangles.
 ///
-/// \param mesh all of whose faces are triangles
-/// \param number of base vertices
-/// \param base_location_map receives for each vertex its `Base_location`; vertices without faces have none
+/// The returned `Base_parameterization` also maps all other locations.
+///
+/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+/// \param number the number of base vertices
+/// \param base_location_map receives for each vertex its `Base_location`; vertices without faces
+///        are not written
 /// \param np as for `Base_parameterization`
 /// \throws as `Base_parameterization`
 template <typename TriangleMesh, typename BaseLocationMap,

@@ -12,38 +12,44 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingRemeshing
-/// what base faces are cut into.
+/// The refinement pattern of base faces.
 enum class Subdivision_scheme
 {
-  triangles, ///< four triangles, and each of these into four
-  quads      ///< three quadrilaterals, and each of these into four
+  triangles, ///< each triangle is split into four
+  quads      ///< each base face is split into three quads, and each quad into four
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
-/// what became of a semi-regular remeshing.
+/// The summary of a semi-regular remeshing.
 struct Semi_regular_result
 {
-  unsigned levels = 0; ///< how often faces have been cut; of quads, after the first three
-  std::size_t base_faces = 0;
-  std::size_t folds = 0; ///< of the parameterization
-  double deviation = 0.; ///< of the mesh's vertices, where `maximum_deviation` is given
+  /// Number of 1-to-4 refinements; for quads, the first split into three is not counted.
+  unsigned levels = 0;
+  std::size_t base_faces = 0; ///< number of faces of the base mesh
+  std::size_t folds = 0;      ///< number of folded triangles of the parameterization
+  /// Maximum distance of a vertex of the mesh from the point of the result with the same base
+  /// coordinates; 0 if `maximum_deviation` is not given.
+  double deviation = 0.;
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// makes a mesh with subdivision connectivity: each face of a base mesh is cut again and again, by the same
-/// pattern, and vertices lie on the mesh where a `Base_parameterization` has their places.
+/// Computes a mesh with subdivision connectivity: the faces of a base mesh are uniformly refined.
 /// \cgalCite{cgal:pc-grfp-03}
 ///
-/// All vertices but those of the base have six neighbours, or on borders four; in meshes of quads four, or
-/// three on borders and in the middles of base faces.  Vertices are added level by level: those of a coarser
-/// mesh come first, in its order.  Faces \f$4f\f$ to \f$4f+3\f$ are the parts of face \f$f\f$ of the level
-/// before; quads \f$3f\f$ to \f$3f+2\f$ of level 0 are those of base face \f$f\f$.
+/// All vertices lie on the mesh, at the locations that a `Base_parameterization` assigns to them.
+/// In triangle meshes all vertices except base vertices have six neighbors, or four on the
+/// boundary. In quad meshes they have four neighbors, or three on the boundary and in the centers
+/// of base faces.
 ///
-/// \param mesh all of whose faces are triangles
-/// \param number of base vertices
-/// \param levels how often faces are cut
-/// \param output any model of `MutableFaceGraph`, to which the vertices and faces are added
+/// Vertices are added level by level: the vertices of a coarser level come first and keep their
+/// order. Faces \f$4f\f$ to \f$4f+3\f$ are the parts of face \f$f\f$ of the previous level. Quads
+/// \f$3f\f$ to \f$3f+2\f$ of level 0 are the parts of base face \f$f\f$.
+///
+/// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
+/// \param number the number of base vertices
+/// \param levels the number of 1-to-4 refinements
+/// \param output a model of `MutableFaceGraph`, to which the vertices and faces are added
 /// \param np as for `Base_parameterization`, and
 ///
 /// \cgalNamedParamsBegin
@@ -51,15 +57,17 @@ struct Semi_regular_result
 ///     \cgalParamDescription{a `Subdivision_scheme`}
 ///     \cgalParamDefault{`Subdivision_scheme::triangles`} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
-///     \cgalParamDescription{of triangles: less levels where these are enough that no vertex of the mesh is
-///       farther from what is at its place: what is left over is the result's `deviation`}
+///     \cgalParamDescription{for triangles only: refinement stops before `levels` once each vertex
+///       of the mesh is within this distance of the point of the result with the same base
+///       coordinates. The remaining distance is returned as `deviation`}
 ///     \cgalParamDefault{all levels} \cgalParamNEnd
 ///   \cgalParamNBegin{level_map}
-///     \cgalParamDescription{receives for each vertex of the output the level on which it comes, 0 of the
-///       base, and of quads also of the vertices that the first three have} \cgalParamNEnd
+///     \cgalParamDescription{receives for each vertex of the output the level that adds it. Level 0
+///       contains the base vertices and, for quads, also the vertices that the first split into
+///       three adds} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error also when there would be more than 2<SUP>31</SUP> sides, and when quads have a
-///         maximum deviation
+/// \throws Invalid_argument_error as `Base_parameterization`; also if there would be more than
+///         2<SUP>31</SUP> halfedges, and if quads are combined with a maximum deviation
 template <typename TriangleMesh, typename OutputMesh,
           typename NamedParameters = internal::Default_parameters>
 Semi_regular_result semi_regular_remeshing(const TriangleMesh& mesh, std::size_t number,
