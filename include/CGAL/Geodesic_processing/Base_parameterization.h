@@ -94,8 +94,8 @@ public:
   ///     \cgalParamDescription{a `Base_coordinates`} \cgalParamDefault{`Base_coordinates::heron`}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error if edges cannot be traced on the mesh, which only round-off
-  ///         errors could cause, or if the triangles of the mesh cannot be remeshed
+  /// \throws Unsupported_surface_error if the triangles of the mesh cannot be remeshed, or if edges
+  ///         cannot be traced on the mesh. Only round-off errors could cause the latter
   /// \throws Invalid_argument_error as `geodesic_delaunay_remeshing()`, and if the callback cancels
   ///
   /// Takes near-linear time in the size of the mesh and in the length of the base edges, measured

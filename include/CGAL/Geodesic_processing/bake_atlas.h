@@ -21,8 +21,8 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingAtlas
 ///
-/// Computes the texture of a mesh with texture coordinates: the color of each texel is evaluated at
-/// the location on the mesh that its center shows.
+/// Computes the texture of a mesh with texture coordinates. Each texel gets the color of the
+/// location on the mesh that its center shows.
 ///
 /// Texels outside of a chart, up to half of the gutter away, get the color of the closest location
 /// on the chart. The background is therefore not visible if adjacent texels are interpolated.

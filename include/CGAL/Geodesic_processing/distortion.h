@@ -105,8 +105,8 @@ Vec2 image_of(typename boost::graph_traits<Mesh>::halfedge_descriptor h, const M
 ///
 /// \param face a triangle of `mesh`
 /// \param mesh a model of `FaceListGraph`
-/// \param uv_map the map to the plane: a property map of vertices, or of halfedges, which gives the
-///        image of the corner that the halfedge points to. Values are `Point_2` or arrays.
+/// \param uv_map the UV map: a property map of vertices or of halfedges. For a halfedge it gives
+///        the image of the corner that the halfedge points to. Values are `Point_2` or arrays.
 /// \param np `vertex_point_map`
 template <typename Mesh, typename UVMap, typename NamedParameters = internal::Default_parameters>
 Face_distortion face_distortion(typename boost::graph_traits<Mesh>::face_descriptor face,

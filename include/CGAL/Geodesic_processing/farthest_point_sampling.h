@@ -17,7 +17,7 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// The samples of a domain that named parameters ask for, one after another handed to `out`.
+// Samples a domain as the named parameters specify, and calls `report_sample` with each sample.
 template <typename Method, typename Domain, typename NamedParameters, typename Out>
 void run_farthest_sampling(const Domain& domain, std::size_t number,
                            Sample_location sample_location, const NamedParameters& np,
@@ -65,56 +65,61 @@ void run_farthest_sampling(const Domain& domain, std::size_t number,
 
 /// \ingroup PkgGeodesicProcessingSampling
 ///
-/// spreads samples evenly over a surface: each one where the distance to those before it is largest.
-/// \cgalCite{cgal:pc-grfp-03}
+/// Distributes samples evenly over a surface by farthest point sampling: each new sample has the
+/// largest distance to the previous ones. \cgalCite{cgal:pc-grfp-03}
 ///
-/// On a mesh a sample may lie inside a face, where the fronts that come to the farthest vertex meet
-/// (section 3.1 of the paper); where they do not, at borders and at the tips of cones, it is that vertex.
-/// On a cloud samples are surfels.  A component without a sample is sampled before any other, first at
-/// a place as far as can be from one of its vertices.  Vertices without faces and surfels without neighbors, such
-/// as outliers, are no components: no sample is there, and none reaches them.
+/// On a mesh a sample can lie inside a face, at the point in which fronts meet near the farthest
+/// vertex (section 3.1 of the paper). If they do not meet, at boundaries and at the tips of cones,
+/// the sample is that vertex. On a cloud samples are surfels.
 ///
-/// The <em>covering radius</em> is the largest distance of a vertex or a surfel from its nearest sample,
-/// infinite as long as a component has none; it never grows.  Fewer samples than asked for are found
-/// when it is zero.
+/// Components without a sample are sampled before all others. The first sample of a component is
+/// the location farthest from one of its vertices. Vertices without faces and surfels without
+/// neighbors, such as outliers, are not components: they are never sampled, and no sample reaches
+/// them.
+///
+/// The <em>covering radius</em> is the maximum distance of a vertex or surfel to its nearest
+/// sample. It is infinite if a component has no sample, and it never increases. If it becomes zero,
+/// fewer samples than requested are returned.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
 /// \param surface as for `geodesic_distances()`
-/// \param number how many samples to add; as many as the covering radius takes with
-///        `std::numeric_limits<std::size_t>::max()`
+/// \param number the number of samples to add. With `std::numeric_limits<std::size_t>::max()`,
+///        samples are added until the covering radius is reached
 /// \param samples an output iterator that takes `Location<Surface>`
-/// \param np what `make_domain()` takes, and
+/// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{covering_radius}
-///     \cgalParamDescription{stops when the covering radius is not larger than this}
+///     \cgalParamDescription{sampling stops if the covering radius is at most this value}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{first_samples}
-///     \cgalParamDescription{a site, a location, or a range of them: samples that are there already.
-///       They are neither counted nor written; where labels are asked for they come first.}
+///     \cgalParamDescription{a vertex, a surfel, a location, or a range of these: existing samples.
+///       They are neither counted nor written to `samples`. In the labels they are numbered first.}
 ///     \cgalParamDefault{none} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{of the vertex from which the first sample is farthest}
+///     \cgalParamDescription{selects the vertex from which the first sample is farthest}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{speed_map}
-///     \cgalParamDescription{as for `geodesic_distances()`: samples are denser where the speed is lower}
+///     \cgalParamDescription{as for `geodesic_distances()`: samples are denser in regions of lower
+///       speed}
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{covering_radius_output}
 ///     \cgalParamDescription{an output iterator that takes the covering radius after each sample}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{source_label_map}
-///     \cgalParamDescription{receives for each site the position of its nearest sample; the largest
-///       `std::size_t` where none reaches} \cgalParamNEnd
+///     \cgalParamDescription{receives for each vertex or surfel the position of its nearest sample,
+///       or the largest `std::size_t` if no sample reaches it} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels
-///       by returning false; what was found until then is written} \cgalParamNEnd
+///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
+///       If it returns false, sampling is cancelled; samples found until then are written}
+///       \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \returns the output iterator behind the last sample
-/// \throws Invalid_argument_error when a location, a speed or the covering radius is not usable
+/// \returns the output iterator past the last sample
+/// \throws Invalid_argument_error if a location, a speed or the covering radius is not usable
 ///
-/// A sample costs in proportion to the vertices that it is nearest to when it comes.  Samples 1 to k of
-/// n vertices take O(n log k) steps of a front together, about as many as seven fronts over the whole
-/// surface for k = 1,000.
+/// Adding a sample takes time proportional to the number of vertices in its Voronoi cell at that
+/// time. For n vertices, samples 1 to k together take O(n log k) steps of a front. For k = 1,000
+/// this is about seven fronts over the whole surface.
 template <typename Method = Euclidean_front, typename Surface, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>
 OutputIterator farthest_point_sampling(const Surface& surface, std::size_t number,
@@ -130,9 +135,13 @@ OutputIterator farthest_point_sampling(const Surface& surface, std::size_t numbe
 
 /// \ingroup PkgGeodesicProcessingSampling
 ///
-/// is `farthest_point_sampling()` with samples at vertices or surfels only.
+/// Distributes samples as `farthest_point_sampling()`, but only at vertices or surfels.
 ///
+/// \param surface as for `farthest_point_sampling()`
+/// \param number as for `farthest_point_sampling()`
 /// \param vertices an output iterator that takes vertex descriptors, or indices of surfels
+/// \param np as for `farthest_point_sampling()`
+/// \returns the output iterator past the last sample
 template <typename Method = Euclidean_front, typename Surface, typename OutputIterator,
           typename NamedParameters = internal::Default_parameters>
 OutputIterator farthest_vertex_sampling(const Surface& surface, std::size_t number,

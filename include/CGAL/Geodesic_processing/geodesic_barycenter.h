@@ -38,8 +38,8 @@ struct Geodesic_barycenter
 /// \tparam Surface as for `geodesic_distances()`
 /// \param surface the surface on which distances are measured
 /// \param locations a nonempty range of vertices (or surfels), locations or `Source`s
-/// \param np parameters of `make_domain()`, `speed_map` as for `Geodesic_distance_solver::compute()`,
-///        and
+/// \param np parameters of `make_domain()`, `speed_map` as for
+///        `Geodesic_distance_solver::compute()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{weights}
@@ -51,9 +51,9 @@ struct Geodesic_barycenter
 ///       \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns a `Geodesic_barycenter`
-/// \throws Invalid_argument_error as `Geodesic_distance_solver::compute()`; also if there is no
-///         location, if a weight is negative or not finite, if all weights are zero, or if no
-///         vertex is reached from all locations
+/// \throws Invalid_argument_error as `Geodesic_distance_solver::compute()`. Also if there is no
+///         location, a weight is negative or not finite, all weights are zero, or no vertex is
+///         reached from all locations
 ///
 /// Takes one distance computation for each location.
 template <typename Method = Euclidean_front, typename Surface, typename Locations,

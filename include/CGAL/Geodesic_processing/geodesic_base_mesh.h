@@ -20,7 +20,7 @@ namespace CGAL::Geodesic_processing {
 /// Each base face is the union of a set of faces of that copy: a disk bounded by its three base
 /// edges. Base edges are locally shortest. They keep a distance of about 1/200 of a mesh edge from
 /// vertices and from each other, so they meet in base vertices only. The genus, boundary cycles and
-/// connected components are the same as those of the mesh.
+/// connected components are the same as for the mesh.
 ///
 /// \param mesh a model of `FaceListGraph`, all of whose faces are triangles
 /// \param number the number of base vertices; 0 requests the minimum that the topology requires

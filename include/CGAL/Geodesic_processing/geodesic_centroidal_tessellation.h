@@ -19,58 +19,67 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingFlattening
 ///
-/// divides a surface into cells of about equal size: those of a geodesic Voronoi diagram, whose centres have
-/// gone to the intrinsic centres of mass of their cells. \cgalCite{cgal:pc-ssgct-04}
+/// Computes a centroidal tessellation: divides a surface into geodesic Voronoi cells of about equal
+/// size. Centers are moved to the intrinsic centroids of their cells. \cgalCite{cgal:pc-ssgct-04}
 ///
-/// From farthest points on, each centre \f$c\f$ goes by the mean of the logarithms of its cell, which is
-/// \f$-\frac{1}{2}\f$ of the gradient of the energy \f$\int d(c, x)^2 dx\f$ over the area, or a part of that way: no
-/// step raises the sum of the energies of all cells.
+/// Centers are initialized by farthest point sampling. Each step moves a center \f$c\f$ by the mean
+/// of the logarithms of its cell, or by a fraction of this mean. The mean is \f$-\frac{1}{2}\f$ of
+/// the gradient of the energy \f$\int d(c, x)^2 dx\f$, divided by the area. No step increases the
+/// sum of the energies of all cells.
 ///
-/// On a mesh the cells are patches of faces. Each is in one piece and meets itself in no vertex alone, as far as
-/// it has a neighbour that can take what does not fit. They need not be discs unless that is asked for: a cell
-/// around a tube is an annulus.
+/// On a mesh the cells are patches of faces. Each patch is connected and does not touch itself at a
+/// single vertex, provided that an adjacent cell can take the disconnected fragments. Patches need
+/// not be disks unless `do_make_discs` is set: a cell around a tube is an annulus.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several cells at a
-///         time, with the same result
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, which
+///         processes several cells at a time, with the same result
 /// \param surface as for `geodesic_distances()`
-/// \param number of cells; there are fewer where not as many places are apart, and a component without a
-///        centre is in no cell
-/// \param label_map receives for each face the label of its cell, 0 to one less than the number of cells, on a
-///        cloud for each surfel; the largest `std::size_t` where there is no centre in reach
-/// \param np what `make_domain()` takes, and
+/// \param number the number of cells. There are fewer if the surface does not have as many
+///        different locations. A component without a center is in no cell
+/// \param label_map receives the label of the cell for each face of a mesh or each surfel of a
+///        cloud. Labels are from 0 to one less than the number of cells. If no center reaches a
+///        face or surfel, the value is the largest `std::size_t`
+/// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{do_make_discs}
-///     \cgalParamDescription{on a mesh: whether each patch is to be a topological disc. Cells that are none get
-///       further centres, and what is left is cut in two; so there are more than asked for. Where handles are more
-///       than these, centres begin to move when cells are discs}
+///     \cgalParamDescription{on a mesh: whether each patch is required to be a topological disk.
+///       Cells that are not disks get additional centers, and cells that are still not disks are
+///       split in two. The result therefore has more cells than requested. If the surface has more
+///       handles than `number`, centers are moved only after cells were added to obtain disks. Two
+///       holes count as one handle}
 ///     \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_iterations}
-///     \cgalParamDescription{steps, and as many once cells were added for discs; they end earlier where one gains
-///       less than a thousandth of the energy}
+///     \cgalParamDescription{the maximum number of steps, and at most as many again after cells
+///       were added to obtain disks. Iteration stops if a step decreases the energy by less than a
+///       thousandth}
 ///     \cgalParamDefault{20} \cgalParamNEnd
 ///   \cgalParamNBegin{speed_map}
-///     \cgalParamDescription{as for `geodesic_distances()`: cells are smaller where the speed is lower}
+///     \cgalParamDescription{as for `geodesic_distances()`: cells are smaller in regions of lower
+///       speed}
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed} \cgalParamDescription{as for `farthest_point_sampling()`}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{center_output}
-///     \cgalParamDescription{an output iterator that takes `Location<Surface>`: the centre of each cell}
+///     \cgalParamDescription{an output iterator that takes the center of each cell as
+///       `Location<Surface>`}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{energy_output}
-///     \cgalParamDescription{an output iterator that takes the energy at the start, after each step and after
-///       cells were added for discs, an area times a squared distance} \cgalParamNEnd
-///   \cgalParamNBegin{threads} \cgalParamDescription{with `CGAL::Parallel_tag`}
-///     \cgalParamDefault{as many as the machine has} \cgalParamNEnd
+///     \cgalParamDescription{an output iterator that takes the energy at the start, after each
+///       step, and after cells were added to obtain disks. Its unit is an area times a squared
+///       distance} \cgalParamNEnd
+///   \cgalParamNBegin{threads} \cgalParamDescription{number of threads with `CGAL::Parallel_tag`}
+///     \cgalParamDefault{all hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels by
-///       returning false; then what was found until then is written} \cgalParamNEnd
+///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
+///       If it returns false, the computation is cancelled; the result found until then is written}
+///       \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns the number of cells
-/// \throws Invalid_argument_error when the number is zero, or a speed is not usable
+/// \throws Invalid_argument_error if the number is zero or a speed is not usable
 ///
-/// A step takes the time of about five fronts over the surface.
+/// Each step takes about the time of five fronts over the surface.
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
           typename Surface, typename LabelMap,
           typename NamedParameters = internal::Default_parameters>

@@ -22,125 +22,136 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingRemeshing
-/// what to do when so many samples cannot make what is asked for.
+/// The action if the requested number of samples is too small for a valid result.
 enum class Too_few_samples
 {
-  refine,   ///< add some where they are missing
-  are_wrong ///< throw `Invalid_argument_error`, which says how many it takes
+  refine,   ///< add samples in the regions that need them
+  are_wrong ///< throw `Invalid_argument_error`, whose message states the required number
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
-/// what became of a remeshing.
+/// The summary of a remeshing.
 struct Remeshing_result
 {
-  std::size_t added = 0; ///< vertices beyond the number asked for
-  /// pairs of faces that intersect though they were not to, as CGAL's `self_intersections()` counts them,
-  /// but no more than there are faces
+  std::size_t added = 0; ///< number of vertices beyond the requested number
+  /// Number of pairs of intersecting faces, as CGAL's `self_intersections()` counts them, but at
+  /// most the number of faces. Computed only if self-intersections were to be avoided.
   std::size_t self_intersections = 0;
-  bool is_finished = true; ///< false when the callback cancelled it; then the output is untouched
+  bool is_finished = true; ///< false if the callback cancelled; the output is unchanged then
 };
 
 /// \ingroup PkgGeodesicProcessingRemeshing
 ///
-/// covers a mesh with samples and joins them by the geodesic Delaunay triangulation: a coarser, or a
-/// finer, mesh of the same surface, of even triangles. \cgalCite{cgal:pc-grfp-03}  Of a clean surfel
-/// cloud it makes a coarse reconstruction: of the surface that `advancing_front_surface_reconstruction()`
-/// lays through it, with triangles as small as the cloud's own, so that gaps stay open.
+/// Computes the geodesic Delaunay triangulation of samples on a mesh: a coarser or finer mesh of
+/// the same surface, with well-shaped triangles. \cgalCite{cgal:pc-grfp-03}
 ///
-/// Vertices lie on the input, unless they are to fit it: samples spread as by `farthest_point_sampling()`, and along its borders
-/// at equal steps and at their corners, if these are not nearer to each other than half of a step. They
-/// have an edge where their Voronoi cells meet, and a face where three of these do. The result has the
-/// topology of the input, component by component: genus, borders, orientation; no two faces have the
-/// same vertices. Isolated vertices are left out, and where the input pinches at a vertex it is taken
-/// apart there.
+/// From a clean surfel cloud it computes a coarse reconstruction. The input surface is then the
+/// result of `advancing_front_surface_reconstruction()` on the cloud. Its triangles are as small as
+/// the spacing of the surfels, so that gaps remain open.
 ///
-/// Where faces intersect they are too far from the input, and get more samples, too: near to each other
-/// sheets of it stay apart. What intersects itself in the input cannot be cured so, and is left; where ten
-/// rounds are in vain, none of their samples are kept.
+/// Vertices lie on the input, unless `do_fit` is set. Samples are distributed as by
+/// `farthest_point_sampling()`. On boundary cycles they have equal spacing. Corners of the boundary
+/// are samples too, unless they are closer to each other than half of the spacing.
 ///
-/// Where four cells almost meet in a place, edges are those that make the least angle larger.
+/// Two samples are connected by an edge if their Voronoi cells are adjacent. Three samples form a
+/// face if their cells meet. Each connected component of the result has the genus, boundary cycles
+/// and orientation of the input component. No two faces have the same vertices. Isolated vertices
+/// are omitted. If the input has non-manifold vertices, the surface is separated there.
 ///
-/// Cells that are not discs, or meet in more than an arc, get more samples until the result is that
-/// surface. Where the input has too few vertices to tell cells apart, its edges are halved, as often as
-/// it takes; the surface stays the same.
+/// If faces of the result intersect, they are too far from the input, and samples are added there.
+/// Close sheets of the input thus remain separate. Self-intersections of the input cannot be
+/// removed in this way and remain. If ten rounds do not help, none of their samples are kept.
+///
+/// If four cells almost meet at a location, the edge that gives the larger minimum angle is chosen.
+///
+/// If cells are not disks, or meet in more than one arc, samples are added until the result has the
+/// topology of the input. If the input has too few vertices to separate cells, its edges are split
+/// at their midpoints as often as necessary. This does not change the surface.
 ///
 /// \param surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///        `SurfelRange`, or the domain of one
-/// \param number of vertices; 0 asks for as few as it takes
-/// \param output any model of `MutableFaceGraph`, to which the vertices and faces are added
-/// \param np what `make_domain()` takes, and
+/// \param number the number of vertices; 0 requests the minimum that the topology requires
+/// \param output a model of `MutableFaceGraph`, to which the vertices and faces are added
+/// \param np parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{too_few_samples}
 ///     \cgalParamDescription{a `Too_few_samples`}
 ///     \cgalParamDefault{`Too_few_samples::refine`} \cgalParamNEnd
 ///   \cgalParamNBegin{first_samples}
-///     \cgalParamDescription{a vertex, a location, or a range of them: the first of the samples}
+///     \cgalParamDescription{a vertex, a location, or a range of these, which become the first
+///       samples}
 ///     \cgalParamDefault{none} \cgalParamNEnd
 ///   \cgalParamNBegin{speed_map}
-///     \cgalParamDescription{as for `geodesic_distances()`, but positive: triangles are smaller where
-///       the speed is lower}
+///     \cgalParamDescription{as for `geodesic_distances()`, but positive: triangles are smaller in
+///       regions of lower speed}
 ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_relaxation_steps}
-///     \cgalParamDescription{how often samples move to the centres of their cells, which makes triangles
-///       more even; each takes no longer than a front over the whole surface. First samples and
-///       those on borders and kept edges stay. Where samples move, the first half of them are strewn
-///       instead of spread, and at last each moves a little more between its neighbours; for 30 steps and
-///       more, cells are told apart on smaller triangles, which takes up to twice the time}
+///     \cgalParamDescription{the number of Lloyd steps, which move samples to the centroids of
+///       their cells and improve the shape of triangles. Each takes at most the time of one front
+///       over the surface. First samples and samples on the boundary and on kept edges are fixed.
+///       If samples move, the first half of them is placed by stratified random sampling instead of
+///       farthest point sampling. Finally, samples are moved slightly in the output triangulation.
+///       From 30 steps on, cells are determined on smaller triangles, which takes up to twice the
+///       time}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{of the vertex from which the first sample is farthest, and of the places where
-///       samples are strewn}
+///     \cgalParamDescription{selects the vertex from which the first sample is farthest, and the
+///       locations of stratified random samples}
 ///     \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
-///     \cgalParamDescription{how far vertices of the input may be from the faces of the output, and the centres
-///       of these faces, the middles of their edges and their vertices from the faces of the input:
-///       vertices are added where they are farther. Elsewhere on faces it is not measured.}
+///     \cgalParamDescription{the maximum distance between input and output. It is measured from the
+///       vertices of the input to the faces of the output. It is also measured from the centroids,
+///       edge midpoints and vertices of the output's faces to the input. Vertices are added if a
+///       distance is larger. Other locations on faces are not tested.}
 ///     \cgalParamDefault{infinite} \cgalParamNEnd
 ///   \cgalParamNBegin{do_fit}
-///     \cgalParamDescription{whether vertices leave the surface, by a part of what separates faces from
-///       it, such that the input's vertices are near to faces in the sense of least squares. Those on
-///       borders and kept edges stay.}
+///     \cgalParamDescription{whether vertices are moved off the surface to reduce the squared
+///       distances of the input's vertices to the faces. They move by a fraction of the distance
+///       between faces and surface. Vertices on the boundary and on kept edges are fixed.}
 ///     \cgalParamDefault{`false`} \cgalParamNEnd
 ///   \cgalParamNBegin{do_avoid_self_intersections}
-///     \cgalParamDescription{whether vertices are added where faces intersect}
+///     \cgalParamDescription{whether vertices are added if faces intersect}
 ///     \cgalParamDefault{`true`} \cgalParamNEnd
 ///   \cgalParamNBegin{sharp_angle}
-///     \cgalParamDescription{in degrees: edges at which the surface bends by at least as much are kept,
-///       and so are the chains that they form: each becomes a chain of edges, through samples at equal
-///       steps and at its corners}
-///     \cgalParamDefault{180: none is} \cgalParamNEnd
+///     \cgalParamDescription{an angle in degrees. Edges whose dihedral angle deviates from flat by
+///       at least this angle are kept. They form polylines, and each polyline becomes a chain of
+///       edges through samples at equal spacing and at its corners}
+///     \cgalParamDefault{180: no edge is sharp} \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{tells of each edge of the input whether it is kept likewise; with a mesh, not
-///       with its domain}
-///     \cgalParamDefault{no edge is} \cgalParamNEnd
+///     \cgalParamDescription{a property map that states for each edge of the input whether it is
+///       kept in the same way. Supported for a mesh, but not for its domain}
+///     \cgalParamDefault{no edge is constrained} \cgalParamNEnd
 ///   \cgalParamNBegin{curve_spacing}
-///     \cgalParamDescription{how far apart samples on borders and kept edges are at most to be: about, as
-///       each piece between two corners has steps of one length. More come where this is farther than
-///       samples off the curves are from each other.}
-///     \cgalParamDefault{0: as far as all the others} \cgalParamNEnd
+///     \cgalParamDescription{the approximate maximum distance between adjacent samples on the
+///       boundary and on kept edges. It is approximate because each piece between two corners has
+///       equal spacing. More samples are added if it exceeds the distance between samples
+///       elsewhere.}
+///     \cgalParamDefault{0: the distance between samples elsewhere} \cgalParamNEnd
 ///   \cgalParamNBegin{edge_spacing_map}
-///     \cgalParamDescription{the same for each edge of the input, which matters where it is kept; 0
-///       stands for `curve_spacing`; with a mesh, not with its domain}
-///     \cgalParamDefault{0 for all} \cgalParamNEnd
+///     \cgalParamDescription{the spacing for each edge of the input, used if the edge is kept; 0
+///       selects `curve_spacing`. Supported for a mesh, but not for its domain}
+///     \cgalParamDefault{0 for all edges} \cgalParamNEnd
 ///   \cgalParamNBegin{location_map}
 ///     \cgalParamDescription{receives for each vertex of the output the `Location<Surface>` of its
 ///       sample}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{edge_path_output}
-///     \cgalParamDescription{an output iterator that takes, for each edge of the output, a pair of it and
-///       a `Surface_path` from its source to its target: a geodesic, straight in every face}
+///     \cgalParamDescription{an output iterator that takes, for each edge of the output, a pair of
+///       the edge and a `Surface_path`. The path leads from the edge's source to its target. It is
+///       a geodesic, straight in every face}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and cancels
-///       by returning false} \cgalParamNEnd
+///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the fraction done.
+///       If it returns false, the remeshing is cancelled} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error when a location or a speed is not usable, or a number that is not 0 is too
-///         small and that is wrong; the output is untouched
-/// \throws Unsupported_surface_error when no surface can be laid through the surfels of a cloud, or
-///         one of too many parts
+/// \returns a summary of the result
+/// \throws Invalid_argument_error if a location or a speed is not usable, or if a nonzero number is
+///         too small and `Too_few_samples::are_wrong` is set. The output is then unchanged
+/// \throws Unsupported_surface_error if no surface can be reconstructed from the surfels of a
+///         cloud, or if it has too many components
 ///
-/// Takes about as long as the sampling.
+/// Takes about the time of the sampling.
 template <typename Surface, typename OutputMesh,
           typename NamedParameters = internal::Default_parameters>
 Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t number,
@@ -195,7 +206,7 @@ Remeshing_result geodesic_delaunay_remeshing(const Surface& surface, std::size_t
       {
         const internal::Index a = found.triangles[i][k], b = found.triangles[i][(k + 1) % 3];
         const auto h = halfedge(vertices[a], vertices[b], output).first;
-        // Once for both faces.
+        // Reports an edge with two faces only once.
         if(a < b || is_border(opposite(h, output), output))
         {
           const auto e = edge(h, output);

@@ -25,11 +25,11 @@ namespace CGAL::Geodesic_processing {
 /// weights are of the same kind and decrease smoothly to zero toward base points that are not used.
 /// The map is therefore continuous, and varies smoothly between sparse base points.
 ///
-/// If faces are inverted, up to 1,000 faces around them are moved until all are oriented correctly. The rest
-/// of the map is fixed, and the symmetric Dirichlet energy of the moved faces is minimized. Larger
-/// groups, which occur on patches of high curvature, are not changed, nor are groups beyond a total
-/// of 3,000 faces. It is therefore not guaranteed that no face is inverted; see
-/// `minimize_distortion()`.
+/// If faces are inverted, up to 1,000 faces around them are moved until all are oriented correctly.
+/// The rest of the map is fixed, and the symmetric Dirichlet energy of the moved faces is
+/// minimized. Larger groups, which occur on patches of high curvature, are not changed, nor are
+/// groups beyond a total of 3,000 faces. It is therefore not guaranteed that no face is inverted;
+/// see `minimize_distortion()`.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
 /// \param surface as for `geodesic_distances()`: connected, possibly with holes
@@ -42,8 +42,8 @@ namespace CGAL::Geodesic_processing {
 ///   \cgalParamNBegin{number_of_base_points}
 ///     \cgalParamDescription{from 3 to 1,000; if there are fewer vertices or surfels, all of them
 ///       are base points}
-///     \cgalParamDefault{200; up to 1,000 on a mesh that is so narrow that 200 base points would
-///       have a spacing above its mean width, which is twice its area divided by the length of its
+///     \cgalParamDefault{200. On a narrow mesh up to 1,000, if the spacing of 200 base points would
+///       exceed its mean width. The mean width is twice the area divided by the length of the
 ///       boundary}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{base_points}
@@ -65,8 +65,8 @@ namespace CGAL::Geodesic_processing {
 ///
 /// \returns the base points; empty if the callback cancelled
 /// \throws Unsupported_surface_error if the surface is not connected
-/// \throws Invalid_argument_error if there are fewer than three base points, if groups of them have
-///         no neighbors in each other, or if a number is out of range
+/// \throws Invalid_argument_error if there are fewer than three base points, groups of them have no
+///         neighbors in each other, or a number is out of range
 ///
 /// The front of each base point ends at the neighbors of its neighbors. With ten neighbors, all
 /// fronts together visit each vertex fewer than twenty times, independently of the number of base

@@ -22,8 +22,10 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingSampling
-/// part of the line between two cells of a geodesic Voronoi diagram: from one place where three cells
-/// meet, or from where the surface ends, to the next; or closed, then its last location is the first.
+/// A bisector between two cells of a geodesic Voronoi diagram.
+///
+/// Its ends are Voronoi vertices, in which three cells meet, or points on the boundary of the
+/// surface. If the bisector is closed, its last location equals the first one.
 template <typename Surface>
 struct Voronoi_bisector
 {
@@ -33,12 +35,12 @@ struct Voronoi_bisector
   std::size_t left;                ///< the label of the cell on the left, seen from outside
   std::size_t right;               ///< the label of the cell on the right
   std::vector<Location> locations; ///< consecutive ones lie in a common face
-  std::vector<Point_3> points;     ///< the same in space
+  std::vector<Point_3> points;     ///< the points of the locations
 };
 
 namespace internal {
 
-// The cells of seeds, which have numbers in the order of their labels.
+// A Voronoi diagram whose cells are numbered in increasing order of the labels of their seeds.
 struct Labeled_voronoi
 {
   std::vector<std::size_t> labels; // #cells
@@ -50,6 +52,7 @@ struct Labeled_voronoi
   }
 };
 
+// Computes the Voronoi diagram of seeds. Seeds with the same label share a cell.
 template <typename Method, typename Domain, typename Seeds, typename NamedParameters>
 Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds,
                                         const NamedParameters& np)
@@ -74,35 +77,40 @@ Labeled_voronoi compute_labeled_voronoi(const Domain& domain, const Seeds& seeds
 
 /// \ingroup PkgGeodesicProcessingSampling
 ///
-/// finds the cells of a geodesic Voronoi diagram: which of several seeds is nearest.
+/// Computes a geodesic Voronoi diagram: the nearest of several seeds for each vertex or surfel.
 ///
-/// Each face is divided by what is known of the distances at its corners: differences of squared
-/// distances, linear where fronts are circles about their sources. The line between two cells is exact
-/// wherever the way to both seeds unfolds to a plane, and of second order elsewhere. Cells are told
-/// apart by vertices: one that comes to no vertex of a face is not seen in it, and where three cells meet
-/// is known to within a face; for n vertices there should not be more than n/4 seeds.
+/// Each face is divided by linear interpolation of the differences of squared distances at its
+/// corners. These differences are linear if fronts are circles around their sources. If sources
+/// have offsets or a speed is given, distances are not squared. Bisectors are exact if the paths to
+/// both seeds unfold to a plane, and of second order otherwise.
+///
+/// Cells are detected at vertices. A cell that contains no vertex of a face is not resolved inside
+/// that face. Voronoi vertices are located to within one face. For n vertices there should be at
+/// most n/4 seeds.
 ///
 /// \tparam Method `Euclidean_front` (the default), `Fast_marching` or `Dijkstra`
-/// \param surface as for `geodesic_distances()`; on a cloud there are labels of surfels only
-/// \param seeds a site, a location, a `Source`, or a range of one of these, not empty; those of one label
-///        have a cell together
-/// \param label_map receives for each site the label of its nearest seed, by default its position in the
-///        range; the largest `std::size_t` where none reaches
-/// \param np what `make_domain()` takes, `maximum_distance`, `speed_map` and `callback` as
-///        `Geodesic_distance_solver::compute()`, and
+/// \param surface as for `geodesic_distances()`; on a cloud only labels of surfels are available
+/// \param seeds a vertex, a surfel, a location, a `Source`, or a nonempty range of one of these;
+///        seeds with the same label share a cell
+/// \param label_map receives for each vertex or surfel the label of its nearest seed. The default
+///        label is the position of the seed in the range. If no seed reaches it, the value is the
+///        largest `std::size_t`
+/// \param np parameters of `make_domain()`; `maximum_distance`, `speed_map` and `callback` as for
+///        `Geodesic_distance_solver::compute()`; and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{face_label_map}
-///     \cgalParamDescription{receives for each face the label of the cell that its centre lies in; the
-///       largest `std::size_t` unless all of its vertices are reached} \cgalParamNEnd
+///     \cgalParamDescription{receives for each face the label of the cell that contains its
+///       centroid; the largest `std::size_t` unless all of its vertices are reached} \cgalParamNEnd
 ///   \cgalParamNBegin{bisector_output}
-///     \cgalParamDescription{an output iterator that takes `Voronoi_bisector`: all lines between cells}
+///     \cgalParamDescription{an output iterator that takes all bisectors as `Voronoi_bisector`}
 ///     \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \returns false if the callback cancelled it; then cells are too small
+/// \returns false if the callback cancelled; cells are too small then
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
-/// O(n log n): one front over the whole surface, and one over each cell and what is next to it.
+/// O(n log n): propagates one front over the whole surface, and one over each cell and its
+/// surroundings.
 template <typename Method = Euclidean_front, typename Surface, typename Seeds, typename LabelMap,
           typename NamedParameters = internal::Default_parameters>
 bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelMap label_map,
@@ -148,22 +156,23 @@ bool geodesic_voronoi_diagram(const Surface& surface, const Seeds& seeds, LabelM
 
 /// \ingroup PkgGeodesicProcessingSampling
 ///
-/// cuts a mesh along the lines between the cells of `geodesic_voronoi_diagram()`: each face of the result
-/// lies in one cell.
+/// Splits a mesh along the bisectors of `geodesic_voronoi_diagram()`, so that each face of the
+/// result lies in one cell.
 ///
-/// Faces keep their orientation.  A cell is the mesh of its faces, for instance as a
-/// `CGAL::Face_filtered_graph`.  Where a line passes a vertex faces are without area.
+/// Faces keep their orientation. Each cell is the set of faces with its label; it can be viewed as
+/// a mesh by `CGAL::Face_filtered_graph`. If a bisector passes through a vertex, faces without area
+/// are created.
 ///
 /// \tparam Method as for `geodesic_voronoi_diagram()`
-/// \param mesh as for `geodesic_distances()`, no cloud
+/// \param mesh as for `geodesic_distances()`, but not a cloud
 /// \param seeds as for `geodesic_voronoi_diagram()`
 /// \param cells a model of `MutableFaceGraph` to which vertices and faces are added
-/// \param label_map receives for each new face the label of its cell; the largest `std::size_t` unless
-///        all corners of the face that it is part of are reached
-/// \param np what `make_domain()` takes, `maximum_distance`, `speed_map` and `callback` as
+/// \param label_map receives for each new face the label of its cell. If a corner of the original
+///        face is not reached, the value is the largest `std::size_t`
+/// \param np parameters of `make_domain()`; `maximum_distance`, `speed_map` and `callback` as for
 ///        `Geodesic_distance_solver::compute()`
-/// \returns false if the callback cancelled it; then cells are too small
-/// \throws Unsupported_surface_error when the faces around a vertex cannot be put together again
+/// \returns false if the callback cancelled; cells are too small then
+/// \throws Unsupported_surface_error if the faces around a vertex cannot be added to `cells`
 /// \throws as `Geodesic_distance_solver::compute()`
 ///
 /// O(n log n).

@@ -57,9 +57,9 @@ struct Semi_regular_result
 ///     \cgalParamDescription{a `Subdivision_scheme`}
 ///     \cgalParamDefault{`Subdivision_scheme::triangles`} \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_deviation}
-///     \cgalParamDescription{for triangles only: refinement stops before `levels` once each vertex
-///       of the mesh is within this distance of the point of the result with the same base
-///       coordinates. The remaining distance is returned as `deviation`}
+///     \cgalParamDescription{for triangles only: refinement stops early once each vertex of the
+///       mesh is within this distance of the point with the same base coordinates. The remaining
+///       distance is returned as `deviation`}
 ///     \cgalParamDefault{all levels} \cgalParamNEnd
 ///   \cgalParamNBegin{level_map}
 ///     \cgalParamDescription{receives for each vertex of the output the level that adds it. Level 0

@@ -53,9 +53,9 @@ struct Texture_atlas
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`, which
 ///         processes several charts at a time, with the same result
 /// \param mesh a triangle mesh of any topology, with any number of components and boundary cycles
-/// \param number the initial number of charts. More are created if cells are not disks, if charts
-///        would overlap themselves or stretch lengths by a factor of two in the mean, and for
-///        components without a chart
+/// \param number the initial number of charts. More are created if cells are not disks, or if
+///        charts would overlap themselves or stretch lengths by a mean factor of two. Components
+///        without a chart also get one
 /// \param corner_uv_map receives for each halfedge of a face the texture coordinates of the corner
 ///        that it points to: `Point_2` or arrays of two numbers, in the unit square
 /// \param np parameters of `make_domain()`, and
@@ -64,7 +64,7 @@ struct Texture_atlas
 ///   \cgalParamNBegin{texture_size} \cgalParamDescription{texels along each edge of the texture, at
 ///     least 16; the unit of the gutter} \cgalParamDefault{1024} \cgalParamNEnd
 ///   \cgalParamNBegin{gutter_width} \cgalParamDescription{minimum number of texels between two
-///     charts along one of the axes; half as many are kept at the boundary of the texture. Bilinear
+///     charts along one of the axes. Half as many are kept at the boundary of the texture. Bilinear
 ///     lookup needs three}
 ///     \cgalParamDefault{4} \cgalParamNEnd
 ///   \cgalParamNBegin{chart_map} \cgalParamDescription{a property map that receives the index of
@@ -83,8 +83,8 @@ struct Texture_atlas
 ///       If it returns false, the computation is cancelled} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns a summary with the certificate of injectivity
-/// \throws Invalid_argument_error if a number is zero or out of range, if a speed is not usable, or
-///         if the texture has too few texels for the charts
+/// \throws Invalid_argument_error if a number is zero or out of range, a speed is not usable, or
+///         the texture has too few texels for the charts
 ///
 /// The tessellation and Newton's method each take about half of the time. Newton's method
 /// factorizes a sparse matrix with two unknowns per vertex of a chart, at most 20 times.
