@@ -26,8 +26,8 @@ namespace CGAL::Geodesic_processing {
 /// The summary of a call of `minimize_distortion()`.
 struct Distortion_minimum
 {
-  std::size_t number_of_flips_before = 0; ///< inverted faces of the given map
-  std::size_t number_of_flips = 0;        ///< inverted faces of the resulting map
+  std::size_t number_of_flips_before = 0; ///< inverted or degenerate faces of the given map
+  std::size_t number_of_flips = 0;        ///< inverted or degenerate faces of the resulting map
   std::size_t number_of_steps = 0;        ///< steps of Newton's method
   double symmetric_dirichlet = 0.;        ///< the final mean energy per area, at least 4
   bool is_complete = true;                ///< false if the callback cancelled
