@@ -20,19 +20,19 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// red, green, blue and opacity in [0, 1]; the colours are not multiplied by the opacity.
+/// Red, green, blue and opacity in [0, 1].  The colors are not premultiplied by the opacity.
 using Decal_color = std::array<double, 4>;
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// a place in an image: (0, 0) is its lower left corner and (1, 1) the upper right one.
+/// Image coordinates: (0, 0) is the lower left corner, and (1, 1) the upper right one.
 using Decal_coordinates = std::array<double, 2>;
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// an image: its colours at places from (0, 0) to (1, 1).
+/// An image: a function that returns the color at image coordinates in [0, 1] x [0, 1].
 using Decal_image = std::function<Decal_color(const Decal_coordinates&)>;
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// a vertex or surfel on which a decal lies, and its place in the image.
+/// A vertex or surfel that a decal covers, and its image coordinates.
 template <typename Surface>
 struct Decal_vertex
 {
@@ -41,8 +41,8 @@ struct Decal_vertex
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// a face and where its corners lie in an image, in the order of the halfedges around the face from
-/// the source of `halfedge(face)` on.
+/// A face and the image coordinates of its corners.  The first corner is the source of
+/// `halfedge(face)`.  The others follow in the order of the halfedges around the face.
 template <typename TriangleMesh>
 struct Decal_face
 {
@@ -52,19 +52,20 @@ struct Decal_face
 
 /// \ingroup PkgGeodesicProcessingDecals
 ///
-/// where an image lies on a surface.
+/// The placement of an image on a surface.
 template <typename Surface, bool is_cloud = internal::Is_cloud<Surface>::value>
 struct Decal
 {
-  Tangent_frame<Surface> frame;                ///< the middle, the way right, and the way up
-  std::vector<Decal_vertex<Surface>> vertices; ///< those on which the image lies
-  /// those of which it covers a part; places of corners may be beyond the image.  A face that is cut,
-  /// see `Logarithmic_map`, has the places that one of its sides gives it.
+  Tangent_frame<Surface> frame;                ///< the center, and the directions right and up
+  std::vector<Decal_vertex<Surface>> vertices; ///< the vertices that the image covers
+  /// The faces that intersect the image.  Coordinates of corners may be outside the image.  If a
+  /// face is cut (see `Logarithmic_map`), its coordinates are extrapolated from its longest edge
+  /// that is not cut.  If all its edges are cut, it is omitted.
   std::vector<Decal_face<Surface>> faces;
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// the same on a cloud, which has no faces.
+/// The placement of an image on a surfel cloud, which has no faces.
 template <typename SurfelRange>
 struct Decal<SurfelRange, true>
 {
@@ -74,11 +75,11 @@ struct Decal<SurfelRange, true>
 
 /// \ingroup PkgGeodesicProcessingDecals
 ///
-/// places images on a surface, one after the other, such that distances and directions from their middles
-/// are kept: by a `Logarithmic_map`.
+/// Places images on a surface, one at a time, by a `Logarithmic_map`.  Distances and directions
+/// from the center of an image are preserved.
 ///
-/// What is prepared does not depend on the place; what a place costs depends on how many sites are nearer
-/// than the corners of the image.
+/// The precomputation does not depend on the center.  The cost of `place()` depends on the number
+/// of vertices or surfels that are closer to the center than the corners of the image.
 ///
 /// \tparam Surface, Method as for `Logarithmic_map`
 template <typename Surface, typename Method = Gradient<>>
@@ -89,7 +90,7 @@ class Decal_placer
 public:
   using Domain = typename Map::Domain;
 
-  /// prepares the surface; `np` is what `make_domain()` takes.
+  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
   template <typename NamedParameters = internal::Default_parameters>
   explicit Decal_placer(const Surface& surface, const NamedParameters& np = NamedParameters())
       : m_map(surface, np)
@@ -101,13 +102,15 @@ public:
 
   const Domain& domain() const { return m_map.domain(); }
 
-  /// returns where an image of a width and a height, in the surface's unit, lies when its middle is
-  /// at a site or a location.
+  /// Computes the placement of an image with a given center.
   ///
-  /// \param np what `Logarithmic_map::compute()` takes but for the distance: `up_direction` is up in
-  ///        the image
-  /// \throws Invalid_argument_error as `Logarithmic_map::compute()`, and when the width or the height is
-  ///         not positive and finite
+  /// \param center a vertex, a surfel or a location
+  /// \param width the width of the image, in the unit of the surface
+  /// \param height the height of the image, in the unit of the surface
+  /// \param np the named parameters of `Logarithmic_map::compute()` except `maximum_distance`;
+  ///        `up_direction` is the upward direction of the image
+  /// \throws Invalid_argument_error as `Logarithmic_map::compute()`, and if the width or the height
+  ///         is not positive and finite
   template <typename Place, typename NamedParameters = internal::Default_parameters>
   Decal<Surface> place(const Place& center, double width, double height,
                        const NamedParameters& np = NamedParameters());
@@ -128,8 +131,11 @@ private:
   Map m_map;
 };
 
-// Triangles that the image covers have corners beyond it: mostly no farther than the longest side at the
-// middle, else one looks again.
+// Finds the triangles that intersect the image.
+//
+// Their corners can be outside the image, so the map is computed up to a margin beyond the image's
+// corners.  The longest edge at the center is usually a sufficient margin.  If an intersecting
+// triangle lacks the image of a corner, the margin is enlarged and the map is recomputed.
 template <typename Surface, typename Method>
 template <typename Place, typename NamedParameters>
 std::vector<internal::Triangle_image> Decal_placer<Surface, Method>::covered_triangles(
@@ -188,7 +194,7 @@ inline Vec2 interpolate(const std::array<Vec2, 3>& corners,
   return barycentric[0] * corners[0] + barycentric[1] * corners[1] + barycentric[2] * corners[2];
 }
 
-// Between colours of users and ours.
+// Convert between the user's color types and Rgba.
 inline Rgba to_rgba(const CGAL::IO::Color& color)
 {
   return {color.red() / 255., color.green() / 255., color.blue() / 255., color.alpha() / 255.};
@@ -215,10 +221,12 @@ inline void assign(Rgba& color, const Rgba& rgba) { color = rgba; }
 
 /// \ingroup PkgGeodesicProcessingDecals
 ///
-/// paints an image over the colours of the vertices or surfels on which it lies.
+/// Composites an image over the colors of the vertices or surfels that the decal covers.
 ///
-/// \param image a function as `Decal_image`
-/// \param color_map has the colours, `CGAL::IO::Color`, `Decal_color` or three `double`s, and receives them
+/// \param decal the placement of the image
+/// \param image a function with the signature of `Decal_image`
+/// \param color_map a read-write property map of colors, which are updated.  Its value type is
+///        `CGAL::IO::Color`, `Decal_color` or `std::array<double, 3>`
 template <typename Surface, typename Image, typename ColorMap>
 void composite_decal(const Decal<Surface>& decal, const Image& image, ColorMap color_map)
 {
@@ -231,7 +239,7 @@ void composite_decal(const Decal<Surface>& decal, const Image& image, ColorMap c
 }
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// an image and where it lies.
+/// An image and its placement.
 template <typename Surface>
 struct Decal_layer
 {
@@ -240,25 +248,27 @@ struct Decal_layer
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
-/// an image in which faces of a mesh have places of their own.
+/// A texture in which each covered face of a mesh has its own triangle.
 template <typename TriangleMesh>
 struct Decal_texture
 {
   std::size_t width = 0, height = 0;
-  std::vector<Decal_color> texels;             ///< rows from the lowest one up
-  std::vector<Decal_face<TriangleMesh>> faces; ///< each once
-  Decal_coordinates background = {0., 0.};     ///< of all corners of all other faces
+  std::vector<Decal_color> texels;             ///< by rows, from the lowest row up
+  std::vector<Decal_face<TriangleMesh>> faces; ///< the covered faces, each once
+  Decal_coordinates background = {0., 0.};     ///< coordinates of all corners of all other faces
 };
 
 /// \ingroup PkgGeodesicProcessingDecals
 ///
-/// paints several images, the later ones over those before, into one that textures the mesh.
+/// Composites several images into one texture of the mesh.  Later layers are drawn over earlier
+/// ones.
 ///
-/// \param layers of the same mesh, from the lowest one up
-/// \param segments how many steps from texel to texel there are along two sides of each covered face; along
-///        the third one there are as many, longer ones
-/// \param background where there is no image
-/// \throws Invalid_argument_error for no segments, and when there are more than 2<SUP>28</SUP> texels
+/// \param layers images placed on the same mesh, from the lowest layer to the highest
+/// \param segments the length, in texels, of the two legs of each covered face's right triangle in
+///        the texture.  The hypotenuse has equally many segments, which are longer
+/// \param background the color of texels that no image covers
+/// \throws Invalid_argument_error if `segments` is zero, or if the texture has more than
+///         2<SUP>28</SUP> texels
 template <typename TriangleMesh>
 Decal_texture<TriangleMesh> bake_decals(const std::vector<Decal_layer<TriangleMesh>>& layers,
                                         std::size_t segments,

@@ -21,7 +21,7 @@ namespace CGAL::Geodesic_processing {
 
 namespace internal {
 
-// geodesic_distance_matrix() by a method that is chosen at run time.
+// Computes geodesic_distance_matrix() by a method that is selected at run time.
 template <typename Concurrency_tag, typename Domain, typename Sources, typename NamedParameters>
 Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
                                    const Sources& from_sources, const NamedParameters& np)
@@ -32,7 +32,7 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
   if constexpr(!has_parameter<NamedParameters, internal_np::targets_t>)
     asked.targets = locations(domain, from_sources);
   const std::vector<Surface_location> to = asked.targets;
-  // As many as there are sites limit nothing.
+  // If there are as many targets as vertices, stopping at the targets does not save time.
   if(to.size() >= domain.number_of_vertices())
     asked.targets.clear();
   const Distance_engine engine(method, domain.triangles());
@@ -40,7 +40,7 @@ Eigen::MatrixXd distances_of_pairs(const Domain& domain, Distance_method method,
                          threads<Concurrency_tag>(np));
 }
 
-// sparse_geodesic_distance_matrix() by a method that is chosen at run time.
+// Computes sparse_geodesic_distance_matrix() by a method that is selected at run time.
 template <typename Concurrency_tag, typename Domain, typename Vertices, typename NamedParameters>
 Eigen::SparseMatrix<double, Eigen::RowMajor>
 distances_of_near_pairs(const Domain& domain, Distance_method method, const Vertices& vertices,
@@ -66,34 +66,38 @@ distances_of_near_pairs(const Domain& domain, Distance_method method, const Vert
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// computes the distance from each of several sources, alone, to each of several places.
+/// Computes the matrix of geodesic distances from each source to each target.
 ///
 /// \tparam Method as for `geodesic_distances()`
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several sources at
-///         a time, each thread with a solver of its own.  The result is the same to the last bit.
-/// \param surface as for `geodesic_distances()`
-/// \param sources a site, a location, a `Source`, or a range of one of these, not empty
-/// \param np what `make_domain()` takes, and
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
+///         sources are processed at a time, by one solver per thread.  Both give bitwise equal
+///         results.
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
+/// \param np the named parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{targets}
-///     \cgalParamDescription{a site, a location, or a range of them: the columns}
-///     \cgalParamDefault{the sources, which are sites or locations then} \cgalParamNEnd
+///     \cgalParamDescription{a vertex, a surfel, a location, or a range of them: the columns}
+///     \cgalParamDefault{the sources, which then must be vertices, surfels or locations}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_distance}
-///     \cgalParamDescription{places farther away are not reached} \cgalParamDefault{infinity}
+///     \cgalParamDescription{targets farther than this distance are not reached}
+///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{threads}
-///     \cgalParamDescription{how many, with `Parallel_tag`}
-///     \cgalParamDefault{as many as there are processors} \cgalParamNEnd
+///     \cgalParamDescription{the number of threads, used with `Parallel_tag`}
+///     \cgalParamDefault{the number of hardware threads} \cgalParamNEnd
 ///   \cgalParamNBegin{callback}
-///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done, by one thread
-///       at a time, and cancels by returning false} \cgalParamNEnd
+///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
+///       fraction, by one thread at a time; if it returns false, the computation is canceled}
+///       \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// and `speed_map` as for `Geodesic_distance_solver::compute()`.
 ///
-/// \returns a matrix of one row per source and one column per target, +infinity where a source does not
-///          reach; an empty one when the callback cancelled it.  Of the approximate methods it is
-///          symmetric only up to their errors.
+/// \returns a matrix with one row per source and one column per target; an entry is +infinity if
+///          the source does not reach the target.  The matrix is empty if the callback canceled the
+///          computation.  With approximate methods, it is symmetric only up to their errors.
 /// \throws as `Geodesic_distance_solver::compute()`
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
           typename Surface, typename Sources,
@@ -107,20 +111,23 @@ Eigen::MatrixXd geodesic_distance_matrix(const Surface& surface, const Sources& 
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// computes the distances of all pairs of sites that are not farther apart than a bound.
+/// Computes the geodesic distances of all pairs of vertices or surfels whose distance is at most
+/// `maximum_distance`.
 ///
 /// \tparam Method as for `geodesic_distances()`
 /// \tparam Concurrency_tag as for `geodesic_distance_matrix()`
-/// \param surface as for `geodesic_distances()`
-/// \param vertices a range of vertices or surfels, each once: row and column `i` belong to the `i`-th
-/// \param maximum_distance not negative
-/// \param np what `make_domain()` takes, `threads` and `callback` as for `geodesic_distance_matrix()`
-/// \returns a compressed matrix, whose rows are sorted, with an entry for each pair within the bound, also
-///          where the distance is 0; an empty one when the callback cancelled it
-/// \throws Invalid_argument_error when the bound is negative or not a number, when a site comes twice, or
-///         when there are more than 2<SUP>31</SUP> pairs
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param vertices a range of distinct vertices or surfels; row and column `i` belong to the `i`-th
+///        one
+/// \param maximum_distance the bound of the distances, not negative
+/// \param np the named parameters of `make_domain()`, and `threads` and `callback` as for
+///        `geodesic_distance_matrix()`
+/// \returns a compressed matrix with sorted rows.  It has an entry for each pair within the bound,
+///          even if the distance is 0.  It is empty if the callback canceled the computation.
+/// \throws Invalid_argument_error if the bound is negative or not a number, if a vertex or surfel
+///         occurs twice, or if there are more than 2<SUP>31</SUP> pairs
 ///
-/// Time and memory are in proportion to what the fronts visit.
+/// Time and memory are proportional to the number of vertices or surfels that the fronts visit.
 template <typename Method = Euclidean_front, typename Concurrency_tag = Sequential_tag,
           typename Surface, typename Vertices,
           typename NamedParameters = internal::Default_parameters>

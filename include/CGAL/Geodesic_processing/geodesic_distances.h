@@ -9,30 +9,32 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// computes the distance of each site to its nearest source, along the surface.
+/// Computes the geodesic distance from each vertex or surfel to its nearest source.
 ///
-/// \tparam Method `Euclidean_front` (the default), `Exact`, `Fast_marching`, `Dijkstra` or `Heat`; their pages
-///         state their errors
+/// \tparam Method `Euclidean_front` (the default), `Exact`, `Fast_marching`, `Dijkstra` or `Heat`;
+///         their reference pages state their errors
 /// \tparam Surface a model of `FaceListGraph`, all of whose faces are triangles, a model of
 ///         `SurfelRange`, or a domain made by `make_domain()`
-/// \param surface where distances are measured
-/// \param sources a site, a location, a `Source`, or a range of one of these, not empty
-/// \param distance_map receives a value for each site: the distance, in the unit of the coordinates,
-///        +infinity where no source reaches
-/// \param np what `make_domain()` and `Geodesic_distance_solver::compute()` take, and
+/// \param surface the surface on which distances are measured
+/// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
+/// \param distance_map a writable property map that receives the distance of each vertex or surfel,
+///        in the unit of the coordinates; +infinity if no source reaches it
+/// \param np the named parameters of `make_domain()` and `Geodesic_distance_solver::compute()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{source_label_map}
-///     \cgalParamDescription{receives for each site the label of its nearest source, by default its
-///       position in the range; the largest `std::size_t` where none reaches} \cgalParamNEnd
+///     \cgalParamDescription{receives the label of the nearest source for each vertex or surfel.
+///       The default label of a source is its position in the range.  If no source reaches the
+///       vertex or surfel, the label is the largest `std::size_t`} \cgalParamNEnd
 ///   \cgalParamNBegin{predecessor_map}
-///     \cgalParamDescription{receives for each site a neighbour nearer to the source, next to which the
-///       shortest path arrives; itself at sources and where none reaches} \cgalParamNEnd
+///     \cgalParamDescription{receives, for each vertex or surfel, a neighbor that is closer to the
+///       source and next to which the shortest path arrives.  At sources, and if no source reaches
+///       the vertex or surfel, it receives the vertex or surfel itself} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws as `make_domain()` and `Geodesic_distance_solver::compute()`
 ///
-/// O(n log n) after `make_domain()`; `Exact` in practice O(n<SUP>1.5</SUP>), the heat method as its
-/// factorization.
+/// O(n log n) time after `make_domain()`.  `Exact` takes O(n<SUP>1.5</SUP>) time in practice; the
+/// time of `Heat` is that of its factorization.
 template <typename Method = Euclidean_front, typename Surface, typename Sources,
           typename DistanceMap, typename NamedParameters = internal::Default_parameters>
 void geodesic_distances(const Surface& surface, const Sources& sources, DistanceMap distance_map,

@@ -25,23 +25,26 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingMethods
-/// chooses tangent vectors by the gradient of squared distances from their base.
+/// Selects the computation of tangent vectors from the gradient of the squared distance at the base
+/// point.
 ///
-/// Distances are measured from the base and from a few places around it; by `Distance_method`.
+/// `Distance_method` computes the distances from the base point and from a stencil of locations
+/// around it.
 template <typename Distance_method = Euclidean_front>
 struct Gradient
 {};
 
 /// \ingroup PkgGeodesicProcessingMethods
-/// chooses tangent vectors by the discrete exponential map \cgalCite{cgal:sgw-idcde-06}, for comparison.
+/// Selects the discrete exponential map \cgalCite{cgal:sgw-idcde-06}, for comparison.
 ///
-/// Along shortest chains of edges each step is turned, with the normal of its vertex, to the tangent plane of the
-/// base and added; as quick as `Dijkstra`.  Errors need not get smaller with the edges.
+/// Tangent vectors are sums of edge vectors along shortest edge paths.  Each edge vector is
+/// rotated, with the normal of its vertex, to the tangent plane of the base point.  The method is
+/// as fast as `Dijkstra`.  Its errors do not necessarily converge to zero with the edge length.
 struct Discrete_exponential
 {};
 
 /// \ingroup PkgGeodesicProcessingLogMap
-/// the tangent plane at the base of a logarithmic map, in space.
+/// The tangent plane in space at the base point of a logarithmic map.
 template <typename Surface>
 struct Tangent_frame
 {
@@ -56,7 +59,7 @@ struct Tangent_frame
 
 namespace internal {
 
-// The engine that a tag stands for.
+// Maps a method tag to the kind of the engine.
 template <typename Method>
 struct Log_tag;
 template <typename Method>
@@ -79,12 +82,13 @@ struct Log_tag<Discrete_exponential>
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// Riemannian normal coordinates around a place, one base after the other: of each site the tangent
-/// vector whose geodesic leads there, as long as the distance.
+/// Computes Riemannian normal coordinates around a base point, for one base point at a time.
 ///
-/// What a computation costs depends on the sites that it reaches.
+/// The normal coordinates of a vertex or surfel are the tangent vector at the base point whose
+/// geodesic ends there.  Their norm is the geodesic distance.  The cost of a computation depends on
+/// the number of vertices or surfels that it reaches.
 ///
-/// \tparam Surface as for `geodesic_distances()`, not a domain
+/// \tparam Surface as for `geodesic_distances()`, but not a domain
 /// \tparam Method `Gradient<Distance_method>`, `Discrete_exponential`, or on a mesh `Exact`
 template <typename Surface, typename Method = Gradient<>>
 class Logarithmic_map
@@ -99,7 +103,7 @@ public:
   using Vector_3 = typename Domain::Vector_3;
   using Vector = std::array<double, 2>;
 
-  /// prepares the surface; `np` is what `make_domain()` takes.
+  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
   template <typename NamedParameters = internal::Default_parameters>
   explicit Logarithmic_map(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Logarithmic_map(Domain(surface, np))
@@ -116,35 +120,40 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// computes the map around a site or a location; what the last call found is forgotten.
+  /// Computes the map around a base point.  The result replaces that of the last call.
   ///
+  /// \param base a vertex, a surfel or a location
+  /// \param np
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{sites farther away, of
-  ///     `Discrete_exponential` by chains of edges, are outside}
+  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{vertices or surfels farther than
+  ///     this distance are outside the map.  `Discrete_exponential` measures it along edge paths}
   ///     \cgalParamDefault{infinity} \cgalParamNEnd
-  ///   \cgalParamNBegin{up_direction} \cgalParamDescription{a vector in space, along whose part in the
-  ///     tangent plane the second axis points} \cgalParamDefault{the first axis runs along the first
-  ///     edge of the base} \cgalParamNEnd
-  ///   \cgalParamNBegin{stencil_length} \cgalParamDescription{how far from the base `Gradient` measures
-  ///     distances as well: the farther, the less noise and detail}
-  ///     \cgalParamDefault{from 0.6 mean lengths of the edges there, where they bend by a third or more,
-  ///     to 4 where it is flat; on a cloud 2.5} \cgalParamNEnd
-  ///   \cgalParamNBegin{stencil_size} \cgalParamDescription{from how many places}
+  ///   \cgalParamNBegin{up_direction} \cgalParamDescription{a vector in space; the second axis of
+  ///     the map is its projection to the tangent plane} \cgalParamDefault{not given: the first
+  ///     axis points along the first edge at the base point} \cgalParamNEnd
+  ///   \cgalParamNBegin{stencil_length} \cgalParamDescription{the distance from the base point to
+  ///     the stencil from which `Gradient` measures distances.  A longer stencil reduces both noise
+  ///     and detail}
+  ///     \cgalParamDefault{on a mesh, 0.6 to 4 mean lengths of the edges at the base point: 0.6 if
+  ///       the mean angle between adjacent normals is at least a third of a radian, 4 in flat
+  ///       regions.  On a cloud, 2.5 mean lengths} \cgalParamNEnd
+  ///   \cgalParamNBegin{stencil_size} \cgalParamDescription{the number of locations of the stencil}
   ///     \cgalParamDefault{8} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Invalid_argument_error when the base is an isolated vertex, a length is negative or not a
-  ///         number, the stencil is smaller than three, or the direction is normal to the surface
+  /// \throws Invalid_argument_error if the base point is an isolated vertex, a length is negative
+  ///         or not a number, the stencil size is less than three, or the direction is normal to
+  ///         the surface
   template <typename Place, typename NamedParameters = internal::Default_parameters>
   void compute(const Place& base, const NamedParameters& np = NamedParameters());
 
   /// \name The last computation
   /// @{
 
-  /// the tangent plane in space.  Around a vertex that is no plane its axes are those that agree best
-  /// with the edges.
+  /// Returns the tangent plane in space.  If the one-ring of the base vertex is not planar, the
+  /// axes are those that agree best with the incident edges.
   Tangent_frame<Surface> frame() const;
 
-  /// returns the sites inside, nearly in the order of their distances.
+  /// Returns the vertices or surfels inside the map, approximately in the order of their distances.
   std::vector<Vertex> reached() const
   {
     std::vector<Vertex> result;
@@ -152,19 +161,21 @@ public:
       result.push_back(m_domain.vertex(vertex));
     return result;
   }
+  /// Returns whether a vertex or surfel is inside the map.
   bool is_inside(Vertex vertex) const { return std::isfinite(inner(vertex)[0]); }
-  /// returns the tangent vector of a site; not a number outside.
+  /// Returns the tangent vector of a vertex or surfel; NaN if it is outside the map.
   Vector operator()(Vertex vertex) const
   {
     return {scale() * inner(vertex)[0], scale() * inner(vertex)[1]};
   }
 
-  /// returns how many faces are cut: the images of two corners are four times as far apart as the
-  /// corners.  Behind these the map is no longer one to one.
+  /// Returns the number of faces that are cut.  A face is cut if the distance of the images of two
+  /// corners exceeds four times the length of their edge.  Beyond these faces, the map is not
+  /// injective.
   std::size_t number_of_cut_faces() const { return m_defects.cut_triangles.size(); }
-  /// returns how many of the others are turned round.
+  /// Returns the number of inverted faces among the faces that are not cut.
   std::size_t number_of_folded_faces() const { return m_defects.number_of_folded; }
-  /// calls `f(face)` for each face that is cut; on a mesh.
+  /// Calls `f(face)` for each face that is cut.  It requires a mesh.
   template <typename Function>
   void for_each_cut_face(Function f) const
   {
@@ -172,7 +183,8 @@ public:
       f(m_domain.face(triangle));
   }
 
-  /// writes the tangent vectors: values of `uv_map` are made of two numbers, which are not numbers outside.
+  /// Writes the tangent vectors to a property map.  The values of `uv_map` are constructed from two
+  /// numbers, which are NaN outside the map.
   template <typename UVMap>
   void write(UVMap uv_map) const
   {
@@ -186,16 +198,16 @@ public:
         uv_map);
   }
 
-  /// returns the place to which a tangent vector leads, straight on: the exponential map.  Where it meets
-  /// a border, the place there.  On a mesh.
-  /// \throws Invalid_argument_error when the vector is not finite
+  /// Returns the exponential map of a tangent vector: the endpoint of the straightest geodesic in
+  /// its direction.  If the geodesic meets the boundary, it ends there.  It requires a mesh.
+  /// \throws Invalid_argument_error if the vector is not finite
   Location exponential(const Vector& vector) const
   {
     return internal::exponential(m_domain, *m_plane, vector);
   }
   /// @}
 
-  /// \name Between the map and the kernels
+  /// \name Access for the Kernels
   /// @{
   const std::vector<internal::Index>& reached_indices() const { return m_reached; }
   const std::vector<internal::Vec2>& internal_coordinates() const { return m_coordinates; }
@@ -210,7 +222,7 @@ private:
 
   Domain m_domain;
   internal::Log_engine m_engine;
-  std::vector<internal::Vec2> m_coordinates; // #sites
+  std::vector<internal::Vec2> m_coordinates; // #vertices: NaN outside the map
   std::vector<internal::Index> m_reached;
   internal::Log_map_defects m_defects;
   std::optional<internal::Oriented_tangent_plane> m_plane;
@@ -256,15 +268,16 @@ Tangent_frame<Surface> Logarithmic_map<Surface, Method>::frame() const
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// computes Riemannian normal coordinates around a place: of each vertex or surfel the tangent vector whose
-/// geodesic leads there.
+/// Computes Riemannian normal coordinates around a base point.  The normal coordinates of a vertex
+/// or surfel are the tangent vector at the base point whose geodesic ends there.
 ///
 /// \tparam Method `Gradient<Distance_method>` (the default: `Gradient<Euclidean_front>`),
 ///         `Discrete_exponential`, or on a mesh `Exact`
-/// \param surface as for `geodesic_distances()`
-/// \param base a site or a location
-/// \param uv_map receives tangent vectors: values are made of two numbers, which are not numbers outside
-/// \param np what `make_domain()` takes, and `Logarithmic_map::compute()`
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param base a vertex, a surfel or a location
+/// \param uv_map a writable property map that receives the tangent vectors.  Its values are
+///        constructed from two numbers, which are NaN outside the map
+/// \param np the named parameters of `make_domain()` and `Logarithmic_map::compute()`
 /// \returns the tangent plane in space
 /// \throws as `Logarithmic_map::compute()`
 template <typename Method = Gradient<>, typename Surface, typename Place, typename UVMap,

@@ -12,21 +12,23 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingCurvature
-/// how much a surface bends at a site, at the least and at the most, and where to: positive where it is
-/// convex seen from where the normals point, in the inverse of the coordinates' unit.
+/// The principal curvatures of a vertex or surfel, and the principal directions.  The unit of the
+/// curvatures is the inverse of the coordinates' unit.  They are positive if the surface is convex:
+/// if it bends away from the normal, as a sphere with outward normals.
 template <typename Surface>
 struct Principal_curvatures
 {
   using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
 
   double min_curvature = 0., max_curvature = 0.;
-  /// unit vectors, perpendicular to each other; zero where there is no surface.
+  /// Orthogonal unit vectors in space; zero if the curvature is undefined, as at isolated vertices.
   Vector_3 min_direction = NULL_VECTOR, max_direction = NULL_VECTOR;
 };
 
 namespace internal {
 
-// The radius of a ball that named parameters ask for; 0 when they leave it to the kernel.
+// Returns the named parameter `ball_radius`; 0 if it is not given, so that the kernel uses its
+// default.  Throws Invalid_argument_error if it is negative or not a number.
 template <typename NamedParameters>
 double ball_radius(const NamedParameters& np)
 {
@@ -40,30 +42,32 @@ double ball_radius(const NamedParameters& np)
 
 /// \ingroup PkgGeodesicProcessingCurvature
 ///
-/// estimates the principal curvatures and their directions at each site.
+/// Estimates the principal curvatures and directions at each vertex or surfel.
 ///
-/// On a mesh they are those of the normal cycles of the edges, their dihedral angles, averaged over a
-/// geodesic ball \cgalCite{cgal:csm-rdtnc-03}; normals are those of faces, counterclockwise.  On a
-/// cloud a surface of second order is fitted to the surfels of the ball \cgalCite{cgal:cp-edqpf-05}.
-/// The larger the ball, the less noise and detail.
+/// On a mesh, the curvature tensor is the average over a geodesic ball of the normal cycles of the
+/// edges, which depend on the dihedral angles \cgalCite{cgal:csm-rdtnc-03}.  Face normals follow
+/// the counterclockwise orientation.  On a cloud, a quadric is fitted to the surfels of the ball
+/// \cgalCite{cgal:cp-edqpf-05}.  A larger ball reduces both noise and detail.
 ///
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; the result is
-///         the same
-/// \param surface as for `geodesic_distances()`
-/// \param curvatures receives a `Principal_curvatures<Surface>` for each site
-/// \param np what `make_domain()` takes, and
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; both give
+///         the same result
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param curvatures a writable property map that receives a `Principal_curvatures<Surface>` for
+///        each vertex or surfel
+/// \param np the named parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{ball_radius}
-///     \cgalParamDescription{the radius of the ball; it grows where it has too few surfels to fit to}
-///     \cgalParamDefault{three times the mean length of the edges at the site} \cgalParamNEnd
+///     \cgalParamDescription{the radius of the ball; on a cloud, it is enlarged if the ball has too
+///       few surfels for the fit}
+///     \cgalParamDefault{three times the mean length of the incident edges} \cgalParamNEnd
 ///   \cgalParamNBegin{threads}
-///     \cgalParamDescription{how many, with `Parallel_tag`}
-///     \cgalParamDefault{as many as there are processors} \cgalParamNEnd
+///     \cgalParamDescription{the number of threads, used with `Parallel_tag`}
+///     \cgalParamDefault{the number of hardware threads} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error when the radius is negative or not a number
+/// \throws Invalid_argument_error if the radius is negative or not a number
 ///
-/// O(n b) for balls of b sites.
+/// O(n b) time for b vertices or surfels per ball.
 template <typename Concurrency_tag = Sequential_tag, typename Surface, typename CurvatureMap,
           typename NamedParameters = internal::Default_parameters>
 void principal_curvatures(const Surface& surface, CurvatureMap curvatures,

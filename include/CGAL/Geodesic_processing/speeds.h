@@ -18,11 +18,12 @@ namespace CGAL::Geodesic_processing {
 /// \addtogroup PkgGeodesicProcessingSpeeds
 /// @{
 
-/// chooses speeds that are low where the surface bends: samples gather at creases and corners.
+/// Selects speeds that are low in regions of high curvature: samples concentrate at creases and
+/// corners.
 struct Edge_attractive
 {};
 
-/// chooses speeds that are high where the surface bends: creases and corners are left alone.
+/// Selects speeds that are high in regions of high curvature: samples avoid creases and corners.
 struct Edge_repulsive
 {};
 
@@ -46,30 +47,34 @@ double strength(const NamedParameters& np, double default_strength)
 
 /// \ingroup PkgGeodesicProcessingSpeeds
 ///
-/// makes speeds for `speed_map` from the curvature of the surface, such that samples and cells adapt to
-/// its shape.
+/// Computes speeds for `speed_map` from the curvature of the surface, such that samples and Voronoi
+/// cells adapt to its shape.
 ///
-/// With \f$ \tau = |\lambda_1| + |\lambda_2| \f$ of the principal curvatures, in units of one over the
-/// square root of the surface's area, the speed is \f$ 1 / (1 + \mu \tau) \f$ with `Edge_attractive` and
-/// \f$ 1 + \epsilon \tau \f$ with `Edge_repulsive`; \f$ \mu \f$ or \f$ \epsilon \f$ is the strength.
-/// Scaling the surface changes nothing. \cgalCite{cgal:pc-grfp-06}
+/// Let \f$ \tau = |\lambda_1| + |\lambda_2| \f$ be the sum of the absolute principal curvatures, in
+/// units of one over the square root of the surface's area.  The speed is
+/// \f$ 1 / (1 + \mu \tau) \f$ with `Edge_attractive` and \f$ 1 + \epsilon \tau \f$ with
+/// `Edge_repulsive`; \f$ \mu \f$ or \f$ \epsilon \f$ is the strength.  The speeds are invariant
+/// under scaling of the surface. \cgalCite{cgal:pc-grfp-06}
 ///
 /// \tparam Speed `Edge_attractive` (the default) or `Edge_repulsive`
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; the result is
-///         the same
-/// \param surface as for `geodesic_distances()`
-/// \param speeds receives a positive number for each site
-/// \param np what `principal_curvatures()` takes, and
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; both give
+///         the same result
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param speeds a writable property map that receives a positive number for each vertex or surfel
+/// \param np the named parameters of `principal_curvatures()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{strength}
-///     \cgalParamDescription{0 makes all speeds 1}
-///     \cgalParamDefault{1 / (4 sqrt(pi)), about 0.14: what bends like a sphere of the same area has half
-///       the speed of a plane, or twice its speed} \cgalParamNEnd
+///     \cgalParamDescription{the factor of the curvature in the speed; if it is 0, all speeds are
+///       1}
+///     \cgalParamDefault{1 / (4 sqrt(pi)), about 0.14: if the curvature equals that of a sphere of
+///       the same area, the speed is half of the speed on a plane, or twice that speed}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error when the strength or the radius of the ball is negative or not finite
+/// \throws Invalid_argument_error if the strength or the radius of the ball is negative or not
+///         finite
 ///
-/// O(n b) for balls of b sites.
+/// O(n b) time for b vertices or surfels per ball.
 template <typename Speed = Edge_attractive, typename Concurrency_tag = Sequential_tag,
           typename Surface, typename SpeedMap,
           typename NamedParameters = internal::Default_parameters>
@@ -89,22 +94,24 @@ void curvature_speeds(const Surface& surface, SpeedMap speeds,
 
 /// \ingroup PkgGeodesicProcessingSpeeds
 ///
-/// makes speeds for `speed_map` that are high where the surface bends as it does at a place: what starts on
-/// a ridge stays on ridges.
+/// Computes speeds for `speed_map` that are high if the mean curvature is similar to that at a
+/// given vertex or surfel.  Paths that start on a ridge tend to follow ridges.
 ///
-/// The speed is \f$ 1 / (1 + \mu |\sigma - \sigma_0|) \f$, where \f$ \sigma = \lambda_1 + \lambda_2 \f$ is
-/// twice the mean curvature, in units of one over the square root of the surface's area,
-/// \f$ \sigma_0 \f$ that of the place, and \f$ \mu \f$ the strength.  Scaling the surface changes nothing.
-/// Figure 15 of \cgalCite{cgal:srgb-emd-14} has distances of this kind.
+/// The speed is \f$ 1 / (1 + \mu |\sigma - \sigma_0|) \f$ with the strength \f$ \mu \f$.
+/// \f$ \sigma = \lambda_1 + \lambda_2 \f$ is twice the mean curvature, in units of one over the
+/// square root of the surface's area, and \f$ \sigma_0 \f$ is its value at the given vertex or
+/// surfel.  The speeds are invariant under scaling of the surface.
+/// Figure 15 of \cgalCite{cgal:srgb-emd-14} shows distances of this kind.
 ///
 /// \tparam Concurrency_tag as for `curvature_speeds()`
-/// \param surface as for `geodesic_distances()`
+/// \param surface the surface, as for `geodesic_distances()`
 /// \param vertex a vertex or surfel
-/// \param speeds receives a number in (0, 1] for each site
+/// \param speeds a writable property map that receives a number in (0, 1] for each vertex or surfel
 /// \param np as for `curvature_speeds()`
-/// \throws Invalid_argument_error as `curvature_speeds()`, and when the place is none of the surface's
+/// \throws Invalid_argument_error as `curvature_speeds()`, and if `vertex` does not belong to the
+///         surface
 ///
-/// O(n b) for balls of b sites.
+/// O(n b) time for b vertices or surfels per ball.
 template <typename Concurrency_tag = Sequential_tag, typename Surface, typename Vertex,
           typename SpeedMap, typename NamedParameters = internal::Default_parameters>
 void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap speeds,
@@ -126,27 +133,31 @@ void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap sp
 
 /// \ingroup PkgGeodesicProcessingSpeeds
 ///
-/// makes speeds for `speed_map` from an image on the surface, or any other function: low where it varies.
+/// Computes speeds for `speed_map` from an image, or another function, on the surface.  The speed
+/// is low where the function has a large gradient.
 ///
-/// The speed is \f$ 1 / (1 + \mu |\nabla I| / \max |\nabla I|) \f$ with the strength \f$ \mu \f$: scaling
-/// the surface or the image changes nothing.  The size of the gradient is averaged over the faces, or
-/// local triangles, at each site. \cgalCite{cgal:pc-grfp-06}
+/// The speed is \f$ 1 / (1 + \mu |\nabla I| / \max |\nabla I|) \f$ with the strength \f$ \mu \f$.
+/// It is invariant under scaling of the surface or the image.  The norm of the gradient is averaged
+/// over the incident faces, or local triangles, of each vertex or surfel.
+/// \cgalCite{cgal:pc-grfp-06}
 ///
-/// \param surface as for `geodesic_distances()`
-/// \param image a readable property map of sites; its values are numbers, or have three of them, like
-///        `CGAL::IO::Color`
-/// \param speeds receives a number in (0, 1] for each site
-/// \param np what `make_domain()` takes, and
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param image a readable property map of vertices or surfels; each value is one number, or has
+///        three components, such as `CGAL::IO::Color`
+/// \param speeds a writable property map that receives a number in (0, 1] for each vertex or surfel
+/// \param np the named parameters of `make_domain()`, and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{strength}
-///     \cgalParamDescription{0 makes all speeds 1}
-///     \cgalParamDefault{20: there samples are 21 times closer to each other than where the image is plain} \cgalParamNEnd
+///     \cgalParamDescription{the factor of the relative gradient in the speed; if it is 0, all
+///       speeds are 1}
+///     \cgalParamDefault{20: at the maximum gradient, samples are 21 times closer to each other
+///       than in constant regions of the image} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error when a value of the image is not finite, or the strength is negative or
-///         not finite
+/// \throws Invalid_argument_error if a value of the image is not finite, or the strength is
+///         negative or not finite
 ///
-/// O(n).
+/// O(n) time.
 template <typename Surface, typename ImageMap, typename SpeedMap,
           typename NamedParameters = internal::Default_parameters>
 void image_speeds(const Surface& surface, ImageMap image, SpeedMap speeds,
