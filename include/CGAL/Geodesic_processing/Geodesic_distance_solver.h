@@ -22,32 +22,34 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// how the shortest path to a place leaves its source: where the place lies on the exact logarithmic map.
+/// The departure of the shortest path to a location from its source: the location's coordinates in
+/// the exact logarithmic map.
 template <typename Surface>
 struct Geodesic_departure
 {
   using Location = typename internal::Surface_traits<Surface>::Location;
   using Vector_3 = typename internal::Surface_traits<Surface>::Vector_3;
 
-  Location from;                    ///< where on the source
-  Vector_3 direction = NULL_VECTOR; ///< a unit vector; zero where there is no path or no way to go
-  /// of the direction around `from`, in radians, counterclockwise from a direction that all departures
-  /// from there have in common.
+  Location from;                    ///< the starting point on the source
+  Vector_3 direction = NULL_VECTOR; ///< unit vector; zero if there is no path or its length is zero
+  /// The polar angle of the direction around `from`, in radians, counterclockwise.  The reference
+  /// direction is the same for all departures from `from`.
   double polar_angle = 0.;
-  /// without the source's offset; infinite where there is no path.
+  /// The length of the path, without the offset of the source; infinite if there is no path.
   double length = internal::infinity;
 };
 
 /// \ingroup PkgGeodesicProcessingDistances
 ///
-/// answers many queries for distances on one surface.
+/// Computes geodesic distances for many queries on one surface.
 ///
-/// What a query costs depends on the sites that it reaches, not on the size of the surface; `Heat` is
-/// global.  Copies share the domain, and may compute at the same time.  On a mesh the fronts prepare a
-/// copy of each vertex's surroundings, which takes less time than a query over the whole mesh; with it
-/// and the answer they take about 280 bytes per vertex beside the domain.
+/// The cost of a query depends on the number of vertices or surfels that it reaches, not on the
+/// size of the surface.  `Heat` is an exception: each of its queries is global.  Copies share the
+/// domain, and different copies can compute concurrently.  On a mesh, the fronts precompute a copy
+/// of the one-ring of each vertex.  This takes less time than a query on the whole mesh.  Together
+/// with the result, it takes about 280 bytes per vertex in addition to the domain.
 ///
-/// \tparam Surface as for `geodesic_distances()`, not a domain
+/// \tparam Surface as for `geodesic_distances()`, but not a domain
 /// \tparam Method as for `geodesic_distances()`
 template <typename Surface, typename Method = Euclidean_front>
 class Geodesic_distance_solver
@@ -60,7 +62,7 @@ public:
   using Vertex = typename Domain::Vertex;
   using Location = typename Domain::Location;
 
-  /// prepares the surface; `np` is what `make_domain()` takes.
+  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_distance_solver(const Surface& surface,
                                     const NamedParameters& np = NamedParameters())
@@ -77,28 +79,33 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// computes distances to the sources; what the last call found is forgotten.
+  /// Computes distances to the nearest source.  The result replaces that of the last call.
   ///
-  /// \param sources a site, a location, a `Source`, or a range of one of these, not empty
+  /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of
+  ///        these
   /// \param np
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{sites farther away are not reached}
-  ///     \cgalParamDefault{infinity} \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_distance} \cgalParamDescription{vertices or surfels farther than
+  ///     this distance are not reached} \cgalParamDefault{infinity} \cgalParamNEnd
   ///   \cgalParamNBegin{targets}
-  ///     \cgalParamDescription{a site, a location, or a range of them: the computation may stop when
-  ///       they are final} \cgalParamDefault{none} \cgalParamNEnd
+  ///     \cgalParamDescription{a vertex, a surfel, a location, or a range of them: the computation
+  ///       can stop as soon as their distances are final} \cgalParamDefault{no targets}
+  ///       \cgalParamNEnd
   ///   \cgalParamNBegin{speed_map}
-  ///     \cgalParamDescription{the speed of the front at vertices or in faces, finite and not
-  ///       negative, zero at obstacles; a triangle takes the mean of 1/speed of its corners}
+  ///     \cgalParamDescription{the speed of the front at vertices, at surfels or in faces, finite
+  ///       and not negative; zero at obstacles.  If it is given at vertices or surfels, 1/speed of
+  ///       a triangle is the mean of 1/speed at its corners}
   ///     \cgalParamDefault{1 everywhere} \cgalParamNEnd
   ///   \cgalParamNBegin{callback}
-  ///     \cgalParamDescription{a `std::function<bool(double)>` that is told the fraction done and
-  ///       cancels by returning false} \cgalParamNEnd
+  ///     \cgalParamDescription{a `std::function<bool(double)>` that is called with the completed
+  ///       fraction; if it returns false, the computation is canceled} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \returns false if the callback cancelled it; then only sites whose distance was final are reached
-  /// \throws Invalid_argument_error when there is no source, when an offset, a location, a speed or
-  ///         the maximum distance is not usable
-  /// \throws Unsupported_surface_error when the method takes no speeds
+  /// \returns false if the callback canceled the computation.  Then only vertices or surfels whose
+  ///          distances were final are reached.
+  /// \throws Invalid_argument_error if there is no source, or if an offset, a location, a speed or
+  ///         the maximum distance is invalid
+  /// \throws Unsupported_surface_error if a speed map is given and the method does not support
+  ///         speeds
   template <typename Sources, typename NamedParameters = internal::Default_parameters>
   bool compute(const Sources& sources, const NamedParameters& np = NamedParameters())
   {
@@ -111,25 +118,27 @@ public:
   /// \name The last computation
   /// @{
 
-  /// returns the distance of a site, +infinity where no source reaches.
+  /// Returns the distance of a vertex or surfel; +infinity if no source reaches it.
   double distance(Vertex vertex) const
   {
     return scale() * m_engine.distance(m_domain.index(vertex));
   }
-  /// returns the distance anywhere on the surface.
+  /// Returns the distance of any location on the surface; +infinity if no source reaches it.
   double distance(const Location& location) const
   {
     return scale() * m_engine.distance(m_domain.inner(location));
   }
-  /// returns the label of the nearest source, the largest `std::size_t` where none reaches.
+  /// Returns the label of the nearest source; the largest `std::size_t` if no source reaches
+  /// `vertex`.
   std::size_t source_label(Vertex vertex) const { return label(m_domain.index(vertex)); }
-  /// returns a neighbour nearer to the source, next to which the shortest path arrives; the site
-  /// itself at sources and where none reaches.
+  /// Returns a neighbor that is closer to the source and next to which the shortest path arrives.
+  /// Returns `vertex` itself at sources, and if no source reaches it.
   Vertex predecessor(Vertex vertex) const
   {
     return m_domain.vertex(predecessor_index(m_domain.index(vertex)));
   }
-  /// returns the sites reached, nearly in the order of their distances.
+  /// Returns the vertices or surfels that were reached, approximately in the order of their
+  /// distances.
   std::vector<Vertex> reached() const
   {
     std::vector<Vertex> result;
@@ -138,14 +147,14 @@ public:
       result.push_back(m_domain.vertex(index));
     return result;
   }
-  /// returns the path from a site or a location to its nearest source; empty where none reaches.
-  /// With `Exact` it is as long as the distance.
+  /// Returns the path from a vertex, surfel or location to its nearest source; empty if no source
+  /// reaches it.  With `Exact`, its length equals the distance.
   template <typename QueryLocation>
   Surface_path<Surface> path(const QueryLocation& from) const
   {
     const internal::Surface_location inner = internal::location(m_domain, from);
     const double distance = scale() * m_engine.distance(inner);
-    // Only triangles without area keep an exact path from being found.
+    // An exact path can be missing only because of degenerate triangles.
     if(const internal::Window_propagation* windows = m_engine.windows())
       if(const auto path = windows->path(inner); !path.empty())
         return internal::surface_path(m_domain, path, distance);
@@ -158,11 +167,13 @@ public:
                                   distance);
   }
 
-  /// returns all shortest paths from a site or a location to the sources, two or more on the cut locus;
-  /// at most 64.  Only with `Exact`.
+  /// Returns all shortest paths from a vertex or location to the sources, but at most 64 paths.
+  /// On the cut locus, there are two or more.  It requires `Exact`.
   ///
-  /// \param tolerance paths longer by this part of the distance count as shortest; far smaller than an
-  ///        edge, it makes up for rounding.
+  /// \param from a vertex or a location
+  /// \param tolerance paths that are longer by at most this fraction of the distance count as
+  ///        shortest, which compensates for round-off errors.  The excess length must be far
+  ///        smaller than an edge.
   template <typename QueryLocation>
   std::vector<Surface_path<Surface>> shortest_paths(const QueryLocation& from,
                                                     double tolerance = 1e-9) const
@@ -175,7 +186,8 @@ public:
       result.push_back(internal::surface_path(m_domain, path, distance));
     return result;
   }
-  /// returns how the shortest path to a site or a location leaves its source.  Only with `Exact`.
+  /// Returns the departure of the shortest path to a vertex or location from its source.  It
+  /// requires `Exact`.
   template <typename QueryLocation>
   Geodesic_departure<Surface> departure(const QueryLocation& to) const
   {

@@ -12,21 +12,24 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// finds paths between two places, one pair after the other, at interactive speed: an A* search over
-/// edges and unfolded pairs of faces, then straightening.
+/// Computes paths between pairs of vertices, surfels or locations at interactive speed.
 ///
-/// On a mesh a path is locally shortest, as those of `geodesic_path()`; on scans it is in the mean some
-/// hundredths of a percent longer than the shortest of all.  No distance field is computed: a query costs
-/// what it visits.  Copies share the domain, and may search at the same time.
+/// An A* search on edges, and on segments across unfolded adjacent faces, finds a path, which is
+/// then shortened.
 ///
-/// \tparam Surface as for `geodesic_distances()`, not a domain
+/// On a mesh, a path is locally shortest, as a path of `geodesic_path()`.  On scans, it is on
+/// average a few hundredths of a percent longer than the exact shortest path.  No distance field is
+/// computed: the cost of a query is that of the visited vertices.  Copies share the domain, and
+/// different copies can be used concurrently.
+///
+/// \tparam Surface as for `geodesic_distances()`, but not a domain
 template <typename Surface>
 class Geodesic_path_finder
 {
 public:
   using Domain = internal::Domain_of<Surface>;
 
-  /// prepares the surface; `np` is what `make_domain()` takes.
+  /// Precomputes the domain of the surface; `np` takes the named parameters of `make_domain()`.
   template <typename NamedParameters = internal::Default_parameters>
   explicit Geodesic_path_finder(const Surface& surface,
                                 const NamedParameters& np = NamedParameters())
@@ -38,12 +41,14 @@ public:
 
   const Domain& domain() const { return m_domain; }
 
-  /// sharpens the bounds of the search by distances from `number` sites far apart: worth its time, that of
-  /// as many fronts over the whole surface, before hundreds of queries.  \cgalCite{cgal:gh-cspas-05}
+  /// Improves the lower bounds of the search by the distances from `number` landmarks: vertices or
+  /// surfels far from each other.  \cgalCite{cgal:gh-cspas-05}  Each landmark takes one search on
+  /// the whole surface, so that landmarks pay off for hundreds of queries.
   void add_landmarks(unsigned number) { m_finder.add_landmarks(number); }
 
-  /// returns a path from one site or location to another; empty when they are not connected.
-  /// \throws Invalid_argument_error when a location is not usable
+  /// Returns a path from one vertex, surfel or location to another; empty if they are not
+  /// connected.
+  /// \throws Invalid_argument_error if a location is invalid
   template <typename FromLocation, typename ToLocation>
   Surface_path<Surface> operator()(const FromLocation& from, const ToLocation& to)
   {

@@ -22,35 +22,43 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingWavelets
-/// how wavelets foretell the value at the middle of an edge.
+/// The prediction of the value at the midpoint of an edge.
 enum class Wavelet_prediction
 {
-  linear,   ///< as the mean of its two ends
-  butterfly ///< by the modified butterfly scheme \cgalCite{cgal:zss-ismat-96}. Of smooth values details are smaller
+  linear, ///< the mean of the values at both endpoints
+  /// The modified butterfly scheme \cgalCite{cgal:zss-ismat-96}.  If the values are smooth, details
+  /// are smaller.
+  butterfly
 };
 
 /// \ingroup PkgGeodesicProcessingWavelets
-/// the values of a coarse mesh, and the details that finer ones add: what `Subdivision_wavelet::analyze()` makes.
-/// Numbers may be changed before they are put together again.
+/// The wavelet coefficients of vertex values: the result of `Subdivision_wavelet::analyze()`.  They
+/// are the values of the coarsest mesh and the details of the finer levels.  They can be modified
+/// before synthesis.
 struct Wavelet_details
 {
-  std::size_t number_of_channels = 0; ///< numbers for each vertex
-  bool is_in_frames = false;          ///< details are along the normal, the edge, and across it
-  /// of all vertices of the hierarchy, `number_of_channels` each: those of the coarsest level, then details.
+  std::size_t number_of_channels = 0; ///< number of components of each vertex's value
+  /// Whether details are components along the normal, the edge, and their cross product.
+  bool is_in_frames = false;
+  /// `number_of_channels` numbers for each vertex of the hierarchy: first the values of the
+  /// coarsest level, then the details of the finer levels.
   std::vector<double> values;
 };
 
 /// \ingroup PkgGeodesicProcessingWavelets
 ///
-/// wavelets on a mesh with subdivision connectivity, by lifting. \cgalCite{cgal:s-lscsg-98} \cgalCite{cgal:ss-swers-95}
-/// Any values of its vertices become those of a coarse mesh and details, most of which are small, and
-/// come back from these.
+/// The wavelet transform on a mesh with subdivision connectivity, by lifting.
+/// \cgalCite{cgal:s-lscsg-98} \cgalCite{cgal:ss-swers-95}
+/// Analysis transforms vertex values to the values of a coarse mesh and details, most of which are
+/// small.  Synthesis inverts it.
 ///
-/// The mesh is one whose triangles were cut into four, again and again, whatever the order of its vertices and
-/// faces: coarser levels are found from the connectivity alone.  \cgalCite{cgal:t-drscg-02}
-/// Vertices that are not in any face are in the coarsest level.
+/// The mesh must be the result of repeated uniform refinement (1-to-4) of a coarse triangle mesh.
+/// The coarser levels are recovered from the connectivity only, so that the order of vertices and
+/// faces is arbitrary.  \cgalCite{cgal:t-drscg-02}
+/// Isolated vertices belong to the coarsest level.
 ///
-/// It knows the mesh's descriptors, but not the mesh: that may be destroyed, not be changed.  About 250 bytes per
+/// The object stores the descriptors of the mesh, but no reference to it.  The mesh can be
+/// destroyed.  If it is modified, the object becomes invalid.  The object takes about 250 bytes per
 /// vertex.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -60,41 +68,46 @@ class Subdivision_wavelet
 public:
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// finds the levels.  O(n).
+  /// Recovers the levels from the connectivity.  O(n) time.
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{number_of_levels} \cgalParamDescription{how many are taken off at most}
-  ///     \cgalParamDefault{as many as there are} \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_levels} \cgalParamDescription{the maximum number of levels above
+  ///     the coarsest one} \cgalParamDefault{all levels of the mesh} \cgalParamNEnd
   ///   \cgalParamNBegin{wavelet_prediction} \cgalParamDescription{a `Wavelet_prediction`}
   ///     \cgalParamDefault{`Wavelet_prediction::butterfly`} \cgalParamNEnd
   ///   \cgalParamNBegin{do_update}
-  ///     \cgalParamDescription{whether coarser values have the same sum, each weighted by what stems from it: wavelets
-  ///       have a vanishing moment, and the error of leaving details out is smaller}
+  ///     \cgalParamDescription{whether the update step of lifting is applied, which preserves the
+  ///       weighted sum of the values on all levels.  Then wavelets have one vanishing moment, and
+  ///       the error due to omitted details is smaller}
   ///     \cgalParamDefault{`true`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Unsupported_surface_error when a face is not a triangle, two vertices are joined by two edges, or there
-  ///         is no coarser level
+  /// \throws Unsupported_surface_error if a face is not a triangle, if two vertices are joined by
+  ///         two edges, or if there is no coarser level
   template <typename NamedParameters = internal::Default_parameters>
   explicit Subdivision_wavelet(const TriangleMesh& mesh,
                                const NamedParameters& np = NamedParameters());
 
   /// \name Levels
   /// @{
-  /// without the coarsest, which is level 0.
+  /// Returns the number of levels without the coarsest one, which is level 0.
   std::size_t number_of_levels() const { return subdivision().levels.size() - 1; }
+  /// Returns the number of vertices of a level.
   std::size_t number_of_vertices(std::size_t level) const
   {
     return subdivision().levels[level].number_of_vertices;
   }
+  /// Returns the number of vertices of the finest level, which is the mesh.
   std::size_t number_of_vertices() const { return m_vertices.size(); }
-  /// in the order of details: those of a level before those of all finer ones.
+  /// Returns a vertex by its index in the order of the details: the vertices of a level precede the
+  /// vertices that finer levels add.
   Vertex vertex(std::size_t i) const { return m_vertices[i]; }
-  /// two places in that order: the ends of the edge whose midpoint the vertex is; in the coarsest level, itself.
+  /// Returns two indices in that order: the endpoints of the edge whose midpoint is vertex `i`.
+  /// For a vertex of the coarsest level, both are `i`.
   std::array<std::size_t, 2> parents(std::size_t i) const
   {
     return {subdivision().parents[i][0], subdivision().parents[i][1]};
   }
-  /// those of a level: three places in that order for each.
+  /// Returns the triangles of a level, with three vertex indices in that order for each.
   std::vector<std::array<std::size_t, 3>> triangles(std::size_t level) const
   {
     std::vector<std::array<std::size_t, 3>> result;
@@ -105,29 +118,36 @@ public:
   /// @}
 
   /// \name Transforms
-  /// each O(n).
+  /// Each transform takes O(n) time.
   /// @{
 
-  /// the details of values of vertices: numbers, arrays of them, points or vectors.
+  /// Computes the wavelet coefficients of vertex values.
   ///
+  /// \param map a readable property map of vertices, whose values are numbers, arrays of numbers,
+  ///        points or vectors
+  /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{do_use_frames}
-  ///     \cgalParamDescription{whether details of places are turned into frames of the coarser surface: then those
-  ///       along the surface, which it hardly shows, are apart from those along its normal}
+  ///     \cgalParamDescription{whether details of positions are expressed in local frames of the
+  ///       coarser surface.  This separates tangential details, which hardly affect the shape, from
+  ///       normal ones}
   ///     \cgalParamDefault{`false`} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Invalid_argument_error when a value is not finite, or frames are asked for other than three numbers
+  /// \throws Invalid_argument_error if a value is not finite, or if `do_use_frames` is true and
+  ///         values do not have three components
   template <typename VertexMap, typename NamedParameters = internal::Default_parameters>
   Wavelet_details analyze(VertexMap map, const NamedParameters& np = NamedParameters()) const;
 
-  /// writes the values that details make: the same as were analyzed, but for rounding, if the details are.
+  /// Computes vertex values from wavelet coefficients and writes them to a property map.  If the
+  /// coefficients are unmodified, these are the analyzed values up to round-off errors.
   ///
-  /// \throws Invalid_argument_error when the details are of another mesh, or of other values
+  /// \throws Invalid_argument_error if the details do not match the mesh or the value type of `map`
   template <typename VertexMap>
   void synthesize(const Wavelet_details& details, VertexMap map) const;
 
-  /// sets all details to zero but the largest `number` of them, measured by what they change on the whole surface.
-  /// O(n).
+  /// Keeps the `number` vertices with the largest details and sets all other details to zero.  The
+  /// size of a detail is its norm, weighted by its effect on the values of the finest level.  O(n)
+  /// time.
   void keep_largest(Wavelet_details& details, std::size_t number) const
   {
     check(details, details.number_of_channels);
@@ -138,18 +158,22 @@ public:
   /// \name Files
   /// @{
 
-  /// the mesh and its details as bytes, the most important ones first: every prefix that has the base mesh can be read by
-  /// `decode_wavelets()`, and longer ones are better.  Embedded zerotrees \cgalCite{cgal:kss-pgc-00}, arithmetically coded.
+  /// Encodes the mesh and its details as a progressive stream of bytes, by embedded zerotrees
+  /// \cgalCite{cgal:kss-pgc-00} and arithmetic coding.  `decode_wavelets()` can read every prefix
+  /// that contains the base mesh.  Longer prefixes decode to better approximations.
   ///
+  /// \param details the result of `analyze()`, possibly modified
+  /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{number_of_bit_planes}
-  ///     \cgalParamDescription{1 to 48: the error at the end is about the largest number divided by 2 as often}
+  ///     \cgalParamDescription{the number of bits of the largest coefficient, 1 to 48.  With p
+  ///       planes, the final error is about the largest coefficient divided by 2<SUP>p</SUP>}
   ///     \cgalParamDefault{24} \cgalParamNEnd
-  ///   \cgalParamNBegin{maximum_number_of_bytes} \cgalParamDescription{where to stop}
-  ///     \cgalParamDefault{nowhere} \cgalParamNEnd
+  ///   \cgalParamNBegin{maximum_number_of_bytes} \cgalParamDescription{the size to which the stream
+  ///     is truncated} \cgalParamDefault{unlimited} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws Invalid_argument_error when the details are of another mesh, not finite, of more than 16 channels, or
-  ///         the number of planes is none
+  /// \throws Invalid_argument_error if the details do not match the mesh, are not finite, or have
+  ///         more than 16 channels, or if the number of bit planes is not in the range 1 to 48
   template <typename NamedParameters = internal::Default_parameters>
   std::vector<std::uint8_t> encode(const Wavelet_details& details,
                                    const NamedParameters& np = NamedParameters()) const;
@@ -192,14 +216,14 @@ Subdivision_wavelet<TriangleMesh>::Subdivision_wavelet(const TriangleMesh& mesh,
     internal::Triangle t;
     for(Index& v : t)
     {
-      v = get(index, target(h, mesh)); // the first one that the face was made of
+      v = get(index, target(h, mesh)); // starts with the first vertex used to create the face
       h = next(h, mesh);
     }
     if(h != first_halfedge)
       throw Unsupported_surface_error("A face is not a triangle.");
     triangles.push_back(t);
   }
-  constexpr std::size_t max_number_of_levels = 15; // of 2^31 half-edges
+  constexpr std::size_t max_number_of_levels = 15; // sufficient for 2^31 halfedges
   const std::size_t requested_levels =
       internal::parameter(np, internal_np::number_of_levels, max_number_of_levels);
   internal::Hierarchy hierarchy;

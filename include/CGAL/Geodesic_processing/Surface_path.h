@@ -13,18 +13,18 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// a polyline on a surface.  Consecutive locations lie in a common face of a mesh; no point comes
-/// twice in a row.
+/// A polyline on a surface.  On a mesh, consecutive locations belong to a common face.  Consecutive
+/// points are distinct.
 template <typename Surface>
 struct Surface_path
 {
   using Location = typename internal::Surface_traits<Surface>::Location;
   using Point_3 = typename internal::Surface_traits<Surface>::Point_3;
 
-  std::vector<Location> locations; ///< where it runs; empty when there is no path
-  std::vector<Point_3> points;     ///< the same in space
-  double length = 0.;              ///< of the polyline through the points
-  double front_distance = 0.;      ///< the distance that the method found, +infinity without a path
+  std::vector<Location> locations; ///< the vertices of the polyline; empty if there is no path
+  std::vector<Point_3> points;     ///< the positions of the locations in space
+  double length = 0.;              ///< the length of the polyline
+  double front_distance = 0.;      ///< the distance of the method; +infinity if there is no path
 
   bool empty() const { return locations.empty(); }
 };

@@ -19,35 +19,39 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingWavelets
-/// how much of a stream was read.
+/// The extent to which a stream was decoded.
 struct Wavelet_stream
 {
-  std::size_t number_of_levels = 0;
-  std::size_t number_of_bit_planes = 0; ///< that were read as a whole
-  bool is_complete = false;             ///< these are all
-  bool is_damaged = false; ///< what follows them is not what was written, and was left out
+  std::size_t number_of_levels = 0;     ///< number of levels without the base mesh
+  std::size_t number_of_bit_planes = 0; ///< number of bit planes that were decoded completely
+  bool is_complete = false;             ///< whether these are all bit planes of the encoder
+  bool is_damaged = false; ///< whether a checksum differs; later bit planes were ignored
 };
 
 /// \ingroup PkgGeodesicProcessingWavelets
 ///
-/// adds the mesh that a stream of `Subdivision_wavelet::encode()` holds, or as good a one as a prefix of it
-/// makes. Vertices and faces are in the order of levels, so that the mesh can be analyzed again.
+/// Decodes a stream of `Subdivision_wavelet::encode()`, or a prefix of one, and adds its mesh to
+/// `output`.  A prefix decodes to an approximation.  Vertices and faces are added in the order of
+/// levels, so that the mesh can be analyzed again.
 ///
-/// Bytes that were changed are noticed by checksums: what stands before them counts.  Only within a bit plane that is cut
-/// off can they pass unnoticed; vertices are finite all the same.
+/// Damaged bytes are detected by checksums; then only the bit planes before them are used.  Damage
+/// in a truncated bit plane can remain undetected, but vertices are always finite.
 ///
 /// \param bytes a contiguous range of `std::uint8_t`
-/// \param output a model of `MutableFaceGraph`
+/// \param output the mesh to which the result is added, a model of `MutableFaceGraph`
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{maximum_number_of_vertices}
-///     \cgalParamDescription{more are refused, since a few bytes can ask for any number of them}
+///     \cgalParamDescription{the maximum number of vertices of the decoded mesh.  It protects
+///       against short damaged streams that encode arbitrarily many vertices}
 ///     \cgalParamDefault{2<SUP>24</SUP>} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Invalid_argument_error when the bytes are no such stream of places, when they end before the base mesh
-///         does or are damaged there, and when there are too many vertices; the output is untouched
+/// \returns the extent to which the stream was decoded
+/// \throws Invalid_argument_error if the bytes are not a stream of vertex positions, if the base
+///         mesh is incomplete or damaged, or if there are too many vertices.  Then `output` is
+///         unchanged.
 ///
-/// O(n) for each bit plane.
+/// O(n) time for each bit plane.
 template <typename ByteRange, typename OutputMesh,
           typename NamedParameters = internal::Default_parameters>
 Wavelet_stream decode_wavelets(const ByteRange& bytes, OutputMesh& output,
@@ -72,7 +76,8 @@ Wavelet_stream decode_wavelets(const ByteRange& bytes, OutputMesh& output,
     vertices.push_back(add_vertex(output));
     put(points, vertices.back(), Point(values[i], values[i + 1], values[i + 2]));
   }
-  // One by one: at once they could not meet in a vertex alone.
+  // Faces are added one by one, because adding all at once does not support faces that meet only in
+  // a vertex.
   for(const auto& t : decoded.subdivision->finest().triangles)
     CGAL::Euler::add_face(std::array<Vertex, 3>{vertices[t[0]], vertices[t[1]], vertices[t[2]]},
                           output);

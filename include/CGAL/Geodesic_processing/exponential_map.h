@@ -12,20 +12,23 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingLogMap
 ///
-/// returns the place of a mesh to which a tangent vector leads, straight on: the inverse of
-/// `logarithmic_map()`, whose axes are these when `up_direction` is the same.
+/// Returns the endpoint of the straightest geodesic in the direction of a tangent vector, whose
+/// length is that of the vector.
 ///
-/// Beyond the radius up to which shortest paths are unique it goes on straight.  Where it meets a border, the
-/// place there is returned.
+/// It is the inverse of `logarithmic_map()`.  Both use the same axes if `up_direction` is the same.
+/// Beyond the injectivity radius, the geodesic continues straight, although it is not necessarily a
+/// shortest path.  If it reaches the boundary, the point on the boundary is returned.
 ///
-/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; a cloud has no straight lines
+/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; clouds are not supported
 /// \param base a vertex or a location
-/// \param vector in the tangent plane of the base
-/// \param np `up_direction`, as for `Logarithmic_map::compute()`, and what `make_domain()` takes
-/// \throws Invalid_argument_error when the base is an isolated vertex, the vector is not finite, or the direction
-///         is normal to the surface
+/// \param vector a vector in the tangent plane of `base`
+/// \param np `up_direction` as for `Logarithmic_map::compute()`, and the named parameters of
+///        `make_domain()`
+/// \returns a location
+/// \throws Invalid_argument_error if the base is an isolated vertex, the vector is not finite, or
+///         `up_direction` is normal to the surface
 ///
-/// O(number of faces crossed) after `make_domain()`.  \cgalCite{cgal:ps-sgps-98}
+/// O(number of crossed faces) time after `make_domain()`.  \cgalCite{cgal:ps-sgps-98}
 template <typename Mesh, typename Place, typename NamedParameters = internal::Default_parameters>
 auto exponential_map(const Mesh& mesh, const Place& base, const std::array<double, 2>& vector,
                      const NamedParameters& np = NamedParameters())

@@ -9,19 +9,22 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// finds a path from a place to its nearest source: distances by the method until the front has passed
-/// the place, the path traced down them, then straightened to a geodesic.
+/// Computes a path from a vertex, surfel or location to its nearest source.
 ///
-/// On a mesh the result is locally shortest: straight in every face, with an angle of at least
-/// \f$ \pi \f$ on both sides of every vertex that it touches.  With `Exact` it is the shortest of all; with the other methods
-/// not always: its length is at least the distance, and differs from `Surface_path::front_distance` by at most
-/// the error of the method.  On a cloud it runs through surfels.
+/// Distances are computed by the method until the front has passed `from`.  The path is traced
+/// along decreasing distances and then shortened to a geodesic.
 ///
-/// \param surface as for `geodesic_distances()`
-/// \param from a site or a location
-/// \param to a site, a location, a `Source`, or a range of one of these, not empty
-/// \param np what `geodesic_distances()` takes
-/// \returns the path, empty when no source can be reached
+/// On a mesh, the path is locally shortest: it is straight in every face, and both angles at every
+/// vertex that it passes are at least \f$ \pi \f$.  With `Exact`, it is a globally shortest path.
+/// With other methods, it is not always a shortest one: its length is at least the exact distance.
+/// The length differs from `Surface_path::front_distance` by at most the error of the method.  On a
+/// cloud, the path consists of surfels.
+///
+/// \param surface the surface, as for `geodesic_distances()`
+/// \param from a vertex, a surfel or a location
+/// \param to a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
+/// \param np the named parameters of `geodesic_distances()`
+/// \returns the path; empty if no source can be reached
 /// \throws as `Geodesic_distance_solver::compute()`
 template <typename Method = Euclidean_front, typename Surface, typename QueryLocation,
           typename Sources, typename NamedParameters = internal::Default_parameters>

@@ -11,7 +11,7 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// a straightest geodesic, and whether it met a border before it had the length asked for.
+/// A straightest geodesic, and whether it reached the boundary before it had the requested length.
 template <typename Surface>
 struct Straightest_geodesic : Surface_path<Surface>
 {
@@ -20,20 +20,26 @@ struct Straightest_geodesic : Surface_path<Surface>
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// goes straight on from a place of a triangle mesh in a direction: the exponential map.
+/// Traces the straightest geodesic on a triangle mesh from a location in a direction.  Its endpoint
+/// is the exponential map.
 ///
-/// Faces are unfolded one after the other; a vertex that is hit is left with equal angles on both sides.
-/// \cgalCite{cgal:ps-sgps-98}  At a border it ends.
+/// Faces are unfolded one after the other.  If the path hits a vertex, it continues with equal
+/// angles on both sides. \cgalCite{cgal:ps-sgps-98}  If it reaches a boundary
+/// edge, or a boundary vertex that it cannot pass, it ends there.
 ///
-/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; a cloud has no straight lines
+/// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; clouds are not supported
 /// \param from a vertex or a location
-/// \param direction is projected to the plane of the face of `from` (of a vertex: of its face whose plane
-///        is the nearest to it)
-/// \param length how far to go, finite and not negative
-/// \returns the path; its `length` is smaller than asked for only at a border
-/// \throws Invalid_argument_error when the direction has no part in the plane, or the length is not usable
+/// \param direction a vector in space, which is projected to the plane of the face of `from`.  At a
+///        vertex, this is the incident face that contains the projected direction; if several do, it
+///        is the one whose plane is closest to the direction
+/// \param length the length of the path, finite and not negative
+/// \param np the named parameters of `make_domain()`
+/// \returns the path; its `length` is smaller than the requested length only if it ends at the
+///          boundary
+/// \throws Invalid_argument_error if the direction is normal to the plane, or if the length is
+///         invalid
 ///
-/// O(number of faces crossed) after `make_domain()`.
+/// O(number of crossed faces) time after `make_domain()`.
 template <typename Mesh, typename QueryLocation, typename Vector,
           typename NamedParameters = internal::Default_parameters>
 auto straightest_geodesic(const Mesh& mesh, const QueryLocation& from, const Vector& direction,
