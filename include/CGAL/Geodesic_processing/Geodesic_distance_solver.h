@@ -68,6 +68,7 @@ public:
                                     const NamedParameters& np = NamedParameters())
       : Geodesic_distance_solver(Domain(surface, np))
   {}
+  /// Uses an existing domain, which is shared.
   explicit Geodesic_distance_solver(const Domain& domain)
       : Geodesic_distance_solver(domain, internal::distance_method<Method>())
   {}
@@ -77,6 +78,7 @@ public:
   {}
 #endif
 
+  /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
   /// Computes distances to the nearest source.  The result replaces that of the last call.
@@ -208,16 +210,19 @@ public:
     return result;
   }
 
+  /// Writes the distance of each vertex or surfel to a property map.
   template <typename DistanceMap>
   void write_distances(DistanceMap map) const
   {
     m_domain.write([&](internal::Index i) { return scale() * m_engine.distance(i); }, map);
   }
+  /// Writes `source_label()` of each vertex or surfel to a property map.
   template <typename LabelMap>
   void write_source_labels(LabelMap map) const
   {
     m_domain.write([&](internal::Index i) { return label(i); }, map);
   }
+  /// Writes `predecessor()` of each vertex or surfel to a property map.
   template <typename PredecessorMap>
   void write_predecessors(PredecessorMap map) const
   {

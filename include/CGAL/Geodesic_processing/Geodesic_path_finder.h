@@ -35,10 +35,12 @@ public:
                                 const NamedParameters& np = NamedParameters())
       : Geodesic_path_finder(Domain(surface, np))
   {}
+  /// Uses an existing domain, which is shared.
   explicit Geodesic_path_finder(const Domain& domain)
       : m_domain(domain), m_finder(domain.triangles())
   {}
 
+  /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
   /// Improves the lower bounds of the search by the distances from `number` landmarks: vertices or

@@ -22,32 +22,35 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// a path on a cloud.  Each of its locations names the surfel nearest to it on its sheet; `length` is that of the
-/// polyline, never longer than `start_length`, and `front_distance` that of the curve through its
-/// points: the geodesic distance.
+/// A path on a surfel cloud.  Each location refers to the surfel nearest to it on the same sheet.
+/// `length` is the length of the polyline and at most `start_length`.  `front_distance` is the
+/// length of the smooth curve through its points: the geodesic distance.
 template <typename SurfelRange>
 struct Surfel_path : Surface_path<SurfelRange>
 {
-  std::vector<typename internal::Surface_traits<SurfelRange>::Vertex>
-      start; ///< the surfels of the chain of arcs that it started from
-  double start_length =
-      0.; ///< of that chain, or where arcs cut the surface short of the curve over it
-  std::size_t number_of_control_points = 0; ///< the curve has about four points for each
-  std::vector<Path_energy_level> levels;    ///< from coarse to fine
+  /// The surfels of the graph path from which the minimization starts.
+  std::vector<typename internal::Surface_traits<SurfelRange>::Vertex> start;
+  /// The length of that graph path.  If the shortened path is longer, because graph edges do not
+  /// follow the surface, it is the length of the smooth curve along the graph path.
+  double start_length = 0.;
+  std::size_t number_of_control_points = 0; ///< the curve has about four points per control point
+  std::vector<Path_energy_level> levels;    ///< the levels of the minimization, from coarse to fine
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// finds geodesic paths on a cloud of surfels, clean or noisy, one pair after the other.
+/// Computes geodesic paths between pairs of surfels or locations on a clean or noisy surfel cloud.
 ///
-/// A short chain of arcs of a proximity graph is made a geodesic by minimizing an energy
-/// \cgalCite{cgal:rdsk-asg-06}, with few control points first and then more, on a surface that is
-/// fitted to the surfels where the path comes by.  It ends at one and a half radii from the last
-/// surfel: no path crosses a gap, or changes to another sheet.  No point of a path is farther from the
-/// nearest surfel than the 95th percentile of the spacing there, of the distances to their sixth neighbours
-/// among the 60 surfels around; and from one point to the next the surfels are joined by a short chain of
-/// arcs.  Copies share the cloud and the
-/// graph, and may search at the same time.
+/// A short path in a proximity graph is deformed to a geodesic by minimizing an energy
+/// \cgalCite{cgal:rdsk-asg-06}.  The number of control points increases from level to level.  The
+/// surface is fitted to the surfels along the path and ends at 1.5 radii from the last surfel.
+///
+/// Paths neither cross gaps nor change to another sheet.  The distance of each point of a path to
+/// the nearest surfel is at most the 95th percentile of the local spacing.  The percentile is
+/// computed for the 60 surfels nearest to the point.  The spacing of a surfel is the distance to
+/// its sixth nearest surfel.  The surfels of consecutive points are joined by short graph paths.
+///
+/// Copies share the cloud and the graph, and different copies can search concurrently.
 ///
 /// \tparam SurfelRange a model of `SurfelRange`
 template <typename SurfelRange>
@@ -60,15 +63,18 @@ public:
   using Location = typename Traits::Location;
   using Point_3 = typename Traits::Point_3;
 
-  /// reads the cloud once: O(n log n).
+  /// Reads the cloud and builds the proximity graph.  O(n log n) time.
   ///
+  /// \param surfels the cloud
+  /// \param np
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{point_map} \cgalParamDescription{of the elements of the range}
-  ///     \cgalParamDefault{that of a `Point_set_3`, else the identity} \cgalParamNEnd
-  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{of any positive length}
-  ///     \cgalParamDefault{that of a `Point_set_3`} \cgalParamNEnd
-  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{how far surfels reach}
-  ///     \cgalParamDefault{the distance to the 8th neighbour over the square root of two}
+  ///   \cgalParamNBegin{point_map} \cgalParamDescription{the points of the elements of the range}
+  ///     \cgalParamDefault{the point map of a `Point_set_3`, otherwise the identity} \cgalParamNEnd
+  ///   \cgalParamNBegin{normal_map} \cgalParamDescription{the normals, of any positive length}
+  ///     \cgalParamDefault{the normal map of a `Point_set_3`} \cgalParamNEnd
+  ///   \cgalParamNBegin{radius_map} \cgalParamDescription{the radii of the surfels' disks}
+  ///     \cgalParamDefault{the distance to the 8th nearest neighbor divided by the square root of
+  ///       two}
   ///     \cgalParamNEnd
   ///   \cgalParamNBegin{surfel_path_method} \cgalParamDescription{a `Surfel_path_method`}
   ///     \cgalParamDefault{`projected_quadrics`} \cgalParamNEnd
@@ -78,57 +84,64 @@ public:
   ///     \cgalParamDefault{`extended_spheres`} \cgalParamNEnd
   ///   \cgalParamNBegin{surfel_search} \cgalParamDescription{a `Surfel_search`}
   ///     \cgalParamDefault{`coarse_to_fine`} \cgalParamNEnd
-  ///   \cgalParamNBegin{number_of_control_points} \cgalParamDescription{at most; paths of a few
-  ///     surfels have fewer, and those over sharp edges more} \cgalParamDefault{75} \cgalParamNEnd
-  ///   \cgalParamNBegin{node_weight} \cgalParamDescription{of the squared distances of control points,
-  ///     the \f$ \alpha \f$ of the energy} \cgalParamDefault{0.7} \cgalParamNEnd
-  ///   \cgalParamNBegin{segment_weight} \cgalParamDescription{of those of the middles of segments, its
-  ///     \f$ \beta \f$} \cgalParamDefault{0.7} \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_control_points} \cgalParamDescription{the maximum number
+  ///     of control points.  Paths of a few surfels have fewer, and paths across sharp edges can
+  ///     have more} \cgalParamDefault{75} \cgalParamNEnd
+  ///   \cgalParamNBegin{node_weight} \cgalParamDescription{the weight \f$ \alpha \f$ of the control
+  ///     points' squared distances in the energy} \cgalParamDefault{0.7} \cgalParamNEnd
+  ///   \cgalParamNBegin{segment_weight} \cgalParamDescription{the weight \f$ \beta \f$ of the
+  ///     squared distances of the segments' midpoints in the energy} \cgalParamDefault{0.7}
+  ///     \cgalParamNEnd
   ///   \cgalParamNBegin{threads} \cgalParamDefault{1} \cgalParamNEnd
   /// \cgalNamedParamsEnd
-  /// \throws as `Surfel_domain`, and Invalid_argument_error when a weight is negative
+  /// \throws as `Surfel_domain`, and Invalid_argument_error if a weight is negative
   template <typename NamedParameters = internal::Default_parameters>
   explicit Surfel_path_finder(const SurfelRange& surfels,
                               const NamedParameters& np = NamedParameters());
 
+  /// Returns the number of surfels.
   std::size_t number_of_surfels() const { return m_descriptors->size(); }
 
-  /// between which there are no paths.
+  /// Returns the number of connected components of the graph.  No path joins different components.
   std::size_t number_of_components() const { return cloud().number_of_components; }
-  /// below `number_of_components()`.
+  /// Returns the component of a surfel, a number smaller than `number_of_components()`.
   std::size_t component(Vertex surfel) const
   {
     return cloud().component[tangent_location(surfel).vertex];
   }
 
-  /// of arcs, each counted once.
+  /// Returns the number of edges of the graph; each is counted once.
   std::size_t number_of_edges() const { return cloud().graph.target.size() / 2; }
-  /// calls `f(surfel, surfel)` for the two ends of each arc.
+  /// Calls `f(surfel, surfel)` with the two endpoints of each edge of the graph, once per edge.
   template <typename Function>
   void for_each_edge(Function f) const;
 
-  /// the median of how far a surfel rises over its neighbours, in spacings; 0 when noise is `kept`.
+  /// Returns the noise level: the median, over all surfels, of the median height of a surfel's
+  /// neighbors.  Heights are divided by the spacing.  Returns 0 if `surfel_noise` is `kept`.
   double noise() const { return m_finder.fitted_cloud()->noise(); }
 
-  /// \name A surfel as paths see it: where noise has been removed
+  /// \name Surfels after Noise Removal
   /// @{
+  /// Returns the position of a surfel.
   Point_3 point(Vertex surfel) const
   {
     return outer_point(cloud().point[tangent_location(surfel).vertex]);
   }
+  /// Returns the unit normal of a surfel.
   typename Traits::Vector_3 normal(Vertex surfel) const
   {
     const auto& n = cloud().normal[tangent_location(surfel).vertex];
     return {n[0], n[1], n[2]};
   }
+  /// Returns the radius of a surfel, in the unit of the coordinates.
   double radius(Vertex surfel) const
   {
     return cloud().frame.scale * cloud().radius[tangent_location(surfel).vertex];
   }
   /// @}
 
-  /// returns the location nearest to a point in space.  O(log n) on most clouds.
-  /// \throws Invalid_argument_error when a coordinate is not finite or the cloud is empty
+  /// Returns the location nearest to a point in space.  O(log n) time on most clouds.
+  /// \throws Invalid_argument_error if a coordinate is not finite or the cloud is empty
   template <typename Point>
   Location locate(const Point& point) const
   {
@@ -137,15 +150,16 @@ public:
         {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())}));
   }
 
-  /// returns a path from one surfel or location to another; empty when they are not connected.
-  /// \throws Invalid_argument_error when a surfel is none of the cloud's, or an offset not finite
+  /// Returns a path from one surfel or location to another; empty if they are not connected.
+  /// \throws Invalid_argument_error if a surfel does not belong to the cloud, or if an offset is
+  ///         not finite
   template <typename FromLocation, typename ToLocation>
   Surfel_path<SurfelRange> operator()(const FromLocation& from, const ToLocation& to)
   {
     return outer(m_finder(tangent_location(from), tangent_location(to)));
   }
 
-  /// \name Between the cloud and the kernels
+  /// \name Access for the Kernels
   /// @{
   internal::Tangent_location tangent_location(Vertex surfel) const
   {

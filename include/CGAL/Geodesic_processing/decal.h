@@ -95,11 +95,13 @@ public:
   explicit Decal_placer(const Surface& surface, const NamedParameters& np = NamedParameters())
       : m_map(surface, np)
   {}
+  /// Uses an existing domain, which is shared.
   explicit Decal_placer(const Domain& domain) : m_map(domain) {}
 #ifndef DOXYGEN_RUNNING
   Decal_placer(const Domain& domain, const internal::Log_kind& kind) : m_map(domain, kind) {}
 #endif
 
+  /// Returns the domain of the surface.
   const Domain& domain() const { return m_map.domain(); }
 
   /// Computes the placement of an image with a given center.

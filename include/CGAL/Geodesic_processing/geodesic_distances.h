@@ -18,7 +18,7 @@ namespace CGAL::Geodesic_processing {
 /// \param surface the surface on which distances are measured
 /// \param sources a vertex, a surfel, a location, a `Source`, or a non-empty range of one of these
 /// \param distance_map a writable property map that receives the distance of each vertex or surfel,
-///        in the unit of the coordinates; +infinity if no source reaches it
+///        in the unit of the coordinates.  The distance is +infinity if no source reaches it
 /// \param np the named parameters of `make_domain()` and `Geodesic_distance_solver::compute()`, and
 ///
 /// \cgalNamedParamsBegin

@@ -108,6 +108,7 @@ public:
   explicit Logarithmic_map(const Surface& surface, const NamedParameters& np = NamedParameters())
       : Logarithmic_map(Domain(surface, np))
   {}
+  /// Uses an existing domain, which is shared.
   explicit Logarithmic_map(const Domain& domain)
       : Logarithmic_map(domain, internal::Log_tag<Method>::kind)
   {}
@@ -118,6 +119,7 @@ public:
   {}
 #endif
 
+  /// Returns the domain of the surface.
   const Domain& domain() const { return m_domain; }
 
   /// Computes the map around a base point.  The result replaces that of the last call.

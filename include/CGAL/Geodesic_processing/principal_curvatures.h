@@ -44,10 +44,10 @@ double ball_radius(const NamedParameters& np)
 ///
 /// Estimates the principal curvatures and directions at each vertex or surfel.
 ///
-/// On a mesh, the curvature tensor is the average over a geodesic ball of the normal cycles of the
-/// edges, which depend on the dihedral angles \cgalCite{cgal:csm-rdtnc-03}.  Face normals follow
-/// the counterclockwise orientation.  On a cloud, a quadric is fitted to the surfels of the ball
-/// \cgalCite{cgal:cp-edqpf-05}.  A larger ball reduces both noise and detail.
+/// On a mesh, the curvature tensor of the edges' normal cycles is averaged over a geodesic ball
+/// \cgalCite{cgal:csm-rdtnc-03}.  Normal cycles depend on the dihedral angles of the edges.  Face
+/// normals follow the counterclockwise orientation.  On a cloud, a quadric is fitted to the surfels
+/// of the ball \cgalCite{cgal:cp-edqpf-05}.  A larger ball reduces both noise and detail.
 ///
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`; both give
 ///         the same result

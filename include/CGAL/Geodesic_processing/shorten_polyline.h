@@ -15,33 +15,39 @@
 namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
-/// what `shorten_polyline()` finds.
+/// The result of `shorten_polyline()`.
 template <typename Point>
 struct Shortened_polyline
 {
-  std::vector<Point> points; ///< on the surface; about four for each control point
-  double length = 0.;        ///< of the polyline through them
-  double distance = 0.;      ///< of the curve through them
+  std::vector<Point> points; ///< points on the surface, about four per control point
+  double length = 0.;        ///< the length of the polyline through the points
+  double distance = 0.;      ///< the length of the smooth curve through the points
   std::size_t number_of_control_points = 0;
-  std::vector<Path_energy_level> levels; ///< from coarse to fine
+  std::vector<Path_energy_level> levels; ///< the levels of the minimization, from coarse to fine
 };
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// makes a polyline near a surface a geodesic by the energy that `Surfel_path_finder` minimizes with
-/// `Surfel_path_method::disks`, \cgalCite{cgal:rdsk-asg-06} on any surface that offers squared
-/// distances: a triangle mesh by its `AABB_tree`, an implicit surface by a formula.
+/// Shortens a polyline near a surface to a geodesic by minimizing an energy
+/// \cgalCite{cgal:rdsk-asg-06}.
 ///
-/// The ends stay.  The result is the geodesic nearby, as far as that can be told from a polyline:
-/// it does not know in which of two thin sheets it lies.
+/// It is the energy that `Surfel_path_finder` minimizes with `Surfel_path_method::disks`.  The
+/// surface can be any surface for which squared distances can be computed.  Examples are a triangle
+/// mesh with an `AABB_tree`, and an implicit surface with a formula.
 ///
-/// \param polyline a range of points, at least two, so near to the surface that the nearest point of
-///        each is the right one
-/// \param squared_distance a function of a point, smooth near the surface but for edges and borders;
-///        its gradient is taken by differences, seven calls for each point
-/// \param np `number_of_control_points`, `node_weight` and `segment_weight` as for `Surfel_path_finder`
-/// \throws Invalid_argument_error when there are fewer than two points, when they are not finite, or when
-///         a squared distance is not a number
+/// The endpoints are fixed.  The result is a geodesic near the polyline.  If two sheets of the
+/// surface are close to each other, the polyline does not determine the sheet of the geodesic.
+///
+/// \param polyline a range of at least two points.  They must be so close to the surface that their
+///        nearest points are on the intended part of the surface
+/// \param squared_distance a function that returns the squared distance of a point to the surface.
+///        It must be smooth near the surface, except at edges and boundaries.  Its gradient is
+///        computed by finite differences, with seven calls per point
+/// \param np the named parameters `number_of_control_points`, `node_weight` and `segment_weight` of
+///        `Surfel_path_finder`
+/// \returns a `Shortened_polyline`
+/// \throws Invalid_argument_error if there are fewer than two points, if a point is not finite, or
+///         if a squared distance is not a number
 template <typename PointRange, typename SquaredDistance,
           typename NamedParameters = internal::Default_parameters>
 auto shorten_polyline(const PointRange& polyline, const SquaredDistance& squared_distance,

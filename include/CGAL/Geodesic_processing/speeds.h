@@ -67,8 +67,8 @@ double strength(const NamedParameters& np, double default_strength)
 ///   \cgalParamNBegin{strength}
 ///     \cgalParamDescription{the factor of the curvature in the speed; if it is 0, all speeds are
 ///       1}
-///     \cgalParamDefault{1 / (4 sqrt(pi)), about 0.14: if the curvature equals that of a sphere of
-///       the same area, the speed is half of the speed on a plane, or twice that speed}
+///     \cgalParamDefault{1 / (4 sqrt(pi)), about 0.14: if the curvature is that of a sphere of the
+///       same area, the speed is 1/2 with `Edge_attractive` and 2 with `Edge_repulsive`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_argument_error if the strength or the radius of the ball is negative or not
@@ -134,7 +134,7 @@ void similar_curvature_speeds(const Surface& surface, Vertex vertex, SpeedMap sp
 /// \ingroup PkgGeodesicProcessingSpeeds
 ///
 /// Computes speeds for `speed_map` from an image, or another function, on the surface.  The speed
-/// is low where the function has a large gradient.
+/// is low if the gradient of the function is large.
 ///
 /// The speed is \f$ 1 / (1 + \mu |\nabla I| / \max |\nabla I|) \f$ with the strength \f$ \mu \f$.
 /// It is invariant under scaling of the surface or the image.  The norm of the gradient is averaged

@@ -24,14 +24,14 @@ struct Straightest_geodesic : Surface_path<Surface>
 /// is the exponential map.
 ///
 /// Faces are unfolded one after the other.  If the path hits a vertex, it continues with equal
-/// angles on both sides. \cgalCite{cgal:ps-sgps-98}  If it reaches a boundary
-/// edge, or a boundary vertex that it cannot pass, it ends there.
+/// angles on both sides. \cgalCite{cgal:ps-sgps-98}  If it reaches a boundary edge, or
+/// a boundary vertex that it cannot pass, it ends there.
 ///
 /// \param mesh a model of `FaceListGraph` or a `Mesh_domain`; clouds are not supported
 /// \param from a vertex or a location
 /// \param direction a vector in space, which is projected to the plane of the face of `from`.  At a
-///        vertex, this is the incident face that contains the projected direction; if several do, it
-///        is the one whose plane is closest to the direction
+///        vertex, it is the incident face that contains the projected direction.  If several do,
+///        the face whose plane is closest to the direction is used
 /// \param length the length of the path, finite and not negative
 /// \param np the named parameters of `make_domain()`
 /// \returns the path; its `length` is smaller than the requested length only if it ends at the

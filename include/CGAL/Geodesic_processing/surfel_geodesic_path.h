@@ -15,13 +15,15 @@ namespace CGAL::Geodesic_processing {
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// finds a geodesic path on a cloud of surfels by minimizing an energy. \cgalCite{cgal:rdsk-asg-06}
+/// Computes a geodesic path on a surfel cloud by minimizing an energy. \cgalCite{cgal:rdsk-asg-06}
+///
+/// If there is more than one pair, `Surfel_path_finder` is faster: it reads the cloud only once.
 ///
 /// \param surfels a model of `SurfelRange`
 /// \param from a surfel or a location
 /// \param to a surfel or a location
-/// \param np what `Surfel_path_finder` takes, which is the one to use for more than one pair
-/// \returns the path, empty when the two are not connected
+/// \param np the named parameters of `Surfel_path_finder`
+/// \returns the path; empty if `from` and `to` are not connected
 template <typename SurfelRange, typename FromLocation, typename ToLocation,
           typename NamedParameters = internal::Default_parameters>
 Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const FromLocation& from,
@@ -33,14 +35,16 @@ Surfel_path<SurfelRange> surfel_geodesic_path(const SurfelRange& surfels, const 
 
 /// \ingroup PkgGeodesicProcessingPaths
 ///
-/// finds a path for each of many pairs.
+/// Computes a geodesic path for each of many pairs.
 ///
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several pairs at a
-///         time, on one cloud and one graph.  The result is the same to the last bit.
-/// \param finder prepared; not changed
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` (the default) or `CGAL::Parallel_tag`: several
+///         pairs are processed at a time, on one cloud and one graph.  Both give bitwise equal
+///         results.
+/// \param finder the path finder of the cloud, which is not modified
 /// \param pairs a range of pairs of surfels or locations
-/// \param np `threads`: how many, with `Parallel_tag`; as many as there are processors by default
-/// \returns a path for each pair, empty for those that are not connected
+/// \param np `threads`: the number of threads, used with `Parallel_tag`; by default, the number of
+///        hardware threads
+/// \returns a path for each pair; empty if its surfels or locations are not connected
 /// \throws as `Surfel_path_finder::operator()`
 template <typename Concurrency_tag = Sequential_tag, typename SurfelRange, typename Pairs,
           typename NamedParameters = internal::Default_parameters>
