@@ -32,7 +32,7 @@ corners_of(typename boost::graph_traits<TriangleMesh>::face_descriptor face,
   return {source(h, mesh), target(h, mesh), target(next(h, mesh), mesh)};
 }
 
-// All of a decal, to compare.
+// Returns all data of a decal for comparison.
 template <typename Surface>
 auto flattened(const GP::Decal<Surface>& decal)
 {
@@ -48,8 +48,9 @@ auto flattened(const GP::Decal<Surface>& decal)
   return result;
 }
 
-// Of a plane mesh: where all corners lie, and that the faces, and only those, are there that have a
-// point of the rectangle.  A sample of points may miss one of which the rectangle has a tiny part.
+// Checks a decal on a planar mesh: the UV coordinates of all corners and the set of faces. The set
+// must contain exactly the faces that intersect the rectangle. Sample points may miss a face with
+// a tiny intersection.
 void expect_flat(const Mesh& mesh, const GP::Decal<Mesh>& decal, double width, double height)
 {
   const auto uv_of = [&](const Vector_3& offset) -> Decal_coordinates {
@@ -58,7 +59,8 @@ void expect_flat(const Mesh& mesh, const GP::Decal<Mesh>& decal, double width, d
   const auto offset_to = [&](Vertex v) { return mesh.point(v) - decal.frame.origin; };
   const auto expect_at = [&](Vertex v, const Decal_coordinates& uv)
   {
-    // What Logarithmic_map is exact to on a plane, 1e-12 of the extent, in widths.
+    // Logarithmic_map is exact to 1e-12 of the extent on a plane. The tolerance is relative to the
+    // width.
     EXPECT_NEAR(uv[0], uv_of(offset_to(v))[0], 1e-11);
     EXPECT_NEAR(uv[1], uv_of(offset_to(v))[1], 1e-11);
   };
@@ -108,7 +110,7 @@ TEST(decal, is_exact_on_a_plane)
     const auto decal =
         GP::Decal_placer<Mesh>(mesh).place(location_of(417, {0.2, 0.3, 0.5}), width, height,
                                            GP::parameters::up_direction(Vector_3(1., 2., 5.)));
-    EXPECT_NEAR(decal.frame.v * Vector_3(1., 2., 0.), std::sqrt(5.), 1e-12); // rounding
+    EXPECT_NEAR(decal.frame.v * Vector_3(1., 2., 0.), std::sqrt(5.), 1e-12); // round-off errors
     EXPECT_GT(decal.faces.size(), 50u);
     expect_flat(mesh, decal, width, height);
   }
@@ -116,8 +118,8 @@ TEST(decal, is_exact_on_a_plane)
 
 TEST(decal, covers_faces_larger_than_those_at_center)
 {
-  // Columns are from 5e-5 to 0.6 wide, rows 0.04 high: at the middle one cannot see how far away the
-  // corners of the last columns are.
+  // Columns are 5e-5 to 0.6 wide, and rows are 0.04 high. The size of the faces
+  // near the center does not tell how far away the corners of the last columns are.
   Triangulation surface = square(24);
   for(auto& p : surface.points)
     p[0] = std::pow(1.5, 24. * p[0]) * 1e-4;
@@ -129,7 +131,7 @@ TEST(decal, covers_faces_larger_than_those_at_center)
   for(const auto& [face, uvs] : decal.faces)
     for(const auto& uv : uvs)
       farthest = std::max(farthest, uv[0]);
-  EXPECT_GT(farthest, 1.03); // more than that longest side beyond the rectangle
+  EXPECT_GT(farthest, 1.03); // exceeds the rectangle by more than the longest edge
 }
 
 TEST(decal, preserves_distances_and_directions_on_a_sphere)
@@ -147,7 +149,8 @@ TEST(decal, preserves_distances_and_directions_on_a_sphere)
     return size > 0. ? Decal_coordinates{angle * u / size, angle * v / size}
                      : Decal_coordinates{0., 0.};
   };
-  // Tangent vectors are off by 0.1 % of at most 0.6 in the mean, and by a few times as much at worst.
+  // Tangent vectors of length at most 0.6 err by 0.1 % in the mean. The maximum error is a few
+  // times as large.
   const double tolerance = 0.004;
   std::set<Face> covered;
   for(const auto& [face, uvs] : decal.faces)
@@ -160,8 +163,8 @@ TEST(decal, preserves_distances_and_directions_on_a_sphere)
       EXPECT_NEAR((uvs[k][1] - 0.5) * height, expected[1], tolerance);
     }
   }
-  // A face with a corner in the rectangle is there, if by more than the tolerance; one that is on one
-  // side of it is not.
+  // If a face has a corner inside the rectangle by more than the tolerance, it must be covered. If
+  // a face lies on one side of the rectangle, it must not be covered.
   std::size_t number_certain = 0;
   for(const Face f : mesh.faces())
   {
@@ -216,7 +219,7 @@ TEST(decal, may_be_smaller_than_a_face)
   ASSERT_EQ(small.faces.size(), 1u);
   EXPECT_EQ(small.faces[0].face, Face(9));
   EXPECT_TRUE(small.vertices.empty());
-  // On a side, around a vertex.
+  // At an edge midpoint and at a vertex.
   EXPECT_EQ(placer.place(location_of(9, {0.5, 0., 0.5}), 1e-3, 1e-3).faces.size(), 2u);
   EXPECT_EQ(placer.place(Vertex(12), 1e-3, 1e-3).faces.size(), degree(Vertex(12), mesh));
 }
@@ -225,14 +228,14 @@ TEST(decal, ends_at_boundary)
 {
   const Mesh mesh = mesh_of(square(10));
   GP::Decal_placer<Mesh> placer(mesh);
-  // All of the square, seen from its corner.
+  // The decal covers the whole square as seen from its corner.
   EXPECT_EQ(placer.place(Vertex(0), 5., 5.).faces.size(), num_faces(mesh));
   EXPECT_EQ(placer.place(Vertex(0), 5., 5.).vertices.size(), num_vertices(mesh));
 }
 
 TEST(decal, has_seam_behind_a_cylinder)
 {
-  // As wide as two and a half turns, and ten of the rows of faces high.
+  // The decal is as wide as two and a half turns, and ten rows of faces high.
   const Mesh mesh = mesh_of(cylinder(60, 30, 1., 6.));
   GP::Decal_placer<Mesh, GP::Exact> placer(mesh);
   const double width = 16., side = 2. * CGAL_PI / 60.;
@@ -242,9 +245,9 @@ TEST(decal, has_seam_behind_a_cylinder)
   for(const auto& [face, uvs] : decal.faces)
   {
     covered.insert(face);
-    for(const auto& uv : uvs) // faces at the seam are beyond it by a part of them
+    for(const auto& uv : uvs) // faces at the seam exceed it by a fraction of their size
       EXPECT_LE(std::abs(uv[0] - 0.5) * width, CGAL_PI + side);
-    for(int k = 0; k < 3; ++k) // none is stretched over the seam
+    for(int k = 0; k < 3; ++k) // no face is stretched over the seam
       EXPECT_LT(std::abs(uvs[k][0] - uvs[(k + 1) % 3][0]) * width, 1.01 * side);
   }
   EXPECT_GE(covered.size(), 10u * 2u * 60u); // no hole
@@ -277,14 +280,14 @@ TEST(decal, composites_colors)
     if(is_in_large && x < -0.05)
       expected = {0., 1., 0., 1.};
     if(std::abs(x) < 0.05)
-      continue; // whether a vertex at the middle is left of it, is a matter of rounding
+      continue; // round-off errors decide if a vertex on the center line is left of it
     if(is_in_small)
       for(int c = 0; c < 3; ++c)
         expected[c] = 0.5 * expected[c] + (c == 2 ? 0.5 : 0.);
     for(int c = 0; c < 4; ++c)
     {
-      EXPECT_NEAR(exact[v][c], expected[c], 1e-15);      // rounding
-      EXPECT_NEAR(colors[v][c], 255. * expected[c], 1.); // a byte for each of two images
+      EXPECT_NEAR(exact[v][c], expected[c], 1e-15);      // round-off errors
+      EXPECT_NEAR(colors[v][c], 255. * expected[c], 1.); // one byte of error for two images
     }
   }
 }
@@ -293,7 +296,7 @@ TEST(decal, baked_texture_matches_images)
 {
   const Mesh mesh = mesh_of(icosphere(3));
   GP::Decal_placer<Mesh> placer(mesh);
-  // Linear images: interpolation between texels does not change them.
+  // Linear images are reproduced exactly by interpolation between texels.
   const auto ramp = [](const Decal_coordinates& p) { return Decal_color{p[0], p[1], 0., 1.}; };
   const auto glass = [](const Decal_coordinates&) { return Decal_color{0., 0., 1., 0.25}; };
   const std::vector<GP::Decal_layer<Mesh>> layers = {{placer.place(Vertex(0), 0.8, 0.8), ramp},
@@ -329,7 +332,7 @@ TEST(decal, baked_texture_matches_images)
       {
         for(int c = 0; c < 4; ++c)
           EXPECT_NEAR(at(corners[k])[c], expected[c],
-                      1e-12); // rounding: corners are middles of texels
+                      1e-12); // round-off errors: corners are texel centers
       }
     }
   }
@@ -339,12 +342,12 @@ TEST(decal, baked_texture_matches_images)
       any_covered.insert(decal_face.face);
   EXPECT_EQ(covered, any_covered);
   EXPECT_LT(any_covered.size(),
-            layers[0].decal.faces.size() + layers[1].decal.faces.size()); // overlap
+            layers[0].decal.faces.size() + layers[1].decal.faces.size()); // the decals overlap
   EXPECT_THROW(GP::bake_decals(layers, 0), GP::Invalid_argument_error);
   EXPECT_EQ(GP::bake_decals<Mesh>({}, 3).faces.size(), 0u);
 }
 
-// Faces, sites and baked faces of one decal on any mesh.
+// Returns the numbers of faces, vertices and baked faces of one decal, for any mesh type.
 template <typename TriangleMesh>
 std::array<std::size_t, 3> counts_on_sphere()
 {
@@ -352,7 +355,7 @@ std::array<std::size_t, 3> counts_on_sphere()
   fill(sphere, icosphere(3));
   const auto decal =
       GP::Decal_placer<TriangleMesh>(sphere.mesh)
-          .place(sphere.vertices[5], 0.83, 0.47, // no rim along an edge
+          .place(sphere.vertices[5], 0.83, 0.47, // no boundary of the decal lies along an edge
                  GP::parameters::up_direction(
                      typename GP::Decal_placer<TriangleMesh>::Domain::Vector_3(0.1f, 0.3f, 1.f)));
   const GP::Decal_image red = [](const Decal_coordinates&) { return Decal_color{1., 0., 0., 1.}; };
@@ -385,7 +388,7 @@ TEST(decal, covers_surfels_of_a_cloud)
   EXPECT_EQ(decal.vertices.size(), 9u * 5u);
   for(const auto& [surfel, uv] : decal.vertices)
   {
-    // Chords of fronts on clouds: the error is 1 % of the distance at most.
+    // Fronts on clouds use chords. The error is at most 1 % of the distance.
     EXPECT_NEAR((uv[0] - 0.5) * 0.44, cloud.point(surfel).x() - 0.5, 0.003);
     EXPECT_NEAR((uv[1] - 0.5) * 0.28, cloud.point(surfel).y() - 0.5, 0.003);
   }

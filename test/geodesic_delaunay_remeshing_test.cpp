@@ -29,7 +29,7 @@ namespace GP = CGAL::Geodesic_processing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace GP::test;
 
-// The corners of a mesh's faces, vertices numbered in their order.
+// Returns the corners of a mesh's faces. Vertices are numbered in the order of iteration.
 template <typename AnyMesh>
 std::vector<Index> corners_of(const AnyMesh& mesh)
 {
@@ -55,12 +55,13 @@ void expect_remeshes_sphere()
   EXPECT_TRUE(CGAL::is_closed(output));
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{2, 0}}}));
   const auto points = get(CGAL::vertex_point, output);
-  // On a side or a face of the icosphere, whose faces are at a distance of at least 0.995.
+  // Vertices lie on edges or faces of the icosphere, whose distance from the center is at least
+  // 0.995.
   for(const auto v : vertices(output))
   {
     const double radius = distance(to_array(get(points, v)), {0., 0., 0.});
     EXPECT_GE(radius, 0.99);
-    EXPECT_LE(radius, 1. + 1e-6); // OpenMesh's coordinates have single precision
+    EXPECT_LE(radius, 1. + 1e-6); // OpenMesh coordinates have single precision
   }
 }
 
@@ -95,7 +96,7 @@ TEST(Geodesic_delaunay_remeshing, adds_samples_or_throws)
   Mesh output;
   const auto result = GP::geodesic_delaunay_remeshing(torus_mesh, 5, output);
   EXPECT_TRUE(result.is_finished);
-  // No torus has fewer than seven vertices.
+  // A torus has at least seven vertices.
   EXPECT_GE(result.added, 2u);
   EXPECT_EQ(num_vertices(output), 5 + result.added);
   EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 0}}}));
@@ -106,7 +107,7 @@ TEST(Geodesic_delaunay_remeshing, adds_samples_or_throws)
                GP::Invalid_argument_error);
   EXPECT_TRUE(is_empty(none));
   EXPECT_EQ(GP::geodesic_delaunay_remeshing(torus_mesh, 200, none, throwing).added, 0u);
-  // As few as it takes are never too few.
+  // The smallest number of vertices is not reported as too few.
   EXPECT_GE(GP::geodesic_delaunay_remeshing(torus_mesh, 0, none, throwing).added, 7u);
 }
 
@@ -140,7 +141,7 @@ TEST(Geodesic_delaunay_remeshing, writes_vertex_locations)
   GP::geodesic_delaunay_remeshing(plane, 80, output, GP::parameters::location_map(locations));
   double area = 0.;
   for(const Vertex v : output.vertices())
-    // A few roundings.
+    // A few round-off errors.
     EXPECT_LT(distance(point_of(plane, get(locations, v)), to_array(output.point(v))), 1e-14);
   for(const Face f : output.faces())
     area += PMP::face_area(f, output);
@@ -164,7 +165,7 @@ TEST(Geodesic_delaunay_remeshing, writes_edge_paths)
                 q = to_array(output.point(target(e, output)));
     EXPECT_LT(distance(to_array(path.points.front()), p), 1e-14);
     EXPECT_LT(distance(to_array(path.points.back()), q), 1e-14);
-    // Within a hundredth of the great circle: the icosphere is 0.3 percent too small.
+    // Within 1 % of the great circle. The icosphere is 0.3 % too small.
     EXPECT_NEAR(path.length, 2. * std::asin(0.5 * distance(p, q)), 0.01 * path.length);
   }
   EXPECT_EQ(edges.size(), num_edges(output));
@@ -178,7 +179,7 @@ TEST(Geodesic_delaunay_remeshing, writes_edge_paths)
   EXPECT_EQ(paths.size(), num_edges(flat));
 }
 
-// The length of the edges at which a mesh bends by more than 45 degrees.
+// Returns the length of the edges whose dihedral angle deviates from flat by more than 45 degrees.
 double length_of_sharp_edges(const Mesh& mesh)
 {
   double result = 0.;
@@ -214,7 +215,7 @@ TEST(Geodesic_delaunay_remeshing, preserves_constrained_edges)
   const auto is_kept =
       plane.add_property_map<boost::graph_traits<Mesh>::edge_descriptor, bool>("e:kept", false)
           .first;
-  // The middle line from side to side.
+  // The horizontal center line.
   const auto is_on_center_line = [&](const Point& p) { return std::abs(p[1] - 0.5) < 1e-12; };
   for(const auto e : plane.edges())
     put(is_kept, e,
@@ -237,7 +238,7 @@ TEST(Geodesic_delaunay_remeshing, preserves_constrained_edges)
 
 TEST(Geodesic_delaunay_remeshing, respects_feature_spacing)
 {
-  // The lower rim in 80 steps, the upper one in 30.
+  // Divides the lower boundary cycle into 80 edges and the upper one into 30.
   Mesh pipe = mesh_of(cylinder(40, 20, 1., 3.)), output;
   const auto spacing = pipe.add_property_map<Mesh::Edge_index, double>("e:spacing", 0.).first;
   for(const auto e : edges(pipe))
@@ -250,7 +251,7 @@ TEST(Geodesic_delaunay_remeshing, respects_feature_spacing)
   {
     std::size_t number = 0;
     for(const auto v : vertices(output))
-      number += std::abs(output.point(v).z() - height) < 1e-14; // rounding
+      number += std::abs(output.point(v).z() - height) < 1e-14; // round-off errors
     return number;
   };
   GP::geodesic_delaunay_remeshing(pipe, 150, output, GP::parameters::edge_spacing_map(spacing));
@@ -261,7 +262,7 @@ TEST(Geodesic_delaunay_remeshing, respects_feature_spacing)
   output.clear();
   GP::geodesic_delaunay_remeshing(GP::make_domain(pipe), 150, output,
                                   GP::parameters::curve_spacing(0.1));
-  EXPECT_EQ(number_at(0.), 63u); // of 6.277
+  EXPECT_EQ(number_at(0.), 63u); // expected length 6.277
   EXPECT_EQ(number_at(3.), 63u);
 }
 
@@ -283,15 +284,17 @@ void expect_reconstructs_sphere(const Cloud& cloud, const Normals& np)
   EXPECT_TRUE(PMP::is_outward_oriented(output));
   for(const auto v : vertices(output))
   {
-    // Places in the triangles between 642 surfels are up to 0.006 below the sphere, and as near to
-    // the tangent planes in which the cloud's locations lie.
+    // Points in the triangles between 642 surfels lie up to 0.006 below the sphere. They are
+    // equally close to the tangent planes, which contain the cloud's locations.
     const auto p = domain.point(domain.inner(location[v]));
     EXPECT_LT(distance(to_array(p), to_array(output.point(v))), 0.012);
     EXPECT_NEAR(distance(to_array(output.point(v)), {0., 0., 0.}), 1., 0.006);
   }
   EXPECT_EQ(paths.size(), num_edges(output));
   for(const auto& [e, path] : paths)
-    EXPECT_GE(path.length, 0.98 * PMP::edge_length(e, output)); // ends are up to 0.012 off
+    EXPECT_GE(path.length,
+              0.98 *
+                  PMP::edge_length(e, output)); // path ends are up to 0.012 away from the vertices
 }
 
 TEST(Geodesic_delaunay_remeshing, reconstructs_surface_from_cloud)
@@ -305,7 +308,7 @@ TEST(Geodesic_delaunay_remeshing, reconstructs_surface_from_cloud)
     points.insert(p, n);
   expect_reconstructs_sphere(points, GP::parameters::random_seed(1u));
 
-  // Half of it slow; the surfel that comes first is kept.
+  // The speed is low in one half. The first surfel is kept.
   auto speed = points.add_property_map<double>("speed", 1.).first;
   for(const auto& i : points)
     if(points.point(i).z() > 0.)
@@ -318,7 +321,7 @@ TEST(Geodesic_delaunay_remeshing, reconstructs_surface_from_cloud)
   std::size_t above = 0;
   for(const auto v : vertices(output))
     above += output.point(v).z() > 0.;
-  EXPECT_GT(above, 150u); // 16 times as dense: 188 of 200, less what the transition takes
+  EXPECT_GT(above, 150u); // 16 times as dense: 188 of 200, minus the effect of the transition
 
   CGAL::Point_set_3<Kernel::Point_3> pair;
   pair.add_normal_map();
@@ -340,13 +343,14 @@ TEST(Geodesic_delaunay_remeshing, respects_maximum_deviation)
                                     GP::parameters::maximum_deviation(0.02 * scale));
     EXPECT_GT(num_vertices(output), 50u);
     EXPECT_LE(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), output),
-              0.02 * scale * (1. + 1e-9)); // roundings
+              0.02 * scale * (1. + 1e-9)); // round-off errors
   }
 }
 
 TEST(Geodesic_delaunay_remeshing, deviation_is_symmetric)
 {
-  // A square with a round hole: between few vertices there faces cover parts of it, and all of the input.
+  // A square with a round hole. With few vertices, output faces cover the hole partly. They must
+  // cover the whole input.
   Triangulation plate = annulus(80, 10, 0.5, 1.);
   for(Point& p : plate.points)
   {
@@ -378,7 +382,7 @@ TEST(Geodesic_delaunay_remeshing, deviation_is_symmetric)
                                     GP::parameters::maximum_deviation(0.005 * scale));
     EXPECT_LT(input_to_output(output), 0.005 * scale);
     EXPECT_LT(output_to_input(output),
-              0.0055 * scale); // between the middles of edges it may be more
+              0.0055 * scale); // the deviation may be larger between edge midpoints
     EXPECT_LT(num_vertices(output), 200u);
     EXPECT_EQ(topology(corners_of(output)), (Topology{true, {{0, 2}}}));
   }
@@ -386,7 +390,7 @@ TEST(Geodesic_delaunay_remeshing, deviation_is_symmetric)
 
 TEST(Geodesic_delaunay_remeshing, reaches_input_for_tiny_deviation)
 {
-  // Nearer than any face that is not one of the input.
+  // The tolerance is smaller than the deviation of any face that is not a face of the input.
   const Mesh mesh = mesh_of(torus(20, 10));
   Mesh output;
   GP::geodesic_delaunay_remeshing(mesh, 20, output, GP::parameters::maximum_deviation(1e-9));
@@ -396,8 +400,8 @@ TEST(Geodesic_delaunay_remeshing, reaches_input_for_tiny_deviation)
 
 TEST(Geodesic_delaunay_remeshing, fit_respects_maximum_deviation)
 {
-  // Where faces fit a sphere best their corners are three times as far above it as their middles are
-  // below it, here 0.018: those are vertices of the input.
+  // If faces fit a sphere best, their corners are three times as far above it as their centers are
+  // below it, here 0.018. These corners are vertices of the input.
   for(const double scale : {1e-6, 1., 1e6})
   {
     const Mesh mesh = mesh_of(scaled(icosphere(4), scale));
@@ -411,8 +415,8 @@ TEST(Geodesic_delaunay_remeshing, fit_respects_maximum_deviation)
       EXPECT_LE(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(
                     is_output_to_input ? output.points() : mesh.points(),
                     is_output_to_input ? mesh : output),
-                max_deviation * (1. + 1e-9));                      // roundings
-    EXPECT_LT(num_vertices(output), 0.7 * num_vertices(unfitted)); // seen: 0.55
+                max_deviation * (1. + 1e-9));                      // round-off errors
+    EXPECT_LT(num_vertices(output), 0.7 * num_vertices(unfitted)); // measured: 0.55
   }
 }
 
@@ -440,8 +444,9 @@ TEST(Geodesic_delaunay_remeshing, fit_reduces_mean_distance)
       EXPECT_EQ(num_vertices(output), 200u);
       return sum / double(num_faces(output));
     };
-    // The middle of an even triangle of circumradius r is r^2 / 2 below the sphere, its area 3/8 r^2 in
-    // the mean. What fits is raised by that, which leaves a quarter; triangles are not quite even.
+    // The center of an equilateral triangle with circumradius r is r^2 / 2 below the sphere, and
+    // the mean area is 3/8 r^2. Fitting raises the faces by this amount, which leaves a quarter.
+    // Actual triangles are not quite equilateral.
     const double unfitted = mean_distance(false), fitted = mean_distance(true);
     EXPECT_GT(unfitted, 0.01);
     EXPECT_NEAR(fitted / unfitted, 0.25, 0.05);
@@ -458,7 +463,7 @@ TEST(Geodesic_delaunay_remeshing, fit_preserves_boundary_and_deviation)
   GP::geodesic_delaunay_remeshing(mesh, 60, output,
                                   GP::parameters::do_fit(true).maximum_deviation(0.005));
   EXPECT_LE(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), output),
-            0.005 * (1. + 1e-9)); // roundings
+            0.005 * (1. + 1e-9)); // round-off errors
   for(const auto v : output.vertices())
     if(output.is_border(v))
     {
@@ -480,18 +485,18 @@ TEST(Geodesic_delaunay_remeshing, avoids_self_intersections)
 {
   for(const double scale : {1e-6, 1e6})
   {
-    // With forty vertices each, faces are up to 0.1 below their sphere.
+    // With forty vertices per sphere, faces are up to 0.1 below their sphere.
     const Triangulation sheets = disjoint_union(icosphere(4), scaled(icosphere(4), 0.95));
     const Mesh mesh = mesh_of(scaled(sheets, scale));
     Exact_mesh left, output;
     const auto plain = GP::geodesic_delaunay_remeshing(
         mesh, 80, left, GP::parameters::do_avoid_self_intersections(false));
     EXPECT_EQ(plain.added, 0u);
-    EXPECT_EQ(plain.self_intersections, 0u); // not asked
+    EXPECT_EQ(plain.self_intersections, 0u); // removal was not requested
     EXPECT_GT(number_of_self_intersections(left), 0u);
     const auto found = GP::geodesic_delaunay_remeshing(mesh, 80, output);
     EXPECT_GT(found.added, 0u);
-    EXPECT_LT(found.added, 300u); // of 5,124
+    EXPECT_LT(found.added, 300u); // the input has 5,124 vertices
     EXPECT_EQ(found.self_intersections, 0u);
     EXPECT_EQ(number_of_self_intersections(output), 0u);
     EXPECT_EQ(topology(corners_of(output)), topology(sheets.corners));
@@ -508,12 +513,13 @@ TEST(Geodesic_delaunay_remeshing, keeps_self_intersections_of_input)
   const auto found = GP::geodesic_delaunay_remeshing(mesh, 300, output);
   EXPECT_GT(found.self_intersections, 0u);
   EXPECT_EQ(found.self_intersections, number_of_self_intersections(output));
-  EXPECT_LT(found.added, 30u); // next to where the spheres cross, faces may do so that need not
+  EXPECT_LT(found.added,
+            30u); // near the intersection curves, faces that need no refinement may be refined
 }
 
 TEST(Geodesic_delaunay_remeshing, discards_unsuccessful_samples)
 {
-  // Far too near for ten rounds.
+  // The spheres are too close for ten rounds.
   const Mesh mesh = mesh_of(disjoint_union(icosphere(4), scaled(icosphere(4), 1. - 1e-7)));
   Exact_mesh output;
   const auto found = GP::geodesic_delaunay_remeshing(mesh, 80, output);
@@ -535,7 +541,7 @@ TEST(Geodesic_delaunay_remeshing, is_scale_invariant)
   const Triangulation ring = annulus(60, 12, 0.5, 1.);
   Mesh output;
   GP::geodesic_delaunay_remeshing(mesh_of(ring), 100, output);
-  for(const double scale : {0x1p-40, 0x1p40}) // powers of two change no digit
+  for(const double scale : {0x1p-40, 0x1p40}) // scaling by powers of two is exact
   {
     Mesh large;
     GP::geodesic_delaunay_remeshing(mesh_of(scaled(ring, scale)), 100, large);
@@ -555,7 +561,7 @@ TEST(Geodesic_delaunay_remeshing, density_follows_speed_after_relaxation)
       GP::parameters::speed_map(speed).number_of_relaxation_steps(std::size_t(2)).random_seed(2));
   const auto left = std::count_if(output.vertices().begin(), output.vertices().end(),
                                   [&](Vertex v) { return output.point(v).x() < 0.5; });
-  // 16 parts of 17, and what the borders take.
+  // 16/17 of the samples, minus the effect of the boundary.
   EXPECT_GT(left, 140);
   EXPECT_LT(left, 170);
 }

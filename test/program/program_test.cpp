@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The authors of Geodesic_processing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs the program itself: GEODESIC_PROCESSING_PROGRAM is its file.
+// Runs the program, whose file is GEODESIC_PROCESSING_PROGRAM.
 #include <nlohmann/json.hpp>
 
 #include "subdivided_surfaces.h"
@@ -40,7 +40,7 @@ std::string read_file(const fs::path& file)
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// A grey picture as a PNG file; `rows` holds a zero and then `width` bytes for each row.
+// Returns a grayscale image as a PNG file. Each row of `rows` is a zero followed by `width` bytes.
 std::string png(unsigned width, const std::string& rows)
 {
   const auto big_endian = [](std::uint32_t x)
@@ -48,7 +48,7 @@ std::string png(unsigned width, const std::string& rows)
     return std::string{static_cast<char>(x >> 24), static_cast<char>(x >> 16),
                        static_cast<char>(x >> 8), static_cast<char>(x)};
   };
-  const auto chunk = [&](const std::string& bytes) // its name, and what is in it
+  const auto chunk = [&](const std::string& bytes) // chunk name and chunk data
   {
     std::uint32_t crc = ~0u;
     for(const unsigned char byte : bytes)
@@ -65,7 +65,7 @@ std::string png(unsigned width, const std::string& rows)
     a = (a + byte) % 65521;
     b = (b + a) % 65521;
   }
-  // One block that is not compressed.
+  // A single uncompressed block.
   const auto size = static_cast<std::uint16_t>(rows.size());
   const auto low = [](unsigned x) { return static_cast<char>(x & 255); };
   const std::string zlib_stream =
@@ -78,7 +78,7 @@ std::string png(unsigned width, const std::string& rows)
          chunk("IDAT" + zlib_stream) + chunk("IEND");
 }
 
-// A fresh folder with some inputs, gone at the end.
+// Provides a new folder with input files. Removes the folder at the end.
 class Program : public testing::Test
 {
 protected:
@@ -89,7 +89,7 @@ protected:
     fs::remove_all(m_folder);
     fs::create_directories(m_folder);
 
-    // A unit square of 9 x 9 vertices whose diagonals run in turn, with a property.
+    // A unit square with 9 x 9 vertices, diagonals of alternating direction and a vertex property.
     std::ostringstream square;
     square << "ply\nformat ascii 1.0\nelement vertex 81\nproperty double x\nproperty double y\n"
               "property double z\nproperty float double_speed\nelement face 128\n"
@@ -116,7 +116,7 @@ protected:
           "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 5\n1 0 5\n0 1 5\n9 9 9\n3 0 1 2\n3 3 4 5\n");
     write("quads.off",
           "OFF\n6 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n4 0 1 4 3\n4 1 4 5 2\n");
-    // Two triangles that share a vertex, and nothing else.
+    // Two triangles that share a vertex.
     write("pinched.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
     // Two tetrahedra that share a vertex.
     write("bowtie.off", "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n"
@@ -134,7 +134,7 @@ protected:
     std::ofstream(m_folder / name, std::ios::binary) << bytes;
   }
 
-  // A command line, run in the folder.
+  // Runs a command line in the folder.
   Run_result run(const std::string& arguments) const
   {
     const fs::path out = fs::path(m_folder.string() + ".out"), err = m_folder.string() + ".err";
@@ -166,7 +166,7 @@ protected:
     return result;
   }
 
-  // The code, and one sentence that holds a part.
+  // Expects the exit code `code` and one error sentence that contains `text`.
   void expect_failure(const std::string& arguments, int code, const std::string& text) const
   {
     const std::size_t files = number_of_files();
@@ -409,15 +409,15 @@ TEST_F(Program, json_prints_nothing_else)
 TEST_F(Program, surfels_reports_radii_and_graph)
 {
   const nlohmann::json lattice = json("surfels cloud.xyz --values r.txt -o s.ply");
-  // Inside of a lattice, written with six digits, the eighth neighbour is a diagonal away.
+  // Inside a lattice, the eighth neighbor is a diagonal away. The file has six digits.
   EXPECT_NEAR(lattice["radius"].get<double>(), 1. / 11., 1e-6);
   EXPECT_EQ(numbers("r.txt").size(), 144u);
   EXPECT_EQ(lattice["components"], 1);
   EXPECT_EQ(lattice["noise"], 0.);
   EXPECT_EQ(run("surfels s.ply --quiet").code, 0);
   EXPECT_EQ(json("surfels s.ply")["radius"], lattice["radius"]);
-  // Spheres of influence of a lattice meet along its sides and diagonals, and touch, or fail to by
-  // rounding, two sides further on.
+  // Spheres of influence of lattice points intersect along edges and diagonals of the lattice. At
+  // a distance of two edges they touch, or fail to touch by round-off errors.
   const int number_of_sides = 2 * 11 * 12, number_of_diagonals = 2 * 11 * 11,
             number_of_double_sides = 2 * 10 * 12;
   const int number_of_edges = json("surfels cloud.xyz --surfel-graph spheres")["arcs"];
@@ -449,7 +449,8 @@ TEST_F(Program, transport_distances_decrease_with_basis_size)
   EXPECT_EQ(json("distance square.ply --source 0 --method spectral")["basis"], 0);
   EXPECT_GE(json("distance square.ply --source 0 --method emd --basis 5")["basis"], 5);
   EXPECT_GT(some, many);
-  // Masses are spread over triangles of an eighth; else never less than a length.
+  // Masses are distributed over triangles of size 1/8, which shortens distances. Otherwise they are
+  // never too short.
   EXPECT_GT(many, std::sqrt(2.) - 2. / 8.);
   EXPECT_GT(spectral, many);
   EXPECT_GT(biharmonic, 0.);
@@ -458,13 +459,13 @@ TEST_F(Program, transport_distances_decrease_with_basis_size)
   EXPECT_EQ(matrix["entries"], 4);
   const std::vector<double> entries = numbers("m.txt");
   EXPECT_EQ(entries[1], entries[2]);
-  EXPECT_NEAR(entries[1], spectral, 1e-6); // floats
+  EXPECT_NEAR(entries[1], spectral, 1e-6); // single precision
   EXPECT_EQ(run("distance cloud.xyz --source 0 --method spectral --quiet").code, 0);
 }
 
 TEST_F(Program, emd_matches_known_costs)
 {
-  // From corner to corner of a unit square.
+  // From one corner of the unit square to the opposite corner.
   const nlohmann::json diagonal =
       json("emd square.ply --from 0 --to 80 --values p.txt -o e.ply --hodge --bound-above");
   const double exact = std::sqrt(2.);
@@ -479,7 +480,7 @@ TEST_F(Program, emd_matches_known_costs)
     EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
   EXPECT_EQ(json("info e.ply")["faces"], 128);
 
-  // By properties and files: all moves by a quarter.
+  // Masses as properties and as files. All mass moves by 0.25.
   std::string from, to;
   for(int i = 0; i < 81; ++i)
   {
@@ -497,11 +498,12 @@ TEST_F(Program, emd_matches_known_costs)
       json("emd square.ply --from 0 --to 8 --refine 1 --method admm --tolerance 0.01")["value"]
           .get<double>(),
       1., 0.01);
-  // A lattice of the unit square.
+  // A lattice on the unit square.
   EXPECT_NEAR(json("emd cloud.xyz --from 0 --to 11 -o e.vtp")["value"].get<double>(), 1., 0.02);
   EXPECT_EQ(run("emd e.vtp --from flow_x --to flow_x --quiet").code, 0);
 
-  // In a basis: the same as of the commands for distances, also between masses, and a flow.
+  // With a basis, results equal those of the distance commands. Mass distributions and flows are
+  // supported too.
   const nlohmann::json some = json("emd square.ply --from 0 --to 80 --basis 5 --hodge -o b.ply");
   const auto entries =
       json("matrix square.ply --sources 0,80 --method emd --basis 5 --values d.txt");
@@ -514,7 +516,7 @@ TEST_F(Program, emd_matches_known_costs)
   const double lines =
       json("emd square.ply --from from.txt --to to.txt --normalize --basis 0")["value"];
   EXPECT_GT(lines, 0.25);
-  EXPECT_LT(lines, 0.3); // it turns at the ends, where there is twice the mass for the width
+  EXPECT_LT(lines, 0.3); // the flow bends at the ends, whose mass per width is doubled
   EXPECT_EQ(run("emd cloud.xyz --from 0 --to 11 --basis 3 -o c.vtp --quiet").code, 0);
 
   expect_failure("emd square.ply --from 0", 1, "--to");
@@ -534,19 +536,21 @@ TEST_F(Program, emd_matches_known_costs)
 
 TEST_F(Program, plan_transports_to_a_region)
 {
-  // From the left and the lower side to the two right corners.
+  // From the midpoints of the left and lower boundary edges to the two right corners.
   const nlohmann::json two = json("plan square.ply --from 45,6 --to 8,80 -o p.ply --hodge");
   EXPECT_NEAR(two["value"].get<double>(), 0.5 * (std::sqrt(1. + 9. / 64.) + 0.25), 2e-3);
   for(const double arrival : two["arrivals"])
-    EXPECT_NEAR(arrival, 0.5, 0.02); // the other corner is 0.07 farther, fifty times the gap
+    EXPECT_NEAR(arrival, 0.5,
+                0.02); // the other corner is 0.07 farther away, which is fifty times the gap
   const std::string ply = read_file(m_folder / "p.ply");
   for(const char* const field : {"arrivals", "potential", "flow_x", "rotation_z"})
     EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
-  // To a property: where the last answer's arrivals are.
+  // To a property: the arrivals of the previous result.
   EXPECT_NEAR(json("plan p.ply --from 0 --to arrivals")["value"].get<double>(), 1., 1e-3);
   EXPECT_NEAR(json("plan cloud.xyz --from 0 --to 11,12")["value"].get<double>(), 1. / 11., 1e-3);
 
-  // Too little room at the nearest corner, by numbers or by a property; and what is spread evenly.
+  // The nearest corner has too little capacity, given by numbers or by a property. Also tests
+  // uniform spreading.
   const nlohmann::json full = json("plan square.ply --from 45 --to 8,80 --capacity 0.7,0.6");
   EXPECT_NEAR(full["arrivals"][1].get<double>(), 0.6, 0.02);
   const nlohmann::json halves = json("plan p.ply --from 45 --to arrivals --capacity arrivals");
@@ -554,13 +558,13 @@ TEST_F(Program, plan_transports_to_a_region)
   EXPECT_NEAR(halves["value"].get<double>(), to_both, 0.02); // a part of a side where masses part
   const nlohmann::json even = json("plan square.ply --from 45 --to 8,80 --spread 100");
   EXPECT_NEAR(even["arrivals"][0].get<double>(), 0.5, 0.01);
-  // To a line from the corner (0, 0) to (1, 0.5), and to a place in a face.
+  // To a polyline from the corner (0, 0) to (1, 0.5), and to a location in a face.
   EXPECT_NEAR(json("plan square.ply --from 72 --to-path 0,44")["value"].get<double>(),
               2. / std::sqrt(5.), 2e-3);
   EXPECT_NEAR(
       json("plan square.ply --from 8 --to-at 0.52,0.33,0 --to 0 --capacity 0.5,0.5")["value"]
           .get<double>(),
-      0.5 * (1. + std::hypot(0.48, 0.33)), 0.02); // as above
+      0.5 * (1. + std::hypot(0.48, 0.33)), 0.02); // same tolerance as above
   expect_failure("plan square.ply --from 0 --to-path 80", 1, "two vertices");
   expect_failure("plan square.ply --from 0 --to-path 80,81", 2, "81");
   expect_failure("plan square.ply --from 0 --to-at 1,2", 1, "--to-at");
@@ -579,21 +583,21 @@ TEST_F(Program, plan_transports_to_a_region)
 
 TEST_F(Program, barycenter_lies_between_masses)
 {
-  // Of two opposite corners, a root of two apart.
+  // Barycenter of two opposite corners at distance sqrt(2).
   const nlohmann::json two = json("barycenter square.ply --points 0,80 --values b.txt -o b.ply");
-  EXPECT_NEAR(two["value"].get<double>(), 1., 0.01); // the gap
+  EXPECT_NEAR(two["value"].get<double>(), 1., 0.01); // relative gap
   EXPECT_EQ(two["point"], 40);
   EXPECT_NEAR(two["point_value"].get<double>(), 1., 1e-9);
   const std::string ply = read_file(m_folder / "b.ply");
   for(const char* const field : {"mass", "density"})
     EXPECT_NE(ply.find(std::string("property double ") + field + "\n"), std::string::npos);
-  // What was found is as far from both, and in the middle between itself and itself.
+  // The barycenter is equally far from both corners. The barycenter of it and itself is itself.
   EXPECT_NEAR(json("emd b.ply --from mass --to 0 --normalize")["value"].get<double>(),
               std::sqrt(0.5), 0.08);
   EXPECT_LT(json("barycenter b.ply --of mass --of b.txt")["value"], 1e-12);
   EXPECT_LT(json("barycenter b.ply --of density --of density --density")["value"], 1e-12);
   EXPECT_FALSE(json("barycenter b.ply --of 0,80 --of 8 --normalize").contains("point"));
-  // All weight on one.
+  // One point has the whole weight.
   const nlohmann::json one =
       json("barycenter square.ply --points 0,80,8 --weight 0 --weight 0 --weight 2");
   EXPECT_EQ(one["value"], 0.);
@@ -611,7 +615,7 @@ TEST_F(Program, barycenter_lies_between_masses)
 
 TEST_F(Program, streamlines_end_at_the_target)
 {
-  // From the lower left corner to both others on its sides.
+  // From the lower left corner to the two adjacent corners.
   const nlohmann::json lines =
       json("streamlines square.ply --from 0 --to 8,72 --number 20 -o l.obj");
   EXPECT_EQ(lines["lines"], 20);
@@ -640,7 +644,7 @@ TEST_F(Program, fuzzy_likelihood_is_high_between_endpoints)
   const std::vector<double> flow = numbers("f.txt"), detour = numbers("d.txt");
   ASSERT_EQ(flow.size(), 81u);
   ASSERT_EQ(detour.size(), 81u);
-  EXPECT_NEAR(detour[40], 1., 1e-9); // no detour, but for rounding
+  EXPECT_NEAR(detour[40], 1., 1e-9); // no detour up to round-off errors
   EXPECT_GT(flow[40], 0.5);
   for(const std::size_t corner : {0u, 8u, 72u, 80u})
   {
@@ -657,7 +661,7 @@ TEST_F(Program, fuzzy_likelihood_is_high_between_endpoints)
 
 TEST_F(Program, volume_computes_distances_and_paths)
 {
-  // Corners at one on each axis.
+  // An octahedron with a vertex at 1 and at -1 on each axis.
   write("o.off", "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n"
                  "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n");
   const nlohmann::json pair =
@@ -667,7 +671,7 @@ TEST_F(Program, volume_computes_distances_and_paths)
   EXPECT_LE(pair["value"].get<double>(), pair["upper"].get<double>());
   EXPECT_LE(pair["upper"].get<double>(), pair["upper_continuous"].get<double>() * (1. + 1e-9));
   EXPECT_NE(read_file(m_folder / "v.ply").find("property double potential\n"), std::string::npos);
-  // The corner is a unit mass.
+  // Each octahedron vertex has unit mass.
   EXPECT_NEAR(json("volume o.off --from 1,0,0 --to 0,1,0")["value"].get<double>(), std::sqrt(2.),
               2e-3);
   const nlohmann::json slice =
@@ -703,11 +707,12 @@ TEST_F(Program, feature_distance_matches_known_distances)
   EXPECT_LE(border["max"].get<double>(), 0.5 * (1. + 1e-9)); // rounding
   EXPECT_NEAR(border["max"].get<double>(), 0.5, 0.5 / 16.);  // a part of a side at the crease
   EXPECT_NEAR(border["value"].get<double>(), 1. / 6., 0.01); // the integral; likewise
-  // From all but the border a corner is as far as its nearest inner vertex.
+  // The feature consists of all vertices except the boundary. A corner is as far as its nearest
+  // interior vertex.
   EXPECT_NEAR(json("feature-distance d.ply --feature distance")["max"].get<double>(),
               std::sqrt(2.) / 8., 0.02);
   EXPECT_EQ(run("feature-distance cloud.xyz --feature 0,1 --quiet").code, 0);
-  // In faces, a part of a side, 0.125, below at the most.
+  // For locations in faces, the distance is at most a fraction of the edge length 0.125 too short.
   EXPECT_NEAR(json("feature-distance square.ply --feature-at 0.52,0.33,0")["max"].get<double>(),
               std::hypot(0.52, 0.67), 0.05);
   EXPECT_NEAR(json("feature-distance square.ply --feature-path 0,44")["max"].get<double>(),
@@ -733,8 +738,8 @@ TEST_F(Program, flatten_preserves_a_planar_square)
     const std::vector<double> uv = numbers("f.txt");
     ASSERT_EQ(uv.size(), 162u);
     if(method == "lscm")
-      continue; // of any size
-    // From corner to corner.
+      continue; // the scale of these maps is arbitrary
+    // The distance between opposite corners.
     EXPECT_NEAR(std::hypot(uv[160] - uv[0], uv[161] - uv[1]), std::sqrt(2.), 1e-4) << method;
   }
   EXPECT_EQ(json("flatten square.ply --base-points 30 --flat -o flat.ply")["flips"], 0);
@@ -782,7 +787,7 @@ TEST_F(Program, divided_base_preserves_area_and_boundary)
   EXPECT_EQ(again["faces_out"], base["faces_out"]);
   EXPECT_EQ(json("info base.ply")["faces"], base["faces_out"]);
   EXPECT_GT(divided["faces"], whole["faces"]);
-  // A sum of some hundred numbers.
+  // Round-off errors of a sum of some hundred numbers.
   EXPECT_NEAR(divided["area"].get<double>(), whole["area"].get<double>(), 1e-13);
   EXPECT_EQ(divided["boundary_loops"], whole["boundary_loops"]);
 }
@@ -874,7 +879,7 @@ TEST_F(Program, logmap_writes_normal_coordinates)
 
 TEST_F(Program, decal_writes_colors_and_textures)
 {
-  // A compass rose from 0.2 to 0.8, up to the right: the middles of both of its rays are at 0.5.
+  // A compass rose from 0.2 to 0.8. The centers of its upper and right rays are at 0.5.
   const nlohmann::json decal =
       json("decal square.ply --base 40 --up 1,0,0 --width 0.6 --values c.txt "
            "-o d.ply");
@@ -887,14 +892,14 @@ TEST_F(Program, decal_writes_colors_and_textures)
     const auto begin = colors.begin() + 3 * (9 * row + column);
     return std::vector<double>(begin, begin + 3);
   };
-  const std::vector<double> plain = {204., 209., 217.}; // of a surface without colours
+  const std::vector<double> plain = {204., 209., 217.}; // color of a surface without vertex colors
   EXPECT_EQ(color(0, 0), plain);
   EXPECT_EQ(color(2, 2), plain); // outside of the ring
   EXPECT_NE(color(4, 4), plain);
   EXPECT_NE(color(6, 4), plain);
   EXPECT_EQ(json("info d.ply")["vertices"], 81);
 
-  // Two, the second one of its own size, over the first.
+  // Two decals. The second one has its own size and covers the first.
   const nlohmann::json two =
       json("decal square.ply --base 40,0 --up 0,1,0 --width 0.6 --width 0.3 --height 0.6 "
            "--height 0.2 --method exact -o two.obj");
@@ -904,7 +909,7 @@ TEST_F(Program, decal_writes_colors_and_textures)
   EXPECT_EQ(read_file(m_folder / "two_texture.png").substr(1, 3), "PNG");
   EXPECT_EQ(json("info two.obj")["faces"], 128);
 
-  // A black picture; its height follows its own.
+  // A black image. The decal height follows from the aspect ratio of the image.
   write("black.png", png(4, std::string(2 * 5, '\0')));
   EXPECT_EQ(json("decal square.ply --base-at 0.5,0.5,0 --up 0,1,0 --width 0.6 --image black.png "
                  "--values c.txt")["covered"],
@@ -962,7 +967,7 @@ TEST_F(Program, info_counts_cloud_components)
 {
   EXPECT_EQ(json("info cloud.xyz")["components"], 1);
   std::string two = read_file(m_folder / "cloud.xyz");
-  for(int i = 0; i < 100; ++i) // a patch far above
+  for(int i = 0; i < 100; ++i) // a separate sheet far above
     two += std::to_string(i % 10 / 10.) + ' ' + std::to_string(i / 10 / 10.) + " 9 0 0 1\n";
   std::ofstream(m_folder / "two.xyz") << two;
   EXPECT_EQ(json("info two.xyz")["components"], 2);
@@ -970,7 +975,7 @@ TEST_F(Program, info_counts_cloud_components)
 
 TEST_F(Program, sample_reports_covering_radius)
 {
-  // The corners of a square of nine by nine vertices, which the file numbers in rows.
+  // The corners of a square with 9 x 9 vertices, which the file numbers row by row.
   const nlohmann::json four = json("sample square.ply --number 4 --values s.txt -o s.ply");
   EXPECT_EQ(four["samples"], 4);
   // Half of the diagonal.
@@ -1020,7 +1025,7 @@ TEST_F(Program, remesh_preserves_a_square)
       EXPECT_NEAR(remeshed["area"].get<double>(), 1., 1e-9); // with its corners
       EXPECT_EQ(numbers("r.txt").size(), 6 * vertices); // three vertices of a face, three shares
     }
-  // No closed surface has fewer than four vertices; parts without a face are left out.
+  // A closed surface has at least four vertices. Components without faces are omitted.
   EXPECT_GE(json("remesh closed.off --number 0")["vertices_out"], 4);
   EXPECT_GE(json("remesh apart.off --number 6 -o a.off")["vertices_out"], 6);
   EXPECT_EQ(json("info a.off")["components"], 2);
@@ -1028,7 +1033,7 @@ TEST_F(Program, remesh_preserves_a_square)
 
 TEST_F(Program, remesh_adds_vertices_for_maximum_deviation)
 {
-  // A tent over the middle of a square of 41 x 41 vertices.
+  // A tent over the center of a square with 41 x 41 vertices.
   std::ostringstream tent;
   tent << "OFF\n1681 3200 0\n";
   for(int j = 0; j < 41; ++j)
@@ -1068,7 +1073,7 @@ TEST_F(Program, remesh_fit_reduces_area_error)
     json("remesh ball.off --number 40 -o r.ply" + option);
     return json("info r.ply")["area"].get<double>();
   };
-  // Faces whose vertices lie on the ball are below it.
+  // If all vertices lie on the sphere, the faces lie inside it.
   const double input = json("info ball.off")["area"].get<double>(), touching = area(""),
                fitted = area(" --fit");
   EXPECT_LT(touching, fitted);
@@ -1077,7 +1082,7 @@ TEST_F(Program, remesh_fit_reduces_area_error)
 
 TEST_F(Program, remesh_fills_holes)
 {
-  // A box of side 2 without its lid, whose floor lacks a triangle.
+  // A box of edge length 2 without its top face. One triangle of its bottom face is missing.
   write("box.off", "OFF\n8 9 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n"
                    "3 0 2 1\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n"
                    "3 3 4 7\n");
@@ -1095,25 +1100,25 @@ TEST_F(Program, remesh_fills_holes)
     EXPECT_EQ(shape["boundary_loops"], 2 - filled);
     EXPECT_EQ(shape["genus"], 0);
     EXPECT_NEAR(shape["area"].get<double>(), area, 1e-9); // with its edges
-    // Places name vertices of the file, in faces that may be new.
+    // Locations refer to vertices of the file. Their faces may be new.
     const std::vector<double> locations = numbers("r.txt");
     ASSERT_EQ(locations.size(), 6 * shape["vertices"].get<std::size_t>());
     for(std::size_t i = 0; i < locations.size(); i += 6)
     {
       EXPECT_LT(std::max({locations[i], locations[i + 1], locations[i + 2]}), 8.);
       EXPECT_NEAR(locations[i + 3] + locations[i + 4] + locations[i + 5], 1.,
-                  1e-15); // two roundings
+                  1e-15); // two round-off errors
     }
   }
-  // Speeds are given for the vertices of the file, and no others come.
+  // Speeds are given at the vertices of the file. Hole filling adds no vertices.
   EXPECT_EQ(json("remesh square.ply --number 40 --speed double_speed --fill-holes")["holes_filled"],
             1);
-  // What surrounds a single triangle stays open, which a sentence says.
+  // The boundary of a single triangle is not filled. A message reports this.
   const Run_result outcome = run("remesh apart.off --number 9 --fill-holes");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "2 holes are left open", outcome.err);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "holes filled    0", outcome.out);
-  // An option that takes a number or none leaves the file alone.
+  // `--fill-holes` takes an optional number. It must not consume the file name.
   EXPECT_EQ(run("remesh --number 9 --fill-holes square.ply").code, 0);
 }
 
@@ -1157,8 +1162,8 @@ TEST_F(Program, distance_on_a_square_is_euclidean)
     EXPECT_EQ(values[0], 0.);
     EXPECT_EQ(result["unreached"], 0);
     EXPECT_EQ(result["max"].get<double>(), *std::max_element(values.begin(), values.end()));
-    // The default is exact where the surface is flat.  Others err as their pages say; Dijkstra by 8 %
-    // between eight directions.
+    // The default is exact on flat surfaces. The errors of other methods are documented on their
+    // pages. Dijkstra errs by 8 % between eight directions.
     const double tolerance = std::string(method)[0] == 'e' ? 1e-12 : 0.12;
     for(int i = 0; i < 81; ++i)
     {
@@ -1211,7 +1216,7 @@ TEST_F(Program, doubling_speed_halves_distance)
 
 TEST_F(Program, speed_depends_on_curvature)
 {
-  // A flat square has none: what is left is the front that takes speeds.
+  // A flat square has no curvature. Only the front that supports speeds remains.
   for(const char* const speed : {"curvature-attractive", "curvature-repulsive"})
   {
     json(std::string("distance square.ply --source 0 --values s.txt --strength 3 --speed ") +
@@ -1219,9 +1224,9 @@ TEST_F(Program, speed_depends_on_curvature)
     json("distance square.ply --source 0 --values d.txt --method fast-marching");
     const std::vector<double> bent = numbers("s.txt"), plain = numbers("d.txt");
     for(std::size_t i = 0; i < 81; ++i)
-      EXPECT_NEAR(bent[i], plain[i], 1e-12); // rounding
+      EXPECT_NEAR(bent[i], plain[i], 1e-12); // round-off errors
   }
-  // A square pipe of 12 by 24 vertices: on an edge speeds are low, or high.
+  // A square pipe with 12 by 24 vertices. Speeds are low, or high, on its sharp edges.
   std::ostringstream pipe;
   pipe << "OFF\n288 552 0\n";
   for(int j = 0; j < 24; ++j)
@@ -1250,7 +1255,8 @@ TEST_F(Program, speed_depends_on_curvature)
   EXPECT_GT(along_edge(" --speed curvature-attractive --strength 1"),
             along_edge(" --speed curvature-attractive"));
 
-  // Along the middle of a side, of which all bends alike but next to the ends, or as no edge bends.
+  // Along the center line of a side. Its curvature equals that at vertex 145 except near the ends.
+  // Vertex 144 lies on a sharp edge, whose curvature differs.
   const auto along_side = [&](const std::string& vertex)
   {
     json("distance pipe.off --source 1 --values d.txt --strength 1 --speed curvature-like-" +
@@ -1272,7 +1278,7 @@ TEST_F(Program, speed_depends_on_curvature)
 
 TEST_F(Program, speed_depends_on_colors_and_images)
 {
-  // Red grows along x, so that the speed is the same everywhere.
+  // Red grows linearly along x, so the speed is the same everywhere.
   std::string square = read_file(m_folder / "square.ply");
   const std::string one = "property float double_speed\n";
   square.replace(square.find(one), one.size(),
@@ -1293,11 +1299,11 @@ TEST_F(Program, speed_depends_on_colors_and_images)
     json(std::string("distance red.ply --source 0 --values s.txt --speed colours") + strength);
     const std::vector<double> slow = numbers("s.txt");
     for(std::size_t i = 0; i < 81; ++i)
-      EXPECT_NEAR(slow[i], factor * plain[i], 1e-11); // rounding
+      EXPECT_NEAR(slow[i], factor * plain[i], 1e-11); // round-off errors
   }
 
   const Run_result refused = run("sample square.ply --number 9 --density-image nowhere.png");
-  if(refused.code == 1) // built without them
+  if(refused.code == 1) // built without these methods
   {
     EXPECT_PRED_FORMAT2(testing::IsSubstring, "libpng", refused.err);
     return;
@@ -1306,17 +1312,17 @@ TEST_F(Program, speed_depends_on_colors_and_images)
   expect_failure("sample square.ply --number 9 --density-image square.ply", 2, ".png");
   write("wrong.png", "\x89PNG\r\n\x1a\n no more");
   expect_failure("sample square.ply --number 9 --density-image wrong.png", 2, "wrong.png");
-  // Black, and white from the middle on.
+  // Black on the left half and white on the right half.
   std::string rows;
   for(int y = 0; y < 16; ++y)
     rows += '\0' + std::string(8, '\0') + std::string(8, '\xff');
   write("half.png", png(16, rows));
   json("distance square.ply --source 0 --values s.txt --density-image half.png");
   const std::vector<double> slow = numbers("s.txt");
-  // Along the lower side: as always up to the middle, then a step that takes longer.
+  // Along the lower boundary: unchanged up to the center, then a step that takes longer.
   EXPECT_NEAR(slow[2], 0.25, 1e-12);
   EXPECT_GT(slow[8], 3.);
-  // What is seen of it through texture coordinates is black everywhere.
+  // The texture coordinates map the whole surface to black pixels.
   std::string lines = "vt 0.1 0.1\n";
   std::istringstream obj((json("info square.ply -o plain.obj"), read_file(m_folder / "plain.obj")));
   for(std::string word; std::getline(obj, word); lines += word + '\n')
@@ -1331,7 +1337,7 @@ TEST_F(Program, speed_depends_on_colors_and_images)
   json("distance black.obj --source 0 --values s.txt --density-image half.png");
   const std::vector<double> black = numbers("s.txt");
   for(std::size_t i = 0; i < 81; ++i)
-    EXPECT_NEAR(black[i], plain[i], 1e-12); // rounding
+    EXPECT_NEAR(black[i], plain[i], 1e-12); // round-off errors
 }
 
 TEST_F(Program, other_components_and_isolated_vertices_are_unreached)
@@ -1362,7 +1368,8 @@ TEST_F(Program, output_contains_distances)
 {
   json("distance square.ply --source 0 -o d.ply --values d.txt");
   json("distance square.ply --source 0 -o d.vtp");
-  // Read back through --speed, which takes any property: zero speed at the source is allowed.
+  // Reads the result back with --speed, which accepts any property. Speed zero at the source is
+  // allowed.
   for(const char* const name : {"d.ply", "d.vtp"})
     EXPECT_EQ(run(std::string("distance ") + name + " --source 80 --speed distance").code, 0);
   EXPECT_EQ(run("distance square.ply --source 0 -o d.obj").code, 0);
@@ -1392,10 +1399,10 @@ TEST_F(Program, path_on_a_square_is_straight)
   {
     const nlohmann::json path =
         json(std::string("path square.ply --from 9 --to 71 --method ") + method);
-    // Straightened, whatever distances it follows.
+    // Paths are straightened, whatever distances they follow.
     EXPECT_NEAR(path["length"].get<double>(), std::hypot(1., 0.75), 1e-12) << method;
   }
-  // These are the method's own: along the sides a diagonal of 6 squares and 2 sides more.
+  // These distances are the method's own. Dijkstra passes 6 diagonals and 2 edges.
   EXPECT_NEAR(
       json("path square.ply --from 9 --to 71 --method dijkstra")["front_distance"].get<double>(),
       (6. * std::sqrt(2.) + 2.) / 8., 1e-12);
@@ -1408,7 +1415,7 @@ TEST_F(Program, path_on_a_square_is_straight)
 TEST_F(Program, path_on_a_cloud_joins_endpoints)
 {
   const nlohmann::json path = json("path cloud.xyz --from 0 --to 143 --values p.txt");
-  // A flat grid: no shorter than straight, and straightened to within a per cent.
+  // On a flat grid, the path is at least as long as the straight line and at most 1 % longer.
   EXPECT_GE(path["length"].get<double>(), std::sqrt(2.) * (1. - 1e-12));
   EXPECT_LE(path["length"].get<double>(), std::sqrt(2.) * 1.01);
   const std::vector<double> points = numbers("p.txt");
@@ -1424,7 +1431,7 @@ TEST_F(Program, voronoi_labels_nearest_seed)
   const std::vector<double> labels = numbers("l.txt");
   ASSERT_EQ(labels.size(), 81u);
   for(int i = 0; i < 81; ++i)
-    if(i % 9 + i / 9 != 8) // on the line between them both are right
+    if(i % 9 + i / 9 != 8) // vertices on the bisector may have either label
     {
       EXPECT_EQ(labels[static_cast<std::size_t>(i)], i % 9 + i / 9 > 8 ? 1. : 0.);
     }
@@ -1432,7 +1439,7 @@ TEST_F(Program, voronoi_labels_nearest_seed)
 
 TEST_F(Program, segment_makes_charts_of_equal_size)
 {
-  // A square of 8 x 8 cells in two triangles each.
+  // A square with 8 x 8 cells of two triangles each.
   const nlohmann::json result =
       json("segment square.ply --number 4 --discs --values l.txt -o charts.ply");
   EXPECT_EQ(result["charts"], 4);
@@ -1444,17 +1451,18 @@ TEST_F(Program, segment_makes_charts_of_equal_size)
   ASSERT_EQ(labels.size(), 128u);
   for(const double label : {0., 1., 2., 3.})
   {
-    // Of 32; a centre in each quarter, with borders that follow vertices.
+    // A quarter has 32 faces. Each chart has its center in one quarter and a boundary that follows
+    // edges.
     EXPECT_GE(std::count(labels.begin(), labels.end(), label), 22);
     EXPECT_LE(std::count(labels.begin(), labels.end(), label), 42);
   }
-  // Cut apart along their borders, charts are four components without a handle.
+  // If the mesh is cut along the chart boundaries, the charts are four components of genus zero.
   const nlohmann::json charts = json("info charts.ply");
   EXPECT_EQ(charts["components"], 4);
   EXPECT_EQ(charts["boundary_loops"], 4);
   EXPECT_EQ(charts["faces"], 128);
 
-  // The isolated vertex and what has no centre are in no chart.
+  // The isolated vertex and components without a center belong to no chart.
   EXPECT_EQ(json("segment apart.off --number 2")["unreached"], 0);
   EXPECT_GT(json("segment apart.off --number 1")["unreached"], 0);
   EXPECT_EQ(json("segment cloud.xyz --number 5 --values c.txt")["charts"], 5);
@@ -1488,7 +1496,8 @@ TEST_F(Program, voronoi_seeds_are_far_apart)
       {
         const auto x = [n](std::size_t s) { return static_cast<double>(s % n) / (n - 1.); };
         const auto y = [n](std::size_t s) { return static_cast<double>(s / n) / (n - 1.); };
-        // Five points in a square can be 0.7 apart; farthest points are at least half as good.
+        // Five points in a square can be 0.7 apart. Farthest point sampling achieves at least half
+        // of this.
         EXPECT_GE(std::hypot(x(seeds[i]) - x(seeds[j]), y(seeds[i]) - y(seeds[j])), 0.35);
       }
     EXPECT_EQ(json(std::string("voronoi ") + name + " --number 5 --seed 7")["seeds"], seeds);
@@ -1510,7 +1519,7 @@ TEST_F(Program, matrix_has_all_pairs)
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
     const std::vector<double> values = numbers("m.txt");
     ASSERT_EQ(values.size(), 16u);
-    // As in distance_on_a_square_is_euclidean.
+    // Same tolerances as in distance_on_a_square_is_euclidean.
     const double tolerance = std::string(method)[0] == 'e' ? 1e-12 : 0.12;
     for(std::size_t i = 0; i < 4; ++i)
       for(std::size_t j = 0; j < 4; ++j)
@@ -1520,7 +1529,7 @@ TEST_F(Program, matrix_has_all_pairs)
             << method << ' ' << p << ' ' << q;
       }
 
-    // The same numbers, column by column.
+    // The same numbers in column-major order.
     std::istringstream market(read_file(m_folder / "m.mtx"));
     std::string head;
     std::getline(market, head);
@@ -1549,7 +1558,7 @@ TEST_F(Program, matrix_limit_keeps_near_pairs)
     EXPECT_EQ(result["rows"], 81);
     const std::vector<double> values = numbers("m.txt");
     ASSERT_EQ(values.size(), 3 * result["entries"].get<std::size_t>());
-    // A row, a column and a distance for each pair that is near, in order.
+    // Row, column and distance of each pair within the limit, in order.
     auto value = values.begin();
     for(int i = 0; i < 81; ++i)
       for(int j = 0; j < 81; ++j)
@@ -1595,7 +1604,7 @@ TEST_F(Program, matrix_has_infinity_between_components)
   EXPECT_EQ(numbers("m.txt"),
             (std::vector<double>{0, 1, INFINITY, INFINITY, 1, 0, INFINITY, INFINITY, INFINITY,
                                  INFINITY, 0, INFINITY, INFINITY, INFINITY, INFINITY, 0}));
-  // Near pairs alone: three by three in both triangles, and the isolated vertex with itself.
+  // Only pairs within the limit: 3 x 3 in both triangles, and the isolated vertex with itself.
   EXPECT_EQ(json("matrix apart.off --limit 10")["entries"], 19);
 }
 
@@ -1633,7 +1642,7 @@ TEST_F(Program, picture_fails_early_without_display)
     EXPECT_NE(shown(" --sides"), shown(""));
     expect_failure("info cloud.xyz --sides --picture b.png", 1, "--sides");
   }
-  // Without a server and a display, as without VTK, nothing is even read.
+  // Without a display server or without VTK, the program fails before it reads a file.
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
   ::unsetenv("DISPLAY");
